@@ -1,12 +1,12 @@
-"""All figures, each with its target.
+"""Run the benchmarks and compare each figure with its target.
 
 Usage: `python -m benchmarks [--halfway | --prove | --against COMMIT] [NAME …]`.
 
-A benchmark is a file of this folder that prints lines of `name value unit`. The relevant ones are ratios
-within one run, against a peer, a limit or an alternative; `BARS` has their targets. The exit status is 1 if
-one is missed, or with `--halfway` if one is missed by more than a factor of two, which a loaded machine
-should pass, too. With `--prove` there are no figures: every run is proved, so that the measured programs are
-known to observe their limits. With `--against COMMIT` the work of this tree is compared with that commit's,
+A benchmark is a file in this folder that prints lines of `name value unit`. The figures that matter are ratios
+within one run, to a peer, a limit or an alternative; `BARS` has their targets. The exit status is 1 if a
+target is missed. With `--halfway` it is 1 only if one is missed by more than a factor of two, so that a loaded
+machine passes, too. With `--prove` no figures are printed: every run is proved, which shows that the measured
+programs observe their limits. With `--against COMMIT` the work of this tree is compared with that of a commit
 by counting (`against.py`).
 """
 
@@ -39,7 +39,7 @@ class Bar(NamedTuple):
     value: float
 
     def holds(self, figure: float, slack: float = 1.0) -> bool:
-        """True if a figure meets it; with `slack` 2, within a factor of two."""
+        """True if a figure meets the target; `slack` 2 allows a factor of two."""
         return figure * slack >= self.value if self.at_least else figure <= self.value * slack
 
 
@@ -157,7 +157,7 @@ BARS: dict[str, Bar] = {
 
 
 def ran(name: str, *further: Path) -> subprocess.CompletedProcess[str]:
-    """Run a benchmark in a process, with further import folders.
+    """Run a benchmark in a separate process, with additional import folders.
 
     Raises CalledProcessError if it fails.
     """
@@ -188,7 +188,7 @@ def figures(name: str) -> dict[str, tuple[float, str]]:
 
 
 def prove(names: list[str]) -> int:
-    """Prove every run of benchmarks; 1 if one fails."""
+    """Prove every run of the named benchmarks; return 1 if a proof fails."""
     failed = 0
     for name in names:
         try:
@@ -200,7 +200,7 @@ def prove(names: list[str]) -> int:
 
 
 def main(names: list[str]) -> int:
-    """Run the named benchmarks, or all, and print a table after each."""
+    """Run the named benchmarks, or all; print a table after each; return the status."""
     if names[:1] == ["--against"]:
         if len(names) != 2:
             sys.stderr.write("usage: python -m benchmarks --against COMMIT (or: --against baseline)\n")

@@ -1,9 +1,9 @@
-"""Comparison of this tree's work with an earlier commit's, by counting.
+"""Compare the work of this tree with that of an earlier commit, by counting.
 
 Usage: `python -m benchmarks --against COMMIT`. Each style of `styles.py` is counted in both trees, by
-function calls and by bytecode instructions. Counts repeat exactly, so a difference is a change of the code
-and never of the machine; 10 % more of either fails. `COMMIT` may be `baseline`, the commit named in the file
-`benchmarks/baseline`, which allows an intended increase by a line with its reason.
+function calls and by bytecode instructions. Counts repeat exactly, so a difference is always due to the code
+and never to the machine. An increase of more than 10 % in either count fails. `COMMIT` may be `baseline`: the
+commit named in the file `benchmarks/baseline`, in which a line with a reason allows an intended increase.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Allowed(NamedTuple):
 
 
 class Change(NamedTuple):
-    """A figure's (calls, instructions) in both trees, and its allowed increase."""
+    """A figure's (calls, instructions) in both trees, and the allowed increase."""
 
     figure: str
     before: tuple[int, int]
@@ -53,12 +53,15 @@ class Change(NamedTuple):
 
     @property
     def limit(self) -> float:
-        """The highest ratio accepted."""
+        """The highest ratio that is accepted."""
         return self.allowed.limit if self.allowed else LIMIT
 
 
 def read_baseline(text: str) -> tuple[str, list[Allowed]]:
-    """Return commit and increases of a baseline file; ValueError with an invalid line."""
+    """Return the commit and the allowed increases of a baseline file.
+
+    Raises ValueError if a line is invalid.
+    """
     commit, allowed = "", []
     for number, line in enumerate(text.splitlines(), 1):
         words = line.split(maxsplit=2)
@@ -80,7 +83,7 @@ def read_baseline(text: str) -> tuple[str, list[Allowed]]:
 
 
 def counts(package: Path) -> dict[str, tuple[int, int]]:
-    """Return every figure of the package in a folder, counted in a separate process."""
+    """Return all figures of the package in a folder, counted in a separate process."""
     environment = {name: value for name, value in os.environ.items() if not name.startswith("MOTIONLANG_")}
     done = subprocess.run(
         [sys.executable, str(FOLDER / "counted.py"), str(package)],
@@ -98,7 +101,10 @@ def counts(package: Path) -> dict[str, tuple[int, int]]:
 def compare(
     before: dict[str, tuple[int, int]], after: dict[str, tuple[int, int]], allowed: list[Allowed]
 ) -> list[Change]:
-    """Compare figures of both trees; of several matching lines the last one applies."""
+    """Compare the figures of both trees.
+
+    If several lines of the baseline match a figure, the last one applies.
+    """
     return [
         Change(
             name,
@@ -112,7 +118,7 @@ def compare(
 
 
 def unpacked(commit: str, folder: Path) -> Path:
-    """Unpack the tree of a commit to a folder."""
+    """Unpack the tree of a commit into a folder, and return its path."""
     archive = subprocess.run(
         ["git", "archive", commit, "motionlang", "grammars"], capture_output=True, check=True, cwd=ROOT
     ).stdout

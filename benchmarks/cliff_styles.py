@@ -1,7 +1,7 @@
-"""The programs of `cliffs.py`: one machine in the styles of the field.
+"""The programs of `cliffs.py`: one machine, programmed in the styles of the field.
 
-A style may be added, but none removed or rewritten: the list shows where the cost of a program depends on how
-it is written. Each has a neighbour, a plain program with the same motion. Programs never end.
+Styles may be added, but never removed or rewritten: the list shows where the cost of a program depends on how
+it is written. Each style has a neighbour, a plain program with the same motion. The programs never end.
 """
 
 from __future__ import annotations
@@ -22,10 +22,11 @@ _MOTOR: dict[str, object] = {
 
 
 class Style(NamedTuple):
-    """A program with its neighbour and its bars.
+    """A program with the name of its neighbour and its targets.
 
-    `neighbour` is a name, "" for a neighbour itself. The bars `most` and `least` are 0 for the common ones.
-    The suffix of `file` is the language, `machine` the machine file as settings.
+    `neighbour` is "" if the program is a neighbour itself. `most` is how many times slower it may be than its
+    neighbour, `least` the speed that it must reach, in multiples of real time; 0 means the common target. The
+    suffix of `file` selects the language; `machine` has the settings of the machine file.
     """
 
     family: str
@@ -57,12 +58,18 @@ def _add(
 
 
 def _cycle(wait: str = _PAUSE, head: str = "", each: str = "  WAIT(500)\n", blocks: str = "") -> str:
-    """Return moves there and back, each with a wait; `each` is once in a cycle."""
+    """Return a loop of moves there and back, each followed by `wait`.
+
+    `each` is executed once per cycle; `head` comes before the loop, `blocks` at the end.
+    """
     return f"{_AXES}{head}Loop\n{_THERE}{wait}{_BACK}{wait}{each}End Loop\nEnd\n{blocks}"
 
 
 def _tasks(count: int, body: str, lines: str = "") -> tuple[str, str]:
-    """Return the start and the blocks of tasks; `@` in their body is their number."""
+    """Return the statements that start tasks, and the blocks of these tasks.
+
+    `@` in `body` and `lines` is replaced by the number of the task.
+    """
     runs = "".join(f"Run T{k}\n" for k in range(1, count + 1))
     blocks = (
         f"Task T{k}\n{lines}Loop\n{body}End Loop\nEnd Task\n".replace("@", str(k))

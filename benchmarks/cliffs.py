@@ -2,13 +2,12 @@
 
 Usage: `python -m benchmarks.cliffs [FAMILY …]`. A line has a style, how many times slower it runs than its
 neighbour, and its speed in machine seconds per processor second (`x real time`). A style that is more than
-`MOST` times slower than its neighbour, or slower than `LEAST` × real time, is a cliff and is marked; a few
-styles have bars of their own (`cliff_styles.py`, which has the programs). The exit status is 1 if there is
-a cliff.
+`MOST` times slower than its neighbour, or slower than `LEAST` × real time, is a cliff and is marked. A few
+styles have other limits (`cliff_styles.py`, which has the programs). The exit status is 1 if there is a cliff.
 
-A program is compiled first, which is not measured. Then it runs in stretches, each as long as all before it,
-until it has taken `BUDGET` seconds of processor time or a shift of eight hours is over. The neighbour is
-measured just before the first of its styles, and again after the last one: the quicker one counts.
+Compilation is not measured. Each program runs in stretches, each as long as all earlier ones together, until
+it has used `BUDGET` seconds of processor time or has completed a shift of eight hours. The neighbour is
+measured just before the first of its styles and again after the last one; the faster result counts.
 """
 
 from __future__ import annotations
@@ -41,7 +40,7 @@ SHORT, ROUNDS = 0.15, 3
 
 
 def started(style: Style) -> Scheduler:
-    """Return a compiled program that may run."""
+    """Return the scheduler of a compiled program that is ready to run."""
     language = dialect_of(style.file)
     assert language is not None
     machine = Machine(style.machine, first_axis=language.first_axis, accelerators=accelerators())
@@ -51,9 +50,10 @@ def started(style: Style) -> Scheduler:
 
 
 def once(style: Style) -> tuple[float, float]:
-    """Run a program; return machine seconds per processor second, and the latter.
+    """Run a program once.
 
-    Raises RuntimeError if the program ends, which makes its speed meaningless.
+    Return machine seconds per processor second, and the processor seconds used. Raises RuntimeError if the
+    program ends, because its speed is then meaningless.
     """
     scheduler = started(style)
     gc.collect()
@@ -84,7 +84,10 @@ def speed(name: str) -> float:
 
 
 def main(families: list[str]) -> int:
-    """Print a line for each style of some families, or of all; 1 if there is a cliff."""
+    """Print a line for each style of the named families, or of all.
+
+    Return 1 if there is a cliff.
+    """
     known = dict.fromkeys(style.family for style in STYLES.values())
     unknown = [each for each in families if each not in known]
     if unknown:

@@ -1,13 +1,13 @@
-"""Time to make Mint runnable: `name value unit` lines, ratios within one run.
+"""Time until a Mint program can run: `name value unit` lines, mostly ratios.
 
     python benchmarks/compile.py [BYTES]
 
-The text is a program of about a quarter of a megabyte, made twice with equal statements: in Mint and in
-Python, so that CPython's own `compile` is a fair comparison. Runnable means that the first statement can be
-executed: the code of a long program is made function by function, as they are called; `everything` has made
-all of it. The collector is off for both. `lines` are programs of one straight line of statements, whose cost
-should grow with their length. Times are processor times, ratios the medians of rounds in which both run one
-after the other.
+The text is a program of about a quarter of a megabyte, generated twice with equal statements: in Mint and in
+Python, so that CPython's own `compile` is a fair comparison. A program is runnable if its first statement can
+be executed: the code of a long program is generated function by function, when they are called. `everything`
+includes the code of all functions. The garbage collector is off for both. `lines` are programs without
+branches or functions, whose cost should be proportional to their length. Times are processor times; ratios are
+medians of rounds in which both run one after the other.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ LINES = (10_000, 40_000)
 
 
 def runnable(source: Source) -> MintProgram:
-    """Return a program that can be started."""
+    """Compile a program until its first statement can be executed."""
     return compile_source(source, ranges=accelerators().ranges)
 
 
 def whole(source: Source) -> None:
-    """Compile everything of a program."""
+    """Compile a complete program, all functions included."""
     runnable(source).code.compile_all()
 
 

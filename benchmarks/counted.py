@@ -1,10 +1,10 @@
-"""Counter of function calls and bytecode instructions of every style.
+"""Count function calls and bytecode instructions of every style.
 
 Usage: `python benchmarks/counted.py FOLDER`. It prints one JSON object: `{"style.stage": [calls,
-instructions]}`. `FOLDER` contains the package that is counted. The stages are `compile` (source to a started
-program), `run` (the program itself) and `report` (to JSON text). Each stage runs once before it is counted,
-so that imports and caches within the process do not count. The same package, Python and styles give equal
-figures on every machine, whatever its load.
+instructions]}`. `FOLDER` contains the package that is counted. The stages are `compile` (from source text to a
+started program), `run` (the program itself) and `report` (to JSON text). Each stage runs once before it is
+counted, so that imports and caches within the process do not count. The same package, Python and styles give
+equal figures on every machine, whatever its load.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class Counter:
-    """Calls of Python and C functions, and instructions, while `counting` runs."""
+    """Counts calls of Python and C functions, and instructions, in `counting`."""
 
     def __init__(self) -> None:
         self.calls = self.instructions = 0
@@ -83,7 +83,7 @@ def stages(
 
 
 def main(folder: str) -> None:
-    """Count and print."""
+    """Count every style with the package in `folder`, and print the result."""
     sys.path.insert(0, folder)
     counter = Counter()
     print(

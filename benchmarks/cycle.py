@@ -1,9 +1,9 @@
-"""The cost of `run --profile` on a shift of eight hours, run and reported.
+"""The cost of `run --profile` for a shift of eight hours, run and reported.
 
-In one process the ratios are of the best of several interleaved rounds, in CPU time; the collector is off, as
-in a process of its own. `cycle_command` is of complete processes, `run shift.mnt` with and without
-`--profile`; `cycle_command_json` of the JSON report without and with the profile in a file: the median of the
-ratios of pairs.
+Ratios within one process compare the best of several interleaved rounds, in CPU time; the collector is off, as
+in a separate process. `cycle_command` compares complete processes, `run shift.mnt` with and without
+`--profile`. `cycle_command_json` compares the JSON report alone with the report plus the profile in a file.
+Both are the median of the ratios of pairs.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def main() -> None:
 
 
 def whole() -> dict[str, float]:
-    """Return the ratios of complete processes with the profile and without."""
+    """Return the CPU time of complete processes with the profile, by that without."""
     with tempfile.TemporaryDirectory() as folder:
         environment = {**os.environ, "MOTIONLANG_CACHE": folder, "PYTHONPYCACHEPREFIX": f"{folder}/pyc"}
         environment.pop("PYTHONDONTWRITEBYTECODE", None)

@@ -1,6 +1,7 @@
-"""Debug builds against plain ones, and a step back against the run up to there.
+"""The cost of debug builds against plain ones, and of a step back.
 
-It prints `name value unit`; all figures are ratios in one run, of the smallest processor time of each side.
+A step back is compared with the run up to the same statement. Prints `name value unit`; all figures are ratios
+within one run, of the smallest processor time of each side.
 """
 
 from __future__ import annotations
@@ -57,9 +58,9 @@ def _least(work: Callable[[], object]) -> float:
 
 
 def _step_back(source: Source) -> float:
-    """Return the time of a step back, relative to running as far.
+    """Return the time of a step back, relative to a run up to the same statement.
 
-    The first one after the stop is not counted: it searches for the statement before.
+    The first step back after a stop is not counted: it has to search for the previous statement.
     """
     language = dialect_of(source.name)
     assert language is not None

@@ -1,7 +1,7 @@
 """Comparison of two runs of a shift of 20 000 moves: reports, motion, command.
 
-`diff_command` is the CPU time of `motionlang diff shift.mnt way.mnt`, both compiled before,
-`diff_command_by_run` its ratio to the time of `motionlang run shift.mnt`.
+`diff_command` is the CPU time of `motionlang diff shift.mnt way.mnt` with both programs already compiled;
+`diff_command_by_run` is its ratio to the time of `motionlang run shift.mnt`.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def main() -> None:
 
 
 def whole() -> list[str]:
-    """Measure complete processes: the comparison, and a run alone."""
+    """Return the figures of complete processes: a comparison, and a run alone."""
     with tempfile.TemporaryDirectory() as folder:
         environment = {**os.environ, "MOTIONLANG_CACHE": folder, "PYTHONPYCACHEPREFIX": f"{folder}/pyc"}
         environment.pop("PYTHONDONTWRITEBYTECODE", None)

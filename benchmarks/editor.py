@@ -2,10 +2,10 @@
 
     python benchmarks/editor.py [LINES [KEYS]]
 
-The text is a program of 10 000 lines. One parse of it is 1. A check after a key knows the check before it, and
-the key changes one sub. A key is a change and a completion, as messages of the protocol in this process: JSON in,
-JSON out. No pause passes between keys, so no name is looked up and no check begins. Memory is that of this process
-after all KEYS, 3000 unless you say otherwise, relative to that after the first hundred.
+The text is a program of 10 000 lines; the time of parsing it once is 1. A check after a key can reuse the
+previous check, and the key changes one sub. A key is a change and a completion, as messages of the protocol in
+this process: JSON in, JSON out. There is no pause between keys, so no name is looked up and no check begins.
+Memory is that of this process after KEYS keys (default 3000), relative to that after the first hundred.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def main(arguments: list[str]) -> int:
 
 
 class Typist:
-    """An editor that types one line repeatedly and asks for completion."""
+    """An editor that types the same line repeatedly and asks for completion."""
 
     def __init__(self, text: str) -> None:
         self.server = Server(Inline())
@@ -98,7 +98,7 @@ class Typist:
         """Do nothing."""
 
     def key(self, line: int, column: int, sign: str) -> None:
-        """Type a character and ask for completion; delete the line for an empty sign."""
+        """Type a character, or delete the line if `sign` is empty; ask for completion."""
         self.version += 1
         begin, end = (
             {"line": line, "character": 0 if not sign else column},
@@ -128,7 +128,7 @@ class Typist:
 
 
 async def type_keys(text: str, count: int, typed: int) -> tuple[list[float], float]:
-    """Return the seconds of each key, and the memory after them, 0 where it is unknown."""
+    """Return the seconds of each key, and the memory afterwards in pages (0: unknown)."""
     typist = Typist(text + "\n")
     known = typist.server.session.known(URI)
     assert known is not None
@@ -146,7 +146,7 @@ async def type_keys(text: str, count: int, typed: int) -> tuple[list[float], flo
 
 
 def resident() -> int:
-    """Return the memory of this process in pages, 0 where there is no `/proc`."""
+    """Return the memory of this process in pages; 0 if there is no `/proc`."""
     try:
         return int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
     except OSError:

@@ -1,10 +1,11 @@
-"""The cost of events: a shift run and reported with its events, and without.
+"""The cost of events: a shift, run and reported with its events and without.
 
     python benchmarks/events.py
 
-Statements that write an event, and checks for one, are removed from the source before it is compiled; nothing
-else differs. Both variants run in processes of their own, alternating; the ratio is that of the best CPU time
-of each. `quiet` is the shift itself, which has no events; in `busy` each cycle stops every axis once.
+For the variant without events, the statements that write an event and the checks for one are removed from the
+source of the package before it is compiled; nothing else differs. The two variants run alternately in separate
+processes; the ratio compares the best CPU time of each. `quiet` is the shift itself, which has no events; in
+`busy` each cycle stops every axis once.
 """
 
 from __future__ import annotations
@@ -34,12 +35,12 @@ WRITERS = ("clamped", "note")
 
 
 class Silent(ast.NodeTransformer):
-    """Removes statements that write an event, and conditions used for nothing else."""
+    """Removes statements that write an event, and conditions that guard only these."""
 
     def visit_Expr(self, node: ast.Expr) -> ast.AST | None:
-        """Remove a call of `events.…(…)` and the other writers.
+        """Remove a call that writes an event.
 
-        They are those of `triggers`, `clamped(…)`, `note(…)` and `….log.note(…)`.
+        These are `events.…(…)`, `triggers.events.…(…)`, `clamped(…)`, `note(…)` and `….log.note(…)`.
         """
         call = node.value
         if not isinstance(call, ast.Call):
@@ -54,28 +55,28 @@ class Silent(ast.NodeTransformer):
         return node
 
     def visit_If(self, node: ast.If) -> ast.AST | None:
-        """Remove a condition with an empty body."""
+        """Remove an `if` whose body has become empty and that has no `else`."""
         self.generic_visit(node)
         return node if node.body or node.orelse else None
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
-        """Give an empty function a `pass`."""
+        """Give a function without statements a `pass`."""
         self.generic_visit(node)
         node.body = node.body or [ast.Pass()]
         return node
 
 
 class Loader(SourceFileLoader):
-    """Compiles a module without its writers of events."""
+    """Compiles a module without the statements that write events."""
 
     def get_code(self, fullname: str) -> CodeType:
-        """Compile, ignoring bytecode files."""
+        """Compile the module from source, ignoring bytecode files."""
         tree = Silent().visit(ast.parse(self.get_data(self.path)))
         return compile(ast.fix_missing_locations(tree), self.path, "exec", dont_inherit=True)
 
 
 class Finder:
-    """Finds the modules of the package, for this loader."""
+    """Finds the modules of the package for `Loader`."""
 
     @staticmethod
     def find_spec(
@@ -92,7 +93,7 @@ class Finder:
 
 
 def measure(kind: str, way: str) -> None:
-    """Print the best CPU time of some rounds, and how many events there were."""
+    """Print the best CPU time of several rounds, and the number of events."""
     if way == "without":
         sys.meta_path.insert(0, Finder())
     from motionlang.execution import run

@@ -1,10 +1,10 @@
 """Growth of work and memory with program size.
 
-The figure is the exponent over the top decade. Each line measures one kind of program at a size and at a
-tenth of it, in a process each, by counted calls (Python and C) of the stage. `growth_x 1.02` means that ten
-times the program are 10^1.02 times the calls. `growth_x_memory` is the peak of the process at the larger
-size, MB, without that of an empty program. Calls do not see copies of long texts or lists within one call;
-memory and the tests of these copies do.
+Each figure is the exponent of growth over a factor of ten in size. Each line measures one kind of program at a
+size and at a tenth of it, in two separate processes, by the calls (Python and C) of a stage. `growth_x 1.02`
+means that a program ten times as long takes 10^1.02 times the calls. `growth_x_memory` is the increase of the
+peak memory of the process at the larger size, MB. Calls do not show copies of long texts or lists within one
+call; memory does, and these copies have tests of their own.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ SIZES = {"compile": 10_000, "check": 5_000, "run": 5_000}
 
 
 def _lines(text: str) -> Callable[[int], str]:
-    """Return a program of n copies of some lines.
+    """Return a function that makes a program of n copies of some lines.
 
-    `@` stands for the number of the copy.
+    `@` is replaced by the number of the copy.
     """
     return lambda count: "".join(text.replace("@", str(n)) for n in range(count))
 
@@ -63,7 +63,7 @@ PROGRAMS: dict[str, Callable[[int], str]] = {
 
 
 def measured(stage: str, name: str, size: int) -> tuple[int, float]:
-    """Return the calls of a stage and the peak memory of this process, MB."""
+    """Return the calls of a stage and the growth of this process's peak memory, MB."""
     from counted import Counter
 
     from motionlang.execution import dialect, run

@@ -1,7 +1,7 @@
-"""A counting loop of a million iterations in Mint against that loop in CPython.
+"""A counting loop of a million iterations in Mint, compared with CPython.
 
-Virtual time is charged. It prints `name value unit`; the ratios are medians of rounds in which both run one
-after the other.
+Virtual time is charged. Prints `name value unit`; the ratios are medians of rounds in which both run one after
+the other.
 """
 
 from __future__ import annotations

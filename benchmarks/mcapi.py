@@ -1,11 +1,10 @@
-"""MCAPI against ASCII MCCL.
+"""The speed of MCAPI compared with ASCII MCCL.
 
 A read over the port and in process, hosts side by side, and the replay of a log.
 
-
-It prints `name value unit`. Over the port, MCGetPositionEx and `1TP` alternate in one run, with plain sockets
-and one server; each figure is a ratio. The replay is of a log of reads in motion; its memory is the peak of a
-process of its own.
+Prints `name value unit`. Over the port, MCGetPositionEx and `1TP` alternate in one run, with plain sockets
+and one server; each figure is a ratio. The replayed log has reads in motion; its memory is the peak of a
+separate process.
 """
 
 from __future__ import annotations
@@ -48,7 +47,7 @@ def connect(port: int) -> socket.socket:
 
 
 def ask(host: socket.socket, line: bytes, end: bytes) -> bytes:
-    """Send a line and return its answer."""
+    """Send a line and return the answer, which ends with `end`."""
     host.sendall(line)
     answer = host.recv(256)
     while not answer.endswith(end):
@@ -57,14 +56,14 @@ def ask(host: socket.socket, line: bytes, end: bytes) -> bytes:
 
 
 def opened(port: int) -> socket.socket:
-    """Return a connection with an open handle."""
+    """Return a connection on which a handle is open."""
     host = connect(port)
     assert ask(host, b"MCOpen 0 2 -\n", b"\n") == b"1\n"
     return host
 
 
 def over_the_port(mcapi: int, ascii: int) -> float:
-    """Return the median time of MCGetPositionEx in medians of 1TP."""
+    """Return the median time of MCGetPositionEx divided by that of 1TP."""
     calls, lines = [], []
     with opened(mcapi) as host, connect(ascii) as other:
         assert other.recv(1) == b">"
@@ -79,7 +78,7 @@ def over_the_port(mcapi: int, ascii: int) -> float:
 
 
 def side_by_side(port: int, count: int) -> dict[socket.socket, int]:
-    """Return how many reads each of several hosts gets in a time."""
+    """Return how many reads each of `count` hosts completes within `SECONDS`."""
     hosts = [opened(port) for _ in range(count)]
     counts = dict.fromkeys(hosts, 0)
     with selectors.DefaultSelector() as selector:
@@ -99,14 +98,14 @@ def side_by_side(port: int, count: int) -> dict[socket.socket, int]:
 
 
 def total(counts: dict[socket.socket, int]) -> int:
-    """Return the number of all reads."""
+    """Return the number of reads of all hosts."""
     return len([None for count in counts.values() for _ in range(count)])
 
 
 def next_to_a_wait(port: int) -> float:
-    """Return the reads of eight connections next to a poll that waits.
+    """Return the share of reads that remains while another host waits in a poll.
 
-    As a share of those without it.
+    It is the number of reads of eight connections, relative to that without the waiting host.
     """
     shares = []
     for _ in range(3):
@@ -143,7 +142,7 @@ def served() -> None:
 
 
 def in_process() -> float:
-    """Return the time of a read in that of a line of 1TP, both in virtual time."""
+    """Return the time of a read divided by that of a line of 1TP, in virtual time."""
     host = Mcapi.virtual()
     host.Open(0, MC_OPEN_BINARY)
     console = Console(Machine(None, first_axis=1, accelerators=accelerators()))
@@ -163,7 +162,7 @@ def in_process() -> float:
 
 
 def write_log(file: BinaryIO, calls: int) -> None:
-    """Write a log in which one axis runs and is read every millisecond."""
+    """Write a log in which an axis moves and its position is read every millisecond."""
     file.write(b"mcapi-log 1\n0.0 0.0 1 MCOpen 0 2 - = 1\n")
     for k, call in enumerate(
         ("MCEnableAxis 1 1 1", "MCSetOperatingMode 1 1 0 4", "MCSetVelocity 1 1 1000.0")
@@ -178,7 +177,7 @@ def write_log(file: BinaryIO, calls: int) -> None:
 
 
 def replay(calls: int) -> tuple[float, float]:
-    """Return calls per second of processor time, and the peak of memory, MB."""
+    """Return the replayed calls per processor second, and the peak of memory, MB."""
     with TemporaryFile() as file:
         write_log(file, calls)
         file.seek(0)

@@ -1,6 +1,6 @@
-"""MCCL: commands per second, polling for a shift, round trips of a host.
+"""Speed of MCCL: commands per second, polling for a shift, round trips of a host.
 
-It prints `name value unit`.
+Prints `name value unit`.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ ROUNDS = 5
 
 
 def commands() -> float:
-    """Return commands per second, from the text of a file to its end.
+    """Return commands per second, from the text of a file to the end of its run.
 
-    Half of the texts differ from all others.
+    In half of the commands the text occurs only once.
     """
     lines = [f"AL{k},AA2,AM3,AR10,IG{k},NO,NO,1SV{k % 9000 + 1},2SA5000,TR10" for k in range(4000)]
     text = "\n".join(lines)
@@ -34,7 +34,7 @@ def commands() -> float:
 
 
 def looping() -> float:
-    """Return commands per second in a loop of one macro that counts."""
+    """Return commands per second in a macro that loops and counts."""
     text = "MD1,RA10,AA1,AR10,IB30000,MJ1,NO\nAL0,AR10,MC1"
     best = float("inf")
     for _ in range(ROUNDS):
@@ -45,9 +45,9 @@ def looping() -> float:
 
 
 def polling() -> float:
-    """The seconds of a macro that polls the status word for eight machine hours.
+    """Return the CPU seconds of a macro that polls the status word for a shift.
 
-    Another task moves an axis meanwhile.
+    The shift has eight machine hours; another task moves an axis meanwhile.
     """
     text = 'MD1,1MR1000,1WS4,RP7000\nMD2,1LU"STATUS",1RL@0,IC25,JR-3,NO\n1MN\nGT1\nMC2'
     begin = process_time()
@@ -58,7 +58,7 @@ def polling() -> float:
 
 
 def round_trips() -> float:
-    """Return requests per second of one host, in process: characters and machine time."""
+    """Return requests per second of one host, in process: text and machine time."""
     console = Console(Machine(first_axis=1))
     port = console.open(echo=False)
     port.take()

@@ -1,6 +1,6 @@
 """The cost of a run's output: reports, traces as CSV and npz, a chart, a picture.
 
-The run has 20 000 moves. It prints `name value unit`. Ratios are taken within one run, of the best of several
+The run has 20 000 moves. Prints `name value unit`. Ratios compare times within one run, the best of several
 interleaved rounds.
 """
 
@@ -38,13 +38,16 @@ SHIFT = 8 * 3600.0
 
 
 class Nameless(Dialect):
-    """The moves are loaded directly: the cost of the language is measured elsewhere."""
+    """A dialect without a language: its moves are loaded directly into the controller.
+
+    The cost of the language is measured elsewhere.
+    """
 
     name = "mint"
 
 
 def shift() -> Run:
-    """Return 20 000 different moves of four axes in eight hours."""
+    """Return a run of 20 000 different moves of four axes in eight hours."""
     machine = Machine({"controller.axes": 4})
     run = Run(Source("shift.mnt", ""), Nameless(), machine)
     controller = run.controller
@@ -59,14 +62,14 @@ def shift() -> Run:
 
 
 def columns() -> list[np.ndarray]:
-    """Return time, position, velocity, acceleration and noise, a row per millisecond."""
+    """Return time, three waves and noise as columns, with a row per millisecond."""
     t = np.arange(ROWS) * 1e-3
     waves = [500 * np.sin(t * 0.7) + 3, 350 * np.cos(t * 0.7), -245 * np.sin(t * 0.7)]
     return [t, *waves, np.random.default_rng(0).normal(0.0, 1.0, ROWS)]
 
 
 def best(rounds: int, jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
-    """Return seconds of each job, the best of `rounds`, with the jobs alternating."""
+    """Return the best time of each job in seconds; the jobs alternate for `rounds`."""
     times = dict.fromkeys(jobs, float("inf"))
     for _ in range(rounds):
         for name, job in jobs.items():
@@ -78,7 +81,7 @@ def best(rounds: int, jobs: dict[str, Callable[[], object]]) -> dict[str, float]
 
 
 def measure_csv() -> None:
-    """Measure the formatter against `np.savetxt`, both to memory, six decimals."""
+    """Compare the CSV formatter with `np.savetxt`, both to memory with six decimals."""
     data = columns()
     table = np.stack(data, axis=1)
     part = table[: ROWS // 10]
@@ -104,7 +107,7 @@ def measure_report(run: Run) -> None:
 
 
 def measure_trace(run: Run) -> None:
-    """Measure the shift's motion to files: four axes, sampled and written.
+    """Measure sampling the motion of four axes and writing it to files.
 
     The columns are position, velocity and acceleration.
     """
@@ -125,9 +128,9 @@ def measure_trace(run: Run) -> None:
 
 
 def measure_five_columns(run: Run) -> None:
-    """Measure twenty minutes of the shift as CSV at 1 kHz: time and four quantities.
+    """Measure writing twenty minutes of the shift as CSV at 1 kHz, five columns.
 
-    They are chosen like those of --columns.
+    They are time and four quantities, selected as by --columns.
     """
     trace = run.trace
     trace.end = 1200.0
@@ -146,7 +149,7 @@ def _processor(job: Callable[[], object]) -> float:
 
 
 def measure_pictures(run: Run) -> None:
-    """Measure a chart for the terminal, the outline of an axis, and the picture."""
+    """Measure a chart for the terminal, an outline, the scope page and the picture."""
     trace, axis = run.trace, run.controller.axes[0]
     trace.table(0)
     jobs: dict[str, Callable[[], object]] = {

@@ -2,12 +2,12 @@
 
     python benchmarks/parse.py [BYTES]
 
-The text is a program of about a megabyte, made twice with equal statements: in Mint and in Python, so that
-CPython's own `ast.parse` is a fair comparison. Lark parses the same text with the same grammar, once as
+The text is a program of about a megabyte, generated twice with equal statements: in Mint and in Python, so
+that CPython's own `ast.parse` is a fair comparison. Lark parses the same text with the same grammar, once as
 shipped (its contextual lexer, the collector on) and once with the collector off. Times are processor times.
 
-The texts of MCCL commands are all different: each is split into its fields, then looked up and its number
-checked, which Lark does not do.
+The texts of the MCCL commands are all different. Each is split into its fields, then the command is looked up
+and its number checked, which Lark does not do.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """A compilable program of any size, in Mint and statement for statement in Python.
 
-It is equal for equal seeds.
+Equal seeds give equal programs.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ Pair = tuple[str, str]  # equal programs in Mint and in Python
 
 
 def program(size: int, seed: int = 1) -> Pair:
-    """Return a program of about `size` characters of Mint."""
+    """Return a program of about `size` characters of Mint, with its Python equivalent."""
     writer = _Writer(Random(seed))
     number = 0
     writer.line(0, f"Dim {', '.join(NAMES)}", f"{' = '.join(NAMES)} = 0.0")

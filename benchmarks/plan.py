@@ -23,9 +23,9 @@ SPEED, RATE, JERK = 100.0, 500.0, 5000.0
 
 
 def ruckig_call() -> Callable[[float, float], object] | None:
-    """Return `calculate` for one axis with the target set on each call, or None.
+    """Return ruckig's `calculate` for one axis, or None if ruckig is not installed.
 
-    It is None without ruckig.
+    The target is set on each call.
     """
     try:
         import ruckig  # type: ignore[import-not-found, import-untyped, unused-ignore]
@@ -67,10 +67,10 @@ def jobs() -> dict[str, Callable[[float, float], object]]:
 
 
 def states(velocities: float, accelerations: float) -> list[tuple[float, float, float]]:
-    """Return velocity, acceleration and target of random states, within the limits.
+    """Return random states (velocity, acceleration, target) within the limits.
 
-    They are in all directions, up to a fraction of the limits. None has an acceleration that carries its
-    velocity beyond the speed before it is gone.
+    Velocities and accelerations have either sign and are up to a fraction of the limits. While the acceleration
+    is reduced to zero, the velocity does not exceed the speed.
     """
     choose, found = Random(1), list[tuple[float, float, float]]()
     while len(found) < STATES:
@@ -83,7 +83,7 @@ def states(velocities: float, accelerations: float) -> list[tuple[float, float, 
 
 
 def own_states(some: list[tuple[float, float, float]]) -> Callable[[], object]:
-    """Return a job that plans all of them as S-curves."""
+    """Return a job that plans an S-curve from each state."""
 
     def call() -> None:
         for v0, a0, target in some:
@@ -93,7 +93,7 @@ def own_states(some: list[tuple[float, float, float]]) -> Callable[[], object]:
 
 
 def ruckig_states(some: list[tuple[float, float, float]]) -> Callable[[], object] | None:
-    """Return a job that plans them by ruckig, from prepared input; None without it."""
+    """Return a job in which ruckig plans from each state; None if not installed."""
     try:
         import ruckig  # type: ignore[import-not-found, import-untyped, unused-ignore]
     except ImportError:

@@ -72,9 +72,9 @@ def tasks(count: int, body: str) -> str:
 
 
 def panel(count: int) -> str:
-    """Return moves that one task polls for, and others that poll an input each.
+    """Return a program in which one task polls for moves and the others for inputs.
 
-    All of them are skipped.
+    There are `count` tasks in all. All loops can be skipped.
     """
     starts = "".join(f"Run T{k}\n" for k in range(1, count))
     until_idle = "Repeat : Until IDLE(0)"
@@ -92,14 +92,14 @@ def speed(source: Source, machine: dict[str, object]) -> float:
 
 
 class Unwatched(Poll):
-    """Loops of MCCL without checks."""
+    """Loops of MCCL that are never checked for skipping."""
 
     def again(self) -> None:
         return None
 
 
 def started(text: str, dialect: Dialect = MINT) -> Scheduler:
-    """Return a program that has been compiled and may run."""
+    """Return the scheduler of a compiled program that is ready to run."""
     machine = Machine(accelerators=accelerators())
     task = dialect.compile(Source("poll", text), {}, machine.accelerators.ranges).start(machine)
     machine.scheduler = (machine.accelerators.scheduler or Scheduler)(machine, task)
@@ -107,7 +107,7 @@ def started(text: str, dialect: Dialect = MINT) -> Scheduler:
 
 
 def plain(text: str, dialect: Dialect) -> Scheduler:
-    """Return it without any checks of its loops."""
+    """Return the scheduler of a program whose loops are never checked for skipping."""
     watched = polling.watched
     polling.watched = lambda *_: None
     scheduler = started(text, dialect)
@@ -118,7 +118,7 @@ def plain(text: str, dialect: Dialect) -> Scheduler:
 
 
 def cost(text: str, until: float) -> float:
-    """Return the processor time, s, of a run that has been compiled."""
+    """Return the processor time, s, of a compiled program up to a machine time."""
     scheduler = started(text)
     return seconds(lambda: scheduler.run(until))
 
@@ -126,8 +126,8 @@ def cost(text: str, until: float) -> float:
 def of_plain_simulation(text: str, dialect: Dialect = MINT) -> float:
     """Return the ratio of a program's cost without checks to that with them.
 
-    Both run side by side, alternating every tenth of a second, and of each such stretch the quickest of some
-    runs counts: the load of the computer changes a complete run by more than the measured difference.
+    Both run side by side and alternate every tenth of a second. For each such stretch the fastest of several runs
+    counts, because the load of the computer changes a complete run by more than the measured difference.
     """
     quickest = [[float("inf")] * STRETCHES for _ in range(2)]
     for _ in range(2 * ROUNDS):

@@ -1,7 +1,8 @@
-"""The cost of a proof as a run grows: 41 and 84 S-ramp arcs, blended every 19 ms.
+"""How the cost of a proof grows with the run: 41 and 84 arcs that are blended.
 
-The figures are CPU time, the best of several interleaved rounds. `proof_168_over_82` is the time for 168
-entries of the log over that for 82: linear cost gives 2.05.
+The arcs have S-ramps and follow one another every 19 ms. The figures are CPU time, the best of several
+interleaved rounds. `proof_168_over_82` is the time for 168 entries of the log over that for 82: linear cost
+gives 2.05.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ PAUSE IDLE(0)
 
 
 def ran(paths: int) -> Run:
-    """Return a run of `paths` paths, two entries of the log each."""
+    """Return a run of `paths` paths; each has two entries in the log."""
     text = PROGRAM.format("\n".join(["CIRCLER(0, 1) = 0.05, 0, 57.29578"] * paths))
     return run(Source("blends.mnt", text), cache=False, prove=True)
 

@@ -1,6 +1,6 @@
-"""Fitting, encoding and streaming PVT moves: speed against virtual time.
+"""Speed of fitting, encoding and streaming PVT moves, relative to virtual time.
 
-It prints `name value unit`. Every figure is the best of a few rounds in one process.
+Prints `name value unit`. Every figure is the best of a few rounds in one process.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ POINTS = 10_000
 
 
 def best(rounds: int, job: Callable[[], object]) -> float:
-    """Return seconds of a job, the best of `rounds`."""
+    """Return the best time of a job, s, of `rounds`."""
     times = []
     for _ in range(rounds):
         begin = perf_counter()

@@ -1,6 +1,6 @@
-"""The cost of sampling a long profile, and 2000 short moves, in units of np.fill.
+"""The cost of sampling a long profile and 2000 short moves, in units of np.fill.
 
-It prints `name value unit`. Every figure is the best of many interleaved rounds in one process.
+Prints `name value unit`. Every figure is the best of many interleaved rounds in one process.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def history() -> tuple[list[float], list[Profile]]:
 
 
 def best(rounds: int, jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
-    """Return seconds of each job, the best of `rounds`, with the jobs alternating."""
+    """Return the best time of each job in seconds; the jobs alternate for `rounds`."""
     times = dict.fromkeys(jobs, float("inf"))
     for _ in range(rounds):
         for name, job in jobs.items():

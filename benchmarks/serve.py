@@ -1,8 +1,7 @@
 """The throughput of a served board: round trips of one host, of fifty, and more.
 
-They go over loopback. It prints `name value unit`. The server is a process of its own; hosts send `1TP` and
-wait for the answer and the prompt. Rates are the best of several rounds, the least share is that of the
-slowest host.
+Connections use the loopback interface. Prints `name value unit`. The server is a separate process; hosts send
+`1TP` and wait for the answer and the prompt. Rates are the best of several rounds.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ ANSWER = b"01 0\n>"
 
 
 def connect(port: int) -> socket.socket:
-    """Return a host after its first prompt."""
+    """Return the connection of a host, after its first prompt."""
     host = socket.create_connection(("127.0.0.1", port), 20)
     host.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     assert host.recv(1) == b">"
@@ -48,9 +47,9 @@ def one_host(port: int) -> float:
 
 
 def many_hosts(port: int) -> tuple[float, float, float]:
-    """Return round trips per second of all hosts, the least share, the longest wait.
+    """Return round trips per second of all hosts, the smallest share and longest wait.
 
-    The share is that of the slowest host relative to the mean, the wait in seconds.
+    The share is that of the slowest host relative to the mean; the wait is in seconds.
     """
     hosts = dict.fromkeys((connect(port) for _ in range(HOSTS)), b"")
     counts, asked = dict.fromkeys(hosts, 0), dict.fromkeys(hosts, 0.0)
@@ -78,7 +77,7 @@ def many_hosts(port: int) -> tuple[float, float, float]:
 
 
 def beside_a_busy_program(port: int) -> float:
-    """Return round trips per second of one host while another's program never waits."""
+    """Return round trips per second of a host while another host runs an endless loop."""
     with connect(port) as busy:
         busy.sendall(b"AA1,RP\r")
         rate = one_host(port)
@@ -99,7 +98,7 @@ def client_rate(client: Client) -> float:
 
 
 def measure(clock: str) -> None:
-    """Measure everything against one server."""
+    """Measure everything on a server whose machine time follows `clock`."""
     command = [sys.executable, "-m", "motionlang", "serve", "--tcp", "0", "--clock", clock]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
         # The server never outlives its measurement.

@@ -1,9 +1,9 @@
 """The servo: its steps against a plain Python loop, and all against real time.
 
-It prints `name value unit`. Ratios are taken within one run, of the best of several interleaved rounds; every
-engine gets the same trajectory points and gives the same columns, and the results are compared before they
-are timed. `in-a-run` is a program that moves eight axes with motors back and forth, from its text to its end,
-including the suggestion of their gains; `suggestion` is that alone, for a unique motor.
+Prints `name value unit`. Ratios compare times within one run, the best of several interleaved rounds. Every
+engine gets the same trajectory points and produces the same columns; the results are compared before the
+engines are timed. `in-a-run` is a program that moves eight axes with motors back and forth, from its text to
+its end, including the suggestion of their gains. `suggestion` is the suggestion alone, for a new motor.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def points(kick: float = 0.0) -> Array:
 
 
 def track() -> Track:
-    """Return such motion as profiles of the planner."""
+    """Return moves like those of `points`, as profiles of the planner."""
     starts, profiles, place = [0.0], [hold(0.0)], 0.0
     for k in range(SECONDS):
         target = 4000.0 if k % 2 == 0 else 0.0
@@ -87,7 +87,10 @@ def track() -> Track:
 
 
 def python_loop(demand: list[float], loop: Loop, motor: Motor) -> tuple[list[float], list[float]]:
-    """Run the loop and the motor in plain, optimised Python: locals only, one pass."""
+    """Run loop and motor in plain Python, optimised: one pass with local variables.
+
+    Return the positions and the outputs.
+    """
     regime = discretise(motor, loop.period).regimes[1, 1]
     (a00, a01, a02), (a10, a11, a12), (a20, a21, a22) = regime.a
     b0, b1, b2 = regime.b
@@ -122,7 +125,10 @@ def python_loop(demand: list[float], loop: Loop, motor: Motor) -> tuple[list[flo
 
 
 def stretch(at: Array, columns: tuple[str, ...]) -> list[Array]:
-    """Run the steps over trajectory points; the first one precedes the stretch."""
+    """Simulate `STEPS` samples along trajectory points; return the columns.
+
+    The motion begins at the second point; the first one precedes it.
+    """
     state = initial_state(discretise(MOTOR, LOOP.period), float(at[1]))
     made, _ = run_stretch(LOOP, MOTOR, columns, at, 0, STEPS, state)
     return [np.asarray(column) for column in made.columns]
@@ -144,7 +150,7 @@ def interpolated(at: Array) -> list[float]:
 def timed(jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
     """Return CPU seconds of each job, the best of interleaved rounds.
 
-    A quick one is repeated.
+    A job that takes less than `MIN_TIME` is repeated within a round.
     """
     best: dict[str, float] = {}
     repeats: dict[str, int] = {}
@@ -165,7 +171,10 @@ def timed(jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
 
 
 def check(at: Array) -> float:
-    """Return the largest difference of the two, relative to travel and output limit."""
+    """Return the largest difference between the plain loop and the stretch engine.
+
+    It is relative to the travel, or to the output limit.
+    """
     positions, outputs = python_loop(interpolated(at), LOOP, MOTOR)
     position, output = stretch(at, ASKED)
     worst = float(np.abs(position - positions).max()) / float(np.abs(at).max())
@@ -173,7 +182,7 @@ def check(at: Array) -> float:
 
 
 def in_a_run(quantised: bool) -> float:
-    """Return machine time over CPU time of the program, with one motor for all axes."""
+    """Return machine time over CPU time of the program; all axes have the same motor."""
     plant = {"load_inertia": 4e-5, "quantised": quantised}
     machine = {f"axis.{axis}.plant.{name}": value for axis in range(8) for name, value in plant.items()}
     began = process_time()
@@ -183,7 +192,7 @@ def in_a_run(quantised: bool) -> float:
 
 
 def suggestion(number: int) -> float:
-    """Return CPU seconds to suggest gains for a new motor."""
+    """Return CPU seconds to suggest gains for a motor that has not been seen before."""
     began = process_time()
     suggested_loop(Motor(load_inertia=4e-5 + 1e-6 * number), 40.0, Loop())
     return process_time() - began

@@ -1,8 +1,8 @@
 """A shift of 20 000 moves on four axes in eight hours, from source to JSON report.
 
-It prints `name value unit`, the best of some rounds in CPU time: all of it; the run alone, of a compiled
-program; the same with travel limits in the machine file; a task for each axis; and the cost of a wait, and of
-a move with its wait, in a loop.
+Prints `name value unit`, the best of several rounds in CPU time: the whole shift; only the run of the compiled
+program; the shift with travel limits in the machine file; the shift with one task per axis; and the cost of a
+wait, and of a move with its wait, in a loop.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ LOOP = f"Dim n As Integer\nSPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500\nFor
 
 
 def core(program: str) -> float:
-    """Return the least time of a program's tasks, compiled, with the collector off, s."""
+    """Return the shortest time to run a compiled program's tasks, s, collector off."""
     fast = accelerators()
     compiled, best = DIALECT.compile(Source("core.mnt", program), {}, fast.ranges), float("inf")
     for _ in range(SHORT_ROUNDS):
@@ -76,9 +76,9 @@ def core(program: str) -> float:
 
 
 def whole(program: str, machine: dict[str, object] | None = None, report: bool = False) -> tuple[float, Run]:
-    """Return the least time from source text to the end of the run, s.
+    """Return the shortest time from source text to the end of the run, s, and the run.
 
-    With `report` it includes the report.
+    With `report` the time includes the report.
     """
     source, best = Source("shift.mnt", program), float("inf")
     result: Run | None = None

@@ -1,15 +1,15 @@
 """Start-up of `motionlang run` against `python -c pass`: CPU time of processes.
 
-The program is start.mnt, a hundred lines of an ordinary machine program. With a cached program its code comes
-from the user's cache; at first sight its text is new each time, and is compiled and cached. Either runs
-without a report and with the table for a terminal.
+The program is start.mnt, a hundred lines of an ordinary machine program. `start_cached` takes its code from the
+user's cache; for `start_first_sight` the text is new each time, and is compiled and cached. Both run without a
+report; `start_table` and `start_first_sight_table` print the table for a terminal, too.
 
-The command is the script that a current pip writes for it. An older one (up to 25.0) writes a script that
-imports `re` for itself, which takes half as long as an empty Python. The package cannot avoid that, and it
-would hide half of the measured time: `start_installed` is the command as it is installed where this runs, and
+The command is the script that a current pip writes for it. An older pip (up to 25.0) writes a script that
+imports `re`, which takes half as long as an empty Python. The package cannot avoid that, and it would hide
+half of the measured time. `start_installed` is therefore the command as it is installed on this machine, and
 `start_re` that import alone. `start_hello` is a program of one line. `start_check` checks the program, and
-`start_keywords` shows the page of a keyword. Bytecode of the package exists before,
-as after an installation.
+`start_keywords` shows the page of a keyword. The bytecode of the package exists already, as after an
+installation.
 """
 
 from __future__ import annotations
@@ -48,13 +48,13 @@ FIGURES = (
 
 
 def command() -> list[str]:
-    """Return the installed `motionlang`, or the module if none is installed."""
+    """Return the installed command `motionlang`, or `python -m` if there is none."""
     found = shutil.which("motionlang", path=os.path.dirname(sys.executable))
     return [found] if found else [sys.executable, "-m", "motionlang"]
 
 
 def seconds(arguments: list[str], environment: dict[str, str], statuses: tuple[int, ...] = (0,)) -> float:
-    """Return CPU time of one process, which must end with one of `statuses`."""
+    """Return the CPU time of one process, which must exit with one of `statuses`."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     ended = subprocess.run(arguments, env=environment, stdout=subprocess.DEVNULL, check=False)
     assert ended.returncode in statuses, arguments

@@ -1,8 +1,8 @@
 """One shift written in 30 styles, for counting work.
 
-Each program moves axis 0 there and back as often as `CYCLES` states. A style is a spelling that machine
-builders use: how the program waits, what runs alongside, what it writes meanwhile. Most cycles take 3.4 s of
-machine time. The programs use only features of commit 7b66ced, because they also run there.
+Each program moves axis 0 there and back `CYCLES` times, unless it says otherwise. A style is a way of writing
+that machine builders use: how the program waits, what runs alongside, and what it writes meanwhile. Most cycles
+take 3.4 s of machine time. The programs use only features of commit 7b66ced, because they also run there.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def _mint(
 ) -> Style:
     """Return a shift in Mint.
 
-    `head` is before the loop, `wait` after either move, `each` once per cycle, `blocks` at the end.
+    `head` comes before the loop, `wait` after either move, `each` once per cycle, `blocks` at the end.
     """
     loop = _LOOP.format(cycles=cycles, there=there + wait, back=back + wait + each)
     return Style("shift.mnt", f"{_AXES}{head}{loop}{blocks}", machine or {})

@@ -1,7 +1,7 @@
 """A sweep: the cost of a variant against its bare run, a shell loop, and Dask.
 
-Memory is measured, too. The program has 100 lines and 48 moves. Ratios are of one run of this file; `--many`
-adds 100 000 variants, `--dask` a cluster of two processes on this machine.
+Memory is measured, too. The program has 100 lines and 48 moves. All ratios are taken within one run of this
+file. `--many` adds 100 000 variants, `--dask` a cluster of two processes on this machine.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def sweep_of(count: int) -> Sweep:
 
 
 def variant() -> None:
-    """Measure a variant against its run: the same compiled program and values."""
+    """Compare a variant with a bare run of the same compiled program and values."""
     sweep = sweep_of(1000)
     worker = worker_of(sweep.job)
     variants = [(n, sweep.space[n]) for n in range(0, 1000, 1000 // RUNS)]
@@ -57,7 +57,7 @@ def variant() -> None:
 
 
 def thousand() -> None:
-    """Measure a thousand variants on two processes, and as a process each in a shell."""
+    """Compare a thousand variants on two workers with a shell loop of processes."""
     best = float("inf")
     for _ in range(ROUNDS):
         began = perf_counter()
@@ -77,7 +77,7 @@ def thousand() -> None:
 
 
 def many(count: int) -> None:
-    """Measure the memory per variant; only its row is stored."""
+    """Measure the memory per variant; only a row of each is stored."""
     list(sweep_of(1000).results(jobs=2))
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     rows = list(sweep_of(count).results(jobs=2))

@@ -1,7 +1,7 @@
-"""Moves of an axis with many watches that it does not pass, against two watches.
+"""The cost of many watches that an axis never reaches, compared with two.
 
-It prints `name value unit`: the processor time of a move with 1 000 watches over that with 2, the smallest of
-each side of alternating runs. The watches are on both sides of the axis's range.
+Prints `name value unit`: the processor time of a move with 1 000 watches over that with 2, the smallest of
+each side of alternating runs. The watches are beyond both ends of the axis's range.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ MANY = 1000
 
 
 def shuttle(count: int) -> Controller:
-    """Return an axis that moves to and fro between watches."""
+    """Return a controller whose axis 0 has `count` watches beyond its range."""
     c = Controller(1)
     for k in range(count // 2):
         c.watch(0, 1000.0 + 10.0 * k, lambda _: None, physical=k % 2 == 0)
@@ -25,7 +25,7 @@ def shuttle(count: int) -> Controller:
 
 
 def moves(c: Controller) -> None:
-    """Begin and end `MOVES` moves."""
+    """Make `MOVES` moves to and fro."""
     for k in range(MOVES):
         c.move_to(0, 500.0 if k % 2 == 0 else -500.0)
         c.clock.advance(c.clock.now + 10.0)

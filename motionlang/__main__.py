@@ -1,7 +1,7 @@
 """`python -m motionlang`, and the entry point of the command `motionlang`.
 
-Until `main` handles signals, Ctrl-C ends the process silently, like any other: there is nothing to report,
-and Python would show a traceback through its imports. The same applies after `main`.
+Until `main` handles signals, Ctrl-C ends the process silently: there is nothing to report, and Python would show a
+traceback through its imports. The same applies after `main`.
 """
 
 import signal
@@ -17,7 +17,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 def main() -> int:
-    """Run one command and exit; return the status if the process must end normally."""
+    """Run one command and exit; return the status if the process must exit normally."""
     from motionlang.cli import main as command
 
     status = command()
@@ -28,7 +28,7 @@ def main() -> int:
 def _leave(status: int) -> None:
     """Exit without finalisation, which takes a fifth of the time of an empty Python.
 
-    It is not skipped if there are exit handlers, a tracer or further threads.
+    With exit handlers, a tracer or other threads, the exit is normal.
     """
     import atexit
 

@@ -15,12 +15,12 @@ from setuptools.command.egg_info import egg_info
 
 
 class BuildWithGrammars(build_py):
-    """`build_py`, then `grammars/*.lark` into `motionlang/grammars/`."""
+    """`build_py` that also copies `grammars/*.lark` into `motionlang/grammars/`."""
 
     def run(self) -> None:
         """Build, and copy the grammars to the package.
 
-        An editable install reads those of the checkout.
+        An editable install reads the grammars of the checkout.
         """
         super().run()
         if self.editable_mode:
@@ -39,18 +39,18 @@ class BuildWithGrammars(build_py):
 class DescribeWithoutLinks(egg_info):
     """`egg_info` with a README that names repository files instead of linking to them.
 
-    A package index shows the README without these files, and the package has no address of its repository.
+    A package index shows the README without these files, and the package metadata has no repository address.
     """
 
     def run(self) -> None:
-        """Write the metadata with the links of the description replaced."""
+        """Write the metadata, with the links in the description replaced."""
         metadata = self.distribution.metadata
         metadata.long_description = without_links(metadata.long_description or "")
         super().run()
 
 
 def without_links(text: str) -> str:
-    """Replace links to repository files by text and path, and remove pictures of it."""
+    """Replace links to repository files by text and path, and remove its pictures."""
     text = re.sub(r"!\[[^\]]*\]\((?![a-z]+:)[^)]+\)\n*", "", text)
     text = re.sub(r"\[([\w/.-]+)\]\(\1\)", r"`\1`", text)
     return re.sub(r"\[([^\]]*)\]\((?![a-z]+:)([^)#]+)[^)]*\)", r"\1 (`\2`)", text)

@@ -1,10 +1,10 @@
 """The compile cache: compiled programs and parsed machine files of earlier runs.
 
-It is in the user's cache folder. An entry is one file, named after its input: of a program its text, dialect,
-settings and the version of Python. It contains all of that, and the state of every file of the package that
-was loaded to make it. `get` ignores an entry for another input or changed files, a damaged entry, and an
-entry that another user may write. A failure of the cache is never an error of a command. `files.replacing`
-writes an entry completely or not, and once there are more than `ENTRIES` the older half is removed.
+It is in the user's cache folder. An entry is one file, named after its input; for a program this is its text, dialect,
+settings and the version of Python. The entry contains the input, and the state of every file of the package that was
+loaded to make the result. `get` ignores an entry for another input or changed files, a damaged entry, and an entry that
+another user may write. A failure of the cache is never an error of a command. `files.replacing` writes an entry
+atomically, and once there are more than `ENTRIES` the older half is removed.
 """
 
 from __future__ import annotations
@@ -45,9 +45,10 @@ class Entry:
     __slots__ = ("_makers", "_name", "_states", "_whose")
 
     def __init__(self, kind: str, makers: tuple[str, ...], *parts: str) -> None:
-        """Take the makers and the inputs.
+        """Store the inputs and the makers.
 
-        `makers` are folders, which end with a separator, and files: the loaded ones count.
+        `makers` are folders, which end with a separator, and files of the package. The result depends on those that are
+        loaded.
         """
         self._makers = makers
         self._whose = (sys.version, *makers, *parts)
@@ -58,7 +59,7 @@ class Entry:
         self._states: dict[str, State] = {}
 
     def get(self) -> bytes | None:
-        """Return the stored payload; None if none is valid for the package's files."""
+        """Return the stored payload; None if there is none for the current package files."""
         data = _read(self._name)
         if data is None or checksum(data[CHECKSUM:]) != data[:CHECKSUM]:
             return None
@@ -93,7 +94,10 @@ def program_entry(package: str, *parts: str) -> Entry:
 
 
 def machine_entry(text: str) -> Entry:
-    """The entry of a machine file's settings; any loaded file may have checked them."""
+    """Return the entry of a machine file's settings.
+
+    Any loaded file of the package may have checked them.
+    """
     return Entry("machine", (os.path.dirname(__file__) + os.sep,), text)
 
 
@@ -103,16 +107,19 @@ def wanted() -> bool:
 
 
 def folder() -> str | None:
-    """The user's cache folder; `MOTIONLANG_CACHE` overrides it. None without a home."""
+    """Return the user's cache folder; None without a home.
+
+    `MOTIONLANG_CACHE` overrides it.
+    """
     return os.environ.get("MOTIONLANG_CACHE") or own_folder("Caches", "XDG_CACHE_HOME", ".cache")
 
 
 def own_folder(on_a_mac: str, variable: str, elsewhere: str) -> str | None:
     """Return the user's motionlang folder of one kind.
 
-    It is in ~/Library, in the folder that `variable` names, or in the home. None if that would be relative to
-    the working folder. A user without an entry in the password file and without HOME, as in a container, has
-    no home, and a relative `variable` is ignored, as the XDG specification demands.
+    It is in ~/Library, in the folder that the environment `variable` names, or in the home. The result is None if that
+    would be relative to the working folder: a user without an entry in the password file and without HOME, as in a
+    container, has no home. A relative `variable` is ignored, as the XDG specification requires.
     """
     home = os.path.expanduser("~")
     if sys.platform == "win32":
@@ -127,10 +134,10 @@ def own_folder(on_a_mac: str, variable: str, elsewhere: str) -> str | None:
 
 
 def state(path: str) -> State | None:
-    """Return a file's state, which an edit changes; None if there is no file.
+    """Return a value that changes when a file is edited; None if there is no file.
 
-    It includes the time of the last status change, which cannot be set: an installer may give all files one
-    modification time, in all versions.
+    It includes the time of the last status change, which cannot be set: an installer may give all files of all versions
+    the same modification time.
     """
     try:
         status = os.stat(path)
@@ -140,7 +147,7 @@ def state(path: str) -> State | None:
 
 
 def checksum(data: bytes) -> bytes:
-    """Return the checksum of an entry, which detects damage."""
+    """Return the checksum of an entry, to detect damage."""
     return crc32(data).to_bytes(CHECKSUM, "little")
 
 
@@ -157,7 +164,10 @@ def _unchanged(states: list[tuple[str, State]]) -> bool:
 
 
 def _loaded(makers: tuple[str, ...]) -> dict[str, State]:
-    """The state of the package files that made a result; OSError if one is missing."""
+    """Return the state of the package files that made a result.
+
+    Raises OSError if one is missing.
+    """
     paths = [
         path
         for module in [*sys.modules.values()]
@@ -181,7 +191,7 @@ def _raise(error: OSError) -> None:
 
 
 def _read(name: str) -> bytes | None:
-    """Return the content of a cache file; None if there is none to be trusted."""
+    """Return the content of a cache file; None if there is no trustworthy one."""
     place = folder() if wanted() else None
     if place is None:
         return None
@@ -225,7 +235,7 @@ def _remove_oldest(place: str) -> None:
 
 
 def _is_private(status: os.stat_result) -> bool:
-    """True if a file is this user's and not writable by others.
+    """True if a file belongs to this user and no other user can write to it.
 
     Windows folders are per user already.
     """

@@ -1,8 +1,8 @@
 """Errors in a user's program: the message, its location, and a hint.
 
-A `Diagnostic` is one error; a `ProgramError` has all errors of a file at once. Their display is in
-`motionlang.views.diagnostics`; faults of the *machine* are state of an axis, not errors. A `MissingExtra` is
-for a feature whose library is not installed.
+A `Diagnostic` is one error; a `ProgramError` has all errors of a file. They are displayed by
+`motionlang.views.diagnostics`. Faults of the *machine* are part of an axis's state, not errors. `MissingExtra` is
+raised for a feature whose library is not installed.
 """
 
 from __future__ import annotations
@@ -116,9 +116,9 @@ CODES: dict[str, str] = {
 class Diagnostic:
     """One error: `line` and `column` count from 1, `length` is the width of carets.
 
-    `column` 0 means that only the line is known, `line` 0 that the complete file is meant. `count` is how
-    often a run has met it, from the machine time `first` to `last`. `fix` is the correction of the marked
-    text if it is unambiguous, or "". `candidates` are texts that may have been meant in its place.
+    `column` 0 means that only the line is known, `line` 0 that the error is about the whole file. `count` is the
+    number of occurrences in a run, from the machine time `first` to `last`, s. `fix` is the correction of the marked
+    text if it is unambiguous, or "". `candidates` are texts that may have been meant instead of it.
     """
 
     __slots__ = (
@@ -150,7 +150,7 @@ class Diagnostic:
 
     @property
     def key(self) -> tuple[object, ...]:
-        """The identity of equal diagnostics."""
+        """An identity shared by equal diagnostics."""
         return self.code, self.message, self.line, self.column, self.severity
 
     def again(self, time: float) -> None:
@@ -179,7 +179,7 @@ _MAX_SHOWN = 60
 
 
 class ProgramError(Exception):
-    """An invalid or failed program, with every diagnostic in the order of the text."""
+    """An invalid or failed program, with all diagnostics in the order of the text."""
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = sorted(diagnostics, key=lambda d: (d.line, d.column))
@@ -204,16 +204,16 @@ def shown(value: object) -> str:
 
 
 def clipped(text: str) -> str:
-    """Return a quoted text of at most one line."""
+    """Return a quoted text, truncated to at most one line."""
     return text if len(text) <= _MAX_SHOWN else f"{text[:_MAX_SHOWN]}…"
 
 
 class OldName(DeprecationWarning):
-    """A name of the command line or of a machine file has a new spelling."""
+    """A warning: a name of the command line or of a machine file has a new spelling."""
 
 
 def warn_of_old_name(text: str) -> None:
-    """Report an old name to a Python program as a warning."""
+    """Issue a Python warning about an old name."""
     import warnings
 
     warnings.warn(text, OldName, stacklevel=4)
@@ -224,15 +224,15 @@ report_old_name: Callable[[str], object] = warn_of_old_name
 
 
 def renamed(old: str, new: str, where: str) -> None:
-    """Report that a name is accepted under its old spelling."""
+    """Report that an old spelling of a name was accepted."""
     report_old_name(f"{where}: {old} is now {new}")
 
 
 class Spellings:
-    """Known words, for "did you mean …?"; case does not matter.
+    """Known words for "did you mean …?"; case does not matter.
 
-    Most words are ruled out by an upper bound of their similarity: a letter that only one of two words has
-    cannot match. The bound takes a few machine instructions for each word.
+    Most words are excluded by an upper bound of their similarity: a letter that only one of two words has cannot match.
+    The bound takes a few machine instructions per word.
     """
 
     __slots__ = ("_rows", "_spelt")
@@ -260,7 +260,7 @@ class Spellings:
 
 
 def _letters(word: str) -> int:
-    """Return the set of the letters of a word as bits, which a few letters share."""
+    """Return the letters of a word as a bit set, in which some letters share a bit."""
     bits = 0
     for letter in word:
         bits |= 1 << (ord(letter) & 63)
@@ -295,8 +295,7 @@ REQUIRED = ("numpy",)
 class MissingExtra(ImportError):
     """`user`, a feature or an option, needs libraries of an extra that are missing.
 
-    `message` names them and `hint` is the command that installs them, in double quotes, which every shell
-    accepts.
+    `message` names them and `hint` is the command that installs them. It uses double quotes, which every shell accepts.
     """
 
     def __init__(self, user: str, libraries: Sequence[str]) -> None:
@@ -313,7 +312,7 @@ class MissingExtra(ImportError):
 
 
 def need(user: str, *libraries: str) -> None:
-    """Raise MissingExtra if one of the `libraries`, all of one extra, is missing."""
+    """Raise MissingExtra if any of the `libraries`, all from one extra, is missing."""
     missing = [library for library in libraries if not _is_installed(library)]
     if missing:
         raise MissingExtra(user, missing)

@@ -55,7 +55,7 @@ class Checked(dict[str, object]):
 
 
 def dialect_of(file: str) -> Dialect | None:
-    """Return the dialect of a file's suffix, or None."""
+    """Return the dialect of a file extension, or None."""
     suffix = os.path.splitext(file)[1].lower()
     for name in dialects():
         if suffix in dialect(name).suffixes:
@@ -66,7 +66,7 @@ def dialect_of(file: str) -> Dialect | None:
 def machine_of(program: str | os.PathLike[str] | Source | None, given: str | None = None) -> str | None:
     """Return the machine file of a program: the given one, or the one next to it.
 
-    This is `pick.machine.toml` for `pick.mnt`; None if there is none. Standard input and a `Source` have no
+    For `pick.mnt` this is `pick.machine.toml`, or None if that does not exist. Standard input and a `Source` have no
     folder, and so no machine file.
     """
     if given is not None or program is None or isinstance(program, Source) or program == STDIN:
@@ -110,12 +110,12 @@ def run(
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
 
-    `motionlang.run` has the public parameters and describes them, with the errors it raises. The others are for
-    this package. `pace` is called with the machine time about to be reached. `outside` is a world that acts by
-    itself, such as a host; it controls how machine time passes. `begun` is called with the machine when the program
-    begins, for an observer. `hook` makes it a debug build, which calls it before statements. An internal error is
-    raised, or with `keep_crash` stored in `Run.crash` next to the results before it. `compiled` is the compiled
-    program of this source for a machine that agrees with this one wherever `Dialect.compiled_in` depends on it.
+    `motionlang.run` describes the public parameters and the errors raised. The other parameters are for this
+    package. `pace` is called with the machine time of the next step. `outside` is a world that acts on its own, such
+    as a host; it controls how machine time passes. `begun` is called with the machine when the program begins, for
+    an observer. `hook` selects a debug build, which calls it before statements. An internal error is raised, or with
+    `keep_crash` stored in `Run.crash` together with the results so far. `compiled` is the compiled program of this
+    source, made for a machine that agrees with this one in every setting for which `Dialect.compiled_in` is True.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
@@ -159,7 +159,7 @@ def run(
 def _with_entries(
     settings: dict[str, object], inputs: Given, analog: Given, answers: Given, keys: Given
 ) -> dict[str, object]:
-    """Return settings with inputs, answers and keys that were given for one run."""
+    """Return settings with the inputs, answers and keys that are given for one run."""
     from motionlang.lang.machine.entries import with_entries
 
     return with_entries(settings, inputs, analog, answers, keys)
@@ -175,7 +175,7 @@ def _perform(
     prove: bool,
     keep_crash: bool,
 ) -> None:
-    """Execute a compiled program and collect the remarks on its run."""
+    """Execute a compiled program and collect remarks on the run."""
     if prove:
         from motionlang.log.expected_motion import ExpectedMotion
 
@@ -205,9 +205,9 @@ def _perform(
 def _with_literals(
     source: Source, language: Dialect, overrides: Mapping[str, float | str]
 ) -> tuple[Source, Mapping[str, float | str] | None, list[str], list[Diagnostic]]:
-    """Return a source with addressed literals replaced.
+    """Return a source in which addressed literals are replaced.
 
-    With it come the other overrides, remarks, and the errors of an address.
+    Also returns the other overrides, remarks, and the errors of addresses.
     """
     from motionlang.lang.literals import edited
 
@@ -218,7 +218,7 @@ def _with_literals(
 
 
 def _finish(result: Run, settings: Mapping[str, object]) -> None:
-    """Close what a run has opened, and report what follows from its end."""
+    """Close the resources of a run, and report the consequences of its end."""
     if result.machine.nv is not None:
         result.machine.nv.close()
     result.machine.close_terminals()
@@ -234,7 +234,7 @@ def _finish(result: Run, settings: Mapping[str, object]) -> None:
 
 
 def end_of(settings: Mapping[str, object]) -> float:
-    """Return the machine time at which a run on this machine ends by default."""
+    """Return the machine time, s, at which a run on this machine ends by default."""
     until = settings.get("run.until", ONE_SHIFT)
     assert isinstance(until, (int, float))
     return until
@@ -263,7 +263,10 @@ def checked_settings(machine: Mapping[str, object]) -> dict[str, object]:
 
 
 def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
-    """The requested dialect, or that of the suffix; ValueError if there is none."""
+    """Return the requested dialect, or that of the file extension.
+
+    Raises ValueError if there is none.
+    """
     if wanted is not None:
         return dialect(wanted) if isinstance(wanted, str) else wanted
     found = dialect_of(source.name)
@@ -298,7 +301,7 @@ def _compile(
     result: Run,
     entry: compile_cache.Entry | None,
 ) -> Program | None:
-    """Return the compiled program, from the cache if it has it."""
+    """Return the compiled program, from the cache if it is cached."""
     payload = entry.get() if entry is not None else None
     if payload is not None:
         return language.load(payload)
@@ -329,7 +332,7 @@ def _compile(
 
 
 def _keep(compiled: Program, entry: compile_cache.Entry | None) -> None:
-    """Put a program into the cache; again if more of it has been compiled."""
+    """Cache a program, again if more of it has been compiled since."""
     payload = compiled.payload() if entry is not None else None
     if entry is not None and payload is not None:
         entry.put(payload)
@@ -342,7 +345,7 @@ def _execute(
     pace: Callable[[float], None] | None,
     outside: Outside | None,
 ) -> None:
-    """Run to the end, or to an error; earlier results stay in the result."""
+    """Run to the end or to an error; earlier results remain in `result`."""
     scheduler: Scheduler | None = None
     # The log of a run lives as long as the run: repeated collections would find nothing.
     thresholds, collecting = _thresholds(), gc.isenabled()
@@ -389,7 +392,7 @@ def _execute(
 
 
 def _thresholds() -> tuple[int, ...]:
-    """Return the collector's thresholds; () for one without them, like PyPy's."""
+    """Return the garbage collector's thresholds; () if it has none, as in PyPy."""
     return gc.get_threshold() if hasattr(gc, "get_threshold") and hasattr(gc, "set_threshold") else ()
 
 

@@ -1,4 +1,7 @@
-"""The only writer of files: complete replacement, and locks where necessary."""
+"""All writing of files: atomic replacement, and locks where necessary.
+
+It also reads data files of the package.
+"""
 
 from __future__ import annotations
 
@@ -17,10 +20,10 @@ PRIVATE = 0o600
 def replacing(path: str, *, only_copy: bool = False, private: bool = False) -> Replacement:
     """Return a context manager that atomically replaces a file; the last writer wins.
 
-    The new content is written to another file, which is renamed at the end. After an error the old file
-    stays. A link is followed, the permissions of the old file stay, and a device or a pipe is written to
-    directly. `only_copy` waits until it is on the disk, for data that cannot be made again; `private`
-    excludes other users. Raises OSError with the name of the file.
+    The new content is written to another file, which is renamed at the end. After an error the old file remains. Links
+    are followed, and the permissions of the old file are preserved. A device or a pipe is written to directly.
+    `only_copy` waits until the content is on the disk, for data that cannot be recreated; `private` excludes other
+    users. Raises OSError with the name of the file.
     """
     return Replacement(path, only_copy, PRIVATE if private else 0o666)
 
@@ -28,7 +31,7 @@ def replacing(path: str, *, only_copy: bool = False, private: bool = False) -> R
 def scratch() -> IO[bytes]:
     """Return an unnamed file for data too large for memory.
 
-    It is gone when it is closed, or the process ends.
+    It is deleted when it is closed or the process ends.
     """
     from tempfile import TemporaryFile
 
@@ -36,7 +39,7 @@ def scratch() -> IO[bytes]:
 
 
 class Replacement:
-    """The context manager of `replacing`, without the expensive import of contextlib."""
+    """The context manager of `replacing`, without the slow import of contextlib."""
 
     __slots__ = ("_aside", "_file", "_mode", "_only_copy", "_path", "_target")
 
@@ -78,17 +81,17 @@ class Replacement:
             self._named(error)
 
     def _named(self, error: OSError) -> OSError:
-        """Return the error with the name of the file that the caller knows."""
+        """Return the error with the file name that the caller gave."""
         if error.filename in (None, self._aside):
             error.filename, error.filename2 = self._path, None
         return error
 
 
 def _aside(target: str, mode: int) -> tuple[IO[bytes], str]:
-    """Return a new file next to another one, exclusively.
+    """Create a new file next to another one, and return it and its path.
 
-    Even a process of the same number elsewhere does not write to it. It never exists already, so that a link
-    planted there is not followed.
+    The creation is exclusive: it fails if the file exists. So the file is not shared with a process on another computer
+    that has the same number, and a link planted under its name is not followed.
     """
     folder, name = os.path.split(target)
     number = 0
@@ -114,14 +117,14 @@ class InUse(Exception):
 
 
 class Lock:
-    """A lock on a file from its reading to its writing, which ends with the process."""
+    """A lock on a file during its reading and writing, released when the process ends."""
 
     __slots__ = ("_file", "_path")
 
     def __init__(self, path: str, patience: float = 0.0) -> None:
-        """Lock the file within `patience` seconds.
+        """Lock the file, waiting at most `patience` seconds.
 
-        Raises InUse if another program holds it all that time, OSError if nothing can be written next to it.
+        Raises InUse if another program still holds the lock, OSError if nothing can be written next to the file.
         """
         folder, name = os.path.split(os.path.realpath(path))
         self._path = os.path.join(folder, f".{name}.lock")
@@ -172,7 +175,7 @@ def _hold(file: int) -> None:
 
 
 def unwritable(path: str) -> str | None:
-    """Return why `path` cannot be written, as far as known beforehand, or None."""
+    """Return why `path` cannot be written, if detectable beforehand, or None."""
     folder = os.path.dirname(os.path.realpath(path))
     if os.path.isdir(path):
         return f"{path} is a folder"
@@ -184,7 +187,7 @@ def unwritable(path: str) -> str | None:
 
 
 def same_file(one: str, other: str) -> bool:
-    """True if two paths lead to one file, by any links."""
+    """True if two paths lead to the same file, through any links."""
     try:
         return os.path.samefile(one, other)
     except OSError:
@@ -192,7 +195,7 @@ def same_file(one: str, other: str) -> bool:
 
 
 def reason(error: OSError) -> str:
-    """Return the system's text of an error, without Python's number."""
+    """Return the system's text for an error, without Python's number."""
     return (error.strerror or str(error)).lower()
 
 
@@ -211,10 +214,10 @@ def _remove(path: str) -> None:
 
 
 def appending(path: str, *, new: bool) -> IO[bytes]:
-    """Return a file for appending lines during long work, each line flushed at once.
+    """Open a file for appending lines during long work; each line is flushed at once.
 
-    With `new` it is emptied first. It is for data that are read again after an interruption; OSError names
-    the file.
+    With `new` the file is emptied first. It is for data that are read again after an interruption. OSError names the
+    file.
     """
     return open(path, "wb" if new else "ab", buffering=0)
 
@@ -222,7 +225,7 @@ def appending(path: str, *, new: bool) -> IO[bytes]:
 def create(path: str, content: bytes) -> None:
     """Write a new file completely, or leave no file.
 
-    Raise FileExistsError if it is there already, OSError with its name for other failures.
+    Raises FileExistsError if it already exists, OSError with its name for other failures.
     """
     with open(path, "xb") as file:
         try:

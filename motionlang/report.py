@@ -1,8 +1,8 @@
 """A run as data, schema `motionlang.report/2`: the output of `--format json`.
 
 Lengths are user units, times seconds, speeds user units per second, all in full precision. The figures of a
-move are those in force when it started. Only axes that the program touched are listed: the others are as at
-power-up.
+move are those in force when it started. Only axes that the program used are listed; all others are in their state
+at power-up.
 """
 
 from __future__ import annotations
@@ -53,15 +53,15 @@ def build(run: Run) -> Report:
 
 
 def text(run: Run, *, whole: bool = True) -> str:
-    """Return the report as one JSON document, one line per move, in ASCII.
+    """Return the report as one JSON document in ASCII, one line per move.
 
-    If `whole` is false, it has the program's results without the assumptions that they depend on.
+    If `whole` is False, the assumptions that the results depend on are omitted.
     """
     return "".join(pieces(run, whole=whole))
 
 
 def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
-    """The document in chunks, so that a million moves need not be stored at once."""
+    """Yield the document in chunks, so that a million moves need not be in memory."""
     tail = _tail(run)
     if whole:
         tail["assumptions"] = assumptions(run)
@@ -69,7 +69,7 @@ def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
 
 
 def rendered(document: Row) -> str:
-    """Return a report given as data, in the same form."""
+    """Return report data as a document in the same form."""
     head = {name: value for name, value in document.items() if name in _FIRST}
     lists: dict[str, Iterator[str]] = {
         name: map(_encoder(), document.get(name, ()))  # type: ignore[call-overload]
@@ -93,9 +93,9 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], statu
 
 
 def moves(run: Run, in_full: int | None = None) -> Iterator[Row]:
-    """Yield every move that was started, in order; those in progress end with the run.
+    """Yield every move that was started, in order; moves in progress end with the run.
 
-    With `in_full` only that many rows are complete, and those of moves of a simulated motor; the others are
+    With `in_full` only that many rows are complete, and also those of axes with a simulated motor. The others are
     `_brief`.
     """
     running = _running(run)
@@ -109,7 +109,7 @@ def moves(run: Run, in_full: int | None = None) -> Iterator[Row]:
 
 
 def _brief(run: Run, move: Move | PlainRow, running: dict[int, float | None]) -> Row:
-    """Return the summable fields of a move's row."""
+    """Return the fields of a move's row that are used in sums."""
     if isinstance(move, tuple):
         axis, _, start, end, duration, recipe, _, scale, _, (_, _, command, line, _, _) = move
         distance, peak = end - start, max(map(abs, recipe[::3]))
@@ -129,7 +129,10 @@ def _brief(run: Run, move: Move | PlainRow, running: dict[int, float | None]) ->
 
 
 def _move_lines(run: Run) -> Iterator[str]:
-    """Yield the lines of the moves; moves with only other start times share a format."""
+    """Yield the lines of the moves.
+
+    Moves that differ only in start time share a format.
+    """
     line = _encoder()
     figures = _motor_figures(run.controller)
     running = _running(run)
@@ -155,9 +158,9 @@ def _move_lines(run: Run) -> Iterator[str]:
 
 
 def _key(move: PlainRow) -> object:
-    """Return the identity of a plain move's line without its start time.
+    """Return the identity of a fast-path move's line, apart from its start time.
 
-    Zeros are distinguished by their text.
+    Zeros are distinguished by their text, 0.0 or -0.0.
     """
     axis, _, start, end, duration, recipe, asked, scale, zero, (_, _, command, at, _, _) = move
     ramps = recipe[1], recipe[3], recipe[4], recipe[7]  # the rest of a recipe is equal for all
@@ -166,9 +169,9 @@ def _key(move: PlainRow) -> object:
 
 
 def _long_key(move: Move) -> object:
-    """Return that identity for any completed move, to the last bit.
+    """Return the identity of any completed move's line, to the last bit.
 
-    None for one whose profile is no sequence of ramps.
+    None if the profile is not a sequence of ramps.
     """
     assert move.profile is not None
     profile: Any = packed(move.profile)
@@ -179,9 +182,9 @@ def _long_key(move: Move) -> object:
 
 
 def _running(run: Run) -> dict[int, float | None]:
-    """Return the moves in progress by identity, with a changed begin, if any.
+    """Return the moves in progress by identity, with their start position if changed.
 
-    A path that is blended into the one before it begins where that ends, which is now its present position.
+    The run's end cuts a path short, so a path that is blended into it begins at the present position.
     """
     found: dict[int, float | None] = {}
     for axis in run.controller.axes.values():
@@ -234,7 +237,7 @@ def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFi
 def _peak(profile: Profile) -> float:
     """Return the highest speed, counts/s; 0 for a profile without duration.
 
-    This does not depend on its initial speed.
+    Such a profile may have an initial speed.
     """
     return profile.peak_speed if profile.duration else 0.0
 
@@ -252,7 +255,7 @@ def _until_end(run: Run, move: Move, running: dict[int, float | None]) -> tuple[
 
 
 def _motor_figures(controller: Controller) -> Figures | dict[int, MotorFigures]:
-    """Return the motor figures of the moves; empty, at no cost, without motors."""
+    """Return the motor figures of the moves; without motors empty, at no cost."""
     if all(axis.feedback is None for axis in controller.axes.values()):
         return {}
     from motionlang.log.history import figures
@@ -261,7 +264,7 @@ def _motor_figures(controller: Controller) -> Figures | dict[int, MotorFigures]:
 
 
 def events(run: Run) -> Iterator[Row]:
-    """Yield the events in order of time; `docs/events.md` has the kinds."""
+    """Yield the events in chronological order; `docs/events.md` has the kinds."""
     lines: dict[int, int] = {}
     for event in run.machine.log.events:
         if event.at not in lines:
@@ -279,7 +282,7 @@ def events(run: Run) -> Iterator[Row]:
 
 
 def axes(run: Run) -> list[Row]:
-    """Return the final state of every axis that the program touched."""
+    """Return the final state of every axis that the program used."""
     moved = run.controller.log.moves.moved()
     return [
         _axis(axis, run.time)
@@ -291,7 +294,7 @@ def axes(run: Run) -> list[Row]:
 def assumptions(run: Run) -> list[str]:
     """List the unconfirmed assumptions that the program depended on.
 
-    They have their names in docs/contributing/assumptions.md.
+    Their names are those in docs/contributing/assumptions.md.
     """
     from motionlang.assumptions.used import depended_on
 
@@ -299,7 +302,7 @@ def assumptions(run: Run) -> list[str]:
 
 
 def device_writes(run: Run) -> list[Row]:
-    """Return the values that the program left in other devices, each once, at the end."""
+    """Return the final values that the program wrote to other devices, each once."""
     return [row for rows in run.machine.written for row in rows()]
 
 
@@ -362,8 +365,8 @@ def _tail(run: Run) -> Row:
 def _document(head: Row, lists: dict[str, Iterator[str]], tail: Row) -> Iterator[str]:
     """Yield the document: one line per field, and per move or event.
 
-    Those of `lists` are lines already. json's own indenting is written in Python and takes three times as
-    long.
+    `lists` has fields whose elements are already lines. The indentation of json is written in Python and takes three
+    times as long.
     """
     line = _encoder()
     fields = [f'"{name}": {line(value)}' for name, value in head.items()]
@@ -379,7 +382,7 @@ def _document(head: Row, lists: dict[str, Iterator[str]], tail: Row) -> Iterator
 
 
 def _encoder() -> Callable[[object], str]:
-    """Return the function that makes a line of JSON of a value."""
+    """Return a function that converts a value to a line of JSON."""
     from json import JSONEncoder
 
     encode = JSONEncoder(allow_nan=False).encode
@@ -394,7 +397,7 @@ def _encoder() -> Callable[[object], str]:
 
 
 def finite(value: object) -> object:
-    """Return the value with null for overflowed figures, which JSON cannot represent."""
+    """Replace overflowed figures, which JSON cannot represent, by null."""
     if isinstance(value, dict):
         return {name: finite(each) for name, each in value.items()}
     if isinstance(value, list):

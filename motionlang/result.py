@@ -1,7 +1,7 @@
 """The result of a run: status, diagnostics, final machine state, and remarks.
 
-A remark states what was not counted, which tasks waited at the end, or the fate of nonvolatile data. The
-figures are in `motionlang.report`, which most runs of a script do not import.
+A remark is about keywords without effect, tasks that waited at the end, or the fate of nonvolatile data. The
+figures are computed in `motionlang.report`, which most runs of a script do not import.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class Run:
 
     @property
     def output(self) -> list[str]:
-        """Every line the program printed."""
+        """Every line that the program printed."""
         return self.machine.terminal.lines
 
     @property
@@ -84,7 +84,7 @@ class Run:
     def proof(self, views: bool = True) -> Proof:
         """Return the proof of the motion against the commands; ValueError without `prove`.
 
-        With `views` its report and its trace are checked, too.
+        With `views` the report and the trace are checked, too.
         """
         from motionlang.analysis.proof.outputs import ROWS
         from motionlang.analysis.proof.prove import prove
@@ -114,7 +114,10 @@ class Run:
 
     @property
     def moves(self) -> Moves:
-        """Every move that was started, in order; a table by `to_polars` and `to_pandas`."""
+        """Every move that was started, in order.
+
+        `to_polars` and `to_pandas` convert them to a table.
+        """
         from typing import cast
 
         from motionlang.library.moves import Moves
@@ -124,7 +127,7 @@ class Run:
 
     @property
     def report(self) -> Report:
-        """The run as `motionlang.report/2`."""
+        """The report of the run, in the schema `motionlang.report/2`."""
         from motionlang.report import build
 
         return build(self)
@@ -135,7 +138,7 @@ MAX_LINES = 5
 
 
 def report_keywords_without_effect(result: Run) -> None:
-    """Report keywords without full effect, with the lines that used them."""
+    """Report keywords without full effect, with the lines that use them."""
     _tell(result, "keywords without effect here", result.machine.without_effect)
     _tell(result, "unknown values, 0 or empty here", result.machine.assumed)
 
@@ -156,7 +159,7 @@ def _in_lines(lines: list[int]) -> str:
 
 
 def open_nonvolatile(result: Run, path: str) -> bool:
-    """Lock and read the file of nv data; on failure return false and do not run."""
+    """Lock and read the nv file; on failure report it and return False: do not run."""
     from motionlang.files import InUse
     from motionlang.lang.machine.nonvolatile import NonVolatile
 
@@ -173,7 +176,7 @@ def open_nonvolatile(result: Run, path: str) -> bool:
 
 
 def save_nonvolatile(result: Run) -> None:
-    """Write the file of nv data, or report which data do not outlive the run."""
+    """Write the nv file, or report which data do not outlive the run."""
     kept = result.machine.kept
     if kept.path is None:
         if kept.names:
@@ -196,9 +199,9 @@ def _no_nonvolatile(result: Run, message: str, hint: str = "") -> None:
 
 
 def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
-    """Report waits that only an event could have ended, and none did.
+    """Report waits that only an event could have ended, if no event did.
 
-    They are not part of the run's figures.
+    These reports are not part of the run's figures.
     """
     if result.machine.moving():
         _report_endless_homing(result, scheduler)
@@ -217,12 +220,12 @@ def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
 
 
 def _log_wait(result: Run, at: int, why: str) -> None:
-    """Log a wait that has run out as an event, at the source position of its task."""
+    """Log an endless wait as an event, at the source position of its task."""
     result.machine.log.events.add((result.machine.clock.now, "wait", None, None, None, at, 0, why))
 
 
 def _report_endless_homing(result: Run, scheduler: Scheduler) -> None:
-    """Report a homing that finds nothing, if no task can act on it any more."""
+    """Report homing that finds no switch or mark, if no task can stop it any more."""
     if all(_is_hopeless(task) for task in scheduler.interrupts[-1:] or scheduler.tasks):
         result.diagnostics += _lost(result)
 
@@ -233,7 +236,7 @@ def _is_hopeless(task: Task) -> bool:
 
 
 def _lost(result: Run) -> list[Diagnostic]:
-    """Return the diagnostics of endless homings, each at its line."""
+    """Return the diagnostics of homing moves that never end, each at its line."""
     found = []
     for axis, homing in result.controller.homings.items():
         if homing.in_vain:
@@ -247,9 +250,9 @@ def _lost(result: Run) -> list[Diagnostic]:
 
 
 def report_guesses(result: Run) -> None:
-    """Warn if the result depends on guesses of the machine file.
+    """Warn if the result depends on guessed settings of the machine file.
 
-    Only guesses that the run has reached count.
+    Only guesses that the run has used count.
     """
     machine = result.machine
     settings, found, count = machine.settings, [], 0
@@ -290,7 +293,7 @@ def _counted(number: int, noun: str) -> str:
 
 
 def report_unasked(result: Run) -> None:
-    """Warn of answers that no INPUT used."""
+    """Warn of given answers that no INPUT used."""
     for text in result.machine.unasked():
         result.diagnostics.append(
             Diagnostic(
@@ -303,7 +306,7 @@ def report_unasked(result: Run) -> None:
 
 
 def report_never_started(result: Run, moves: Sequence[Move]) -> None:
-    """Warn of moves that were loaded and not started: the first of each line."""
+    """Warn of moves that were loaded but never started, once per line."""
     for move in {(each.axis, each.line): each for each in reversed(moves)}.values():
         text = result.source.line(move.line)
         column = len(text) - len(text.lstrip()) + 1 if text else 0
@@ -354,7 +357,7 @@ def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
 
 
 def _others(result: Run, task: Task) -> list[Task]:
-    """Return the other tasks that wait."""
+    """Return the other waiting tasks."""
     scheduler = result.machine.scheduler
     assert scheduler is not None
     return [each for each in scheduler.tasks if each is not task and each.wait is not None]
@@ -365,7 +368,7 @@ def _why(task: Task) -> str:
 
 
 def who_ended(error: BaseException) -> str:
-    """Return the outside cause of a run's end, as text."""
+    """Return the external cause of a run's end, as text."""
     if isinstance(error, Terminated):
         import signal
 
@@ -374,7 +377,7 @@ def who_ended(error: BaseException) -> str:
 
 
 def interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) -> Diagnostic:
-    """The diagnostic of Ctrl-C or another signal, at the current task's position."""
+    """Return the diagnostic of Ctrl-C or a signal, at the current task's position."""
     message = f"the run was ended {who_ended(error)}"
     if scheduler is None:
         return Diagnostic("interrupted", message)

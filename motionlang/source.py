@@ -1,4 +1,4 @@
-"""A program's text: read from anything, addressed by line and column."""
+"""A program's text: read from any encoding, addressed by line and column."""
 
 from __future__ import annotations
 
@@ -15,7 +15,10 @@ LARGEST, _PIECE = 1 << 26, 1 << 16
 
 
 def name_of(file: str) -> str:
-    """The name of a program in messages and reports: its file's, without folder."""
+    """Return the name of a program for messages and reports: its file name.
+
+    It does not include the folder.
+    """
     return STDIN_NAME if file == STDIN else os.path.basename(file)
 
 
@@ -32,9 +35,9 @@ def contents(file: BinaryIO) -> bytes:
 
 
 def _utf16(data: bytes) -> str:
-    """Return the name of the UTF-16 encoding of bytes, or "".
+    """Return the UTF-16 encoding of bytes, or "" if they are not UTF-16.
 
-    They have a mark, or every other byte is mostly NUL.
+    They are if they have a byte order mark, or if every other byte is usually NUL.
     """
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         return "utf-16-le" if data[0] == 0xFF else "utf-16-be"
@@ -47,7 +50,7 @@ def _utf16(data: bytes) -> str:
 
 
 def _with_blanks(text: str) -> str:
-    """The text with form feeds and DOS end-of-file marks outside strings blanked."""
+    """Replace form feeds and DOS end-of-file marks outside strings by blanks."""
     import re
 
     return re.sub(r'"[^"\n]*"|[\f\x1a]', lambda found: found[0] if found[0][0] == '"' else " ", text)
@@ -84,12 +87,12 @@ class Source:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Source:
-        """Read a file; OSError like that of `open`."""
+        """Read a file; raise OSError if `open` does, or if the file is not text."""
         with open(path, "rb") as file:
             return cls.from_bytes(os.path.basename(os.fspath(path)), contents(file))
 
     def line(self, number: int) -> str:
-        """Return the text of line `number` (from 1), empty if there is none."""
+        """Return the text of line `number`, counted from 1; "" if there is none."""
         if self._lines is None:
             self._lines = self.text.split("\n")
         return self._lines[number - 1] if 1 <= number <= len(self._lines) else ""

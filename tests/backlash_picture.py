@@ -1,7 +1,7 @@
 """Drawing of docs/images/backlash.png: `python -m tests.backlash_picture`.
 
-It needs the extra `plot`. The motor is the value of ENCODER while the program runs; the load is pushed by one
-flank of the backlash or the other.
+It needs the extra `plot`. The motor curve is the value of ENCODER while the program runs. The load curve is
+computed from it: the motor pushes the load with one flank of the backlash or the other.
 """
 
 from __future__ import annotations
@@ -25,16 +25,17 @@ End While
 
 
 def motor(mode: int) -> tuple[list[float], list[float]]:
-    """Return times, ms, and positions of the motor, counts."""
+    """Return the times, ms, and the positions of the motor, counts."""
     program = PROGRAM.format(play=PLAY, mode=mode)
     rows = [line.split() for line in run(Source("play.mnt", program), cache=False).output]
     return [float(time) for time, _ in rows], [float(position) for _, position in rows]
 
 
 def load(positions: list[float]) -> list[float]:
-    """Return the positions of the load.
+    """Return the positions of the load for those of the motor, counts.
 
-    The motor pushes it up from the complete backlash above it, and down when it is level with it.
+    The load rests until the motor is a full backlash above it or falls below it, and then moves with the
+    motor.
     """
     found, here = [], 0.0
     for position in positions:

@@ -25,7 +25,7 @@ IGNORED = (
 
 
 def distributions(folder: Path, *kinds: str) -> list[Path]:
-    """Build in an empty `folder`; return a file for each kind: "sdist" or "wheel"."""
+    """Build in an empty `folder`; return one file for each kind, "sdist" or "wheel"."""
     pytest.importorskip("setuptools", minversion="77")
     copy, out = folder / "motionlang", folder / "dist"
     shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*IGNORED))

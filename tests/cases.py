@@ -1,11 +1,11 @@
-"""`@cases`: many small cases as one test, without pytest's cost of each.
+"""`@cases`: many small cases in one test, without pytest's overhead for each.
 
     @cases("word", WORDS)
     def test_a_word_has_a_sentence(word): ...
 
-Every case runs, even after a failure; failures list their cases. Fixtures and other parameters of the test
-are made once for all cases. For cases that need a fixture of their own, or a second or more, use pytest's
-`parametrize`.
+Every case runs, even after a failure, and the message lists the cases that failed. Fixtures and other
+parameters of the test are created once for all cases. For cases that need a fixture of their own, or take a
+second or more, use pytest's `parametrize`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ FAILURES = (Exception, pytest.fail.Exception)
 
 
 def one_in(number: int, values: Iterable[Any]) -> list[Any]:
-    """Return values for `parametrize`: one in `number` runs, the others are `long`."""
+    """Return `values` for `parametrize`, all marked `long` except one in `number`."""
     return [
         pytest.param(value, marks=() if place % number == 0 else pytest.mark.long)
         for place, value in enumerate(values)
@@ -31,9 +31,9 @@ def one_in(number: int, values: Iterable[Any]) -> list[Any]:
 def cases(
     names: str | tuple[str, ...], table: Iterable[Any], ids: Callable[[Any], object] | None = None
 ) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Return a decorator for a test over the rows of `table`, like `parametrize`.
+    """Return a decorator that runs a test for each row of `table`, like `parametrize`.
 
-    `ids` spells the fields of a row in a failure.
+    `ids` formats a field of a row for the failure message.
     """
     wanted = [each.strip() for each in names.split(",")] if isinstance(names, str) else list(names)
     rows = [row if len(wanted) > 1 else (row,) for row in table]

@@ -1,8 +1,8 @@
-"""Write the tables of options in docs/cli.md from the parsers.
+"""Writer of the option tables in docs/cli.md: `python -m tests.cli_page`.
 
-Run `python -m tests.cli_page`. The page has hand-written text around parts that begin with `<!-- options:
-COMMAND -->`, `<!-- commands -->` or `<!-- old options -->` and end with `<!-- end -->`. Only these parts are
-generated.
+The tables come from the parsers. The page has hand-written text around sections that begin with `<!--
+options: COMMAND -->`, `<!-- commands -->` or `<!-- old options -->` and end with `<!-- end -->`. Only these
+sections are generated.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ OF_RUN = tuple(name for name, (module, _) in COMMANDS.items() if module.startswi
 
 
 def subparsers(parser: argparse.ArgumentParser) -> dict[str, argparse.ArgumentParser]:
-    """The parsers of the commands of a parser, by name."""
+    """Return the parsers of a parser's subcommands, by name."""
     return {
         name: each
         for action in parser._actions
@@ -52,7 +52,7 @@ def subparsers(parser: argparse.ArgumentParser) -> dict[str, argparse.ArgumentPa
 
 
 def parsers() -> dict[str, argparse.ArgumentParser]:
-    """Every parser with options, by its command: "run", "pvt plot"."""
+    """Return every parser that has options, by its command, such as "pvt plot"."""
     found: dict[str, argparse.ArgumentParser] = {}
     for name, parser in subparsers(build_parser("*")).items():
         if name in OF_RUN:
@@ -63,7 +63,7 @@ def parsers() -> dict[str, argparse.ArgumentParser]:
 
 
 def written(text: str) -> str:
-    """Return the page with its generated parts."""
+    """Return the page `text` with its generated sections updated."""
     known = parsers()
 
     def part(found: re.Match[str]) -> str:
@@ -108,7 +108,7 @@ def _options(parser: argparse.ArgumentParser) -> Iterator[str]:
 
 
 def _spelt(action: argparse.Action) -> str:
-    """Return the name of an argument with the form of its value."""
+    """Return the name of an argument and a placeholder for its value."""
     value = action.metavar or ("|".join(map(str, action.choices)) if action.choices else action.dest)
     name = str(value) if not isinstance(value, tuple) else " ".join(value)
     if not action.option_strings:

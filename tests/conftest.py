@@ -38,9 +38,9 @@ settings.load_profile("motionlang")
 
 
 def _prove_every_run() -> None:
-    """Prove every run, even if its test does not request it.
+    """Prove every run, including runs of tests that do not request it.
 
-    Import the proof on demand.
+    The proof is imported only here, on demand.
     """
     from motionlang import execution
 
@@ -67,7 +67,7 @@ def _prove_every_run() -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Prove every run of the complete suite, and of named tests with `--prove`."""
+    """Prove every run of the complete suite; with `--prove`, also of selected tests."""
     if config.args_source is pytest.Config.ArgsSource.TESTPATHS:
         config.option.prove = True
     if config.option.prove:
@@ -86,7 +86,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Skip tests that take minutes unless requested by `pytest -m long`."""
+    """Skip tests that take minutes unless requested by `pytest -m long`.
+
+    The files at the top of `tests` come first. Some of their tests share a built wheel or the syntax trees of
+    the package. The first process gets an eighth of all tests at once, so only that process builds these. The
+    last tests take less than two seconds each, so that no process waits long for another at the end.
+    """
     if "long" in (config.getoption("-m") or ""):
         return
     long = [item for item in items if item.get_closest_marker("long")]

@@ -1,7 +1,7 @@
 """Writer of every derived file: `python -m tests.derived`.
 
-These are tables of grammars, the indexes of keywords, and the pages in `docs/` and `tests/spec/` that show
-the vocabulary. A separate test compares each with its source.
+Derived files are the tables of grammars, the indexes of keywords, and the pages in `docs/` and `tests/spec/`
+that show the vocabulary. For each there is a test that compares it with its source.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ WRITERS = (
 
 
 def main() -> int:
-    """Run every writer in a process of its own; 1 if one fails.
+    """Run the writers one after the other; return 1 if one fails.
 
-    Each imports the files that the one before it wrote.
+    Each has a process of its own, so that it imports the files that the one before it wrote.
     """
     for module in WRITERS:
         print(f"== {module}", flush=True)

@@ -1,4 +1,4 @@
-"""Write docs/diagnostics.md from its sources: `python -m tests.diagnostics_page`."""
+"""Writer of docs/diagnostics.md: `python -m tests.diagnostics_page`."""
 
 from __future__ import annotations
 

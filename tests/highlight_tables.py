@@ -1,7 +1,7 @@
 """Writer of `playground/keywords.json`: `python -m tests.highlight_tables`.
 
-It has the keywords of both languages by their kind, for the editor of the playground. The kinds are those of
-`motionlang.lang.highlight`.
+The file lists the keywords of both languages by kind, for the editor of the playground. The kinds are those
+of `motionlang.lang.highlight`.
 """
 
 from __future__ import annotations

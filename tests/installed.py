@@ -1,8 +1,8 @@
 """The wheel with chosen libraries: the help and real uses of every command.
 
-The wheel is unpacked next to links to the installed libraries that have to be there, and Python is started
-without its own ones (`-S`): nothing is installed, and a missing library is really missing. One process runs
-all commands.
+The wheel is unpacked next to links to the installed libraries that it may use, and Python is started without
+its own site-packages (`-S`). So nothing is installed, and every other library is really missing. One process
+runs all commands.
 """
 
 from __future__ import annotations
@@ -117,7 +117,7 @@ def link(folder: Path, names: Iterable[str]) -> None:
 
 
 class Install:
-    """A folder with a program, in which the wheel runs with named distributions only."""
+    """A folder with a program, where the wheel finds only the named distributions."""
 
     def __init__(self, folder: Path, wheel: Path, names: Iterable[str]) -> None:
         self.folder = folder / "work"
@@ -135,11 +135,11 @@ class Install:
         }
 
     def python(self, *flags: str) -> list[str]:
-        """Return the command of Python without its own libraries."""
+        """Return the command that starts Python without its site-packages."""
         return [sys.executable, "-S", *flags]
 
     def environment_with(self, changes: Mapping[str, str | None]) -> dict[str, str]:
-        """Return the environment with some variables set, and those that are None removed."""
+        """Return the environment with some variables changed; None removes a variable."""
         changed = {**self.environment, **changes}
         return {name: value for name, value in changed.items() if value is not None}
 
@@ -153,9 +153,9 @@ class Install:
     def __call__(
         self, commands: Iterable[str], *flags: str, **changes: str | None
     ) -> dict[str, tuple[int, str, str]]:
-        """Return exit status, output and errors of each command, all run by one process.
+        """Run all commands in one process; return exit status, output and errors of each.
 
-        `flags` are Python's own, `changes` those of the environment.
+        `flags` are options of Python, `changes` are changes of the environment.
         """
         command = [*self.python(*flags), self.driver]
         return drive(command, commands, self.folder, self.environment_with(changes))
@@ -170,9 +170,9 @@ def write_files(folder: Path) -> None:
 def drive(
     command: list[str], commands: Iterable[str], folder: Path, environment: dict[str, str]
 ) -> dict[str, tuple[int, str, str]]:
-    """Return the output of `DRIVER`, started by `command`, for `commands`.
+    """Run `commands` in the `DRIVER`, started by `command`, and return their output.
 
-    Python itself must report nothing.
+    Python itself must print no warning or error.
     """
     ran = subprocess.run(
         command, input=json.dumps(list(commands)), cwd=folder, env=environment, capture_output=True, text=True,
@@ -184,13 +184,13 @@ def drive(
 
 
 def needed() -> dict[str, str]:
-    """Return each of `USES` and the extra that it needs, or ""."""
+    """Return the extra that each of `USES` needs, or "" if none."""
     found = (re.fullmatch(r"(.*?)(?: \[(\w+)\])?", line) for line in USES.splitlines())
     return {each[1]: each[2] or "" for each in found if each}
 
 
 def first_uses() -> list[str]:
-    """The first use of each command, which needs no extra except for `completion`."""
+    """Return the first use of each command; only that of `completion` needs an extra."""
     firsts: dict[str, str] = {}
     for command in needed():
         firsts.setdefault(command.split()[0], command)
@@ -205,7 +205,7 @@ def helps() -> list[str]:
 def check(ran: Mapping[str, tuple[int, str, str]], uses: Mapping[str, str], absent: set[str]) -> None:
     """Check that each help is shown, and each use works or names the missing extra.
 
-    The message also names the command that installs it.
+    The message must also name the command that installs the extra.
     """
     for command in helps():
         status, out, err = ran[command]

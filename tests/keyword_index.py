@@ -30,7 +30,7 @@ def place(package: str) -> Path:
 
 
 def written(package: str) -> str:
-    """Return the text of an index; AssertionError for a duplicate keyword."""
+    """Return the text of an index; raise AssertionError for a duplicate keyword."""
     files = {name: import_module(f"{package}.{name}") for name in import_module(package).ORDER.split()}
     Table(row for file in files.values() for row in file.ROWS)
     return _HEAD + "".join(_entry(name, _rows(file)) for name, file in files.items()) + "}\n"

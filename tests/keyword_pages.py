@@ -1,6 +1,7 @@
 """Writer of docs/keywords/ and of its menu: `python -m tests.keyword_pages`.
 
-The menu is that of the site, in mkdocs.yml. Pages of groups that no longer exist are deleted.
+The menu is in mkdocs.yml, with that of the rest of the site. Pages of groups that no longer exist are
+deleted.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ HOMING: dict[str, object] = {
 
 
 def machine_of(row: Keyword) -> dict[str, object]:
-    """Return the machine of a row's example: bare, except for the needs in its help."""
+    """Return the machine of a row's example: only the keys that the row's help names."""
     return {key: value for key, value in HOMING.items() if key.rpartition(".")[2] in row.help}
 
 
@@ -43,18 +44,18 @@ def shown(row: Keyword, language: str) -> list[str]:
 
 
 def written(language: str) -> dict[str, str]:
-    """Return the required pages of a language by their path in docs/keywords."""
+    """Return the keyword pages of a language as generated, by path in docs/keywords."""
     return pages(dialect(language).table().rows, language, lambda row: shown(row, language))
 
 
 def stored(language: str) -> dict[str, str]:
-    """Return the pages of a language as they are in docs/keywords."""
+    """Return the keyword pages of a language as stored, by path in docs/keywords."""
     paths = [FOLDER / f"{language}.md", *sorted((FOLDER / language).glob("*.md"))]
     return {each.relative_to(FOLDER).as_posix(): each.read_text(encoding="utf-8") for each in paths}
 
 
 def with_menu(text: str) -> str:
-    """Return the configuration of the site with the menu of the keyword pages."""
+    """Return the site's configuration with the current menu of keyword pages."""
     return _PART.sub(lambda found: found[1] + "".join(_menu()) + found[2], text)
 
 

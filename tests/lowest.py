@@ -1,9 +1,8 @@
 """Test of the wheel with the lowest dependencies: `python -m tests.lowest`.
 
-For each Python an environment in a temporary folder gets the wheel and the lowest versions that it declares,
-and runs the help and the real uses of every command, with all warnings as errors. Without arguments each
-Python from 3.11 to 3.14 of this machine is used, on PATH or of pyenv; missing ones are skipped. It needs a
-package index.
+For each Python, an environment in a temporary folder gets the wheel and the lowest versions that it declares.
+There the help and the real uses of every command run, with all warnings as errors. Without arguments, each
+Python from 3.11 to 3.14 on PATH or of pyenv is used; missing ones are skipped. A package index is needed.
 """
 
 from __future__ import annotations
@@ -28,7 +27,7 @@ VERSION = "import platform; print(platform.python_version())"
 
 
 def lowest(python_version: str) -> list[str]:
-    """Return the dependencies with the lowest version for a Python: "numpy==1.26"."""
+    """Return each dependency with its lowest version for a Python, like "numpy==1.26"."""
     environment = {"python_version": ".".join(python_version.split(".")[:2])}
     found = []
     for text in PROJECT["dependencies"]:
@@ -42,7 +41,7 @@ def lowest(python_version: str) -> list[str]:
 def run(python: str, wheel: Path, folder: Path) -> str:
     """Run every command with `python` in an environment of its own.
 
-    Return its packages. The environment is below a new `folder`.
+    Return the packages in the environment, which is created below `folder`, a new folder.
     """
     folder.mkdir()
     version = subprocess.check_output([python, "-c", VERSION], text=True).strip()
@@ -76,9 +75,9 @@ def interpreters() -> dict[str, str | None]:
 
 
 def is_version(python: str, name: str) -> bool:
-    """True if `python` is of that version and can make environments.
+    """True if `python` has the version `name` and can create virtual environments.
 
-    This takes a separate package on Debian.
+    On Debian that takes a separate package.
     """
     code = "import ensurepip, sys; print('%d.%d' % sys.version_info[:2])"
     ran = subprocess.run([python, "-c", code], capture_output=True, text=True, check=False)
@@ -86,7 +85,7 @@ def is_version(python: str, name: str) -> bool:
 
 
 def main() -> int:
-    """Build the wheel once, and run it with each Python, on all processors."""
+    """Build the wheel once, and test it with every Python, on all processors."""
     given: dict[str, str | None] = {each: each for each in sys.argv[1:]} or interpreters()
     present = [python for python in given.values() if python is not None]
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(os.cpu_count()) as pool:

@@ -49,7 +49,7 @@ SERVO = {
 
 
 def written() -> str:
-    """Return the required page: its handwritten text, and the tables."""
+    """Return the page as it has to be: its handwritten text, and the tables."""
     text = PAGE.read_text(encoding="utf-8")
     parts = [text.partition(FROM)[0] + FROM, _table({key: help for key, (_, help) in KEYS.items()})]
     parts.append("`N` is the number of an axis as the language numbers it.\n")

@@ -1,7 +1,4 @@
-"""Write the files that are generated from the table of MCAPI.
-
-`python -m tests.mcapi_files`.
-
+"""Writer of the files made from the MCAPI table: `python -m tests.mcapi_files`.
 
 They are the Python class, the page of functions, and the header and the stubs of the C library.
 """
@@ -65,7 +62,7 @@ def signature(function: Function) -> str:
 
 
 def sent(each: Argument) -> str:
-    """Return the expression of an argument in a call."""
+    """Return the expression that a method passes on for an argument."""
     if each.out or each.kind == "memory":
         return "1"
     if each.kind in STRUCTURES:
@@ -76,9 +73,10 @@ def sent(each: Argument) -> str:
 
 
 def described(function: Function) -> str:
-    """Return the docstring of a method.
+    """Return the docstring of a method, from the text of the table.
 
-    The first sentence of the table if it is short, or all of it below.
+    The first sentence becomes the docstring if it is short enough. If not, the complete text goes below the
+    first line.
     """
     if function.unsupported:
         return f"Call {function.name}, which is not supported: error 11."
@@ -213,7 +211,7 @@ def page() -> str:
 
 
 def page_rows(functions: Iterable[Function], names: set[str]) -> str:
-    """Return the rows of functions; their commands must be among `names`."""
+    """Return the table rows of functions; their commands must be among `names`."""
     rows = []
     for each in functions:
         mccl = re.sub(r"\{\w+\}", "n", each.mccl)
@@ -283,7 +281,7 @@ def c_type(each: Argument) -> str:
 
 
 def c_arguments(function: Function) -> list[tuple[str, str]]:
-    """Return type and name of each argument in C, with the handle in its place."""
+    """Return type and name of each C argument, with the handle at its position."""
     found = [(c_type(each), each.name) for each in function.arguments]
     if function.has_handle:
         found.insert(function.handle_index, ("HCTRLR ", "hCtlr"))
@@ -312,7 +310,7 @@ def header() -> str:
 
 
 def letters(function: Function) -> str:
-    """Return the arguments as the library reads them, a letter each."""
+    """Return the signature that the library reads, one code of letters per argument."""
     places = {name: place for place, (_, name) in enumerate(handle_first(function))}
     found = "h" if function.has_handle else ""
     for each in function.arguments:
@@ -331,7 +329,7 @@ def letters(function: Function) -> str:
 
 
 def handle_first(function: Function) -> list[tuple[str, str]]:
-    """Return the arguments in the order of a line."""
+    """Return type and name of each C argument, with the handle moved to the front."""
     found = c_arguments(function)
     if function.has_handle:
         found.insert(0, found.pop(function.handle_index))
@@ -339,7 +337,7 @@ def handle_first(function: Function) -> list[tuple[str, str]]:
 
 
 def stub(number: int, function: Function) -> str:
-    """Return the stub of a function."""
+    """Return the C stub of a function."""
     values = []
     for kind, name in handle_first(function):
         field = "p" if kind.endswith("*") else "d" if kind == "double " else "i"

@@ -1,4 +1,4 @@
-"""Writer of tests/spec/mint/README.md, the contents of the manual of Mint.
+"""Writer of tests/spec/mint/README.md, the table of contents of the Mint manual.
 
 Run it with `python -m tests.mint_manual`. The chapters are listed here; the subject of a page is the first
 sentence of its initial comment.
@@ -73,12 +73,12 @@ CHAPTERS = {
 
 
 def pages() -> list[str]:
-    """Return the existing pages, by their names in the chapters."""
+    """Return the names of the pages that exist, spelled as in the chapters."""
     return sorted(str(path.relative_to(FOLDER).with_suffix("")) for path in FOLDER.rglob("*.mnt"))
 
 
 def heading(text: str) -> str:
-    """Return the initial comment of a page, up to an empty one; "" without a comment."""
+    """Return the initial comment of a page, up to its first blank line, or ""."""
     lines = []
     for line in text.split("\n"):
         if not line.startswith("' "):
@@ -101,7 +101,7 @@ def row(page: str) -> str:
 
 
 def contents() -> str:
-    """Return the complete page of contents."""
+    """Return the complete table of contents."""
     chapters = (
         f"\n## {title}\n\n" + "\n".join(map(row, names.split())) + "\n" for title, names in CHAPTERS.items()
     )

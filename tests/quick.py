@@ -1,13 +1,13 @@
 """The check of one change in seconds: `python -m tests --quick`, after `--record`.
 
-Format, lint and types run for the complete tree, and at the same time the tests that reach changes since the
-last commit. `--record` finds out which files of the package each test reaches, in a copy of the project whose
-functions report their calls (`tests/mutants`), and how long each test takes. The record is a file that git
-ignores. It may be days old: a changed test runs in any case, and for a module without a record the tests of
-the same name or folder run.
+Format, lint and types run for the complete tree. At the same time, those tests run that reach files changed
+since the last commit. `--record` finds out which files of the package each test reaches, and how long the
+test takes. It does so in a copy of the project whose functions report their calls (`tests/mutants`). The
+record is a file that git ignores. It may be days old: a changed test runs in any case, and a changed module
+without a record runs the tests of the same name or folder.
 
-A test that reaches few files comes first, because it is about them. The tests together take at most `BUDGET`
-seconds, and no run is proved. The complete suite runs the rest.
+A test that reaches few files comes first, because it is specific to them. The tests together take at most
+`BUDGET` seconds, and no run is proved. The complete suite runs the rest.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ BUDGET, PER_FILE = 4.0, 0.03
 
 
 class Reach(NamedTuple):
-    """The CPU seconds of a test, and the files of the package that it reaches."""
+    """CPU time of a test, s, and the files of the package that it reaches."""
 
     cpu: float
     files: frozenset[str]
 
 
 def record(jobs: int) -> int:
-    """Record the files that each test reaches."""
+    """Record which files each test reaches, using `jobs` processes."""
     from tests.mutants.__main__ import coverage
 
     found = coverage(jobs)
@@ -66,7 +66,7 @@ def recorded() -> dict[str, Reach]:
 
 
 def changed(since: str) -> list[str]:
-    """Return the Python files that differ from a commit, including new ones."""
+    """Return the Python files that differ from the commit `since`, including new ones."""
     found: set[str] = set()
     for command in (
         ["diff", "--name-only", "--diff-filter=d", since],
@@ -78,7 +78,7 @@ def changed(since: str) -> list[str]:
 
 
 def nearest(module: str, test_files: Iterable[str]) -> list[str]:
-    """Return the test files of a module without a record: by name, or by folder."""
+    """Return the test files for a module without a record: by name, else by folder."""
     path = Path(module)
     names = (f"test_{path.stem.strip('_')}.py", f"test_{path.parent.name}.py")
     folder = Path("tests", *path.parent.parts[1:])
@@ -88,7 +88,7 @@ def nearest(module: str, test_files: Iterable[str]) -> list[str]:
 
 
 def importers(helper: str, test_files: Iterable[str]) -> list[str]:
-    """Return the test files that import a module of the tests."""
+    """Return the test files that import a helper module of the tests."""
     module = helper.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
     return [each for each in test_files if module in _imported(ROOT / each)]
 
@@ -101,9 +101,9 @@ def _imported(path: Path) -> set[str]:
 def chosen(
     changes: Iterable[str], tests: Mapping[str, Reach], test_files: Iterable[str], budget: float = BUDGET
 ) -> tuple[list[str], list[str]]:
-    """Return the test files to run, and the recorded tests that reach a change.
+    """Return the test files to run completely, and the recorded tests to run.
 
-    The latter are within the budget.
+    The recorded tests reach a change, and together take at most `budget` seconds.
     """
     known = list(test_files)
     whole: set[str] = set()
@@ -124,7 +124,7 @@ def chosen(
 
 
 def _within(names: list[str], tests: Mapping[str, Reach], whole: set[str], budget: float) -> Iterator[str]:
-    """Yield the first tests that together are within the budget."""
+    """Yield the first of the named tests that together take at most `budget` seconds."""
     seen = set(whole)
     for name in names:
         file = name.partition("::")[0]
@@ -138,7 +138,7 @@ def _within(names: list[str], tests: Mapping[str, Reach], whole: set[str], budge
 
 
 class Only:
-    """A filter for those tests of a session that are chosen, or in chosen files."""
+    """A pytest plugin that runs only the chosen tests and the chosen files."""
 
     def __init__(self, whole: Iterable[str], names: Iterable[str]) -> None:
         self._whole, self._names = frozenset(whole), frozenset(names)

@@ -67,12 +67,12 @@ class Report(dict[str, object]):
 
 
 def class_of(reference: str) -> str:
-    """Return the name of the class of an object of the schema."""
+    """Return the class name for a reference to an object of the schema."""
     return "Report" + "".join(map(str.capitalize, reference.rpartition("/")[2].split("_")))
 
 
 def type_of(node: dict[str, Any], definitions: dict[str, Any]) -> str:
-    """Return the annotation of a value of the schema."""
+    """Return the type annotation for a value of the schema."""
     if "$ref" in node:
         name = node["$ref"].rpartition("/")[2]
         target = definitions[name]
@@ -102,9 +102,9 @@ def typed_dict(name: str, node: dict[str, Any], definitions: dict[str, Any]) -> 
 
 
 def overloads(schema: dict[str, Any]) -> str:
-    """Return the types of the fields of a report.
+    """Return the overloads of `report[name]` and `report.get(name)`.
 
-    They are for `report[name]` and `report.get(name)`.
+    Each gives the type of one field of a report.
     """
     lines = []
     for field, value in schema["properties"].items():
@@ -126,7 +126,7 @@ def overloads(schema: dict[str, Any]) -> str:
 
 
 def written() -> str:
-    """Return the module that belongs to the schema."""
+    """Return the text of the module for the present schema."""
     schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
     objects = {name: node for name, node in schema["$defs"].items() if "properties" in node}
     classes = "".join(typed_dict(name, node, schema["$defs"]) for name, node in sorted(objects.items()))
@@ -135,7 +135,7 @@ def written() -> str:
 
 
 def formatted(text: str) -> str:
-    """Return a module in the format of the project."""
+    """Return the text of a module, formatted like the project."""
     command = [sys.executable, "-m", "ruff", "format", "--stdin-filename", str(MODULE), "-"]
     return subprocess.run(
         command, input=text, capture_output=True, text=True, encoding="utf-8", check=True

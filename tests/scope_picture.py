@@ -1,7 +1,7 @@
 """Drawing of docs/images/scope.png: `python -m tests.scope_picture`.
 
-It needs Chromium. The picture is the scope page of a program of the gallery with two cursors. It has the digest of the
-program, so that a test finds a picture of another version.
+It needs Chromium. The picture shows the scope page of a gallery program with two cursors. It contains a
+digest of the program, so that a test detects a picture of an older version.
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
 def digest() -> bytes:
-    """Return the digest of the program, as the picture has it."""
+    """Return the digest of the program in the form that the picture stores."""
     return hashlib.sha256(PROGRAM.read_text(encoding="utf-8").encode()).hexdigest().encode()
 
 
 def recorded(png: bytes) -> bytes | None:
-    """Return the digest that a picture has, or None."""
+    """Return the digest stored in a picture, or None."""
     assert png.startswith(_SIGNATURE)
     start = len(_SIGNATURE)
     while start < len(png):
@@ -46,7 +46,7 @@ def recorded(png: bytes) -> bytes | None:
 
 
 def with_digest(png: bytes) -> bytes:
-    """Return a picture with the digest of the program, after its header."""
+    """Return a picture with the digest of the program inserted after its header."""
     body = b"tEXt" + KEYWORD + b"\0" + digest()
     chunk = struct.pack(">I", len(body) - 4) + body + struct.pack(">I", zlib.crc32(body))
     head = len(_SIGNATURE) + 25
@@ -54,7 +54,7 @@ def with_digest(png: bytes) -> bytes:
 
 
 def main() -> int:
-    """Draw the picture; 1 without a browser."""
+    """Draw the picture; return 1 if there is no browser."""
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if browser is None:
         print("no Chromium is installed", file=sys.stderr)

@@ -1,13 +1,13 @@
 """Size of the package: `python -m tests.sizes [COMMIT]`, compared with a commit.
 
 * Lines of each package by kind. *Data* are assignments of a module that take several lines, such as rows of
-  keywords. *Logic* is the rest without data, docstrings, comments, blank lines and imports. Generated files
+  keywords. *Logic* is everything except data, docstrings, comments, blank lines and imports. Generated files
   count separately.
-* Fields of `Axis` and `Scheduler` with their base classes, and with the objects of the package that only they
-  make.
+* Fields of `Axis` and `Scheduler`, including their base classes and the objects of the package that only they
+  create.
 * Functions of more than `LONG` lines.
-* Files of the package that a run of one statement enters, without imports: from the start of its task, and as
-  it runs.
+* Files of the package that one statement enters, without imports: from the start of its task on, and while
+  the statement runs.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ class Sizes(NamedTuple):
 
 
 def kinds(text: str) -> Counter[str]:
-    """Return the number of lines of a file of each kind."""
+    """Return the number of lines of each kind in the text of a file."""
     tree, kind = ast.parse(text), dict.fromkeys(range(1, text.count("\n") + 1), "logic")
     for number, line in enumerate(text.split("\n")[:-1], 1):
         if not line.strip():
@@ -119,7 +119,7 @@ def _not_logic(node: ast.AST) -> Iterator[tuple[ast.stmt, str]]:
 
 
 class Classes:
-    """The classes of a tree by name."""
+    """The classes of a source tree by name."""
 
     def __init__(self, trees: dict[str, ast.Module]) -> None:
         self._found: dict[str, list[tuple[str, ast.ClassDef]]] = {}
@@ -132,7 +132,7 @@ class Classes:
                     self._makers.setdefault(node.func.id, set()).add(path)
 
     def fields(self, name: str, path: str = "") -> dict[str, ast.expr | None]:
-        """Return the fields of a class and its bases, each with its first value."""
+        """Return the fields of a class and its bases, each with its first assigned value."""
         found: dict[str, ast.expr | None] = {}
         for where, node in self._found.get(name, []):
             if path and where != path:
@@ -144,9 +144,9 @@ class Classes:
         return found
 
     def with_owned(self, name: str, path: str) -> int:
-        """Return the number of fields of a class and the objects that it alone makes.
+        """Return the number of fields of a class and of the objects that only it creates.
 
-        Only objects with a class of the package count.
+        Only objects with a class of the package count, except those of the classes `without`.
         """
         fields = self.fields(name, path)
         count = len(fields)
@@ -217,9 +217,9 @@ def sizes(root: Path) -> Sizes:
 
 
 def entered(root: Path, statement: str) -> tuple[int, ...]:
-    """Return the number of files that a statement enters.
+    """Return how many files of the package a statement enters.
 
-    The numbers are from the start of the task on, and while it runs.
+    One number counts from the start of the task on, the other only while the statement runs.
     """
     name, before = STATEMENTS[statement]
     command = [sys.executable, "-c", TRACE, name, f"{before}\n{statement}\n"]
@@ -239,7 +239,7 @@ def tree_of(commit: str, folder: Path) -> Path:
 
 
 def table(now: Sizes, then: Sizes | None) -> Iterator[str]:
-    """Yield the lines of the table; `then -> now` for two trees."""
+    """Yield the lines of the table; two trees are shown as `then -> now`."""
 
     def pair(old: object, new: object) -> str:
         return f"{new}" if then is None else f"{old} -> {new}"
@@ -268,7 +268,7 @@ def table(now: Sizes, then: Sizes | None) -> Iterator[str]:
 
 
 def main(arguments: list[str]) -> int:
-    """Print the table of this tree, compared with that of a commit, if given."""
+    """Print the table of this tree, compared with a commit if one is given."""
     with tempfile.TemporaryDirectory() as folder:
         then = sizes(tree_of(arguments[0], Path(folder))) if arguments else None
         print(*table(sizes(ROOT), then), sep="\n")

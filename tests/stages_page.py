@@ -1,6 +1,6 @@
-"""Write docs/contributing/one-statement.md.
+"""Writer of docs/contributing/one-statement.md: `python -m tests.stages_page`.
 
-The page follows one statement through every stage. Run `python -m tests.stages_page`.
+The page follows one statement through every stage.
 """
 
 from __future__ import annotations
@@ -95,7 +95,7 @@ def written() -> str:
 
 
 def _tree(value: Any, name: str = "", depth: int = 0) -> list[str]:
-    """Return a node and what is in it, a line each; fields that are empty are omitted."""
+    """Return a node and its descendants, one line each, without empty fields."""
     head = f"{'  ' * depth}{name}{': ' if name else ''}"
     if isinstance(value, Node):
         lines = [f"{head}{type(value).__name__}"]

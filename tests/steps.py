@@ -15,7 +15,7 @@ STATIC = (
 
 
 def start_static() -> dict[str, subprocess.Popen[str]]:
-    """Start the steps; a pipe holds the output of each."""
+    """Start the steps; the output of each goes to a pipe."""
     return {
         name: subprocess.Popen([sys.executable, "-m", *command], cwd=ROOT, text=True, stdout=-1, stderr=-2)
         for name, command in STATIC
@@ -23,7 +23,7 @@ def start_static() -> dict[str, subprocess.Popen[str]]:
 
 
 def conclude(started: dict[str, subprocess.Popen[str]], tests_passed: bool) -> int:
-    """Print the output of the steps, and which failed; 1 if any did."""
+    """Print the output of the steps and which of them failed; return 1 if any did."""
     failed = [] if tests_passed else ["tests"]
     for name, process in started.items():
         output = process.communicate()[0]

@@ -174,7 +174,7 @@ FILES = sorted(PACKAGE.rglob("*.py"))
 
 @cache
 def imports(path: Path) -> set[str]:
-    """Return every module that a file imports, anywhere in it, also for types."""
+    """Return every module that a file imports anywhere, including imports for types."""
     found: set[str] = set()
     for node in ast.walk(tree_of(path)):
         if isinstance(node, ast.Import):
@@ -187,9 +187,9 @@ def imports(path: Path) -> set[str]:
 
 
 def at_run_time(path: Path) -> set[str]:
-    """Return every module of the package that a file imports, except for types.
+    """Return every module of the package that a file imports at run time.
 
-    Those under TYPE_CHECKING are for types alone.
+    Imports under TYPE_CHECKING do not count.
     """
     found: set[str] = set()
 
@@ -327,7 +327,7 @@ OF_THE_CONTROLLER = frozenset(("Axis", "Controller", "Core", "Feedback", "Limit"
 def is_of_controller(node: ast.AST, names: set[str]) -> bool:
     """True if an expression is the controller, an axis, or a component of one.
 
-    `names` are the names of such.
+    `names` are the names bound to such objects.
     """
     while True:
         if isinstance(node, ast.Name):
@@ -345,7 +345,7 @@ def is_of_controller(node: ast.AST, names: set[str]) -> bool:
 
 
 def bindings(function: ast.AST) -> Iterator[tuple[ast.AST, ast.AST]]:
-    """Yield the bindings of names in a function, with their values."""
+    """Yield each binding of a name in a function: the target and its value."""
     for node in ast.walk(function):
         if isinstance(node, ast.For | ast.comprehension):
             yield node.target, node.iter
@@ -360,7 +360,7 @@ def bindings(function: ast.AST) -> Iterator[tuple[ast.AST, ast.AST]]:
 def reaches_into_the_controller(tree: ast.AST) -> Iterator[str]:
     """Yield writes to an axis or the controller, and uses of their private attributes.
 
-    `listeners` is public.
+    `listeners` may be used.
     """
     for function in (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef | ast.Lambda)):
         arguments = [*function.args.args, *function.args.kwonlyargs]
@@ -397,9 +397,9 @@ def reaches_into_the_controller(tree: ast.AST) -> Iterator[str]:
 
 
 def test_no_dialect_reaches_into_the_controller() -> None:
-    """A language changes an axis by verbs alone (`controller/verbs.py`).
+    """A language changes an axis only through verbs (`controller/verbs.py`).
 
-    It reads by bound readers.
+    It reads an axis only through bound readers.
     """
     found = {
         f"{path.relative_to(PACKAGE).as_posix()}:{each}"
@@ -543,7 +543,8 @@ def test_what_is_public_says_what_it_does(path: Path) -> None:
 def is_whole(node: ast.expr) -> bool:
     """True if an expression can only be an integer.
 
-    It is a constant, a bit, a comparison, a length, or made of these.
+    Such are a constant integer, a bit shift, a comparison, a length, and a sum, difference or product of
+    these.
     """
     if isinstance(node, ast.Constant):
         return isinstance(node.value, int)
@@ -556,7 +557,7 @@ def is_whole(node: ast.expr) -> bool:
 
 
 def float_sums(tree: ast.AST) -> list[int]:
-    """Return the lines with the builtin `sum` of anything but certain integers."""
+    """Return the lines that use the builtin `sum` on anything but certain integers."""
     counting = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
@@ -570,9 +571,9 @@ def float_sums(tree: ast.AST) -> list[int]:
 
 @cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
 def test_no_figure_comes_from_the_builtin_sum(path: Path) -> None:
-    """From Python 3.12 on it rounds floats differently, unlike `planners.total`.
+    """From Python 3.12 on, `sum` rounds floats differently than before.
 
-    `math.fsum` and plain additions do not either.
+    `planners.total`, `math.fsum` and plain additions give the same result in every version.
     """
     found = float_sums(tree_of(path))
     assert bool(found) is (path.relative_to(PACKAGE).as_posix() in WHOLE_SUMS), f"sum() on lines {found}"

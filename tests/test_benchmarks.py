@@ -1,6 +1,6 @@
-"""The benchmarks run, and no figure is worse than half of its target.
+"""The benchmarks run, and every figure reaches at least half of its target.
 
-The targets themselves are for an idle machine.
+The targets themselves apply to an idle machine.
 """
 
 from __future__ import annotations
@@ -136,7 +136,7 @@ def test_counts_do_not_depend_on_the_run() -> None:
 
 
 def counted(style: str) -> dict[str, list[int]]:
-    """Return the figures of one style, counted in a process of its own."""
+    """Return the figures of one style, measured in a process of its own."""
     program = (
         "import json, counted; from styles import STYLES;"
         f" print(json.dumps({{f'{style}.{{k}}': v for k, v in"

@@ -1,4 +1,4 @@
-"""The compile cache: used if it can be trusted, ignored if not, never an error."""
+"""The compile cache is used if trustworthy, ignored if not, and never an error."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def entry(*parts: str) -> Entry:
-    """Return the cache entry of a program, like a process of its own."""
+    """Return the cache entry of a program, computed as in a new process."""
     return program_entry(str(PACKAGE / "mint"), *(parts or ("a",)))
 
 
@@ -125,13 +125,13 @@ print(*(m.__file__ for n, m in sys.modules.items() if n.startswith('motionlang')
 
 
 def installed(place: Path) -> Path:
-    """Return a copy of the package, like an installation."""
+    """Return a copy of the package in the form of an installation."""
     shutil.copytree(PACKAGE, place / "motionlang", ignore=shutil.ignore_patterns("__pycache__"))
     return place / "motionlang"
 
 
 def compiled(root: Path) -> list[str]:
-    """Compile the gallery with a copy of the package, and cache something.
+    """Compile the gallery with a copy of the package, and fill the cache.
 
     Return the imported files.
     """

@@ -1,6 +1,6 @@
 """Import cycles between the files of a folder: each is listed with its reason.
 
-An import for types only counts as well, since a reader follows it just the same.
+An import that is only for types counts as well, since a reader follows it all the same.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ GROUPS: dict[tuple[str, str], str] = {
 
 
 def imports_of(path: Path) -> set[Path]:
-    """Return the files of its folder that a file imports anywhere."""
+    """Return the files of the same folder that a file imports anywhere in its code."""
     found = set()
     for node in ast.walk(tree_of(path)):
         if not isinstance(node, ast.ImportFrom) or not (node.module or "").startswith("motionlang"):
@@ -68,7 +68,7 @@ def imports_of(path: Path) -> set[Path]:
 
 
 def groups() -> set[tuple[str, str]]:
-    """Return folder and names of the files that reach each other by imports."""
+    """Return each group of files that import each other: its folder and file names."""
     by_folder = defaultdict(list)
     for path in sorted(PACKAGE.rglob("*.py")):
         by_folder[path.parent].append(path)

@@ -25,14 +25,14 @@ def test_the_index_names_the_file_of_each_keyword(package: str) -> None:
 
 
 def insert(path: Path, before: str, text: str) -> None:
-    """Insert a text before the last occurrence of another one in a file."""
+    """Insert `text` before the last occurrence of `before` in a file."""
     head, found, tail = path.read_text(encoding="utf-8").rpartition(before)
     assert found
     path.write_text(f"{head}{text}{found}{tail}", encoding="utf-8")
 
 
 def python(folder: Path, *arguments: str) -> str:
-    """Return the output of the interpreter in a folder whose package it imports."""
+    """Return the output of Python, run in a folder so that it imports its package."""
     done = subprocess.run(
         [sys.executable, *arguments],
         cwd=folder,
@@ -47,7 +47,7 @@ def python(folder: Path, *arguments: str) -> str:
 
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a copy of the project in which the recipe was followed."""
+    """Return a copy of the project in which a keyword was added by the recipe."""
     folder = tmp_path_factory.mktemp("recipe")
     for name in COPIED:
         shutil.copytree(

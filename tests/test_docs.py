@@ -1,10 +1,10 @@
 """The documents match the program: their code blocks are run.
 
 ` ```console ` blocks hold `$ motionlang …` lines, each followed by its exact output; `…` alone on a line
-stands for omitted lines. `$ cat FILE` shows a file, and makes one that does not exist; `< FILE` is standard
+stands for omitted lines. `$ cat FILE` shows a file, and creates one that does not exist. `< FILE` is standard
 input. ` ```mint ` and ` ```mccl ` blocks are programs that run without a diagnostic, ` ```toml ` blocks are
 machine files, ` ```python ` blocks are executed. ` ```editor ` blocks show a program in an editor, which
-`tests/lsp/test_documented_session.py` compares. Blocks of other kinds (`sh` for set-up) are for reading.
+`tests/lsp/test_documented_session.py` compares. Blocks of other kinds, such as `sh` for set-up, are not run.
 """
 
 from __future__ import annotations
@@ -60,14 +60,14 @@ def commands(block: str) -> Iterator[tuple[str, str]]:
 
 
 def matches(shown: str, output: str) -> bool:
-    """True if `output` matches the shown text, in which `…` lines match anything."""
+    """True if `output` equals the shown text, where a line `…` matches any lines."""
     pattern = re.escape(shown.rstrip("\n") + "\n").replace(re.escape("\n…\n"), r"\n(?:.*\n)*")
     return re.fullmatch(pattern, output.rstrip("\n") + "\n") is not None
 
 
 @pytest.fixture
 def at_root(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """Run commands in the checkout with the gallery, and write to a scratch folder."""
+    """Run commands in the checkout with the gallery; output goes to a scratch folder."""
     monkeypatch.chdir(tmp_path)
     for name in ("scripts", "docs"):
         os.symlink(ROOT / name, tmp_path / name)
@@ -97,7 +97,7 @@ def test_console(
 def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[str, str]:
     """Return output and errors of one command of a console block.
 
-    `cat` is the only command that is not ours.
+    `cat` is the only command other than `motionlang`.
     """
     if words[0] == "cat":
         return Path(words[1]).read_text(encoding="utf-8"), ""
@@ -114,7 +114,7 @@ def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[str, s
 def test_commands_in_the_text_exist_with_their_options(
     page: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Nothing is run. A command without its arguments is a mention of it."""
+    """No command is run; one without arguments only mentions its name."""
     text = _BLOCK.sub("", page.read_text(encoding="utf-8"))
     for command in {" ".join(each.split()) for each in _INLINE.findall(text)}:
         words = shlex.split(re.split(r" [<>|] ", command.replace("\\|", "|"))[0])

@@ -1,6 +1,6 @@
 """The bare wheel in users' environments: options, homes, locales, streams.
 
-Each is a row of a table; every row runs the same few real uses.
+Each environment is a row of a table, and every row runs the same few real uses.
 """
 
 from __future__ import annotations
@@ -29,10 +29,7 @@ def install(wheel: Path, tmp_path: Path) -> Install:
 
 
 def works(install: Install, *flags: str, **changes: str | None) -> None:
-    """Run one use of each command.
-
-    None leaves an unexpected file in the working folder.
-    """
+    """Run one use of each command; none may leave an unexpected file."""
     uses = [each for each in first_uses() if not needed()[each]]
     for command, (status, _, err) in install(uses, *flags, **changes).items():
         assert (status, "error" in err) == (0, False), (command, err)
@@ -46,7 +43,7 @@ def test_every_command_under_an_option_of_python(flags: tuple[str, ...], install
 
 
 def test_every_command_without_a_home(install: Install, tmp_path: Path) -> None:
-    """The cache folder is named, so that the test does not use the user's own."""
+    """The cache folder is named, so that the test does not use that of the user."""
     works(
         install, HOME=None, MOTIONLANG_CACHE=None, XDG_CACHE_HOME=str(tmp_path), XDG_STATE_HOME=str(tmp_path)
     )
@@ -64,9 +61,9 @@ def test_every_command_with_a_home_that_takes_no_file(kind: str, install: Instal
 
 
 def test_a_user_without_a_home_has_no_cache(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An example is a container with `--user 1234`.
+    """An example is a container started with `--user 1234`.
 
-    Python leaves ~ unchanged, which once became a folder of that name.
+    Python then returns ~ unexpanded, which once created a folder of that name.
     """
     for name in ("MOTIONLANG_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
         monkeypatch.delenv(name, raising=False)
@@ -100,9 +97,9 @@ def result(
     stdout: int = subprocess.PIPE,
     stderr: int = subprocess.PIPE,
 ) -> tuple[int, str, str]:
-    """Return exit status, output and errors, including warnings of Python.
+    """Return exit status, output and errors of one use, including warnings of Python.
 
-    `closed` is in shell notation.
+    `closed` lists the streams to close in shell notation, such as ">&-".
     """
     command = [*install.python(*STRICT), "-m", "motionlang", *use.split()]
     ran = subprocess.run(
@@ -114,7 +111,7 @@ def result(
 
 @contextmanager
 def unread() -> Iterator[int]:
-    """Yield a pipe whose reader has gone."""
+    """Yield the writing end of a pipe whose reader has gone."""
     reader, writer = os.pipe()
     os.close(reader)
     yield writer
@@ -123,7 +120,7 @@ def unread() -> Iterator[int]:
 
 @contextmanager
 def full() -> Iterator[int]:
-    """Yield a full disk."""
+    """Yield a file on a full disk."""
     disk = os.open("/dev/full", os.O_WRONLY)
     yield disk
     os.close(disk)
@@ -134,7 +131,7 @@ needs_full = pytest.mark.skipif(not os.path.exists("/dev/full"), reason="this sy
 
 @pytest.mark.parametrize("closed", ["<&-", ">&-", "2>&-", "<&- >&- 2>&-"])
 def test_streams_that_are_closed(closed: str, install: Install) -> None:
-    """The exit status is unchanged, and the remaining stream is written."""
+    """The exit status is unchanged, and the other streams are written."""
     for use, status in USES.items():
         got, out, err = result(install, use, closed)
         assert got == status, (use, err)
@@ -156,7 +153,7 @@ def test_standard_output_that_takes_nothing(
 
 @pytest.mark.parametrize("broken", [unread, pytest.param(full, marks=needs_full)])
 def test_standard_error_that_takes_nothing(broken: type, install: Install) -> None:
-    """The message is lost, the exit status is not."""
+    """The message is lost, but the exit status is right."""
     for use, status in USES.items():
         with broken() as stream:
             got, out, _ = result(install, use, stderr=stream)
@@ -164,7 +161,7 @@ def test_standard_error_that_takes_nothing(broken: type, install: Install) -> No
 
 
 def test_the_c_locale(install: Install) -> None:
-    """For a file name and a text outside ASCII, missing letters are shown by number."""
+    """Characters outside ASCII in a file name or a text are printed as escapes."""
     (install.folder / "größe.mnt").write_text('PRINT "5 µm"\n', encoding="utf-8")
     install.environment |= {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
     assert result(install, "run größe.mnt --format none") == (0, "5 \\xb5m\n", "")

@@ -1,4 +1,4 @@
-"""The glossary: existing keywords, usual units, and each term once."""
+"""The glossary has existing keywords and usual units, and each term only once."""
 
 from __future__ import annotations
 

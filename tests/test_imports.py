@@ -1,7 +1,7 @@
-"""Lazy imports of modules within a package: only the ones listed here.
+"""Lazy imports of modules within a package: only those listed here.
 
-An import inside a function crosses packages, or loads a heavy library. Within a package it is at the top,
-where a reader looks for it. But a run has to start as soon as it can, and a module that it does not need is
+An import inside a function crosses packages or loads a heavy library. Imports within a package are at the
+top, where a reader looks for them. The exceptions serve a fast start: a module that a run may not need is
 imported where it is used.
 """
 
@@ -71,14 +71,14 @@ LAZY = {
 
 
 def path_of(name: str) -> Path | None:
-    """Return the file of a module, or None."""
+    """Return the file of a module of the package, or None."""
     place = PACKAGE.parent.joinpath(*name.split("."))
     files = (place.with_suffix(".py"), place / "__init__.py")
     return next((file for file in files if file.exists()), None)
 
 
 def module_of(node: ast.ImportFrom, name: str) -> str:
-    """Return the module that an imported name is, or belongs to."""
+    """Return the module that an import of `name` loads: the name itself, or its owner."""
     whole = f"{node.module}.{name}"
     return whole if path_of(whole) is not None else str(node.module)
 
@@ -89,7 +89,7 @@ def is_for_types(node: ast.stmt) -> bool:
 
 @cache
 def on_top(path: Path) -> frozenset[str]:
-    """Return the modules and libraries that importing a file imports."""
+    """Return the modules and libraries that a file imports at its top level."""
     found: set[str] = set()
     left: list[ast.AST] = [node for node in tree_of(path).body if not is_for_types(node)]
     while left:
@@ -120,7 +120,7 @@ def heavy(module: str) -> frozenset[str]:
 def brought_in(path: Path) -> set[str]:
     """Return the modules of its own package that a file imports lazily.
 
-    Those that load a heavy library are left out.
+    Modules that load a heavy library are left out.
     """
     parts = path.relative_to(PACKAGE).with_suffix("").parts
     # `analysis` holds a package for each question.

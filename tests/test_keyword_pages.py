@@ -1,4 +1,4 @@
-"""The keyword pages match the tables, and the examples' output."""
+"""The keyword pages match the tables, and show the real output of the examples."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_no_field_is_empty_and_every_heading_is_there_once(language: str) -> Non
 
 @pytest.mark.parametrize("language", dialects())
 def test_the_index_leads_to_each_keyword(language: str) -> None:
-    """`test_links.py` checks that the linked headings exist."""
+    """`test_links.py` checks that the headings exist to which it links."""
     index = stored(language)[f"{language}.md"]
     linked = re.findall(r"\[([^\]]+)\]\([^)#]+#[^)]+\)", index)
     assert linked == sorted(row.name for row in dialect(language).table() if row.simulated)

@@ -1,6 +1,6 @@
 """The interface of the package: every name of `__all__`.
 
-Its arguments are covered, and how its objects print themselves.
+The tests include the arguments of its functions and the `repr` of its objects.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def modules() -> list[str]:
 
 
 def test_no_submodule_hides_a_name() -> None:
-    """No module of the package hides a function of the library.
+    """No module of the package has the name of a function of the library.
 
     A package `motionlang.profile` would replace the function `profile` when it is imported.
     """
@@ -157,9 +157,9 @@ def test_a_notebook_shows_the_curve() -> None:
 
 
 def test_a_curve_passes_through_its_speed() -> None:
-    """50 uu/s is the top, -50 uu/s the bottom, and 0 half the height.
+    """50 uu/s is at the top, -50 uu/s at the bottom, and 0 at half the height.
 
-    2 s are the width of 650.
+    The 2 s take the width of 650 pixels, from 70 to 720.
     """
     from motionlang.views.curve import HEIGHT, curve
 
@@ -218,7 +218,7 @@ def test_a_missing_library_is_named(library: str, monkeypatch: pytest.MonkeyPatc
 
 
 def test_a_trace_is_a_structured_array() -> None:
-    """In the middle of 0.1 s at 1000 uu/s² the axis has moved 1.25 uu.
+    """After 0.05 s, half of the ramp at 1000 uu/s², the axis has moved 1.25 uu.
 
     1000 · 0.05² / 2 = 1.25.
     """

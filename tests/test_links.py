@@ -1,6 +1,6 @@
-"""Links between pages lead to a page and a heading.
+"""Links between pages lead to a page and a heading that exist.
 
-Messages name pages that exist.
+Pages that messages name exist, too.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _FENCED = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 
 @cache
 def anchors(page: Path) -> set[str]:
-    """The anchors of the headings of a page, as GitHub makes them."""
+    """Return the anchors that GitHub makes for the headings of a page."""
     text = _FENCED.sub("", page.read_text(encoding="utf-8"))
     found: set[str] = set()
     numbers: Counter[str] = Counter()

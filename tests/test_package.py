@@ -28,7 +28,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
 
 
 def run(command: list[str], folder: Path, **environment: str) -> str:
-    """Return the output of a command; fail with its message."""
+    """Return the output of a command; if it fails, show its message."""
     ran = subprocess.run(
         command, cwd=folder, env=os.environ | environment, capture_output=True, text=True, check=False
     )
@@ -38,7 +38,7 @@ def run(command: list[str], folder: Path, **environment: str) -> str:
 
 @pytest.mark.parametrize("number", [0, 1], ids=["sdist", "wheel"])
 def test_it_can_be_installed_and_run(number: int, built: tuple[Path, Path], tmp_path: Path) -> None:
-    """It is alone: a run needs no library except for terminal output."""
+    """Only the wheel is installed: a run needs no library except for terminal output."""
     pip = [sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
     alone = ["--no-deps", "--no-index", "--no-build-isolation", "--no-compile", "--target", "site"]
     run([*pip, *alone, str(built[number])], tmp_path)
@@ -74,7 +74,7 @@ def test_the_licence_is_in_both(built: tuple[Path, Path]) -> None:
 
 
 def test_the_source_distribution_is_whole(built: tuple[Path, Path]) -> None:
-    """It has everything in README: the gallery, the pages and the tests."""
+    """It has everything that README mentions: the gallery, the pages and the tests."""
     with tarfile.open(built[0]) as sdist:
         names = {name.partition("/")[2] for name in sdist.getnames()}
     for folder in ("benchmarks", "docs", "examples", "grammars", "motionlang", "scripts", "tests"):

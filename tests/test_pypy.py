@@ -1,6 +1,6 @@
-"""Features of CPython that other Pythons lack: a run works without them, equally.
+"""A run works equally without the features of CPython that other Pythons lack.
 
-No other Python is run here: its lacks are simulated.
+No other Python is run here; the missing features are simulated.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def reports() -> list[str]:
 
 
 def test_a_collector_without_thresholds(monkeypatch: pytest.MonkeyPatch) -> None:
-    """PyPy's has neither thresholds nor freeze, but may get one."""
+    """PyPy's garbage collector has no thresholds and no freeze, but may get one."""
     expected = reports()
     assert expected
     for lacking in (("get_threshold",), ("set_threshold",), ("get_threshold", "set_threshold"), ("freeze",)):
@@ -86,7 +86,7 @@ def test_nothing_asks_for_what_only_cpython_tells() -> None:
 
 
 def test_a_traceback_in_a_sub_knows_its_line() -> None:
-    """Lines come from frames of the program's own code, which every Python has."""
+    """Line numbers come from frames of the program's own code, which every Python has."""
     ran = run(
         Source("a.mnt", "Deep\nEnd\nSub Deep()\n  Dim x\n  x = 0\n  PRINT 1 / x\nEnd Sub\n"), cache=False
     )

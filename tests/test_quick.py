@@ -1,4 +1,4 @@
-"""The quick check: its choice of tests for a change, and no load of the proof."""
+"""The quick check chooses the tests for a change, and does not load the proof."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""README leads to the first program, and shows a program of the gallery."""
+"""README leads to a first program, and shows a program of the gallery."""
 
 from __future__ import annotations
 

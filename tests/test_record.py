@@ -1,4 +1,4 @@
-"""`@record` writes the slots and the `__init__` of a class of plain fields."""
+"""`@record` generates the slots and the `__init__` of a class of plain fields."""
 
 from __future__ import annotations
 

@@ -58,7 +58,7 @@ def test_each_line_has_one_kind() -> None:
 
 
 def test_fields_with_base_classes_and_what_only_the_class_makes() -> None:
-    """a, b of the base; c, kind, small, shared; x and y of the owned object."""
+    """a, b of the base; own c, kind, small, shared; x and y of the owned object."""
     trees = {"whole.py": ast.parse(CLASSES), "other.py": ast.parse("made = Shared()")}
     classes = Classes(trees)
     assert set(classes.fields("Whole", "whole.py")) == {"a", "b", "c", "kind", "small", "shared"}

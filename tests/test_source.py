@@ -1,4 +1,4 @@
-"""Any file content becomes text: in the encodings of editors, and in none."""
+"""Any file content becomes text, in the encodings of editors or in no encoding."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def test_bytes_that_are_no_wide_text_stay_bytes(data: bytes) -> None:
 
 
 def test_a_file_without_an_end_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Examples are /dev/zero, and a pipe that was forgotten."""
+    """Examples are /dev/zero, and a pipe whose writer never closes it."""
     monkeypatch.setattr("motionlang.source.LARGEST", 100_000)
     path = tmp_path / "long.mnt"
     path.write_bytes(b"'" * 100_000)

@@ -1,4 +1,4 @@
-"""Keyword facts are in rows: other modules name keywords only as listed here."""
+"""Keyword facts are in rows: other modules name only the keywords listed here."""
 
 from __future__ import annotations
 
@@ -46,9 +46,9 @@ NAMED = {
 
 
 def named() -> dict[str, set[str]]:
-    """Return the keywords that are strings in modules outside the vocabulary.
+    """Return the keywords that occur as strings in modules outside the vocabulary.
 
-    They are in capitals and of two letters or more.
+    Only strings in capitals with two letters or more count.
     """
     found: defaultdict[str, set[str]] = defaultdict(set)
     for path in PACKAGE.rglob("*.py"):

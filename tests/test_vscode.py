@@ -1,4 +1,4 @@
-"""The extension for VS Code agrees with the languages and with the server."""
+"""The VS Code extension agrees with the languages and with the server."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A week takes no more memory than a day: endless runs, each in a process."""
+"""A week takes no more memory than a day: endless runs, each in its own process."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ BEFORE_THE_DISK = 64_000
 
 
 def joystick(folder: Path) -> Path:
-    """The joystick of the gallery, moved every minute, and a program that polls it."""
+    """Return the gallery's joystick, moved every minute, and a program that polls it."""
     moved = [
         f"[[analogue]]\nchannel = 1\nvalue = {25 + minute % 3}\nat = {60.0 * minute}\n"
         for minute in range(10_081)
@@ -31,7 +31,7 @@ def joystick(folder: Path) -> Path:
 
 
 def conveyor(folder: Path) -> Path:
-    """Return the conveyor of the gallery with a box every 61 seconds, without an end."""
+    """Return the gallery's conveyor, made endless, with a box every 61 seconds."""
     box = "[[input]]\nchannel = 2\naxis = 0\nbetween = [250.0, 300.0]\nevery = 6100.0\ntimes = 10000\n"
     (folder / "week.machine.toml").write_text(box)
     text = (SCRIPTS / "mint" / "conveyor-tracking.mnt").read_text()
@@ -41,7 +41,7 @@ def conveyor(folder: Path) -> Path:
 
 
 def memory(program: Path, until: float) -> int:
-    """Return the peak memory of a run, kilobytes; it must run up to its time limit."""
+    """Return the peak memory of a run, kB; the run must reach its time limit."""
     command = [
         sys.executable,
         "-m",

@@ -1,4 +1,4 @@
-"""Every command from the bare wheel, with required libraries, without each extra."""
+"""Every command of the bare wheel: with required libraries, without each extra."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ WITHOUT_NUMPY = {
 
 @links
 def test_every_command_without_numpy(wheel: Path, tmp_path: Path) -> None:
-    """A browser's Python has none: each help is shown, and messages name numpy."""
+    """A Python in a browser has no numpy: each help is shown, and messages name numpy."""
     install = Install(tmp_path, wheel, closure(PROJECT["dependencies"]) - {"numpy"})
     (install.folder / "motor.mnt").write_text("PRINT 1\n")
     (install.folder / "motor.machine.toml").write_text("[axis.0.plant]\nkind = 'dc'\n")
@@ -115,7 +115,7 @@ def test_a_serial_line_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
 def test_the_lowest_versions_are_declared_for_each_python() -> None:
     """`python -m tests.lowest` installs these.
 
-    Numpy's are its first with such a wheel.
+    The lowest numpy is the first one with a wheel for that Python.
     """
     numpy = {version: lowest(version)[1] for version in SUPPORTED}
     assert numpy == {
@@ -133,7 +133,7 @@ def test_the_lowest_versions_are_declared_for_each_python() -> None:
 
 
 def at_run_time(text: str) -> list[str]:
-    """Return the imports of a module except those for types alone."""
+    """Return the import lines of a module, except those that are only for types."""
     left: list[ast.AST] = [ast.parse(text)]
     found = []
     while left:
@@ -158,7 +158,10 @@ def test_the_extras_are_those_of_the_project() -> None:
 
 
 def test_every_module_that_imports_a_library_of_an_extra_needs_it_first() -> None:
-    """A test above reaches each of them; a new one has to be added there."""
+    """Each such module calls `need` first, or is called only by modules that do.
+
+    A test above reaches each of them; add a new module there.
+    """
     imported = re.compile(rf"^\s*(?:from|import) (?:{'|'.join(LIBRARIES)})\b", re.MULTILINE)
     found = set()
     for path in (ROOT / "motionlang").rglob("*.py"):
@@ -191,7 +194,10 @@ def test_every_module_that_imports_a_library_of_an_extra_needs_it_first() -> Non
 
 
 def test_what_installs_an_extra_is_written_in_one_way() -> None:
-    """It is in double quotes, for every shell, and in the package only in `need`."""
+    """The command quotes the extra with double quotes, which suit every shell.
+
+    In the package, the command is only in `need`.
+    """
     texts = [*(ROOT / "motionlang").rglob("*.py"), *(ROOT / "docs").glob("*.md"), ROOT / "README.md"]
     found = {
         (path.name, line.strip())

@@ -1,8 +1,9 @@
 """The wording of docstrings, comments, messages and docs.
 
-`wording.py` has the rules: forbidden first words, the length of first lines, and banned words with their replacements.
-Printed titles, quotations, code and keywords are exempt by rule. The exceptions are listed here with a reason, and may
-only become fewer: one without a use fails, so remove it together with its cause.
+`wording.py` has the rules: forbidden first words, the length of first lines, and banned words with their
+replacements. Printed titles, quotations, code and keywords are exempt by rule. The other exceptions are
+listed here with a reason. Their number may only fall: an exception that no text needs fails, so remove it
+together with its cause.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ def every() -> tuple[Text, ...]:
 
 
 def found(*kinds: str) -> Counter[str]:
-    """Return how many banned words each file has in texts of some kinds."""
+    """Return the number of banned words of each file in texts of the given kinds."""
     counts: Counter[str] = Counter()
     for each in every():
         if each.kind in kinds:

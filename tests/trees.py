@@ -15,5 +15,9 @@ def text_of(path: Path) -> str:
 
 @cache
 def tree_of(path: Path) -> ast.Module:
-    """Return the tree of a file, which must not be changed."""
+    """Return the syntax tree of a file, which must not be changed.
+
+    The trees of the package have 860 000 nodes. Without `freeze`, each full garbage collection visits all of
+    them.
+    """
     return ast.parse(text_of(path))

@@ -1,6 +1,7 @@
-"""Writer of the highlighting of the extension for VS Code.
+"""Writer of the syntax highlighting of the VS Code extension.
 
-A TextMate grammar has one pattern for each kind of keyword in the tables, as `lang/highlight.py` names them.
+A TextMate grammar has one pattern for each kind of keyword in the tables. `lang/highlight.py` names the
+kinds.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ def kind_of(row: Keyword) -> str:
 
 
 def words(language: str) -> dict[str, list[str]]:
-    """Return the names and short forms of a language by kind, sorted."""
+    """Return the names and short forms of a language's keywords by kind, sorted."""
     found: dict[str, set[str]] = {}
     for row in dialect(language).table():
         found.setdefault(kind_of(row), set()).update(filter(None, (row.name, row.short)))
@@ -43,12 +44,12 @@ def words(language: str) -> dict[str, list[str]]:
 
 
 def control() -> list[str]:
-    """Return the control words of Mint."""
+    """Return the control-flow keywords of Mint."""
     return sorted({text for text in SPELLINGS.values() if re.fullmatch(r"[A-Za-z]+", text)})
 
 
 def choice(names: list[str]) -> str:
-    """Return a pattern for one of some words."""
+    """Return a regular expression that matches any of the names."""
     return "|".join(map(re.escape, names))
 
 
@@ -80,7 +81,7 @@ def mint() -> dict[str, Any]:
 
 
 def mccl() -> dict[str, Any]:
-    """Return the grammar of MCCL: an axis, two letters, and a parameter."""
+    """Return the grammar of MCCL: a command is an axis, two letters and a parameter."""
     patterns = [
         {"name": "comment.line.semicolon.mccl", "match": ";.*$"},
         {"name": "comment.line.number-sign.mccl", "match": r"^[ \t]*#.*$"},
@@ -102,7 +103,7 @@ def mccl() -> dict[str, Any]:
 
 
 def suffixes(language: str) -> list[str]:
-    """Return the extensions of a language's files, without the dot."""
+    """Return the file extensions of a language, without the dot."""
     return [suffix.removeprefix(".") for suffix in dialect(language).suffixes]
 
 

@@ -3,9 +3,10 @@
     python -m tests.wording [COMMIT]       the counts by package, compared with a commit
     python -m tests.wording --draw DATE    30 docstrings, 30 names, 20 messages and 10 passages of docs
 
-`test_wording.py` keeps the counts at zero. A text is a docstring, a comment, a paragraph of a page, or a message: a
-string of the package with more than one word. Names and quotations do not count. They are recognised by rule: code in
-backticks and blocks, texts in double quotes, words in capitals, and the target of a link.
+`test_wording.py` requires all counts to be zero. A text is a docstring, a comment, a paragraph of a page, or
+a message, which is a string of the package with more than one word. Names and quotations do not count. They
+are recognised by rule: code in backticks and blocks, texts in double quotes, words in capitals, and the
+target of a link.
 """
 
 from __future__ import annotations
@@ -79,7 +80,7 @@ _SPECIAL = re.compile(r"#\s*(?:type:|noqa|pragma|fmt:|mypy:|ruff:|!)")
 
 
 class Text(NamedTuple):
-    """A text: its kind, its file relative to the project, its line, and itself."""
+    """A text with its kind, its file relative to the project, and its line."""
 
     kind: str
     file: str
@@ -88,12 +89,12 @@ class Text(NamedTuple):
 
     @property
     def package(self) -> str:
-        """The package of the package, or the folder, that has it."""
+        """Return the subpackage or the folder that has the text."""
         first, _, rest = self.file.partition("/")
         return f"{first}/{rest.partition('/')[0]}" if first == "motionlang" and "/" in rest else first
 
     def found(self) -> list[str]:
-        """The banned words in it, in lower case."""
+        """Return the banned words in the text, in lower case."""
         text = self.text
         if self.file.startswith("motionlang/mccl/keywords/"):
             text = text.removeprefix("Tell ")  # TP is PMC's "Tell Position"
@@ -103,12 +104,12 @@ class Text(NamedTuple):
 
 
 def instead(word: str) -> str:
-    """Return the words to use for a banned one."""
+    """Return the replacements of a banned word."""
     return next(text for pattern, text in BANNED.items() if re.match(pattern, word))
 
 
 def statements(body: Iterable[ast.stmt]) -> Iterator[ast.stmt]:
-    """Yield statements and those below them, without the expressions."""
+    """Yield statements and all nested statements, but no expressions."""
     for each in body:
         yield each
         for name in ("body", "orelse", "finalbody"):
@@ -148,7 +149,7 @@ def comments(path: Path, file: str) -> Iterator[Text]:
 
 
 def messages(path: Path, file: str) -> Iterator[Text]:
-    """Yield the strings of a file with more than one word, without its docstrings."""
+    """Yield the strings of a file with more than one word, except docstrings."""
     lines = {each.line for each in docstrings(path, file)}
     for node in ast.walk(tree_of(path)):
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.lineno not in lines:
@@ -158,7 +159,7 @@ def messages(path: Path, file: str) -> Iterator[Text]:
 
 
 def passages(path: Path, file: str) -> Iterator[Text]:
-    """Yield the paragraphs of a page, without its blocks of code."""
+    """Yield the paragraphs of a page, except code blocks."""
     text = _FENCE.sub(lambda match: "\n" * match[0].count("\n"), text_of(path))
     line = 1
     for paragraph in text.split("\n\n"):
@@ -170,7 +171,7 @@ def passages(path: Path, file: str) -> Iterator[Text]:
 def texts(root: Path = ROOT, *, quick: bool = False) -> Iterator[Text]:
     """Yield every text of a project.
 
-    If `quick`, leave out comments and messages of files without any banned word.
+    If `quick`, leave out the comments and messages of files that have no banned word.
     """
     for folder in FOLDERS:
         for path in sorted((root / folder).rglob("*.py")):
@@ -188,7 +189,7 @@ def texts(root: Path = ROOT, *, quick: bool = False) -> Iterator[Text]:
 
 
 def names(root: Path = ROOT) -> Iterator[tuple[str, str]]:
-    """Yield the names of the package, each with its file; `TYPE_CHECKING` is Python's."""
+    """Yield the names of the package with their files, except `TYPE_CHECKING`."""
     for path in sorted((root / "motionlang").rglob("*.py")):
         file = path.relative_to(root).as_posix()
         yield path.stem, file
@@ -202,7 +203,7 @@ def names(root: Path = ROOT) -> Iterator[tuple[str, str]]:
 
 
 class Counts(NamedTuple):
-    """Banned words of one tree by package and kind, and docstrings that break rules."""
+    """Banned words of one tree by package and kind, and docstrings that break a rule."""
 
     banned: Counter[tuple[str, str]]
     docstrings: int
@@ -211,7 +212,7 @@ class Counts(NamedTuple):
 
 
 def counted(root: Path) -> Counts:
-    """Count the texts of a tree."""
+    """Count the banned words in the texts of a tree."""
     banned: Counter[tuple[str, str]] = Counter()
     number = first_words = long = 0
     for each in texts(root, quick=True):
@@ -233,7 +234,7 @@ def unpacked(commit: str, folder: Path) -> Path:
 
 
 def table(now: Counts, then: Counts | None) -> Iterator[str]:
-    """Yield the lines of the table; `then -> now` for two trees."""
+    """Yield the lines of the table; two trees are shown as `then -> now`."""
 
     def pair(old: int, new: int) -> str:
         return f"{new}" if then is None else f"{old} -> {new}"
@@ -260,7 +261,7 @@ def table(now: Counts, then: Counts | None) -> Iterator[str]:
 
 
 def drawn(date: str) -> Iterator[str]:
-    """Yield the lines of a sample whose seed is a date."""
+    """Yield the lines of a random sample, with the date as its seed."""
     random = Random(date)
     every = list(texts())
     for kind, count in (("docstring", 30), ("message", 20), ("passage", 10)):
@@ -275,7 +276,7 @@ def drawn(date: str) -> Iterator[str]:
 
 
 def main(arguments: Iterable[str]) -> int:
-    """Print the counts, compared with those of a commit if it is given, or a sample."""
+    """Print the counts, compared with a commit if one is given, or a sample."""
     parser = argparse.ArgumentParser(prog="python -m tests.wording")
     parser.add_argument("commit", nargs="?", help="compare with this commit")
     parser.add_argument("--draw", metavar="DATE", help="print a sample with this seed instead")

@@ -1,7 +1,7 @@
-"""Proof of every run of a Python with this folder on its path; a failure ends it.
+"""Prove every run of a Python process that has this folder on its path.
 
-Figures are then meaningless. `python -m benchmarks --prove` adds the folder, for its benchmarks and for every
-process that they start.
+A failed proof ends the process. Figures are meaningless then. `python -m benchmarks --prove` adds the folder
+for its benchmarks and for every process that they start.
 """
 
 from __future__ import annotations

@@ -40,8 +40,8 @@ JUMPS = {"acceleration": "velocity", "jerk": "acceleration"}
 class Limit:
     """One line of the certificate: a limit, the extreme `reached`, when and where.
 
-    `reached` is None if it is unknown: no motor is simulated. `margin` is the remaining fraction of the
-    limit, below 0 if it is exceeded; of a position it is in user units.
+    `reached` is None if it is unknown because no motor is simulated. `margin` is the remaining fraction of
+    the limit, negative if the limit is exceeded. The margin of a position is in user units.
     """
 
     def __init__(
@@ -75,7 +75,7 @@ class Limit:
 
 
 def certificate(controller: Controller, settings: Mapping[str, object], until: float) -> list[Limit]:
-    """Return a line for each limit of the machine file, by axis; a position has two."""
+    """Return one line per limit of the machine file, by axis; two lines per position."""
     found = []
     for number, a in controller.axes.items():
         given = {
@@ -106,7 +106,7 @@ def _of_axis(controller: Controller, a: Axis, given: Mapping[str, object], until
 
 
 def _line(controller: Controller, a: Axis, time: float) -> int:
-    """Return the line of the move of an axis at a time; 0 if none had begun."""
+    """Return the line of the move of an axis at a time; 0 before its first move."""
     line = 0
     for move in controller.log.moves:
         if move.start_time > time + SLACK:
@@ -119,9 +119,9 @@ def _line(controller: Controller, a: Axis, time: float) -> int:
 def violations(
     controller: Controller, lines: list[Limit], until: float, machine: str = "the machine file"
 ) -> list[Diagnostic]:
-    """The objections to a certificate: exceeded or unknown limits, contradictions.
+    """Return a diagnostic per exceeded or unknown limit and per contradiction.
 
-    `machine` is where limits would be set.
+    `machine` names the file or setting in which limits are set.
     """
     found = [_told(line) for line in lines if line.verdict != "within"]
     found += [Diagnostic("proof", each) for each in contradictions(controller, lines, until)]
@@ -150,7 +150,7 @@ def _told(line: Limit) -> Diagnostic:
 def least_margin(lines: list[Limit]) -> float | None:
     """Return the smallest relative margin of the limits; None if none is known.
 
-    That of a position is relative to its magnitude.
+    The margin of a position is taken relative to the magnitude of the limit.
     """
     shares = [
         line.margin / max(abs(line.limit), 1e-12) if "position" in line.name else line.margin
@@ -161,7 +161,10 @@ def least_margin(lines: list[Limit]) -> float | None:
 
 
 def contradictions(controller: Controller, lines: list[Limit], until: float) -> list[str]:
-    """Extremes of the second check beyond those of a certificate: normally none."""
+    """Return the extremes by which the second check exceeds the certificate.
+
+    The list is normally empty.
+    """
     found = []
     rate = min(1000.0, SAMPLES / until) if until else 1.0
     for number in {line.axis for line in lines}:

@@ -14,8 +14,8 @@ class Plan:
     """A trapezoidal move from rest to rest, from `motionlang.plan`.
 
     `distance` is in user units (uu), `time`, `accel_time`, `slew_time` and `decel_time` are seconds, `speed`
-    is uu/s, `accel` and `decel` are uu/s². `commanded_speed` is above `speed` if the move is too short for
-    it.
+    is uu/s, `accel` and `decel` are uu/s². `commanded_speed` exceeds `speed` if the move is too short to
+    reach it.
     """
 
     __slots__ = (*NAMES, "_wanted", "commanded_speed")
@@ -44,8 +44,9 @@ class Plan:
     ) -> str:
         """Return the program of the move in "mint" or "mccl".
 
-        Raise ValueError for another language. `axis` is the first of the language by default, `scale` the
-        counts of a user unit. With `use_times` a Mint program sets ACCELTIME and DECELTIME instead of rates.
+        Raises ValueError for another language. `axis` is by default the first axis of the language, `scale`
+        the counts per user unit. With `use_times` a Mint program sets ACCELTIME and DECELTIME instead of
+        rates.
         """
         if dialect not in WRITERS:
             raise ValueError(f"there is no dialect {dialect!r}: {' or '.join(WRITERS)}")
@@ -70,12 +71,12 @@ def plan(
     accel: float | None = None,
     decel: float | None = None,
 ) -> Plan:
-    """Find the missing figures of a trapezoidal move from rest to rest.
+    """Compute the missing figures of a trapezoidal move from rest to rest.
 
     Any figures that determine the move will do; `rule` "third", "quarter" or "equal" splits the time if they
     leave it free. Distances are user units (uu), times seconds, speeds uu/s, rates uu/s². A negative distance
     is a move in the other direction. Raises ValueError with the missing figures, the two that contradict each
-    other, or the rules that there are.
+    other, or the available rules.
     """
     given = {
         name: float(value)
@@ -103,9 +104,9 @@ def plan(
 def solve_plan(
     given: dict[str, float], rule: str | None
 ) -> tuple[dict[str, float], set[str], dict[str, float]]:
-    """Return all figures, the mirrored ones, and the request of a move too short.
+    """Return all figures, the mirrored ones, and the request if the move is too short.
 
-    A mirrored figure is taken over from its counterpart.
+    A mirrored figure is copied from its counterpart.
     """
     short = _too_short(given)
     if short is not None:
@@ -128,7 +129,7 @@ def solve_plan(
 def _too_short(
     given: dict[str, float],
 ) -> tuple[dict[str, float], set[str], dict[str, float]] | None:
-    """Return the figures of a distance too short for its speed and ramps, or None."""
+    """Return the result for a move too short for its speed and ramps, or None."""
     rates = {}
     for rate, time in (("accel", "accel_time"), ("decel", "decel_time")):
         if (rate in given) == (time in given):
@@ -164,7 +165,10 @@ def _mint(move: dict[str, float], scale: float, axis: int | None, by_times: bool
 
 
 def _mccl(move: dict[str, float], scale: float, axis: int | None, by_times: bool) -> str:
-    """The move in MCCL, which has rates only; a scale takes effect at the next MN."""
+    """Return the move in MCCL, which has rates only.
+
+    A scale takes effect at the next MN.
+    """
     n = 1 if axis is None else axis
     lines = [f"{n}US{number(scale)}"] if scale != 1.0 else []
     lines += [
@@ -182,6 +186,9 @@ WRITERS: dict[str, Callable[[dict[str, float], float, int | None, bool], str]] =
 
 
 def number(value: float) -> str:
-    """Return a figure for both languages: no exponent, no insignificant digit."""
+    """Return a figure in the notation of both languages, without an exponent.
+
+    It has at most 10 significant digits.
+    """
     text = f"{value:.10g}"
     return f"{value:.12f}".rstrip("0").rstrip(".") if "e" in text else text

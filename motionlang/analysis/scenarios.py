@@ -1,7 +1,7 @@
 """Scenarios: several worlds for one program, each with its expectations.
 
-A world is a machine file on top of the program's own. `pick.mnt` has them in the folder `pick.scenarios` next
-to it: `late.toml`, `stuck.toml`.
+A world is a machine file that adds to the program's own. The scenarios of `pick.mnt` are in the folder
+`pick.scenarios` next to it: `late.toml`, `stuck.toml`.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ WITHIN = 1e-6
 
 
 class Scenario:
-    """One world: `settings` on top of the program's, `expected` entries of both."""
+    """One world: `settings` on top of the program's, and `expected` entries of both."""
 
     __slots__ = ("expected", "path", "program", "settings")
 
@@ -48,7 +48,7 @@ class Scenario:
 
     @property
     def name(self) -> str:
-        """Its name: that of the file without the suffix."""
+        """The name of the scenario: its file name without the suffix."""
         return os.path.splitext(os.path.basename(self.path))[0]
 
     def run(self, *, cache: bool = False) -> Run:
@@ -65,7 +65,7 @@ def scenario_files(program: str) -> list[str]:
 
 
 def unmet(result: Run, expected: list[Entry]) -> list[str]:
-    """The unmet expectations of a run, each as a sentence, and unexpected errors."""
+    """Return unmet expectations and unexpected errors of a run, each as a sentence."""
     found = [told for entry in expected if (told := _unmet(result, entry))]
     codes = {entry["diagnostic"] for entry in expected if "diagnostic" in entry}
     faults = any(entry.get("status") == "fault" for entry in expected)
@@ -135,7 +135,7 @@ def _unmet_event(result: Run, entry: Entry) -> str:
 
 
 def _untimely(what: str, did: str, times: list[float], entry: Entry, never: bool, instead: str) -> str:
-    """Return how the times of an event fail an entry with a time window.
+    """Return how the times of an event violate an entry with a time window.
 
     The event is expected, or forbidden with `never`, between two times. `instead` describes the actual
     events.

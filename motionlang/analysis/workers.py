@@ -1,9 +1,9 @@
 """Worker processes of this machine, which end with the process that started them.
 
-The end of its input does not end a worker: every worker inherits the writing ends of the pipes of its
-siblings, so that they stay open. A thread of each worker therefore waits for the end of the parent, by
+A worker cannot rely on the end of its input: every worker inherits the writing ends of the pipes of its
+siblings, so the pipes stay open. A thread of each worker therefore waits for the end of the parent, by
 a file descriptor of `multiprocessing`, and ends the process. Signals that end a command are blocked while
-processes start: one between a fork and its record would leave a process that the pool does not know.
+processes start: a signal between a fork and its record would leave a process that the pool does not know.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ _ENDING = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if 
 
 
 class Workers(ProcessPoolExecutor):
-    """An executor of `jobs` processes, forked if safe, which inherit the program."""
+    """An executor of `jobs` processes; if forking is safe they inherit the program."""
 
     def __init__(self, jobs: int) -> None:
         fork = hasattr(os, "fork") and os.uname().sysname == "Linux" and threading.active_count() == 1
         super().__init__(jobs, multiprocessing.get_context("fork" if fork else "spawn"), _begin)
 
     def submit(self, fn: Callable[P, T], /, *args: P.args, **kwargs: P.kwargs) -> Future[T]:
-        """Schedule a call; this may start processes."""
+        """Schedule a call, starting processes if necessary."""
         with _signals_put_off():
             return super().submit(fn, *args, **kwargs)
 
@@ -55,7 +55,7 @@ class Workers(ProcessPoolExecutor):
 def _signals_put_off() -> Iterator[None]:
     """Delay signals that end a command until after the block.
 
-    Processes started in it inherit that.
+    Processes started in the block inherit the blocked signals.
     """
     if not hasattr(signal, "pthread_sigmask"):
         yield
@@ -68,7 +68,7 @@ def _signals_put_off() -> Iterator[None]:
 
 
 def _begin() -> None:
-    """Prepare a worker: other signals than Ctrl-C, and the end of the parent, end it."""
+    """Prepare a worker: unblock signals, ignore Ctrl-C, and end with the parent."""
     for number in _ENDING:
         signal.signal(number, signal.SIG_IGN if number == signal.SIGINT else signal.SIG_DFL)
     parent = multiprocessing.parent_process()

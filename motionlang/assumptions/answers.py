@@ -1,4 +1,4 @@
-"""The answers to a probe, read from a terminal's output, and their meaning."""
+"""The answers to a probe, read from the output of a terminal, and their meaning."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ HOLDS, OTHER, UNKNOWN = "holds", "other", "unknown"
 
 @record
 class Verdict:
-    """The result of an answer for an assumption: it `holds`, `other` or `unknown`.
+    """The result of an answer for an assumption: `holds`, `other` or `unknown`.
 
-    With `other` an alternative applies (`what`, and the `value` that sets it); `unknown` matches no
-    alternative.
+    `other` means that an alternative applies: `what` describes it, and `value` is the setting for it. `unknown` means
+    that the answer matches no alternative.
     """
 
     assumption: Assumption
@@ -40,14 +40,14 @@ class Verdict:
 
     @property
     def can_be_set(self) -> bool:
-        """True if the machine file can make the virtual controller answer alike."""
+        """True if a machine file can make the virtual controller give the same answer."""
         return self.value is not None
 
 
 class Answers:
     """The results: `verdicts` in the order of the assumptions, and `problems`.
 
-    The latter have the output.
+    The problems refer to lines of the output.
     """
 
     def __init__(self) -> None:
@@ -56,14 +56,14 @@ class Answers:
         self.problems: list[Diagnostic] = []
 
     def complain(self, message: str, hint: str = "", line: int = 0, severity: str = "error") -> None:
-        """Report an error in the answers."""
+        """Add an error in the answers to the problems."""
         self.problems.append(Diagnostic("answers", message, line, hint=hint, severity=severity))
 
 
 def read(text: str, wanted: str = "") -> Answers:
     """Return the answers in a terminal's output.
 
-    `wanted` is their required language, "" for any.
+    `wanted` is the required language of the probe, "" for any.
     """
     found = Answers()
     lines = [_STAMP.sub("", line) for line in _ESCAPE.sub("", re.sub(r"\r\n?", "\n", text)).split("\n")]
@@ -98,9 +98,9 @@ def _is_a_probe(text: str) -> bool:
 
 
 def _answers_of_mint(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
-    """Return the answers by name, with their lines.
+    """Return the answers by name, with their line numbers.
 
-    The listing of the probe itself has a quote after the name.
+    A listing of the probe in the output is not mistaken for answers: there a quote follows the name.
     """
     told: dict[str, list[tuple[str, int]]] = {}
     for number, line in enumerate(lines, 1):
@@ -116,7 +116,7 @@ def _answers_of_mint(lines: list[str], found: Answers) -> dict[str, list[tuple[s
 
 
 def _answers_of_mccl(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
-    """The answers by name: the text after each mark, without the echoed question."""
+    """Return the answers by name: the text after each mark, without the echo."""
     names = {mark(name): name for name in (*questions(), BEGIN, END, NEXT)}
     told: dict[str, list[tuple[str, int]]] = {}
     name, begun = "", 0
@@ -140,7 +140,7 @@ def _answers_of_mccl(lines: list[str], found: Answers) -> dict[str, list[tuple[s
 
 
 def _is_echo(said: str, name: str) -> bool:
-    """True if a line without a prompt echoes the input."""
+    """True if a line without a prompt is an echo of the input."""
     if _MARK.search(said) or said.startswith(";"):
         return True
     assumption = questions().get(name)
@@ -203,7 +203,7 @@ def _take(found: Answers, assumption: Assumption, answer: str, line: int) -> Non
 
 
 def result_of(assumption: Assumption, answer: str) -> Verdict:
-    """Return the result of an answer; ValueError for a number that cannot be set."""
+    """Return the verdict on an answer; ValueError for a number that cannot be set."""
     probe = assumption.probe
     assert probe is not None
     settable = switch(assumption.name)
@@ -228,7 +228,10 @@ def result_of(assumption: Assumption, answer: str) -> Verdict:
 
 
 def _number(probe: Probe, answer: str) -> float | None:
-    """Return the value in an answer, None if it has another form; integers as such."""
+    """Return the value in an answer, None if the answer has another form.
+
+    Integers are returned as such.
+    """
     match = re.fullmatch(probe.form.replace("{}", NUMBER), answer)
     if match is None:
         return None
@@ -242,7 +245,7 @@ def _number(probe: Probe, answer: str) -> float | None:
 def is_answer(expected: str, answer: str) -> bool:
     """True if an answer is the expected one.
 
-    It is compared as a pattern, or word by word, with numbers by their value.
+    It is compared as a pattern, or word by word, with numbers compared by value.
     """
     if expected.startswith("re:"):
         return re.fullmatch(expected[3:], answer) is not None
@@ -251,7 +254,7 @@ def is_answer(expected: str, answer: str) -> bool:
 
 
 def _are_equal(wanted: str, given: str) -> bool:
-    """True if numbers differ by no more than half a unit of the last shown digit."""
+    """True if numbers differ by at most half a unit of the last digit shown."""
     if wanted == given:
         return True
     if not (re.fullmatch(NUMBER, wanted) and re.fullmatch(NUMBER, given)):
@@ -299,7 +302,7 @@ def machine_text(found: Answers, source: str) -> str:
 
 
 def counted(number: int, one: str, many: str) -> str:
-    """Return a number with the noun it counts."""
+    """Return a number with its noun in the right form."""
     return f"{number} {one if number == 1 else many}"
 
 

@@ -14,16 +14,16 @@ REFUSED, ERROR = "refused", "an error"
 
 
 class Probe:
-    """The question for the owner of a controller.
+    """A question that the owner of a controller can answer by a program.
 
-    `before`, `ask` and `after` are lines of the language, of Mint's `ask` the operands of PRINT; `{a}` is the
-    axis and `{d}` a distance, for a probe that needs `motion`. `answers` are the controller's replies, that
-    of the chosen assumption first, then those of the alternatives; a text that begins with `re:` is a
-    pattern. If the answer is a number, `form` is the pattern around it, and `scale` its factor. A question
-    that writes settings, may be rejected or may end with an error is asked `alone`, by a program of its own;
-    lines `behind` its End are subs, tasks and handlers, `error` is the operands of PRINT for an error;
-    `needs` states the wiring or preparation, and `machine` is a machine file that gives it to the virtual
-    controller.
+    `before`, `ask` and `after` are lines of the language; Mint's `ask` has the operands of PRINT. `{a}` is the
+    axis and `{d}` a distance, for a probe that needs `motion`. `answers` are the possible replies of a
+    controller: first the one for the chosen assumption, then those for the alternatives. A text that begins
+    with `re:` is a pattern. If the answer is a number, `form` is the pattern around it, and `scale` its factor.
+    A question that writes settings, may be rejected or may end with an error is asked `alone`, in a program of
+    its own. The lines `behind` that program's End are subs, tasks and handlers, and `error` has the operands of
+    PRINT for an error. `needs` states the wiring or preparation, and `machine` is a machine file that provides
+    it to the virtual controller.
     """
 
     def __init__(
@@ -54,14 +54,14 @@ class Probe:
 
 @record
 class Assumption:
-    """One question that the sources leave open, and the chosen answer.
+    """A question that the sources leave open, and the chosen answer.
 
-    `name` is that of the machine file's `[assumptions]`, `alternatives` are the other answers, `why` the reason
-    for the `chosen` one, `strength` one of `facts.STRENGTHS`. `words` are the keywords whose use makes a
-    program depend on it, in the spelling of the language, `@motor` for a machine with a simulated motor and
-    `@always` for any. `probe` is the question for a controller, None if there is none; `key` is that of the
-    machine file which sets the assumption, "" if it is no value that could be set. An `own` one is a choice
-    of this program, such as the form of a report: no controller has another answer.
+    `name` is the key in the machine file's `[assumptions]`. `alternatives` are the other answers, `why` is the
+    reason for the `chosen` one, and `strength` one of `facts.STRENGTHS`. `words` are the keywords whose use
+    makes a program depend on it, in the spelling of the language, `@motor` for a machine with a simulated motor
+    and `@always` for any. `probe` is the question for a controller, None if there is none. `key` is the
+    machine-file key that sets the assumption, "" if it is not a value that can be set. If it is `own`, it is a
+    choice of this program, such as the form of a report, for which a controller has no answer.
     """
 
     name: str
@@ -77,5 +77,5 @@ class Assumption:
 
     @property
     def is_open(self) -> bool:
-        """True if another answer is equally possible: no manual or code confirms this one."""
+        """True if another answer is equally possible, as no manual or code confirms this."""
         return self.strength not in SETTLED

@@ -1,4 +1,4 @@
-"""The assumptions from the files of evidence: chapters, sections, entries."""
+"""The assumptions in the evidence files: chapters, sections, entries."""
 
 from __future__ import annotations
 
@@ -53,9 +53,9 @@ A setting of an axis that no program has written yet. Each can be given another 
 
 @record
 class Section:
-    """Assumptions on one subject, with a common text; `title` may be "".
+    """Assumptions on one subject, with a common text.
 
-    It is for a chapter's only section.
+    `title` may be "" in a chapter with a single section.
     """
 
     title: str
@@ -65,7 +65,7 @@ class Section:
 
 @record
 class Chapter:
-    """One file of evidence."""
+    """One evidence file."""
 
     title: str
     text: str
@@ -74,7 +74,7 @@ class Chapter:
 
 @cache
 def chapters() -> tuple[Chapter, ...]:
-    """Return every file of evidence; AssertionError for a duplicate name."""
+    """Return all evidence files as chapters; AssertionError for a duplicate name."""
     of_files = [_chapter(ROOT / file) for file in FILES]
     found = (*of_files[:AFTER], _defaults(), *of_files[AFTER:])
     names = [each.name for each in _assumptions(found)]
@@ -84,14 +84,14 @@ def chapters() -> tuple[Chapter, ...]:
 
 @cache
 def assumptions() -> Mapping[str, Assumption]:
-    """Return every assumption by its name, in the order of the chapters."""
+    """Return all assumptions by name, in the order of the chapters."""
     return {each.name: each for each in _assumptions(chapters())}
 
 
 def entries_naming(word: str) -> list[Assumption]:
     """Return the assumptions that name a keyword, in the order of the chapters.
 
-    Only those entries are parsed.
+    Only the entries that name it are parsed.
     """
     texts = _texts().get(word, [])
     row = row_with_default(word)
@@ -105,7 +105,7 @@ def entries_naming(word: str) -> list[Assumption]:
 
 @cache
 def _texts() -> Mapping[str, list[tuple[int, str]]]:
-    """Return the TOML of the entries that name a word, with the number of their file."""
+    """Return by word the TOML of the entries that name it, with their file numbers."""
     found: dict[str, list[tuple[int, str]]] = {}
     for number, file in enumerate(FILES):
         for entry in (ROOT / file).read_text(encoding="utf-8").split("\n[[section")[1:]:
@@ -133,7 +133,7 @@ def _chapter(path: Path) -> Chapter:
 
 
 def _assumption(entry: dict[str, Any]) -> Assumption:
-    """Return an entry of a file, with the fields of its probe separated."""
+    """Convert an entry of a file, and separate the fields of its probe."""
     asked = {key: entry.pop(key) for key in PROBE_KEYS if key in entry}
     language = entry.pop("language", entry["name"].partition(".")[0])
     if asked:
@@ -147,7 +147,7 @@ def _assumption(entry: dict[str, Any]) -> Assumption:
 
 
 def _defaults() -> Chapter:
-    """Return Mint's settings at power-up, with values from the rows of the keywords."""
+    """Return Mint's settings at power-up, with values from the keyword rows."""
     found = [_default(row) for row in with_default()]
     return Chapter("Mint: settings at power-up", DEFAULTS, [Section("", "", found)])
 

@@ -1,7 +1,7 @@
 """The evidence of each fact of a keyword: meaning, short form, brackets, unit, …
 
-The facts are in the keyword's row, once. Their evidence is in the `facts.txt` of the dialect, for each fact
-of each keyword; only `keywords`, the documents and `check --evidence` read it, and never a run.
+The facts themselves are only in the keyword's row. Their evidence is in the `facts.txt` of the dialect, for each fact
+of each keyword. It is read by `keywords`, the documents and `check --evidence`, and never in a run.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ FACTS = ("meaning", "short", "index", "unit", "default", "range")
 
 
 class Evidence:
-    """The evidence of a fact: its strength, one of `STRENGTHS`, and source, or ""."""
+    """The evidence of a fact: its strength, one of `STRENGTHS`, and its source or ""."""
 
     def __init__(self, strength: str, source: str = "") -> None:
         assert strength in STRENGTHS, strength
@@ -42,9 +42,9 @@ UNKNOWN = Evidence("choice")
 
 
 def of_word(language: str, row: Keyword) -> dict[str, Evidence]:
-    """Return the evidence of each fact of a keyword's row, by the name of the fact.
+    """Return the evidence of each fact of a keyword's row, by fact name.
 
-    It is a choice if `facts.txt` has none.
+    A fact that `facts.txt` does not have is a choice.
     """
     known = listed(language)
     return {fact: known.get((row.name, fact), UNKNOWN) for fact in facts_of(row)}
@@ -65,7 +65,7 @@ def facts_of(row: Keyword) -> list[str]:
 
 @cache
 def listed(language: str) -> Mapping[tuple[str, str], Evidence]:
-    """`facts.txt` of a dialect by keyword and fact; AssertionError for duplicates."""
+    """Return `facts.txt` by keyword and fact; AssertionError for duplicates."""
     assert language in dialects(), language
     found: dict[tuple[str, str], Evidence] = {}
     facts, evidence = [""], UNKNOWN

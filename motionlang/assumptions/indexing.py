@@ -1,4 +1,4 @@
-"""Writer of `tables.py`, the index of assumptions by keyword for a report.
+"""Generator of `tables.py`, the index of assumptions by keyword for a report.
 
 Run it with `python -m motionlang.assumptions.indexing`.
 """

@@ -1,4 +1,4 @@
-"""The facts of a keyword in words, each with its evidence."""
+"""The facts of a keyword as text, each with its evidence."""
 
 from __future__ import annotations
 

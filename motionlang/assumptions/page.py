@@ -1,4 +1,4 @@
-"""Pages of the documentation that are made from the assumptions.
+"""Pages of the documentation that are generated from the assumptions.
 
 These are docs/contributing/assumptions.md and the tables of docs/fidelity.md.
 """
@@ -45,7 +45,7 @@ TABLE = "| question | assumption | evidence | name |\n|---|---|---|---|\n"
 
 
 def markdown() -> str:
-    """Return the complete page."""
+    """Return the page of assumptions."""
     parts = [HEAD, "\n## Contents\n\n"]
     parts += [f"* [{each.title}](#{anchor(each.title)})\n" for each in chapters()]
     for chapter in chapters():
@@ -78,7 +78,7 @@ def summary() -> str:
 
 
 def _strengths(language: str) -> Counter[str]:
-    """Count the simulated keywords of a language by the strength of their meaning."""
+    """Count a language's simulated keywords by the evidence of their meaning."""
     rows = (row for row in dialect(language).table() if row.simulated)
     return Counter(of_word(language, row)["meaning"].strength for row in rows)
 

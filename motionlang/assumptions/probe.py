@@ -1,7 +1,7 @@
 """A probe: a program that tests assumptions on a real controller.
 
-Its owner runs it. It moves nothing and writes no setting, unless motion is allowed. Each question prints one
-answer, marked with the name of its assumption, so that answers can be found in a terminal's output. A
+The owner of the controller runs it. It moves nothing and writes no setting, unless motion is allowed. Each question
+prints one answer, marked with the name of its assumption, so that answers can be found in a terminal's output. A
 question that writes settings, or may end with an error, has a program of its own.
 """
 
@@ -46,21 +46,24 @@ STEPS = 4
 
 @record
 class Motion:
-    """The owner's permission: `distance` in user units, over which an axis may move."""
+    """The owner's permission to move an axis by up to `distance` user units."""
 
     axis: int
     distance: float
 
     @property
     def step(self) -> float:
-        """The `{d}` of a question; an integer if possible, for a board without a scale."""
+        """The value of `{d}` in a question; an integer if possible.
+
+        A board without a scale needs an integer.
+        """
         return float(self.distance // STEPS) or self.distance / STEPS
 
 
 def asked(language: str, *, motion: bool, without: Collection[str] = ()) -> list[Assumption]:
-    """Return the assumptions of a language in a probe.
+    """Return the assumptions of a language that a probe tests.
 
-    Those that need motion are included only if it is allowed.
+    Those that need motion are included only if motion is allowed.
     """
     found = [
         each
@@ -75,7 +78,7 @@ def asked(language: str, *, motion: bool, without: Collection[str] = ()) -> list
 
 
 def _moves(assumption: Assumption) -> bool:
-    """True if it moves or writes a setting, which comes last.
+    """True if the question moves an axis or writes a setting, and so comes last.
 
     Settings are read in their state at power-up.
     """
@@ -107,7 +110,7 @@ def alone(assumption: Assumption, axis: int, motion: Motion | None = None) -> st
 
 
 def _wrapped(line: str) -> list[str]:
-    """Return a line of a remark, wrapped."""
+    """Return a remark of the program, wrapped into lines."""
     return [line] if line.startswith("  ") else textwrap.wrap(line, 110)
 
 
@@ -132,7 +135,7 @@ def meanings(assumption: Assumption, most: int = 110) -> list[str]:
 
 
 def as_shown(answer: str) -> str:
-    """Return an answer for display: a pattern without its signs, or an event."""
+    """Return an answer for display: a pattern without special characters, or an event."""
     if answer == REFUSED:
         return "(the compiler refuses it)"
     if not answer:
@@ -161,7 +164,7 @@ def lines_of(probe: Probe, axis: int, step: float) -> tuple[list[str], str, list
 
 
 def _reach(probe: Probe, motion: Motion) -> str:
-    """Return how far a separate question moves its axes; it states if they return."""
+    """Return a sentence that names the axes a question moves, and the distance."""
     both = any("{b}" in line for line in (*probe.before, probe.ask, *probe.after))
     axes = f"axes {motion.axis} and {motion.axis + 1}" if both else f"axis {motion.axis}"
     where = "their positions" if both else "its position"
@@ -221,7 +224,7 @@ def _mint(found: Sequence[Assumption], axis: int, motion: Motion | None) -> Iter
 
 
 def _behind(assumption: Assumption, axis: int) -> Iterator[str]:
-    """Yield the text after the End of a program: lines of its probe, and error output."""
+    """Yield the lines after the End of a program: from the probe, and error output."""
     assert assumption.probe is not None
     for line in assumption.probe.behind:
         yield line.replace("{a}", str(axis))

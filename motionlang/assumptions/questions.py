@@ -1,4 +1,4 @@
-"""Every question for a controller: entries of evidence, open facts of keywords."""
+"""All questions for a controller: evidence entries, and open facts of keywords."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 
 @cache
 def questions() -> Mapping[str, Assumption]:
-    """Return every assumption by its name: the entries, then the facts.
+    """Return all assumptions by name: the entries, then the facts.
 
-    The entries are in the order of docs/contributing/assumptions.md, the facts in that of the tables.
+    The entries are in the order of docs/contributing/assumptions.md, the facts in the order of the keyword tables.
     """
     facts = (
         fact
@@ -35,7 +35,7 @@ def questions() -> Mapping[str, Assumption]:
 
 
 def of_word(language: str, row: Keyword) -> list[Assumption]:
-    """Return the open assumptions of a keyword: its entries, then its own facts."""
+    """Return the open assumptions about a keyword: its entries, then its own facts."""
     others = tuple(f"{each}." for each in dialects() if each != language)
     entries = [each for each in entries_naming(row.name) if each.is_open and not each.name.startswith(others)]
     known = {each.name for each in entries}

@@ -1,9 +1,9 @@
 """The open facts of a keyword as assumptions, with generated probes.
 
-Alternatives and probe follow from the kind of fact and the keyword's row. A default is tested by reading the
-keyword after power-up, a range by writing a value beyond it, a type by writing a fraction, a scale by reading
-a value back under another one. A fact without such a form (a meaning, a unit that shows only in motion) has
-none here, but an entry of its own, or no probe.
+Alternatives and probe are derived from the kind of fact and the keyword's row. A default is tested by reading the
+keyword after power-up, a range by writing a value beyond it, a type by writing a fraction, a scale by reading a value
+back under another scale. A fact that cannot be tested in this way (a meaning, a unit that appears only in motion) is
+not handled here; it has an entry of its own, or no probe.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ AGAIN = "switch the drive off, and restart the controller afterwards"
 
 
 def other_defaults(row: Keyword) -> list[str]:
-    """Return the alternatives of a default: each value of a few, or a general text."""
+    """Return the alternatives to a default: each possible value, or a general text."""
     low, high = row.low if row.low is not None else 0, 1 if row.unit == "bool" else row.high
     if not row.takes_fractions and high is not None and high - low < MAX_NAMED_VALUES:
         few = [f"{value}" for value in range(int(low), int(high) + 1) if value != row.default]
@@ -48,14 +48,14 @@ def other_defaults(row: Keyword) -> list[str]:
 
 
 def default_probe(row: Keyword) -> Probe:
-    """Return the probe of an axis setting, read after power-up."""
+    """Return the probe of an axis setting, which is read after power-up."""
     return Probe("mint", f"{row.name}({{a}})", answers=(f"{row.default:.10g}",), form="{}")
 
 
 def unsettled_facts(language: str, row: Keyword) -> list[Assumption]:
-    """Return the open facts of a keyword with a form of probe.
+    """Return the open facts of a keyword that a generated probe can test.
 
-    A default that is an entry is not among them.
+    A default that has an entry is not included.
     """
     if not row.simulated:
         return []
@@ -82,7 +82,7 @@ def unsettled_facts(language: str, row: Keyword) -> list[Assumption]:
 
 @cache
 def unasked(language: str) -> frozenset[tuple[str, str]]:
-    """Return the keywords and facts that `unasked.txt` of a dialect omits."""
+    """Return the keywords and facts that the dialect's `unasked.txt` excludes."""
     found: set[tuple[str, str]] = set()
     facts: list[str] = []
     for line in (ROOT / language / "evidence" / "unasked.txt").read_text(encoding="utf-8").splitlines():
@@ -133,7 +133,10 @@ def _default(row: Keyword) -> Questions:
 
 
 def _range(row: Keyword) -> Questions:
-    """Return the last value and one beyond; the handler reports the rejected one."""
+    """Return questions with the last valid value and one beyond it.
+
+    The error handler reports the rejected one.
+    """
     if not _is_stored(row):
         return []
     found: Questions = []
@@ -166,7 +169,7 @@ def _range(row: Keyword) -> Questions:
 
 
 def _beyond(bound: float, step: int) -> str:
-    """Return a number clearly beyond an end of a range."""
+    """Return a number clearly outside a range, beyond the given bound."""
     if abs(bound) >= EXACT:
         return f"{bound * 2:.10g}"
     return f"{bound + step:.10g}" if bound == int(bound) else f"{0 if bound * step < 0 else 2 * bound:.10g}"
@@ -183,7 +186,7 @@ def _unit(row: Keyword) -> Questions:
 
 
 def _scale(row: Keyword) -> Questions:
-    """A question with a second scale, which changes a value stored in counts only."""
+    """Return a question with a second scale, which changes values stored in counts."""
     first, second = SCALES
     kept = VALUE * first / second
     high, low = row.high if row.high is not None else VALUE, row.low if row.low is not None else 0
@@ -226,7 +229,10 @@ def _type(row: Keyword) -> Questions:
 
 
 def _short(row: Keyword) -> Questions:
-    """A question with a short form next to its keyword, if reading moves nothing."""
+    """Return a question that compares a short form with its keyword.
+
+    There is none if reading causes motion.
+    """
     place = _place(row)
     if place is None or "R" not in row.access:
         return []
@@ -237,7 +243,7 @@ def _short(row: Keyword) -> Questions:
 
 
 def _number(row: Keyword) -> Questions:
-    """Return a question for the number of a constant."""
+    """Return a question about the number of a constant."""
     if row.kind != "constant" or not re.fullmatch(r"-?\d+", row.verb):
         return []
     others = [
@@ -251,7 +257,7 @@ def _number(row: Keyword) -> Questions:
 
 
 def _code(row: Keyword) -> Questions:
-    """A question whose parameter a board rejects with a code, or accepts silently."""
+    """Return a question whose parameter a board rejects with a code, or accepts."""
     if row.kind != "setting" or row.effect:
         return []
     found: Questions = []
@@ -267,7 +273,7 @@ def _code(row: Keyword) -> Questions:
 
 
 def _bare(row: Keyword) -> Questions:
-    """Return a question for a command that names no axis."""
+    """Return a question about a command without an axis."""
     if row.kind != "reading" or row.access != "R" or row.index not in ("axis", "axes"):
         return []
     lines, code = "it reports every axis, one per line", "it answers a code: an axis must be named"

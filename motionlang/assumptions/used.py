@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 def depended_on(language: Dialect, text: str, settings: Mapping[str, object]) -> list[str]:
     """Return the open assumptions of a program, in the order of the list.
 
-    Those that the machine file sets are settled. A setting at power-up counts only for a program that never
-    writes it; those settings that affect every move, for one that moves an axis.
+    An assumption that the machine file sets is settled. A setting at power-up counts only for a program that never
+    writes it. Settings that affect every move count for a program that moves an axis.
     """
     words, written = _words(language, text)
     words.add("@always")
@@ -41,12 +41,12 @@ def depended_on(language: Dialect, text: str, settings: Mapping[str, object]) ->
 
 
 def is_of(name: str, *languages: str) -> bool:
-    """True if an assumption is about one language alone."""
+    """True if an assumption is about one of these languages only."""
     return name.partition(".")[0] in languages
 
 
 def _words(language: Dialect, text: str) -> tuple[set[str], set[str]]:
-    """The keywords of a program, in lower case, and those at the start of a statement.
+    """Return a program's keywords, in lower case, and those that begin a statement.
 
     The latter are written or executed.
     """

@@ -1,7 +1,8 @@
 """The command line: selection of the command, closed pipes and Ctrl-C.
 
-The most frequent lines, `run FILE` with at most a format, a dialect, `--profile` and `--no-cache`, are parsed
-here without argparse, whose import alone takes as long as such a run. A test holds both parsers equal.
+The most frequent command lines, `run FILE` with at most a format, a dialect, `--profile` and `--no-cache`, are
+parsed here without argparse, whose import alone takes as long as such a run. A test checks that both parsers
+agree.
 """
 
 from __future__ import annotations
@@ -25,10 +26,10 @@ PIPE_CLOSED = 141
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one command and return its exit status: 0, 1 or 2.
+    """Run one command and return its exit status.
 
-    1 means that the program is wrong or faulted, 2 that the command line is wrong; see docs/cli.md for the
-    others. No error ends in a traceback.
+    0 is success, 1 means that the program is wrong or faulted, and 2 that the command line is wrong;
+    docs/cli.md lists the others. No error ends in a traceback.
     """
     given = sys.argv[1:] if arguments is None else list(arguments)
     seen: set[str] = set()
@@ -45,7 +46,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _note(text: str, seen: set[str]) -> None:
-    """Write a note about an old name to standard error, once for each name."""
+    """Print a note about an old name to standard error, once for each name."""
     if text not in seen:
         seen.add(text)
         sys.stderr.write(f"note: {text}\n")

@@ -26,7 +26,7 @@ MAX_NAMED = 5
 
 
 def certify(result: Run, machine: str | None) -> list[Limit]:
-    """Return the certificate of a run; objections become diagnostics of the run."""
+    """Return the certificate of a run; violations become diagnostics of the run."""
     lines = certificate(result.controller, result.machine.settings, result.time)
     if machine is None:
         stem = os.path.splitext(result.source.name)[0]

@@ -227,7 +227,7 @@ def _list_literals(language: str, source: Source, row: dict[str, object], as_jso
 def _report_evidence(
     language: str, source: Source, settings: dict[str, object], row: dict[str, object], as_json: bool
 ) -> None:
-    """Print the open assumptions of a program with strength, or add them to its row."""
+    """Print a program's open assumptions with their evidence, or add them to its row."""
     from motionlang.assumptions.entries import assumptions
     from motionlang.assumptions.used import depended_on
     from motionlang.views.assumptions import as_dict, listing
@@ -243,7 +243,7 @@ def _report_evidence(
 def _checked_and_fixed(
     file: str, options: CheckOptions
 ) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic], list[Fixed]]:
-    """Return the findings of `_check`, and the fixes made before with `--fix`."""
+    """Return the findings of `_check`, and the fixes that `--fix` made beforehand."""
     found = _check(file, options)
     language, source, settings, diagnostics = found
     if not options.fix or file == STDIN or settings is None or source is None:
@@ -263,10 +263,10 @@ def _checked_and_fixed(
 def _check(
     file: str, options: CheckOptions
 ) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic]]:
-    """Return language, source, machine settings and diagnostics.
+    """Return language, source, machine settings and diagnostics of a program.
 
-    The source is the program or its machine file, which the diagnostics are about. The settings are None if
-    the program could not be checked.
+    The source is the file that the diagnostics are about: the program or its machine file. The settings are None
+    if the program could not be checked.
     """
     language = dialect(options.dialect) if options.dialect is not None else dialect_of(file)
     if language is None:

@@ -1,4 +1,4 @@
-"""The complete command line, parsed by argparse: its commands, imported on demand."""
+"""The complete command line, parsed by argparse; commands are imported on demand."""
 
 from __future__ import annotations
 
@@ -104,7 +104,10 @@ def _with_factor(given: Sequence[str]) -> list[str]:
 
 
 def _add(module: str) -> Callable[..., object]:
-    """Return the function that adds a command: `add_parser`, or the one after a colon."""
+    """Return the function that adds a command.
+
+    `module` is a module with an `add_parser`, or `MODULE:FUNCTION`.
+    """
     name, _, function = module.partition(":")
     found: Callable[..., object] = getattr(import_module(f"motionlang.cli.{name}"), function or "add_parser")
     return found
@@ -113,7 +116,7 @@ def _add(module: str) -> Callable[..., object]:
 def build_parser(command: str = "") -> argparse.ArgumentParser:
     """Return the parser with all commands.
 
-    The options are those of one command, or of all if `command` is "*".
+    Only `command` gets its options, or all commands if it is "*".
     """
     parser = Parser(
         prog=PROGRAM,

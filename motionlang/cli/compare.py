@@ -1,4 +1,4 @@
-"""`motionlang compare`: a real controller's recording compared with the run."""
+"""`motionlang compare`: compare a real controller's recording with the run."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def add_mapping(parser: argparse.ArgumentParser) -> None:
-    """Add the options for the columns of a recording, and its delay."""
+    """Add the options for the columns of a recording and for its delay."""
     parser.add_argument(
         "--map",
         action="append",
@@ -158,7 +158,7 @@ def compare_with(result: Run, path: str, tolerances: dict[str, float], arguments
 
 
 def _ran(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Run | None:
-    """Return the run; None if there is none to compare with."""
+    """Return the run, or None if there is none to compare with."""
     settings: dict[str, object] = {}
     overrides: dict[str, float | str] = {}
     set_values(arguments.set, settings, overrides, parser)

@@ -34,7 +34,7 @@ def unwritten(file: str, error: OSError) -> Diagnostic:
 
 
 def no_dialect(file: str) -> Diagnostic:
-    """Return the diagnostic of a file whose name does not show its language."""
+    """Return the diagnostic of a file whose extension does not identify its language."""
     from motionlang.errors import Diagnostic
 
     name = "standard input" if file == STDIN else file
@@ -49,7 +49,7 @@ def no_dialect(file: str) -> Diagnostic:
 def complain(
     diagnostics: Sequence[Diagnostic], source: Source | None, file: str, out: TextIO | None = None
 ) -> None:
-    """Show diagnostics after all present output, by default on standard error."""
+    """Print diagnostics after all output so far, by default on standard error."""
     if not diagnostics:
         return
     from motionlang.views.diagnostics import render_all

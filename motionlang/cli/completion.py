@@ -1,4 +1,4 @@
-"""`motionlang completion`: a shell completion script, made from the parser."""
+"""`motionlang completion`: a shell completion script, generated from the parser."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def completion_command(arguments: argparse.Namespace) -> int:
-    """Print the script of a shell; MissingExtra without shtab."""
+    """Print the completion script of a shell; raise MissingExtra without shtab."""
     need("motionlang completion", "shtab")
     import shtab
 
@@ -48,7 +48,7 @@ def completion_command(arguments: argparse.Namespace) -> int:
 
 
 def _actions(parser: argparse.ArgumentParser) -> Iterator[argparse.Action]:
-    """Yield every option and argument of a command line, including its commands."""
+    """Yield every option and argument of a parser and of its subcommands."""
     for action in parser._actions:
         yield action
         if isinstance(action, argparse._SubParsersAction):

@@ -1,7 +1,7 @@
-"""Internal errors: their circumstances are stored in a folder, which is reported.
+"""Crash reports: the circumstances of an internal error, stored in a folder.
 
-This is the last guard of the command line: no error ends in a traceback, and no computed result is lost by
-one.
+The folder is named in the message. This is the last guard of the command line: no error ends in a traceback,
+and none loses a computed result.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ MAX_FOLDERS = 1000
 def crash(error: BaseException, arguments: Sequence[str], source: Source | None = None) -> Diagnostic:
     """Store the circumstances of an unexpected error and return its message.
 
-    `source` is a program without a file. An error caused by a missing library has its own message, with the
-    code "extra", and nothing is stored.
+    `source` is a program that has no file. An error caused by a missing library gets a message of its own, with
+    the code "extra", and nothing is stored.
     """
     lacking = missing(error, "this run")
     if lacking is not None:
@@ -68,7 +68,7 @@ def _bundle(error: BaseException, arguments: Sequence[str], source: Source | Non
 
 
 def _folder() -> str:
-    """Return a new folder that no other user may read."""
+    """Create a folder that no other user may read, and return its path."""
     for number in range(MAX_FOLDERS):
         path = os.path.join(tempfile.gettempdir(), f"motionlang-crash-{os.getpid()}-{number}")
         try:

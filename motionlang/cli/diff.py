@@ -167,7 +167,7 @@ def _recorded(arguments: argparse.Namespace, path: str, tolerance: Tolerance) ->
 
 
 def _plot(old: Run | None, new: Run | None, path: str, parser: argparse.ArgumentParser) -> int:
-    """Write the page of the new run with the old one behind it; 1 on failure."""
+    """Draw the new run in front of the old one; return 1 on failure."""
     if old is None or new is None:
         parser.error("--plot needs two runs, but one side is a report")
     from motionlang.views.scope import write_scope
@@ -178,7 +178,7 @@ def _plot(old: Run | None, new: Run | None, path: str, parser: argparse.Argument
 def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str, Any], Run | None] | None:
     """Return the report of one side, and its run if it is a program.
 
-    None if there is none, which has been reported.
+    Returns None if there is no report; the reason has been printed.
     """
     try:
         if path.lower().endswith(".json"):
@@ -222,9 +222,9 @@ def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str
 def _variant(
     program: str, number: int, settings: dict[str, object], overrides: dict[str, float | str]
 ) -> tuple[dict[str, object], dict[str, float | str]]:
-    """Return settings and overrides of a variant of the sweep next to a program.
+    """Return settings and overrides of a variant of the program's sweep.
 
-    Raises ValueError if there is none.
+    Raises ValueError if there is no such variant.
     """
     from motionlang.analysis.sweeps import Sweep
     from motionlang.analysis.sweeps.description import SUFFIX, read_description
@@ -260,7 +260,7 @@ def _golden(program: str) -> tuple[dict[str, Any], Run | None] | None:
 
 
 def _report(path: str) -> tuple[dict[str, Any], None] | None:
-    """Return a report from its file; None if it is none, or truncated."""
+    """Read a report from a file; return None if it is not a report or is truncated."""
     with open(path, encoding="utf-8", errors="replace") as file:
         try:
             found = json.load(file)

@@ -1,6 +1,6 @@
 """Events that make a completed run exit with 1: limits, following errors, faults.
 
-`--allow` removes kinds of them.
+`--allow` accepts kinds of them.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ _HANDLED = ALLOWED["fault"]
 
 
 def complaints(run: Run, allowed: frozenset[str]) -> list[str]:
-    """Return a sentence for the first event of each kind and axis not allowed.
+    """Return a message for the first event of each kind and axis that is not allowed.
 
-    It has the line.
+    The message names file and line.
     """
     from motionlang.controller.triggers.events import HOMING
 

@@ -67,7 +67,7 @@ def explanation(code: str) -> str:
 def listing(example: Example) -> list[str]:
     """Return the lines of an example.
 
-    A single program is enough by itself. Several files have their names, and a command with options is shown.
+    Several files are shown with their names, a single one without. A command is shown only if it has options.
     """
     lines: list[str] = []
     for name, text in example.files.items():

@@ -1,6 +1,6 @@
 """Examples and fixes of all diagnostics, for `explain` and docs/diagnostics.md.
 
-A test runs both commands of each example: the first gets the diagnostic, the second does not.
+A test runs both commands of each example: the first produces the diagnostic, the second does not.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ MINT, MCCL, MACHINE = "pick.mnt", "pick.mcl", "pick.machine.toml"
 
 
 class Example:
-    """The files of an example, and its command, which begins with a verb."""
+    """The files of an example, and its command without `motionlang`."""
 
     __slots__ = ("command", "files")
 
@@ -34,7 +34,7 @@ def _checked_mccl(wrong: str, right: str) -> Pair:
 
 
 def _run(wrong: str, right: str, machine: str = "") -> Pair:
-    """Two programs in Mint whose diagnostic comes in a run."""
+    """Two programs in Mint whose diagnostic appears at run time."""
     return _programs("run", MINT, wrong, right, machine)
 
 

@@ -1,4 +1,4 @@
-"""The form of findings: options that `check` and `verify` share."""
+"""The options for the format of findings, shared by `check` and `verify`."""
 
 from __future__ import annotations
 
@@ -12,6 +12,6 @@ if TYPE_CHECKING:
 
 
 def add_form(parser: argparse.ArgumentParser, quiet: str) -> None:
-    """Add --format, -o and -q; `quiet` is the help of -q."""
+    """Add --format, -o and -q; `quiet` is the help text of -q."""
     add_format(parser, FORMATS)
     parser.add_argument("-q", "--quiet", action="store_true", help=quiet)

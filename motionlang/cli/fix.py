@@ -32,10 +32,10 @@ class Fixed(NamedTuple):
 def fix(path: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[Diagnostic]]) -> list[Fixed]:
     """Write the fixes of diagnostics to their file, and return them.
 
-    `check(text)` gives the diagnostics of a text. A check stops at a number of errors, so fixes are made and
-    checked until none is left; the file is written once, with all of them. Line ends do not change. A file
-    that is not UTF-8, or that has lone carriage returns, does not change. Raises OSError if it cannot be read
-    or written.
+    `check(text)` returns the diagnostics of a text. A check stops after a number of errors, so fixing and checking
+    repeat until no fix is left; the file is then written once. Line endings do not change. A file that is not
+    UTF-8, or that has lone carriage returns, does not change. Raises OSError if the file cannot be read or
+    written.
     """
     if not any(each.fix for each in found):
         return []
@@ -62,7 +62,7 @@ def fix(path: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[
 
 
 def _fixed(text: str, found: Sequence[Diagnostic]) -> tuple[str, list[Fixed]]:
-    """A text with its fixes, and the fixes made; of two that overlap, the later one."""
+    """Return a text with its fixes applied, and the fixes; the later of two overlaps."""
     wanted = [each for each in found if each.fix and each.line and each.column]
     lines = text.split("\n")
     made: list[Fixed] = []

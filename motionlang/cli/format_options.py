@@ -1,4 +1,4 @@
-"""The options of printed data that all commands share: --format, -q and -o."""
+"""The options for printed data that all commands share: --format, -q and -o."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def add_format(
 ) -> None:
     """Add --format with these forms, the first as default, and -o.
 
-    A command that `has_output` has an -o of its own. If "none" is among the forms, -q chooses it.
+    A command that `has_output` already defines -o. If "none" is among the forms, -q selects it.
     """
     listed = [_FORMS[form] for form in forms]
     listed[0] += " (the default)"
@@ -68,7 +68,7 @@ def add_format(
 
 
 def into(path: str, command: Callable[[], int]) -> int:
-    """Run a command with its standard output in a file, which is replaced at the end.
+    """Run a command with standard output redirected to a file, replaced at the end.
 
     Returns the exit status of the command, or 1 if the file cannot be written.
     """

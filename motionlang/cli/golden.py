@@ -1,8 +1,7 @@
-"""Golden files: the known result of a program, next to it.
+"""Golden files: the expected result of a program, next to it.
 
 `pick.mnt` has its report in `pick.golden.json` and its printed output in `pick.golden.txt`. Texts must be
-equal. Figures agree if they differ by no more than a billionth, so that another mathematical library is no
-error.
+equal. Numbers may differ by one part in a billion, so that a different mathematical library causes no failure.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ MAX_DIFFERENCES = 8
 
 
 def golden_files(program: str) -> tuple[str, str]:
-    """Return the files of the report and the printed output of a program."""
+    """Return the paths of a program's golden report and golden printed output."""
     stem = os.path.splitext(program)[0]
     return f"{stem}.golden.json", f"{stem}.golden.txt"
 
@@ -34,7 +33,7 @@ def golden_files(program: str) -> tuple[str, str]:
 def differences(program: str, result: Run) -> list[str]:
     """Return how a program's run differs from its golden files.
 
-    Raises OSError if one cannot be read, ValueError if it is no report.
+    Raises OSError if one of them cannot be read, ValueError if it is not a report.
     """
     report, printed = golden_files(program)
     with open(report, encoding="utf-8") as file:
@@ -49,10 +48,9 @@ def differences(program: str, result: Run) -> list[str]:
 
 
 def update(program: str, result: Run) -> bool:
-    """Rewrite the golden files of a program.
+    """Rewrite a program's golden files if the run differs or their schema is old.
 
-    They are rewritten if its run differs or if they have an old schema; True if so. An OSError names the
-    file.
+    Returns True if they were rewritten. An OSError names the file.
     """
     try:
         if not differences(program, result) and _is_current(golden_files(program)[0]):
@@ -69,7 +67,7 @@ def _is_current(path: str) -> bool:
 
 
 def write(program: str, report: str, output: Sequence[str]) -> None:
-    """Write both golden files of a program, or neither. OSError names the file."""
+    """Write both golden files of a program, or neither; an OSError names the file."""
     path, printed = golden_files(program)
     with replacing(path, only_copy=True) as file:
         file.write(report.encode())

@@ -61,9 +61,9 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def init_command(arguments: argparse.Namespace) -> int:
-    """Write and run the machine file of a program, or those of a folder.
+    """Write the machine file of a program and run it, or those of a whole folder.
 
-    Return the exit status.
+    Returns the exit status.
     """
     if not os.path.isdir(arguments.file):
         return _init(arguments, arguments.file)
@@ -125,9 +125,9 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
 
 
 def _ask(source: Source, guesses: Guesses, reads: list[InputRead]) -> dict[str, object]:
-    """Ask a person about each guess and return the settings that they gave.
+    """Ask the user about each guess and return the settings that they gave.
 
-    There are none if they pressed Enter each time.
+    The result is empty if they pressed Enter each time.
     """
     fixed: dict[str, list[Entry]] = {}
     print(f"{_count(guesses)}. Enter keeps a guess, Ctrl-D keeps all that are left.")
@@ -152,7 +152,7 @@ def _ask(source: Source, guesses: Guesses, reads: list[InputRead]) -> dict[str, 
 
 
 def _ask_input(channel: int, guess: Entry) -> list[Entry]:
-    """Ask about one input until the line is empty or right."""
+    """Ask about one input until the answer is empty or valid."""
     while True:
         line = input(f"input {channel}: {inline(guess)}, or type 1@0.5 or out4+0.3: ").strip()
         if not line:

@@ -1,4 +1,4 @@
-"""The inputs of a run: the program, from a file or standard input, and machine."""
+"""The inputs of a run: program (a file or standard input) and machine file."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def read_source(file: str) -> Source:
 
 
 def read_machine_file(options: Options, settings: dict[str, object]) -> int:
-    """Merge the machine file's settings with those of `--set`, which override them."""
+    """Merge the machine file's settings with those of `--set`, which take precedence."""
     from motionlang.errors import ProgramError
 
     assert options.machine is not None
@@ -41,9 +41,9 @@ def read_machine_file(options: Options, settings: dict[str, object]) -> int:
 
 
 def _settings(source: Source, cached: bool) -> dict[str, object]:
-    """Return the settings of a machine file, from the cache if it has them.
+    """Return the settings of a machine file, from the cache if they are cached.
 
-    The library that reads such a file takes as long to import as starting an empty Python.
+    Importing the library that reads such a file takes as long as starting an empty Python.
     """
     from motionlang.cache import machine_entry
 

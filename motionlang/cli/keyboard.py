@@ -19,7 +19,7 @@ CHUNK = 1024
 
 
 class Keyboard(RealTime):
-    """Real time, with the input of `file` in the meantime typed by the operator."""
+    """Real time in which the operator's keys are read from `file` while it waits."""
 
     def __init__(self, file: int, factor: float = 1.0) -> None:
         super().__init__(factor)
@@ -39,7 +39,7 @@ class Keyboard(RealTime):
         self.ask(lambda: self._type(text.decode("latin-1")))
 
     def may_act(self) -> bool:
-        """True if the program reads the keyboard, and so can be helped by it."""
+        """True if the program reads the keyboard, so that a key can change the run."""
         assert self.machine is not None
         return self._file is not None and self.machine.has_operator
 
@@ -70,7 +70,7 @@ def is_live() -> bool:
 
 @contextmanager
 def single_keys(file: int) -> Iterator[None]:
-    """Make the terminal report each key at once without echo; Ctrl-C still interrupts."""
+    """Make the terminal deliver each key at once, not echoed; Ctrl-C still interrupts."""
     import termios
     import tty
 

@@ -24,8 +24,9 @@ _ENDINGS = ("ping", "ting", "ning", "ing", "ed", "es", "s")
 def search(question: str, tables: Mapping[str, Iterable[Keyword]]) -> tuple[dict[str, list[Keyword]], int]:
     """Return the keywords that share the most words with a question, by language.
 
-    The second result is how many are omitted. A word counts if a keyword's name contains it or its
-    description has it in any form. Names come before descriptions, then the order of the table.
+    The second result is the number of keywords omitted. A word matches if a keyword's name contains it or its
+    description has it in any inflected form. Matches in names come before those in descriptions, then the order
+    of the table decides.
     """
     words = [_stem(word) for word in dict.fromkeys(_words(question)) if word not in STOP_WORDS]
     scores: list[tuple[int, int, str, Keyword]] = []

@@ -1,4 +1,4 @@
-"""`motionlang keywords`: the keywords of a language as a list, or one as a page."""
+"""`motionlang keywords`: all keywords of a language, or the page of one keyword."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) 
 
 
 def _group(name: str, tables: Mapping[str, Iterable[Keyword]]) -> dict[str, list[Keyword]]:
-    """Return the keywords of a group, by the languages that have it."""
+    """Return the keywords of a group, by language; only languages that have the group."""
     found = {
         each: [row for row in table if (row.group or row.kind).lower() == name.lower()]
         for each, table in tables.items()

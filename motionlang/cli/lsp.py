@@ -49,7 +49,7 @@ def _address(text: str) -> tuple[str, int]:
 
 
 def _serve(arguments: argparse.Namespace) -> int:
-    """Serve one editor; the exit status is 0, or 1 if it left without a shutdown."""
+    """Serve one editor; return 0, or 1 if it left without a shutdown request."""
     need("motionlang lsp", "pygls")
     from motionlang.lsp.server import Server
     from motionlang.lsp.workers import Process

@@ -46,7 +46,7 @@ def set_values(
 ) -> None:
     """Sort NAME=VALUE pairs into settings (a dot in the name) and variables.
 
-    An invalid one exits with status 2.
+    An invalid pair ends the command with status 2.
     """
     for pair in pairs:
         name, equals, text = pair.partition("=")
@@ -64,7 +64,7 @@ def set_values(
 
 
 def _setting(text: str) -> object:
-    """A machine key's value like that of the machine file; a bare word is a text."""
+    """Parse the value of a machine key as in the machine file; a bare word is a text."""
     try:
         return read_value(text)
     except ProgramError:  # no TOML, more digits than Python reads, or nested too deeply
@@ -72,7 +72,7 @@ def _setting(text: str) -> object:
 
 
 def _value(text: str) -> float | str:
-    """Return a number if the text is one."""
+    """Return the number that the text represents, or the text if it is not a number."""
     try:
         return float(text)
     except ValueError:

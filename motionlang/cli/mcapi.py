@@ -1,4 +1,4 @@
-"""`motionlang mcapi`: PMC's library for hosts, built, run, logged and replayed."""
+"""`motionlang mcapi`: build PMC's host library, run programs, log, replay."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def _add_replay(commands: Commands) -> None:
 
 
 def build_command(args: argparse.Namespace) -> int:
-    """Compile the library and print where it is; 1 if that fails."""
+    """Compile the library and print its path; 1 if that fails."""
     from motionlang.mcapi.build import TARGETS as BUILT
     from motionlang.mcapi.build import CannotBuild, build
 
@@ -103,7 +103,7 @@ def build_command(args: argparse.Namespace) -> int:
 
 
 def path_command(args: argparse.Namespace) -> int:
-    """Print where the library is; 1 if it has not been built."""
+    """Print the path of the library; 1 if it has not been built."""
     path = library(args.target)
     if path is None:
         return WRONG
@@ -112,7 +112,7 @@ def path_command(args: argparse.Namespace) -> int:
 
 
 def library(target: str = "linux") -> Path | None:
-    """Return where the library is; None, with a message, if it has not been built."""
+    """Return the path of the library; None, with a message, if it has not been built."""
     from motionlang.mcapi.build import TARGETS as BUILT
     from motionlang.mcapi.build import place
 
@@ -125,7 +125,7 @@ def library(target: str = "linux") -> Path | None:
 
 
 def run_command(args: argparse.Namespace) -> int:
-    """Serve a board to a program until the program ends; its exit status."""
+    """Serve a board to a program until it ends; return the program's exit status."""
     options = Options("")
     status = read_board(args, options)
     if status:

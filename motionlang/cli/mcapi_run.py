@@ -1,7 +1,4 @@
-"""A host program on a virtual board.
-
-Its environment, its end, and the record of its calls.
-"""
+"""A host program run on a virtual board: its environment, end and recorded calls."""
 
 from __future__ import annotations
 

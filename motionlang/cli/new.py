@@ -72,7 +72,7 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def new_command(arguments: argparse.Namespace) -> int:
-    """Write both files and say what to do next; 1 if one exists or cannot be written."""
+    """Write both files and print the next steps; 1 if one exists or cannot be written."""
     name = arguments.name if os.path.splitext(arguments.name)[1] else f"{arguments.name}.mnt"
     language = dialect_of(name)
     parser: Parser = arguments.parser

@@ -1,4 +1,4 @@
-"""`motionlang notes`: the figures of the vendors' notes."""
+"""`motionlang notes`: the figures of the vendors' application notes."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def _notes(arguments: argparse.Namespace) -> int:
 
 
 def _an00115(arguments: argparse.Namespace) -> int:
-    """Print every formula once, with the figures that it needs."""
+    """Print the formulas of the note, each with the name of its result."""
     from motionlang.notes.an00115 import FORMULAS
 
     lines = [f"{name.replace('_', ' '):<12}{formula}\n" for name, _, formula, _ in FORMULAS]

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Options:
-    """The command line's options of a run."""
+    """The options of a run, as given on the command line."""
 
     __slots__ = (
         "allow",

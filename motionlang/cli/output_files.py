@@ -1,6 +1,6 @@
-"""`--trace` and `--plot`: checked before a run, so that it is not wasted.
+"""The files of `--trace` and `--plot`, which are written after the run.
 
-They are written after it.
+They are checked before it, so that the run is not wasted.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _WRITERS = {".png": "matplotlib", ".svg": "matplotlib", ".parquet": "pyarrow", "
 
 
 def wrong_target(option: str, path: str) -> str | None:
-    """Return the error of the file that `option` names, if it is known before the run."""
+    """Return the error in the output file of `option`, if it is known before the run."""
     formats = {"--trace": TRACES, "--plot": PLOTS, "--profile-to": PROFILES}[option]
     suffix = os.path.splitext(path)[1].lower()
     known = f"{', '.join(formats[:-1])} and {formats[-1]}"
@@ -63,9 +63,9 @@ def write_files(result: Run, options: Options) -> int:
 
 
 def refused(path: str, options: Options) -> Diagnostic | None:
-    """Return the diagnostic of a file that cannot be written, or would be overwritten.
+    """Return the diagnostic of a path that is an input of the run or not writable.
 
-    It returns the ones that can be known beforehand.
+    Only errors that can be detected beforehand are found.
     """
     inputs = {
         "the program": None if options.file == STDIN else options.file,
@@ -80,7 +80,7 @@ def refused(path: str, options: Options) -> Diagnostic | None:
 
 
 def written(path: str, write: Callable[[], None]) -> int:
-    """Return the exit status of writing a file: 1 if it failed, which is reported."""
+    """Write a file and return the exit status: 1 if that failed, which is reported."""
     try:
         write()
     except BrokenPipeError:

@@ -1,10 +1,10 @@
 """Standard output and standard error of a server, whose writes never block.
 
-A pipe holds 64 KB and a terminal can be stopped with Ctrl-S. A write to either then blocks for any time, and
-a server that blocks there serves no host and ignores SIGTERM. So a thread writes to the descriptor, from a
-queue of at most `CAPACITY` characters. Text that does not fit is dropped and its lines are counted. When the
-queue has been written, a line on standard error reports the count, so a log shows where it has a gap. Regular
-files are written to directly: they take every write.
+A pipe holds 64 KB and a terminal can be stopped with Ctrl-S. A write to either can then block indefinitely, and
+a blocked server serves no host and ignores SIGTERM. So a thread writes to the descriptor, from a queue of at
+most `CAPACITY` characters. Text that does not fit is dropped and its lines are counted. When the queue has been
+written, a line on standard error reports the count, so that a log shows where lines are missing. Regular files
+are written directly, because they accept every write.
 """
 
 from __future__ import annotations
@@ -27,7 +27,10 @@ FAREWELL = 0.5
 
 
 class OutputQueue:
-    """A text stream for `stream`; reports of dropped lines go to `notes`, or inline."""
+    """A text stream with a queue in front of `stream`; a full queue drops lines.
+
+    Reports of dropped lines go to `notes`, or into the stream itself if there is none.
+    """
 
     def __init__(self, stream: TextIO, name: str, notes: OutputQueue | None = None) -> None:
         self._stream, self.name, self._notes = stream, name, notes
@@ -46,7 +49,7 @@ class OutputQueue:
         return getattr(self._stream, name)
 
     def write(self, text: str) -> int:
-        """Queue `text`, or drop it if there is no space; neither blocks."""
+        """Queue `text`, or drop it if there is no space; never block."""
         with self._changed:
             # Nothing is queued after a gap before the gap has been reported.
             if self._dropped or self._size + len(text) > CAPACITY:
@@ -79,9 +82,9 @@ class OutputQueue:
                 self._changed.notify_all()
 
     def _note(self) -> str:
-        """Report the gap; return the text to write here, "" if `notes` has taken it.
+        """Report the dropped lines and make space again.
 
-        After that there is space again.
+        Returns the text to write to this stream, "" if `notes` has taken it.
         """
         text = f"motionlang: {_lines(self._dropped)} of {self.name} dropped, because it was not read\n"
         self._dropped = 0
@@ -92,7 +95,7 @@ class OutputQueue:
         return text
 
     def _put(self, text: str) -> None:
-        """Write all of `text`; ignore a reader that has gone."""
+        """Write all of `text`; ignore a closed pipe."""
         data = memoryview(text.encode(self._stream.encoding, self._stream.errors or "strict"))
         try:
             while data and not self._broken:
@@ -107,7 +110,10 @@ def _lines(count: int) -> str:
 
 @contextmanager
 def never_waiting() -> Iterator[list[OutputQueue]]:
-    """Give standard output and error a queue each if a write could block; yield these."""
+    """Put a queue before standard output and error where a write could block.
+
+    Yields these queues.
+    """
     before = sys.stdout, sys.stderr
     queues: list[OutputQueue] = []
     notes: OutputQueue | None = None
@@ -134,5 +140,5 @@ def _may_wait(stream: TextIO) -> bool:
 
 
 def dropped(queues: list[OutputQueue]) -> str:
-    """Return the end of a sentence with the number of dropped lines; "" for none."""
+    """Return the end of a sentence with the number of dropped lines, "" for none."""
     return "".join(f"; {_lines(queue.dropped)} of {queue.name} dropped" for queue in queues if queue.dropped)

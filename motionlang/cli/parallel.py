@@ -18,10 +18,10 @@ _WORTH = 4
 
 
 def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int = 0) -> Iterator[Result]:
-    """`work` of each item, in order, on `jobs` processes; 0 chooses their number.
+    """Yield `work(item)` for each item, in order, computed on `jobs` processes.
 
-    It is that of the cores, or less for little work. Work and items must be picklable. An exception of the
-    work is raised in place of its result.
+    0 jobs means one per core, or fewer for little work. Work and items must be picklable. An exception of the work
+    is raised in place of its result.
     """
     jobs = min(jobs, len(items)) or min(cores(), len(items) // _WORTH)
     if jobs <= 1:
@@ -39,7 +39,7 @@ def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int
 
 
 def add_jobs(parser: ArgumentParser) -> None:
-    """Add the option of commands that take many files."""
+    """Add -j, the option of commands that take many files."""
     parser.add_argument(
         "-j",
         "--jobs",

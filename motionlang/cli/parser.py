@@ -1,4 +1,4 @@
-"""argparse for this command line: complete words, two-line errors, suggestions."""
+"""argparse for this command line: no abbreviations, two-line errors, suggestions."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ OLD_OPTIONS = {
 
 
 class Formatter(argparse.RawDescriptionHelpFormatter):
-    """Help whose paragraphs fill the width, and whose indented lines stay lines."""
+    """Help whose paragraphs fill the width and whose indented lines are not joined."""
 
     def _fill_text(self, text: str, width: int, indent: str) -> str:
         lines: list[str] = []
@@ -60,7 +60,7 @@ def _filled(paragraph: list[str], width: int) -> list[str]:
 
 
 def _example(line: str, width: int) -> list[str]:
-    """Return an indented line; if it is too long, its remark is on another line."""
+    """Return an indented line; if it is too long, its remark moves to the next line."""
     if len(line) <= width:
         return [line]
     command, gap, remark = re.fullmatch(r"( +\S+(?: \S+)*)(  +|$)(.*)", line).groups()  # type: ignore[union-attr]
@@ -79,7 +79,7 @@ def _example(line: str, width: int) -> list[str]:
 
 
 class Parser(argparse.ArgumentParser):
-    """argparse with complete words only and with help texts that keep their lines."""
+    """argparse without abbreviated options, and with help texts that preserve lines."""
 
     # What a wrong name in place of a command is not.
     noun = "command"
@@ -90,14 +90,14 @@ class Parser(argparse.ArgumentParser):
         self._negative_number_matcher = _NEGATIVE
 
     def parse_known_args(self, args=None, namespace=None):  # type: ignore[no-untyped-def]
-        """Read the options under their present spelling.
+        """Replace old spellings of options, and parse.
 
-        Each old spelling is reported as a note.
+        Each old spelling is reported in a note.
         """
         return super().parse_known_args(None if args is None else list(map(self._current, args)), namespace)
 
     def _current(self, word: str) -> str:
-        """Return a word of the command line with the present spelling of its option."""
+        """Return an argument, with the current spelling if its option has an old one."""
         old, equals, value = word.partition("=")
         new = OLD_OPTIONS.get(old, old)
         known = self._option_string_actions
@@ -130,7 +130,10 @@ class Parser(argparse.ArgumentParser):
         return f"{self.prog} --help lists the options"
 
     def _options(self) -> dict[str, str]:
-        """Every option, and every choice as if it were one: --format json for --json."""
+        """Return all options by spelling, with `--CHOICE` as a spelling of each choice.
+
+        Example: `--json` leads to `--format json`.
+        """
         said: dict[str, str] = {}
         for action in self._actions:
             for choice in action.choices or ():
@@ -148,7 +151,10 @@ class Parser(argparse.ArgumentParser):
 
 
 def _in_our_words(message: str, noun: str) -> str:
-    """A wrong choice in our wording, however this Python's argparse quotes it."""
+    """Return argparse's error of a wrong choice in the wording of this command line.
+
+    The quotes in argparse's message depend on the version of Python.
+    """
     wrong = re.fullmatch(r"argument (.+?): invalid choice: '(.*)' \(choose from (.*)\)", message, re.DOTALL)
     if wrong is None:
         return message
@@ -175,7 +181,7 @@ def add_command(
 def arrange(parser: argparse.ArgumentParser, groups: Mapping[str, str]) -> None:
     """Show options under headings in help.
 
-    Each group has its title and the names of its options. Options in no group stay under the general heading.
+    Each group has a title and the names of its options. Options in no group stay under the general heading.
     Names that the parser does not have are skipped, so that commands can share groups.
     """
     for title, names in groups.items():
@@ -191,5 +197,5 @@ def either(words: Sequence[str]) -> str:
 
 
 def sentence(summary: str) -> str:
-    """Return a summary as a sentence."""
+    """Return a summary with a capital and a full stop."""
     return summary[0].upper() + summary[1:] + "."

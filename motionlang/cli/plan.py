@@ -1,7 +1,7 @@
 """`motionlang plan`: missing figures of a trapezoidal move, and its program.
 
-AN00115: distance, time, speed, rates and ramp times determine one another; a rule fills what is still free. A
-move that is too short for its speed peaks below it, and the figures show that.
+AN00115: distance, time, speed, rates and ramp times determine one another; a rule supplies any figure that is
+still undetermined. A move that is too short for its speed has a lower peak, which the figures show.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def plan_command(arguments: argparse.Namespace) -> int:
-    """Solve, and print figures and program; argparse's error if there is no such move."""
+    """Solve the move, print figures and program; exit with 2 if there is no such move."""
     parser = arguments.parser
     given = {name: value for name in NAMES if (value := getattr(arguments, name)) is not None}
     backwards = given.get("distance", 0.0) < 0.0
@@ -161,7 +161,10 @@ def _draw(move: dict[str, float], path: str, parser: argparse.ArgumentParser) ->
 
 
 def _unreached(move: dict[str, float], wanted: dict[str, float]) -> list[str]:
-    """Return that the commanded speed is not reached, and its requirements."""
+    """Return the remark that the speed is not reached, and what would reach it.
+
+    Empty if the speed is reached.
+    """
     if not wanted:
         return []
     speed, distance = wanted["speed"], abs(move["distance"])

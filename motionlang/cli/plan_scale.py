@@ -1,6 +1,6 @@
 """Counts per user unit for `motionlang plan`: given, or from the mechanics.
 
-These are encoder, gear and screw, or a linear scale.
+The mechanics are encoder, gear and screw, or a linear scale.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ MIN_VALUE, MAX_VALUE = 1e-6, 1e12
 
 
 def add_scale_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options for the counts of a user unit."""
+    """Add the options for the counts per user unit."""
     parser.add_argument("--scale", type=float, metavar="COUNTS", help="counts per user unit (1)")
     parser.add_argument(
         "--encoder-lines",
@@ -38,7 +38,7 @@ def add_scale_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def scale_of(arguments: argparse.Namespace) -> tuple[float, str]:
-    """Counts per user unit, and their derivation; ValueError if they are missing."""
+    """Return counts per user unit and their derivation; ValueError if unknown."""
     lines, resolution = arguments.encoder_lines, arguments.resolution
     ways = [name for name in ("scale", "encoder_lines", "resolution") if getattr(arguments, name) is not None]
     if len(ways) > 1:
@@ -69,7 +69,7 @@ def _rotary(arguments: argparse.Namespace) -> tuple[float, str]:
 
 
 def _ratio(text: str) -> float:
-    """Return a ratio in usual notation: 3, 3:1 or 7:2."""
+    """Parse a ratio in usual notation: 3, 3:1 or 7:2."""
     above, _, below = text.partition(":")
     try:
         return float(above) / float(below or 1)

@@ -1,4 +1,4 @@
-"""`motionlang probe`: a program that tests assumptions, and its evaluated answers."""
+"""`motionlang probe`: write a test program for assumptions, evaluate its answers."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ def _probe(arguments: argparse.Namespace) -> int:
 
 
 def _named(parser: argparse.ArgumentParser, name: str) -> Probe:
-    """Return the probe of a name; exit with the alternatives if there is none."""
+    """Return the probe with a name; for an unknown name exit with the alternatives."""
     found = questions().get(name)
     if found is not None and found.probe is not None:
         return found.probe
@@ -147,7 +147,7 @@ def _named(parser: argparse.ArgumentParser, name: str) -> Probe:
 
 
 def _about(word: str) -> list[Assumption]:
-    """Return the open assumptions of a keyword, in any language."""
+    """Return the open assumptions about a keyword, in any language."""
     rows = ((each, dialect(each).table().get(word)) for each in dialects())
     return [found for language, row in rows if row is not None for found in of_word(language, row)]
 
@@ -216,7 +216,7 @@ def _told(found: Answers) -> str:
 
 
 def _names(found: Iterable[Assumption]) -> list[str]:
-    """Return the names of assumptions; many about power-up are only counted."""
+    """Return the names of assumptions; if many are about power-up, only their number."""
     names = [each.name for each in found]
     rest = [name for name in names if not name.endswith(DEFAULT)]
     many = len(names) - len(rest)

@@ -1,6 +1,6 @@
 """`motionlang profiles`: the comparison table of PMC's technical note TN1069.
 
-It is exact, as printed, and for any move.
+The table is computed exactly, shown as printed, or computed for any move.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def add_options(commands: Commands, name: str, summary: str) -> None:
-    """Add a command with the options of the note."""
+    """Add the command `name` with the options of the note."""
     parser = add_command(commands, name, summary, profiles_command)
     for option, letter, help in OPTIONS:
         parser.add_argument(f"--{option}", type=float, metavar=letter, help=help)
@@ -72,7 +72,7 @@ def add_options(commands: Commands, name: str, summary: str) -> None:
 
 
 def profiles_command(arguments: argparse.Namespace) -> int:
-    """Print the table, and draw it on request; argparse's error if impossible."""
+    """Print the table, and draw it on request; exit with 2 if the move is impossible."""
     parser = arguments.parser
     given = {name: value for name, *_ in OPTIONS if (value := getattr(arguments, name)) is not None}
     try:

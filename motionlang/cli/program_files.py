@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
 
 def programs(paths: Sequence[str], *more: str) -> list[str]:
-    """Return the programs of the paths, those of a folder by their suffixes, in order.
+    """Return the programs among the paths; those of a folder by extension, in order.
 
-    `more` are further suffixes of files to return.
+    `more` are further extensions of files to return.
     """
     found: list[str] = []
     suffixes = (*(suffix for name in dialects() for suffix in dialect(name).suffixes), *more)

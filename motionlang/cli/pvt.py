@@ -60,7 +60,7 @@ def add_parser(family: Commands, summary: str) -> None:
 
 
 def plot(args: argparse.Namespace) -> int:
-    """Print the segments of the motion that a drive makes of the points, and draw it."""
+    """Print and draw the segments of the motion that a drive makes from the points."""
     from motionlang.views.pvt import segment_lines
 
     move = _checked(args, strict=False)
@@ -102,7 +102,7 @@ def refine(args: argparse.Namespace) -> int:
 
 
 def export(args: argparse.Namespace) -> int:
-    """Write the move in a format for a drive, with its rounding error."""
+    """Write the move in the format of a drive, and print the rounding error."""
     from motionlang.copley.export import Unwritable
     from motionlang.copley.export import export as written
     from motionlang.copley.point import from_wire, to_wire
@@ -140,7 +140,7 @@ def stream(args: argparse.Namespace) -> int:
 
 
 def _guarded(handler: Handler) -> Handler:
-    """Return the handler with every user error reported as a diagnostic."""
+    """Wrap a handler so that every user error is reported as a diagnostic."""
 
     def run(args: argparse.Namespace) -> int:
         if args.plot:
@@ -165,7 +165,7 @@ def _guarded(handler: Handler) -> Handler:
 
 
 def _checked(args: argparse.Namespace, *, strict: bool) -> Move:
-    """Return the move, and report its errors; `ProgramError` if they prevent it."""
+    """Return the move and report its errors; `ProgramError` if they prevent it."""
     move = read_move(args)
     found = diagnose(move, args.start, strict=strict)
     if any(d.severity == "error" for d in found):
@@ -188,7 +188,7 @@ def _replaced(points: Sequence[Point], velocities: Sequence[float]) -> list[Poin
 
 
 def _error(move: Move, sent: Sequence[Point], start: float) -> tuple[float, float]:
-    """Return the largest error of the sent motion, counts, and its time."""
+    """Return the largest position error of the sent motion, counts, and its time, s."""
     from motionlang.planners.pvt.fit import motion_error
 
     if move.track is not None:

@@ -46,9 +46,9 @@ SERVES: dict[str, tuple[str, ...]] = {
 
 @dataclass(slots=True)
 class Move:
-    """Points and their source; for a program the motion they were fitted to.
+    """Points and their source; for a program also the motion that they were fitted to.
 
-    `lines` are those of the source.
+    `lines` are the line numbers in the source.
     """
 
     name: str
@@ -60,7 +60,7 @@ class Move:
 
 @dataclass(slots=True)
 class Track:
-    """The history of one axis between two times, the motion that a fit has to follow."""
+    """The motion of one axis between two times, to which points are fitted."""
 
     starts: list[float]
     profiles: list[Profile]
@@ -110,9 +110,9 @@ def _is_program(file: str) -> bool:
 
 
 def diagnose(move: Move, start: float | None, *, strict: bool) -> list[Diagnostic]:
-    """Return what a drive would misinterpret, as diagnostics.
+    """Return as diagnostics what a drive would misinterpret.
 
-    They are errors only if `strict` points must be sent.
+    They are errors if the points must be sent as they are (`strict`), else warnings.
     """
     found = []
     troubles = check_points(move.points, start)
@@ -189,7 +189,7 @@ def _from_file(args: argparse.Namespace) -> Move:
 
 
 class SourceError(Exception):
-    """Errors in a file, with the file."""
+    """Errors in an input file, with its path."""
 
     def __init__(self, source: Source, diagnostics: list[Diagnostic]) -> None:
         super().__init__(source.name)
@@ -235,7 +235,7 @@ def _from_program(args: argparse.Namespace) -> Move:
 
 
 def _span(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple[float, float]:
-    """Return the time from the first motion to the end of the last, pauses included."""
+    """Return the time of the first motion and the end of the last, pauses included."""
     moving = [i for i, profile in enumerate(profiles) if profile.shape != "hold"]
     last = moving[-1]
     ends = starts[last] + profiles[last].duration

@@ -1,4 +1,4 @@
-"""The options of `motionlang pvt`, and their values."""
+"""The options of `motionlang pvt`, and the parsing of their values."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ OPTIONS: dict[str, Callable[[argparse.ArgumentParser], None]] = {
 
 
 def _numbers(text: str) -> list[float]:
-    """Comma-separated numbers; their validity is checked by the points, by index."""
+    """Parse comma-separated numbers; `points` validates them and reports the index."""
     try:
         return [float(part) for part in text.split(",")]
     except ValueError:

@@ -86,7 +86,7 @@ def _stream_to_real(args: argparse.Namespace, move: Move) -> int:
 
 
 def _start_position(args: argparse.Namespace, move: Move) -> float:
-    """Return the position of the simulated motor: as given, or where the move begins."""
+    """Return the start position of the simulated motor: as given, or that of the move."""
     if args.start is not None:
         return float(args.start)
     first = move.points[0]
@@ -153,9 +153,9 @@ def _lines(
 
 
 def _departure(args: argparse.Namespace, drive: Drive, wire: Sequence[WirePoint]) -> float | None:
-    """Return the largest difference of the drive's motion from the points.
+    """Return the largest deviation of the drive's motion from the points, counts.
 
-    None if it never started.
+    None if the motion never started.
     """
     begin = next((time for time, what in drive.log if what.startswith("move started")), None)
     if begin is None:

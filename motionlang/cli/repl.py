@@ -60,7 +60,7 @@ def open_session(
 ) -> int:
     """Open a session, after running `file` if given; 1 on an error without a terminal.
 
-    Without a name the file's suffix selects the dialect, with Mint as the default.
+    Without a dialect name the file's extension selects the dialect; the default is Mint.
     """
     language = (dialect(dialect_name) if dialect_name else dialect_of(file or "")) or dialect("mint")
     at_terminal = is_terminal(sys.stdin) and is_terminal(sys.stdout)

@@ -1,6 +1,6 @@
-"""`motionlang verify --review`: changes of a program accepted one by one.
+"""`motionlang verify --review`: accept changes of a program one by one.
 
-The golden files get the accepted ones.
+The accepted changes are written to the golden files.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ q  quit and reject this change and all others
 
 
 class NoAnswer(Exception):
-    """Standard input has ended, or there is none, so no change is accepted."""
+    """Standard input has ended or is missing, so no change is accepted."""
 
 
 class Quit(Exception):
@@ -41,7 +41,7 @@ class Quit(Exception):
 def ask(question: str, keys: str) -> str:
     """Ask for one of the `keys` on a terminal or a pipe; "?" explains them.
 
-    Raises `NoAnswer` if neither gives one.
+    Raises `NoAnswer` if neither provides an answer.
     """
     while True:
         sys.stdout.write(f"{question} [{','.join(keys)},?] ")
@@ -68,9 +68,9 @@ def _is_terminal() -> bool:
 def review(program: str, result: Run) -> bool:
     """Ask about each change between golden files and run, and write accepted ones.
 
-    True if the golden files then match the run. Both files are written, or neither: without an answer, and at
-    Ctrl-C, they do not change; `Quit` is raised after the accepted changes have been written. OSError names a
-    file.
+    Returns True if the golden files then match the run. Both files are written, or neither. Without an answer, and
+    after Ctrl-C, they do not change; `Quit` is raised after the accepted changes have been written. An OSError
+    names the file.
     """
     report, printed = golden_files(program)
     new = json.loads(text(result, whole=False))
@@ -98,7 +98,7 @@ def review(program: str, result: Run) -> bool:
 
 
 def _whole(program: str, result: Run, question: str) -> bool:
-    """Ask if the golden files are to be rewritten from the run."""
+    """Ask whether to rewrite the golden files from the run; True if rewritten."""
     answer = ask(f"{program}: {question}", "ynq")
     if answer == "q":
         raise Quit

@@ -1,4 +1,4 @@
-"""`motionlang run`: a program from its file to report, trace and picture."""
+"""`motionlang run`: run a program file; write report, trace and picture."""
 
 from __future__ import annotations
 
@@ -30,7 +30,8 @@ PROVED_IN_TIME = 10_000
 def run_command(options: Options) -> int:
     """Run a program, show its results, and return the exit status.
 
-    However it ends, there is one complete report: a signal during its output waits until it is written.
+    There is exactly one complete report, however the run ends: a signal during its output waits until it is
+    written.
     """
     told = False
     try:
@@ -66,7 +67,7 @@ def _crash(error: Exception, options: Options, source: Source | None = None) -> 
 
 
 def _result(options: Options) -> Run | int:
-    """Return the run, or the exit status if there is none, which has been reported."""
+    """Return the run, or the exit status if it failed, which has been reported."""
     try:
         source = read_source(options.file)
     except OSError as error:
@@ -151,7 +152,7 @@ def _tell(result: Run, options: Options) -> int:
 def _proof(result: Run) -> Proof | None:
     """Return the proof of a run, if requested and possible.
 
-    It is not for a run that has crashed, or was interrupted after long motion.
+    A run that has crashed, or was interrupted after long motion, has no proof.
     """
     if result.orders is None or result.crash is not None:
         return None
@@ -170,7 +171,7 @@ def _proof(result: Run) -> Proof | None:
 def _complain_of_events(result: Run, options: Options) -> bool:
     """Report limits, following errors and faults that make the exit status 1.
 
-    True if there are any.
+    Returns True if there are any.
     """
     from motionlang.cli.event_status import complaints
     from motionlang.views.terminal import printable
@@ -261,14 +262,17 @@ def _run_unwatched(
 
 
 def _ask(machine: Machine) -> str | None:
-    """Return the line for an INPUT that has no answer, None if there is none."""
+    """Ask the user for the line of an INPUT without an answer; None if there is none."""
     from motionlang.views.questions import ask
 
     return ask(machine)
 
 
 def pacer(factor: float) -> Callable[[float], None]:
-    """Return a function that runs at `factor` × real time; output appears immediately."""
+    """Return a function that waits until a machine time at `factor` × real time.
+
+    It flushes the output before it waits.
+    """
     from time import monotonic, sleep
 
     began = monotonic()
@@ -344,7 +348,7 @@ def _rests_on(result: Run, options: Options) -> str:
 
 
 def _write_files(result: Run, options: Options) -> int:
-    """Write the requested trace and picture; 1 if one cannot be written."""
+    """Write the requested trace and picture; 1 if one of them cannot be written."""
     if options.trace is None and options.plot is None and options.profile_to is None:
         return 0
     from motionlang.cli.output_files import write_files

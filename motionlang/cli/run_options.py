@@ -69,7 +69,7 @@ def add_run(
 ) -> argparse.ArgumentParser:
     """Add a command with the options of `run`.
 
-    `out` is the option whose value its second argument gives.
+    If `out` is given, the command has a second argument, which sets that option.
     """
     parser = add_command(commands, name, summary, _run, epilog)
     parser.add_argument("file", metavar="FILE", help=what)
@@ -87,7 +87,7 @@ def add_run(
 
 
 def _add_report(parser: argparse.ArgumentParser) -> None:
-    """Add the options of the report and of the time that a run takes."""
+    """Add the options of the report and of the time limits of the run."""
     add_format(parser, REPORTS, "the report after the program's output, which json replaces")
     parser.add_argument("--all", action="store_true", help="list every move, phase and line in the table")
     parser.add_argument(
@@ -224,7 +224,7 @@ def _add_checks(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_code(parser: argparse.ArgumentParser) -> None:
-    """Add the options of the code."""
+    """Add the options that show the generated code."""
     parser.add_argument(
         "--show-code",
         action="store_true",
@@ -296,7 +296,7 @@ def _run(arguments: argparse.Namespace) -> int:
 
 
 def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
-    """Reject options without an effect."""
+    """Reject options that would have no effect."""
     if arguments.show_code or arguments.show_tree:
         shown = "--show-code" if arguments.show_code else "--show-tree"
         for action in parser._actions:
@@ -343,7 +343,7 @@ def _number(text: str, low: float, high: float, what: str, *, open_low: bool = F
 
 
 def machine_time(text: str) -> float:
-    """Return a time of the machine, s, for argparse."""
+    """Parse a machine time, s, for argparse."""
     return _number(text, 0.0, sys.float_info.max, "a time in seconds, 0 or more")
 
 

@@ -23,7 +23,7 @@ def watched(
 ) -> Run:
     """Return the result of `run(show, begun)`, with a progress line until it ends.
 
-    Warnings of the machine before the end go to `warn`, above the progress line.
+    Warnings of the machine during the run go to `warn`, above the progress line.
     """
     if not is_shown(sys.stderr):
         return run(shower(sys.stdout), lambda machine: setattr(machine, "warn", warn))
@@ -51,9 +51,9 @@ def watched(
 
 
 def _describer(machine: Machine) -> Callable[[], str]:
-    """Return the function that makes the line.
+    """Return the function that makes the progress line.
 
-    The clock does not advance while the program computes without a wait, which the line states.
+    The clock does not advance while the program computes without a wait; the line then says so.
     """
     began, before = monotonic(), -1.0
 

@@ -1,6 +1,6 @@
-"""`profile`, `certify`, `prove`, `plot`, `trace`: `run` with that option.
+"""`profile`, `certify`, `prove`, `plot` and `trace`: `run` with that option.
 
-Each has the options of `run` and calls the same code.
+Each command has the options of `run` and calls the same code.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """`motionlang serve`: a virtual controller on TCP, a serial device or Modbus.
 
-The controller is an MCCL board or runs a Mint program. Modbus serves a Mint program.
+The controller is an MCCL board, or it runs a Mint program. Modbus requires a Mint program.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def add_addresses(parser: argparse.ArgumentParser) -> None:
-    """Add the options of addresses for ASCII hosts."""
+    """Add the options for the addresses of ASCII hosts."""
     add = parser.add_argument
     add(
         "--tcp",
@@ -151,7 +151,7 @@ def _add_time(parser: argparse.ArgumentParser) -> None:
 
 
 def serve_command(args: argparse.Namespace) -> int:
-    """Serve until a signal; the exit status is 0, 1 (an error) or 2 (command line)."""
+    """Serve until a signal; return 0, 1 (an error) or 2 (wrong command line)."""
     _check(args)
     options = Options(args.file or "")
     source: Source | None = None
@@ -186,7 +186,7 @@ def serve_command(args: argparse.Namespace) -> int:
 def read_board(args: argparse.Namespace, options: Options) -> int:
     """Read the settings of a board from the command line and the machine file.
 
-    Not 0 if that fails.
+    Returns an exit status, not 0 if that fails.
     """
     options.dialect, options.machine = args.dialect, args.machine
     set_values(args.set, options.settings, options.overrides, args.parser)
@@ -195,7 +195,7 @@ def read_board(args: argparse.Namespace, options: Options) -> int:
 
 
 def check_time(args: argparse.Namespace) -> None:
-    """End the command if options of time conflict."""
+    """End the command with an error if options of time conflict."""
     if args.factor is not None and args.clock != "real":
         args.parser.error("--factor needs --clock real")
     if args.step is not None and args.clock != "lockstep":
@@ -203,7 +203,7 @@ def check_time(args: argparse.Namespace) -> None:
 
 
 def _check(args: argparse.Namespace) -> None:
-    """End the command if options conflict."""
+    """End the command with an error if options conflict."""
     error = args.parser.error
     if not args.tcp and not args.pty and args.mcapi is None and args.modbus is None and args.can is None:
         error(

@@ -1,4 +1,4 @@
-"""A served MCCL board on the command line: its output and its end."""
+"""A served MCCL board on the command line: how it is made, its output and its end."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def serve_board(
 ) -> int:
     """Serve until a signal; 1 if the board or an interface fails.
 
-    `queues` are those of the output.
+    `queues` are those of standard output and standard error.
     """
     made = server_of(args, source, settings, overrides)
     if made is None:
@@ -61,7 +61,7 @@ def server_of(
     settings: dict[str, object],
     overrides: dict[str, float | str],
 ) -> tuple[Server, Console] | None:
-    """Return the server and the console of a board to which the file has been sent.
+    """Return server and console of a board, after the file has been sent to it.
 
     None if the board cannot be made.
     """
@@ -88,7 +88,7 @@ def _pace(args: argparse.Namespace, console: Console) -> Pace:
 
 
 def mcapi_hosts(server: Server, console: Console, record: Callable[[Call], None] | None = None) -> MakeHost:
-    """Return what makes a host that speaks MCAPI of a connection.
+    """Return a function that makes a host speaking MCAPI for each connection.
 
     `record` is called with every call.
     """

@@ -23,9 +23,9 @@ HINT = "choose an interface of python-can that this computer has; virtual works 
 
 
 def serve_can(args: argparse.Namespace, settings: Mapping[str, object], queues: list[OutputQueue]) -> int:
-    """Serve until a signal; 1 if the EDS file cannot be written or the bus not opened.
+    """Serve until a signal; 1 if the EDS file or the bus cannot be opened.
 
-    Raises MissingExtra without the CAN libraries. `queues` are those of the output.
+    Raises MissingExtra without the CAN libraries. `queues` are those of standard output and standard error.
     """
     need("motionlang serve --can", "can", "canopen")
     from motionlang.copley.bus import BusError
@@ -65,7 +65,7 @@ def _write_eds(path: str) -> bool:
 
 
 def _switches(settings: Mapping[str, object], number: int) -> Switches:
-    """Return the switches of a drive, which the machine file has for its axis."""
+    """Return the switches of a drive, as the machine file sets them for its axis."""
     from motionlang.copley.switches import Switches
 
     of_axis = AXIS.format(number)

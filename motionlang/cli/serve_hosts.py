@@ -1,4 +1,4 @@
-"""Addresses, end and output of `motionlang serve` for hosts on lines."""
+"""`motionlang serve` for hosts on lines: addresses, output and the end."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def greet(args: argparse.Namespace, title: str, axes: int) -> None:
-    """Print what is served, and how time passes."""
+    """Print what is served, and the time scale."""
     time = "in lock step" if args.clock == "lockstep" else "in real time"
     if args.factor:
         time += f", {args.factor:g} × real time"
@@ -44,7 +44,7 @@ def open_lines(server: Server, args: argparse.Namespace) -> bool:
 
 
 def listen(server: Server, host: str, port: int, *, echo: bool = False, make: MakeHost | None = None) -> bool:
-    """Listen on an address and say so; False if it cannot be used."""
+    """Listen on an address and print it; False if it cannot be used."""
     try:
         found, port = server.listen(host, port, echo, make)
     except (OSError, UnicodeError) as error:
@@ -59,7 +59,7 @@ def listen(server: Server, host: str, port: int, *, echo: bool = False, make: Ma
 
 
 def until_signal(server: Server | DriveServer) -> None:
-    """Serve until Ctrl-C or SIGTERM, each of them a normal end."""
+    """Serve until Ctrl-C or SIGTERM; both are a normal end."""
 
     def stop(number: int, frame: FrameType | None) -> None:
         server.stop()
@@ -90,7 +90,7 @@ def remark(text: str) -> None:
 
 
 def _write(stream: TextIO, text: str) -> None:
-    """Write a text at once; ignore a reader that has gone."""
+    """Write a text at once; ignore a closed pipe."""
     try:
         stream.write(text)
         stream.flush()

@@ -1,4 +1,4 @@
-"""`motionlang serve` with the line of a Mint controller, and Modbus next to it."""
+"""`motionlang serve` with the line of a Mint controller, and optionally Modbus."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def serve_line(
 ) -> int:
     """Serve until a signal; 1 if the program or an interface fails.
 
-    `queues` are those of the output.
+    `queues` are those of standard output and standard error.
     """
     file = args.file or ""
     try:
@@ -84,7 +84,7 @@ def serve_line(
 
 
 class _Modbus:
-    """A Modbus server whose requests the server of the lines answers."""
+    """A Modbus server whose requests are answered in the thread of the line server."""
 
     def __init__(self, server: ModbusServer, questions: InTurn) -> None:
         self.server, self._questions = server, questions

@@ -1,4 +1,4 @@
-"""`motionlang serve FILE --modbus`: a Mint program with comms memory on Modbus."""
+"""`motionlang serve FILE --modbus`: the comms memory of a Mint program on Modbus."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def serve_modbus(
     overrides: dict[str, float | str],
     queues: list[OutputQueue],
 ) -> int:
-    """Run the program until it ends or a signal comes; 1 if it cannot."""
+    """Run the program until it ends or a signal arrives; 1 if it cannot be run."""
     host, port = args.modbus
     outside = _outside(args)
     server = modbus_server(args, outside, str(settings.get("controller.model", "")), _complain)
@@ -68,7 +68,7 @@ def serve_modbus(
 def modbus_server(
     args: argparse.Namespace, outside: Outside, model: str, complain: Callable[[str], None]
 ) -> ModbusServer:
-    """Return the Modbus server of the command line; its identity is the model."""
+    """Return the Modbus server of the command line, which identifies as the model."""
     from motionlang.serve.modbus import ModbusServer
     from motionlang.serve.modbus_requests import Identity
 
@@ -101,7 +101,7 @@ def _greet(server: ModbusServer, source: Source, model: str) -> None:
 
 
 def remark_on_mapping(source: Source, model: str, say: Callable[[str], None]) -> None:
-    """Say which memory clients see, if the program does not choose it."""
+    """Say which memory clients see, unless the program selects the mapping."""
     if PRODUCTS[product(model)] == "netdata" and "modbusparameter" not in source.text.lower():
         mapping = "MODBUSPARAMETER(_busETHERNET, _mpREGISTER_MAPPING) = _rmCOMMS_ARRAY"
         say(f"clients see NETINTEGER and NETFLOAT; {mapping} in the program shows them COMMS\n")

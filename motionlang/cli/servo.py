@@ -57,7 +57,7 @@ def add_parser(family: Commands, summary: str) -> None:
 
 
 def add_one(commands: Commands, name: str, called: str, summary: str = "") -> None:
-    """Add the command `name` of `servo`, called `called`."""
+    """Add the command `name` of `servo` under the name `called`."""
     what, handler, options = _COMMANDS[name]
     parser = commands.add_parser(called, help=summary or what, description=sentence(summary or what))
     options(parser)
@@ -71,7 +71,7 @@ def add_one(commands: Commands, name: str, called: str, summary: str = "") -> No
 
 
 def slip(args: argparse.Namespace) -> int:
-    """Print the highest acceleration of a load held by friction, and check a move."""
+    """Print the highest acceleration at which friction holds the load; check a move."""
     from motionlang.views import servo as view
 
     limit = dissect.slip_acceleration(args.friction, args.gravity)
@@ -98,7 +98,7 @@ def slip(args: argparse.Namespace) -> int:
 
 
 def dac(args: argparse.Namespace) -> int:
-    """Print the demands of a DAC step on the motor, and the effect of holding it."""
+    """Print what a DAC step demands of the motor, and the effect of holding it."""
     from motionlang.notes.dac_override import demonstrate
     from motionlang.views import servo as view
 
@@ -176,7 +176,7 @@ def step(args: argparse.Namespace) -> int:
 
 
 def tune(args: argparse.Namespace) -> int:
-    """Print first gains for a motor and a bandwidth, in Mint and in MCCL."""
+    """Print starting gains for a motor and a bandwidth, in Mint and in MCCL."""
     from motionlang.lang.gains import spoken
     from motionlang.servo.gains import mccl_values, mint_values
     from motionlang.servo.response import step_figures, step_response
@@ -205,7 +205,7 @@ def tune(args: argparse.Namespace) -> int:
 
 
 def figure(args: argparse.Namespace) -> int:
-    """Print the figures of chapter 12 in numbers, and draw them."""
+    """Print the values of chapter 12's figures, and draw them."""
     from motionlang.views.chapter12 import FIGURES, figure_lines
 
     if args.format == "json":
@@ -222,7 +222,7 @@ def figure(args: argparse.Namespace) -> int:
 
 
 def listing(args: argparse.Namespace) -> int:
-    """Run chapter 12's C program on its own drive."""
+    """Run chapter 12's C program on the drive that the book gives."""
     from motionlang.notes.chapter12 import NOTES, Settings, run_listing
     from motionlang.views import servo as view
 
@@ -255,7 +255,7 @@ def listing(args: argparse.Namespace) -> int:
 def run(args: argparse.Namespace) -> int:
     """Run a program on its machine and show the motor data.
 
-    The motors are the machine's own, or those of the options.
+    The motors are those of the machine file or of the options.
     """
     from motionlang import run as run_program
     from motionlang.log.history import servo_trace
@@ -341,7 +341,7 @@ def _slip_json(found: Slip) -> dict[str, object]:
 
 
 def _plain(value: object, *without: str) -> dict[str, object]:
-    """Return the fields of a dataclass; values without a number in JSON are null."""
+    """Return the fields of a dataclass; values that JSON cannot represent are null."""
     from dataclasses import fields
 
     found: dict[str, object] = {}

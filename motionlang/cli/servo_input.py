@@ -1,6 +1,6 @@
-"""The loop and the plant of a `servo` command, from its various sources.
+"""The loop and the motor of a `servo` command, from its various sources.
 
-They are a machine file, single values, and a language's gains.
+The sources are a machine file, single values, and the gains of a language.
 """
 
 from __future__ import annotations
@@ -71,12 +71,12 @@ def add_loop(parser: argparse.ArgumentParser) -> None:
 
 
 def gains_of(language: str) -> dict[str, str]:
-    """The gain keywords of a language, and the quantity of the loop that each sets."""
+    """Return the gain keywords of a language, and the loop quantity that each sets."""
     return gain_words(language, dialect(language).table())
 
 
 def plant_of(args: argparse.Namespace) -> Motor | Drive:
-    """Return the motor that the options describe; ValueError names an invalid one."""
+    """Return the motor that the options describe; ValueError names an invalid option."""
     options = pairs(args.plant, PLANT)
     example = {} if options.get("kind") == "drive" else EXAMPLE
     return make_plant((_section(args, "plant") or example) | options)
@@ -85,8 +85,8 @@ def plant_of(args: argparse.Namespace) -> Motor | Drive:
 def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) -> Loop:
     """Return the loop that the options describe.
 
-    Without any gain it is a loop tuned for the plant, without feed-forward. `scale` is counts per user unit,
-    which MCCL's feed-forward gains are written in.
+    If no gain is given, the loop is tuned for the plant, without feed-forward. `scale` is in counts per user unit,
+    the unit of MCCL's feed-forward gains.
     """
     from dataclasses import replace
 
@@ -112,7 +112,8 @@ def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) 
 def machine_of(args: argparse.Namespace) -> dict[str, object] | None:
     """Return the settings of --machine, or of the machine file next to the program.
 
-    They have no motors if options describe one. None if there is no file. ValueError names an invalid entry.
+    Its motors are omitted if options describe one. Returns None if there is no file. ValueError names an invalid
+    entry.
     """
     from motionlang.errors import ProgramError
     from motionlang.lang.machine.file import read_machine
@@ -137,7 +138,7 @@ def _first(path: str, error: ProgramError) -> ValueError:
 
 
 def pairs(texts: list[str], keys: Mapping[str, Key]) -> dict[str, object]:
-    """Return NAME=VALUE texts as values of the types of the keys."""
+    """Parse NAME=VALUE texts by the types of the keys."""
     found: dict[str, object] = {}
     for text in texts:
         name, equals, value = text.partition("=")
@@ -148,7 +149,7 @@ def pairs(texts: list[str], keys: Mapping[str, Key]) -> dict[str, object]:
 
 
 def numbers(texts: list[str]) -> dict[str, float]:
-    """Return KEYWORD=VALUE texts as numbers by upper-case keyword."""
+    """Parse KEYWORD=VALUE texts; return numbers by upper-case keyword."""
     found: dict[str, float] = {}
     for text in texts:
         word, equals, value = text.partition("=")
@@ -179,9 +180,9 @@ def _machine_path(args: argparse.Namespace) -> str | None:
 
 
 def _section(args: argparse.Namespace, name: str) -> dict[str, object]:
-    """`[axis.N.plant]` or `[axis.N.servo]` of the machine file; empty without one.
+    """Return `[axis.N.plant]` or `[axis.N.servo]` of the machine file, or nothing.
 
-    The file may be next to a program.
+    The file may be the one next to the program.
     """
     path = _machine_path(args)
     if path is None:

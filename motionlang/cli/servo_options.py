@@ -127,7 +127,7 @@ def figure_options(parser: argparse.ArgumentParser) -> None:
 
 
 def listing_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options of `servo listing`, all per update as in the listing itself."""
+    """Add the options of `servo listing`; values are per update, as in the listing."""
     add = parser.add_argument
     add("--distance", type=_count, default=20_000, metavar="D", help="counts (20000)")
     add("--speed", type=_count, default=50, metavar="V", help="MxVel, counts per update (50)")

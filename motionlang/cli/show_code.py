@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def show_code(options: Options, source: Source, settings: dict[str, object]) -> int:
-    """Print the listing and return the exit status, 1 if the program has an error."""
+    """Print the listing; return the exit status, 1 if the program has an error."""
     language = dialect_for(source, options.dialect)
     try:
         source, overrides, _ = edited(source, language, options.overrides)

@@ -1,4 +1,4 @@
-"""Ctrl-C, SIGTERM and SIGHUP as the end of a command, with complete output.
+"""Ctrl-C, SIGTERM and SIGHUP end a command, with complete output.
 
 Results computed so far are reported.
 """
@@ -26,8 +26,8 @@ AGAIN = 1e-3
 class Signals:
     """`with SIGNALS:` turns a signal into KeyboardInterrupt or `Terminated`.
 
-    It is raised at once or at the end of a held block. A signal that our parent has disabled, like `nohup`,
-    stays disabled.
+    The exception is raised at once, or at the end of a deferring block. A signal that the parent process has
+    disabled, as `nohup` does, stays disabled.
     """
 
     __slots__ = ("_asked", "_before", "_held", "_hook", "_lost", "_pending", "_since")
@@ -63,7 +63,7 @@ class Signals:
 
     @property
     def status(self) -> int:
-        """The exit status after the last signal raised, by default that of Ctrl-C."""
+        """The exit status after the last signal raised; that of Ctrl-C if there was none."""
         return 128 + (self._asked or signal.SIGINT)
 
     @property
@@ -95,7 +95,7 @@ class Signals:
         self._held += 1
 
     def _unraisable(self, lost: Any) -> None:
-        """Send a signal again whose exception Python dropped, as in an import callback."""
+        """Repeat a signal whose exception Python dropped, such as in an import callback."""
         if not isinstance(lost.exc_value, KeyboardInterrupt | Terminated) or not hasattr(signal, "setitimer"):
             self._hook(lost)
             return
@@ -126,12 +126,12 @@ class Held:
 
 
 def status_of(error: BaseException) -> int:
-    """Return the exit status after a signal: 128 and its number, like in shells."""
+    """Return the exit status after a signal: 128 plus its number, like in shells."""
     return 128 + (error.number if isinstance(error, Terminated) else signal.SIGINT)
 
 
 def error_of(number: int) -> BaseException:
-    """Return the exception of a signal."""
+    """Return the exception for a signal number."""
     return KeyboardInterrupt() if number == signal.SIGINT else Terminated(number)
 
 

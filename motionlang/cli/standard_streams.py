@@ -8,7 +8,7 @@ from io import BufferedWriter, FileIO, TextIOWrapper
 
 
 def prepare() -> None:
-    """Prepare the three streams of this process; streams in memory, as in tests, stay."""
+    """Prepare the three streams of this process, except those in memory, as in tests."""
     _open_closed()
     _write_whole()
     for stream in (sys.stdout, sys.stderr):
@@ -19,9 +19,9 @@ def prepare() -> None:
 
 
 def silence() -> None:
-    """Discard the rest of standard output, whose reader has gone.
+    """Discard further standard output after its reader has closed the pipe.
 
-    Python's last flush would report it.
+    Python's last flush would report an error.
     """
     try:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -30,10 +30,10 @@ def silence() -> None:
 
 
 class CompleteWriter(FileIO):
-    """A file descriptor with complete writes: an interrupted one continues.
+    """A file descriptor whose writes are complete: an interrupted write continues.
 
-    Python's own text layer takes an interrupted write for a complete one if there is no buffer below it, and
-    loses the rest.
+    Without a buffer below it, Python's own text layer takes an interrupted write for a complete one and loses the
+    rest.
     """
 
     def write(self, data: bytes) -> int:  # type: ignore[override]
@@ -49,9 +49,9 @@ class CompleteWriter(FileIO):
 
 
 class Dispensable(CompleteWriter):
-    """A descriptor whose write errors are ignored: they lose only the text.
+    """A descriptor whose write errors are ignored, so that only the text is lost.
 
-    Such errors are a full disk and a reader that has gone.
+    Such errors are a full disk and a closed pipe.
     """
 
     def write(self, data: bytes) -> int:  # type: ignore[override]
@@ -64,7 +64,8 @@ class Dispensable(CompleteWriter):
 def _open_closed() -> None:
     """Replace a stream that was closed at the start with the null device.
 
-    Like in Python's own streams the descriptor stays open after the object: `-X dev` reports any other.
+    As in Python's own streams, the descriptor stays open when the object is deleted. With any other descriptor
+    `-X dev` reports an unclosed file.
     """
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
         if getattr(sys, name) is None:
@@ -73,9 +74,9 @@ def _open_closed() -> None:
 
 
 def _write_whole() -> None:
-    """Make writes complete without a buffer, and on standard error, ignoring errors.
+    """Make unbuffered writes complete, and ignore errors on standard error.
 
-    The exit status states how the command ended, which a lost message does not change.
+    The exit status states how the command ended, and a lost message must not change it.
     """
     if type(getattr(sys.stdout, "buffer", None)) is FileIO:
         sys.stdout = _text(sys.stdout, CompleteWriter)

@@ -1,4 +1,7 @@
-"""`motionlang sweep`: a program in many variants, rows as they come, and the best."""
+"""`motionlang sweep`: run a program in many variants and show all and the best.
+
+Each row is written as soon as it is computed.
+"""
 
 from __future__ import annotations
 
@@ -70,7 +73,7 @@ def sweep_command(arguments: argparse.Namespace) -> int:
 
 
 def _wrong_files(arguments: argparse.Namespace) -> str | None:
-    """Return the error of the output files, as far as it is known beforehand."""
+    """Return the error of the output files, if it can be detected beforehand."""
     for option, path, suffixes in (("--rows-to", arguments.out, OUT), ("--plot", arguments.plot, PLOT)):
         if path is None:
             continue
@@ -87,7 +90,7 @@ def _wrong_files(arguments: argparse.Namespace) -> str | None:
 
 
 def _description(arguments: argparse.Namespace) -> Description:
-    """The options of the command line, completed by the file next to the program."""
+    """Return the options, completed by the description file next to the program."""
     beside = os.path.splitext(arguments.file)[0] + SUFFIX
     if arguments.file != STDIN and os.path.isfile(beside):
         try:
@@ -161,7 +164,7 @@ def _made(arguments: argparse.Namespace, wishes: Description) -> tuple[Sweep, Re
 
 
 def _earlier(arguments: argparse.Namespace, sweep: Sweep) -> dict[int, Result]:
-    """The rows of an earlier sweep to be resumed, by the numbers of their variants."""
+    """Return the rows of the sweep to resume, by variant number."""
     if not arguments.resume:
         return {}
     part = arguments.out + PART
@@ -174,7 +177,7 @@ def _earlier(arguments: argparse.Namespace, sweep: Sweep) -> dict[int, Result]:
 def _digest(sweep: Sweep) -> str:
     """Return the identity of a sweep: program, machine, results, and variants.
 
-    The variants count by the last of them.
+    The variants are represented by their number and by the first, middle and last of them.
     """
     count = len(sweep)
     return f"{sweep.job.digest} {count} {[sweep.space[n] for n in (0, count // 2, count - 1)]!r}"
@@ -218,7 +221,7 @@ def _run(arguments: argparse.Namespace, sweep: Sweep, report: Report, done: dict
 def _finish(
     arguments: argparse.Namespace, sweep: Sweep, report: Report, rows: dict[int, Result], journal: Journal
 ) -> int:
-    """Write --rows-to completely, and delete the journal if nothing remains."""
+    """Write --rows-to completely, and delete the journal if no variant remains."""
     from motionlang.views.sweep_files import write_rows
 
     try:

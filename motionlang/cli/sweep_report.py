@@ -29,12 +29,15 @@ _FIGURES = re.compile(r"\d[\d.e+-]*")
 
 
 class Report:
-    """The report; `keep` has the requested results, and those the expressions need."""
+    """The report of a sweep; `keep` names the results that it needs.
+
+    These are the requested results and those used in expressions.
+    """
 
     __slots__ = ("_costs", "_expressions", "keep", "names")
 
     def __init__(self, wishes: Description, names: Sequence[str], keep: Sequence[str]) -> None:
-        """Parse the expressions; ValueError for an invalid one, or an unknown name."""
+        """Parse the expressions; ValueError for an invalid one or an unknown name."""
         self.names = tuple(names)
         self._expressions, self._costs = wishes.expressions(), wishes.costs()
         needed = [name for each in (*self._expressions.values(), *self._costs) for name in each.names]
@@ -78,7 +81,7 @@ class Report:
         }
 
     def _best(self, sweep: Sweep, rows: dict[int, Result], good: list[int]) -> int | None:
-        """Return the number of the best variant; of equals the first."""
+        """Return the number of the best variant, the first of equal ones."""
         wanted = self._expressions.get("minimise") or self._expressions.get("maximise")
         if wanted is None:
             return None
@@ -211,7 +214,7 @@ class Report:
         best: int | None,
         front: list[int],
     ) -> str | None:
-        """Draw a picture that fits the varied names; return the reason if there is none."""
+        """Draw a picture that suits the varied names; return the reason if there is none."""
         from motionlang.views.sweep_plot import MAX_LINES, plot_front, plot_lines, plot_map
 
         units = {name: unit_of(name) for name in self.keep}

@@ -1,6 +1,6 @@
 """The result of `motionlang verify` for one program, scenario or sweep.
 
-It is made by any process, reported by the first.
+Any process can compute it; the first process reports it.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Verdict:
-    """`failed`, the `lines` to print, and the `diagnostics` about the file `place`.
+    """A result: `failed`, `lines` to print, and `diagnostics` about the file `path`.
 
     `kind` is "program", "scenario" or "sweep".
     """
@@ -33,9 +33,9 @@ class Verdict:
         self.source: Source | None = None
 
     def refuse(self, diagnostics: list[Diagnostic], source: Source | None = None, place: str = "") -> None:
-        """Fail because it could not run, or its golden files not be read or written.
+        """Fail because the program could not run, or golden files not be read or written.
 
-        A `source` is the one with the error.
+        `source` is the text with the error.
         """
         self.failed, self.diagnostics = True, diagnostics
         self.source, self.place = source, place or self.name

@@ -157,7 +157,7 @@ def _review_rows(program: str, verdict: Verdict) -> None:
 
 
 def _count(verdicts: Sequence[Verdict], kind: str) -> str:
-    """Return how many of a kind passed; "" if there are none."""
+    """Return how many verdicts of a kind passed, as text; "" if there are none."""
     of_kind = [each for each in verdicts if each.kind == kind]
     well = [each for each in of_kind if not each.failed]
     return f"{len(well)} of {len(of_kind)} {kind}s" if of_kind else ""

@@ -37,7 +37,7 @@ def further_checks(program: str, rewrite: bool, only: str = "") -> list[Verdict]
 
 
 def expectations(result: Run) -> list[str]:
-    """Return the unmet expectations of the machine file for a run."""
+    """Return the machine file's expectations that a run does not meet."""
     expected = result.machine.settings.get("expect", [])
     return unmet(result, expected) if expected else []  # type: ignore[arg-type]
 
@@ -45,7 +45,7 @@ def expectations(result: Run) -> list[str]:
 def _guarded(
     verdict: Verdict, work: Callable[[str, Verdict, bool], None], program: str, rewrite: bool
 ) -> Verdict:
-    """Return the verdict, also if a file cannot be read or is invalid."""
+    """Do the work and return the verdict; it fails if a file is unreadable or invalid."""
     try:
         work(program, verdict, rewrite)
     except OSError as error:
@@ -126,7 +126,7 @@ def _same(was: str, found: str) -> bool:
 
 
 def sweep_golden(path: str) -> str:
-    """Return the golden file of a sweep's rows."""
+    """Return the path of the golden file of a sweep's rows."""
     return path.removesuffix(".toml") + ".golden.csv"
 
 

@@ -1,4 +1,4 @@
-"""A log of MCAPI calls as a golden file: it must replay without a difference."""
+"""A log of MCAPI calls as a golden file: its replay must show no difference."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from motionlang.source import Source
 
 
 def verify_log(path: str) -> Verdict:
-    """Replay a log on the machine of the file next to it, or of its model."""
+    """Replay a log on the machine of the file next to it, or of the log's model."""
     from motionlang.mcapi.log import BadLog
     from motionlang.mcapi.replay import call_of, replay_file
 

@@ -1,4 +1,4 @@
-"""`motionlang` without a command: next steps, with the programs of this folder."""
+"""The output of `motionlang` without a command: next steps for this folder."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ MAX_NAMED, MAX_FILES = 3, 10_000
 
 
 def welcome(folder: str = ".") -> str:
-    """Return the text: for a folder with programs, what to do with the first of them."""
+    """Return the text; in a folder with programs it has commands for the first one."""
     found = _programs(folder)
     lines = ["motionlang runs Mint and MCCL motion programs without the controller.", ""]
     if found:
@@ -35,7 +35,7 @@ def welcome(folder: str = ".") -> str:
 
 
 def _programs(folder: str) -> list[str]:
-    """Return the programs of a folder by name; none if it cannot be read."""
+    """Return the programs of this folder by name; none if it cannot be read."""
     try:
         with os.scandir(folder) as entries:
             names = sorted(entry.name for entry, _ in zip(entries, range(MAX_FILES), strict=False))

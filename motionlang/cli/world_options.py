@@ -1,4 +1,4 @@
-"""The options that say what the world does to a program: inputs, answers and keys."""
+"""The options for what the program receives from outside: inputs, answers, keys."""
 
 from __future__ import annotations
 
@@ -47,9 +47,9 @@ def add_world(parser: argparse.ArgumentParser, side: str = "") -> None:
 
 
 def world_of(arguments: argparse.Namespace, side: str = "") -> dict[str, list[str]]:
-    """Return the values of the options by the parameters of `with_entries`.
+    """Return the values of the options as arguments of `with_entries`.
 
-    The result is empty without any such option.
+    The result is empty if none is given.
     """
     given = {each[1]: getattr(arguments, f"{each[1]}_{side}" if side else each[1]) for each in OPTIONS}
     return {parameter: texts for parameter, texts in given.items() if texts}
@@ -58,9 +58,9 @@ def world_of(arguments: argparse.Namespace, side: str = "") -> dict[str, list[st
 def with_world(
     settings: Mapping[str, object], world: Mapping[str, list[str]], file: str
 ) -> dict[str, object] | None:
-    """Return the settings with the entries of the options on top.
+    """Return the settings, overridden by the entries of the options.
 
-    None if an entry is wrong and has been reported.
+    None if an entry is wrong, which has been reported.
     """
     try:
         return with_entries(settings, **world)

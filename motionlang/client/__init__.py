@@ -1,4 +1,4 @@
-"""Clients for a PMC controller in MCCL, and for the line of a Mint controller.
+"""Clients for PMC controllers (MCCL) and for the line of a Mint controller.
 
 The controller is real, served, or virtual in this process.
 

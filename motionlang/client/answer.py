@@ -22,7 +22,7 @@ def end_of(data: bytes) -> int:
 
 
 def version_in(data: bytes) -> tuple[str, int]:
-    """Return the line before a prompt and the end of that prompt, or 0 without one.
+    """Return the line before a prompt and the end of that prompt, 0 without a prompt.
 
     An answer to ESC does not count.
     """
@@ -49,7 +49,7 @@ def code_of(line: str) -> int | None:
 
 
 def number_of(line: str) -> float | int:
-    """Return the number at the end of a report: 1234 of `01 1234`.
+    """Return the number at the end of a report, such as 1234 of `01 1234`.
 
     Raises ValueError if there is none.
     """

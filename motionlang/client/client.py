@@ -1,6 +1,6 @@
 """The client: send a line, read its answer, wait for an axis.
 
-It works alike with a real, a served and a virtual board.
+It works in the same way with a real, a served and a virtual board.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Client(Connection):
     """A connection to a board, one line at a time; not thread-safe.
 
     Opening it sends ESC, to clear any unfinished line of an earlier host, and asks for the version. `version`
-    is the board's answer, and `prompts` is true if the board has a prompt. `unasked` collects the output of
+    is the board's answer, and `prompts` is True if the board has a prompt. `unasked` collects the output of
     background tasks between two lines. Time-outs are in seconds, for a virtual board in machine seconds.
     """
 
@@ -62,7 +62,7 @@ class Client(Connection):
         step: float = 0.001,
         timeout: float = TIMEOUT,
     ) -> Self:
-        """Make a virtual board in this process.
+        """Create a virtual board in this process.
 
         `board` is a `Console`, or the settings of a machine file for a new one. Nothing takes real time. A
         line takes `step` machine seconds, or as long as it waits. Raises ValueError for an invalid setting.
@@ -85,7 +85,7 @@ class Client(Connection):
 
     @classmethod
     def open(cls, where: str, timeout: float = TIMEOUT) -> Self:
-        """Connect as `Connection.open` does; `virtual` makes a virtual board."""
+        """Connect like `Connection.open`; the address `virtual` creates a virtual board."""
         return cls.virtual(timeout=timeout) if where == "virtual" else super().open(where, timeout)
 
     # ---------------------------------------------------------------------------------------------- commands
@@ -117,7 +117,7 @@ class Client(Connection):
     def number(self, line: str, timeout: float | None = None) -> float | int:
         """Send a line and return the number in its answer, in decimal mode.
 
-        For example, `1TP` returns 1234 of `01 1234`.
+        For example, `1TP` returns 1234 for the answer `01 1234`.
         """
         answer = self.ask(line, timeout)
         try:
@@ -162,7 +162,7 @@ class Client(Connection):
         self._wait(axis, "WS", timeout)
 
     def wait_for_target(self, axis: int, timeout: float | None = None) -> None:
-        """Wait until the axis is at its target (WT), within DB for DT.
+        """Wait until the axis is at target (WT): within the dead band DB for the time DT.
 
         Raises the errors of `wait_for_stop`.
         """
@@ -239,7 +239,7 @@ class Client(Connection):
             self._rest = b""
 
     def _drain(self) -> None:
-        """Discard input until the line is silent, or for `DRAIN` seconds."""
+        """Discard input until the line is silent, at most for `DRAIN` seconds."""
         self._rest = b""
         end = self._wire.now() + DRAIN
         while self._wire.receive(QUIET) and self._wire.now() < end:

@@ -1,4 +1,4 @@
-"""The connection of a client: opened and closed alike for both languages."""
+"""The connection of a client; the same for both languages."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TIMEOUT = 5.0
 
 
 class Connection:
-    """A wire to a controller; a context manager that closes it."""
+    """A connection to a controller; a context manager that closes it."""
 
     def __init__(self, wire: Wire, timeout: float = TIMEOUT) -> None:
         self.timeout = timeout

@@ -1,4 +1,4 @@
-"""Errors between a program and a board."""
+"""Errors that a client raises."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class CommandError(ClientError):
 
 
 class FrameRejected(ClientError):
-    """A Mint controller answered an HCP frame with NAK, or with a frame that is wrong."""
+    """A Mint controller answered an HCP frame with NAK, or with an invalid frame."""
 
     def __init__(self, element: int) -> None:
         self.element = element
@@ -58,7 +58,7 @@ class NoReply(ClientError, TimeoutError):
 
 
 class ConnectionLost(ClientError, ConnectionError):
-    """There is no board at the other end, or no longer."""
+    """No board is connected, or the connection has ended."""
 
 
 class AxisFault(ClientError):

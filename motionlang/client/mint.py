@@ -1,6 +1,6 @@
 """Client for the line of a Mint controller: comms array, typed lines, download.
 
-It works alike with a real, a served and a virtual controller:
+It works in the same way with a real, a served and a virtual controller:
 
     from motionlang.client import MintClient
 
@@ -9,7 +9,7 @@ It works alike with a real, a served and a virtual controller:
         while line.read(2) != 250.0:
             pass
 
-A program prints onto the line whenever it likes. `output` collects what belongs to no answer.
+A program may print onto the line at any time. `output` collects the text that belongs to no answer.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class MintClient(Connection):
         step: float = 0.01,
         timeout: float = TIMEOUT,
     ) -> Self:
-        """Make a virtual controller in this process, with a program or none.
+        """Create a virtual controller in this process, with or without a program.
 
         Nothing takes real time. A frame or a line takes `step` machine seconds, or as long as it waits. Raises
         ProgramError if the program has errors, and ValueError for an invalid setting.
@@ -81,7 +81,7 @@ class MintClient(Connection):
     def write(self, element: int, value: float, timeout: float | None = None) -> None:
         """Write an element of the comms array.
 
-        Raises FrameRejected after NAK, and NoReply if nothing comes.
+        Raises FrameRejected after NAK, and NoReply if no answer arrives.
         """
         self._wire.send(hcp.write_frame(element, f"{value:.9g}", self.card))
         if self._await(_REPLY.search, f"element {element}", timeout) == bytes([hcp.NAK]):
@@ -112,7 +112,7 @@ class MintClient(Connection):
         return answer
 
     def break_off(self, timeout: float | None = None) -> str:
-        """End the running program (Ctrl-E); return the text of the break."""
+        """Interrupt the running program (Ctrl-E); return the text that the break prints."""
         self._wire.send(CTRL_E)
         text = self._await(_BREAK.search, "Ctrl-E", timeout).decode("latin-1")
         return text.splitlines()[0]
@@ -127,15 +127,15 @@ class MintClient(Connection):
         self._typed("", timeout)
 
     def start(self) -> None:
-        """Run the configuration and the program (RUN); `output` has what they print."""
+        """Run the configuration and the program (RUN); `output` returns what they print."""
         self._wire.send(b"RUN\r")
 
     def type(self, text: str) -> None:
-        """Send characters as they are: keys, or a line for INPUT."""
+        """Send characters unchanged: keys, or a line for INPUT."""
         self._wire.send(_encoded(text))
 
     def output(self, timeout: float = 0.0) -> str:
-        """Return the output since the last call, after waiting for more at most `timeout`."""
+        """Return the output since the last call; wait at most `timeout` seconds for more."""
         data = self._wire.receive(timeout)
         found = "".join(self._output) + _text(data)
         self._output.clear()
@@ -159,7 +159,7 @@ class MintClient(Connection):
     def _await(
         self, search: Callable[[bytes], re.Match[bytes] | None], asked: str, timeout: float | None
     ) -> bytes:
-        """Return the part of the input that is the answer; the rest is output."""
+        """Wait for the answer and return it; input outside it is output."""
         seconds = self.timeout if timeout is None else timeout
         received = self._read_until(lambda found: search(found) is not None, asked, seconds)
         match = search(received)
@@ -168,7 +168,7 @@ class MintClient(Connection):
         return match[0]
 
     def _read_until(self, enough: Callable[[bytes], bool], asked: str, seconds: float) -> bytes:
-        """Read until `enough`; raise NoReply if that does not come."""
+        """Read until `enough` returns True; raise NoReply after `seconds`."""
         end, received = self._wire.now() + seconds, b""
         while not enough(received):
             chunk = self._wire.receive(end - self._wire.now())

@@ -43,9 +43,9 @@ class Status(IntFlag):
 
     @property
     def faults(self) -> list[str]:
-        """Return the names of the errors that are set, without the general motor error.
+        """Return the names of the errors that are set, except the general motor error.
 
-        Each of these errors sets the motor error, too.
+        Each of these errors also sets the motor error.
         """
         found = self & Status(flags.FAULTS) & ~Status.MOTOR_ERROR
         return [(each.name or "").lower().replace("_", " ") for each in found]

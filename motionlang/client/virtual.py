@@ -70,7 +70,7 @@ class MintWire:
         self._owed = console.now + step
 
     def send(self, data: bytes) -> None:
-        """Send characters, after the time of those sent before."""
+        """Send characters, after the time that the previous ones take."""
         if self._owed > self.console.now:
             self.console.run(self._owed)
         self._port.feed(data)

@@ -1,6 +1,6 @@
-"""Connections to a board: TCP, and a serial line.
+"""Connections to a board: TCP and serial lines.
 
-The serial line may be the pseudo-terminal of `motionlang serve --pty`. Any object with the methods of `Wire`,
+A serial line may be the pseudo-terminal of `motionlang serve --pty`. Any object with the methods of `Wire`,
 such as a wrapper of pyserial's `Serial`, can be passed to `Client`.
 """
 
@@ -18,10 +18,10 @@ MAX_UNREAD = 65536
 
 
 class Wire(Protocol):
-    """A byte connection that a client needs, with the time, in s, of its time-outs.
+    """The byte connection that a client needs, with the clock of its time-outs.
 
-    `receive` returns the bytes that come within `timeout` seconds, or b"" if none do. `now()` is the time for
-    time-outs. `fresh` is true if no earlier data can be on the line. `send` and `receive` raise
+    `receive` returns the bytes that arrive within `timeout` seconds, or b"" if there are none. `now()` is the time
+    for time-outs, s. `fresh` is True if no earlier data can be on the line. `send` and `receive` raise
     `ConnectionLost`.
     """
 
@@ -34,7 +34,7 @@ class Wire(Protocol):
 
 
 class TcpWire:
-    """A TCP connection; raises `ConnectionLost` if nothing answers."""
+    """A TCP connection; raises `ConnectionLost` if it cannot be opened."""
 
     fresh = True
 
@@ -55,7 +55,7 @@ class TcpWire:
             raise ConnectionLost(f"the connection is gone: {_reason(error)}") from error
 
     def receive(self, timeout: float) -> bytes:
-        """Return the data that comes within `timeout` seconds, or b"".
+        """Return the data that arrives within `timeout` seconds, or b"".
 
         Raises ConnectionLost at the end of the connection.
         """
@@ -75,7 +75,7 @@ class TcpWire:
 
 
 class SerialWire:
-    """A serial line by pyserial: 8 bits, no parity, 1 stop bit, no handshake.
+    """A serial line through pyserial: 8 bits, no parity, 1 stop bit, no handshake.
 
     `path` is a device, a COM port, or a URL of pyserial such as `socket://host:port`. Raises `ConnectionLost`
     if the device or pyserial (the extra `serial`) is missing, and ValueError for an unsupported baud rate.
@@ -112,7 +112,7 @@ class SerialWire:
             raise ConnectionLost(f"the device is gone: {_reason(error)}") from error
 
     def receive(self, timeout: float) -> bytes:
-        """Return the data that comes within `timeout` seconds, or b"".
+        """Return the data that arrives within `timeout` seconds, or b"".
 
         Raises ConnectionLost at the end of the connection.
         """

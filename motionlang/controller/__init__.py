@@ -44,9 +44,9 @@ if TYPE_CHECKING:
 
 
 def lazy_family(family: str, *modules: str) -> Callable[[str], ModuleType]:
-    """Return a `__getattr__` for a family that imports its modules on first use.
+    """Return a `__getattr__` for a package that imports its modules on first use.
 
-    The family is a package. From then on the module is an attribute of it, like every imported module.
+    `family` is the name of the package. After its import a module is an attribute of the package, as usual.
     """
 
     def opened(name: str) -> ModuleType:

@@ -1,8 +1,8 @@
-"""The points at which a component of the engine may be replaced by a faster one.
+"""The points at which a component of the engine can be replaced by a faster one.
 
-The engine is complete without accelerators, and every accelerator gives the same result.
-`motionlang.execution` reads the switch (`MOTIONLANG_FAST`, `fast=`) and passes them to a machine; no other
-module knows which ones exist.
+The engine is complete without accelerators, and gives the same results with them. `motionlang.execution`
+reads the switch (`MOTIONLANG_FAST`, `fast=`) and passes the accelerators to a machine; no other module
+knows which ones exist.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ if TYPE_CHECKING:
 
 
 class Accelerators:
-    """The accelerators of a machine, by the component that each replaces.
+    """The accelerators of a machine, named after the components that they replace.
 
-    None selects the component of the engine.
+    None selects the engine's own component.
 
-    * `axes(numbers)`: the axes of a controller
-    * `scheduler(…)`: the scheduler of a run, called like `Scheduler`
-    * `ranges(function)`: the variables of a Mint function whose ranges are known, and the ranges by node
-    * `counted(counters, steps, levels)`: how many iterations of a loop with counters may be skipped
-    * `registers(task)`: what knows the registers that the loops of an MCCL task count
-    * `rounds(board)`: what skips rounds of several MCCL tasks, by its method `jumped(task)`
-    * `servo(loop, plant, track, …)`: the simulated servo of an axis, called like `SpeculativeServo`
-    * `switches(environment)`: what skips iterations of a Mint loop that switch outputs, by its method `skip`
-    * `ticks(events)`: what runs the ticks of a Mint program's timer while all tasks wait, by its method `run`
+    * `axes(numbers)`: creates the axes of a controller
+    * `scheduler(…)`: creates the scheduler of a run, called like `Scheduler`
+    * `ranges(function)`: returns the variables of a Mint function with known ranges, and the ranges by node
+    * `counted(counters, steps, levels)`: returns how many iterations of a loop with counters can be skipped
+    * `registers(task)`: creates the object that knows the registers that the loops of an MCCL task count
+    * `rounds(board)`: creates the object that skips rounds of several MCCL tasks, by its method `jumped(task)`
+    * `servo(loop, plant, track, …)`: creates the simulated servo of an axis, called like `SpeculativeServo`
+    * `switches(environment)`: creates the object that skips iterations of a Mint loop that switch outputs, by its
+      method `skip`
     """
 
     __slots__ = (

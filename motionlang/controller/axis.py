@@ -183,7 +183,7 @@ class Axis:
 
     @property
     def entries(self) -> tuple[Move, ...]:
-        """The log entries that may still change, oldest first: several during a blend."""
+        """The log entries that may still change, oldest first; several during a blend."""
         move = self.move
         if move is None or move.action is None:
             return () if move is None else (move,)
@@ -191,11 +191,11 @@ class Axis:
 
     @property
     def moves(self) -> bool:
-        """True if a move is in progress, for callers that need no more."""
+        """True if a move is in progress."""
         return self.move is not None
 
     def put_on(self, start: float, profile: Profile) -> None:
-        """Begin the track with a profile."""
+        """Make `profile`, begun at `start`, the only one of the track."""
         self.starts[:], self.profiles[:], self.present = [start], [profile], profile
 
     def idle_reader(self) -> Callable[[], bool]:
@@ -206,18 +206,18 @@ class Axis:
     # `fast/moves.py`
 
     def loader(self, controller: Core, relative: bool, command: str) -> Loader:
-        """Return a fast loader of moves to a position or by a distance, user units.
+        """Return a fast function that loads moves to a position or by a distance.
 
-        It takes the position and a line, and returns false if it cannot load the move.
+        It takes the position or distance in user units, and a line. It returns false if it cannot load the move.
         """
         return lambda value, line: False
 
     def start_loaded(self, controller: Core) -> bool:
-        """Start the move of `loader`; false if there is none."""
+        """Start the move that `loader` has loaded; false if there is none."""
         return False
 
     def start_at_once(self, controller: Core, target: float, command: str, line: int) -> bool:
-        """Start a move to a target, counts; false if it must be a `Move`."""
+        """Start a move to `target`, counts, without a `Move`; false if it needs one."""
         return False
 
     def finish_updates(self, now: float) -> None:
@@ -241,12 +241,12 @@ class Axis:
     def cross(self, now: float, position: float) -> None:
         """Record that the axis is exactly at `position` now.
 
-        The time of a crossing is rounded, and so is the profile's position at that time.
+        The time of a crossing is rounded, so the profile's position at that time is inexact.
         """
         self.watches.crossed = now, position, self.profiles[-1]
 
     def here(self, now: float) -> float:
-        """The commanded position now: exactly that of a watch being crossed, if any."""
+        """Return the commanded position now, exact if the axis is just crossing a watch."""
         crossed = self.watches.crossed
         if crossed is not None and crossed[0] == now and crossed[2] is self.profiles[-1]:
             return crossed[1]
@@ -282,26 +282,26 @@ class Axis:
         return starts[bisect_right(starts, time)]
 
     def end_of_motion(self) -> float:
-        """Return the end time of the present profile: infinite while jogging."""
+        """Return the end time of the present profile; infinite while jogging."""
         last = self.profiles[-1]
         return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
 
     def end_of_move(self) -> float:
-        """Return the time at which it will be idle if nothing else happens; -1 if it is."""
+        """Return when the axis will be idle if nothing else happens; -1 if it is now."""
         return -1.0 if self.move is None else self.end_of_motion()
 
     @property
     def is_at_standstill(self) -> bool:
-        """True if it is idle, or in a motion that rests unless another axis moves.
+        """True if the axis is idle, or at rest until another axis moves.
 
-        Following is such a motion.
+        The latter is the case while it follows a master at rest.
         """
         move = self.move
         return move is None or (move.action is not None and move.action.resting)
 
     @property
     def suspended(self) -> bool:
-        """True if there is a reason for it to stop and keep its moves."""
+        """True if the axis has a reason for suspension: it stops and keeps its moves."""
         return self.held != 0
 
     @property
@@ -311,13 +311,13 @@ class Axis:
 
     @property
     def limited(self) -> bool:
-        """True if the speed or rates of moves are limited."""
+        """True if the axis limits the speed or the rates of its moves."""
         return not self.max_speed == self.max_accel == self.max_decel == INFINITY
 
     def rates(self, speed: float) -> tuple[float, float]:
         """Return acceleration and deceleration in force, counts/s².
 
-        A time gives the rate `speed` over time.
+        If a ramp time is set, the rate is `speed` divided by that time.
         """
         accel = self.accel if self.accel_time is None else speed / self.accel_time
         decel = self.decel if self.decel_time is None else speed / self.decel_time
@@ -327,7 +327,7 @@ class Axis:
     def accel_jerk(self) -> float:
         """The jerk in force while speeding up, counts/s³.
 
-        A jerk time gives the acceleration over that time.
+        If a jerk time is set, the jerk is the acceleration divided by that time.
         """
         return self._jerk(self._accel_jerk, self.accel_jerk_time, 0)
 

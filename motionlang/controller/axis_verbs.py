@@ -1,7 +1,7 @@
 """The verbs of single axes: settings, switches, loading and starting moves, stops.
 
-A language loads a move (`load_to`, `load_by`) and starts it (`go`), or does both at once (`move_to`,
-`move_by`, which are in `core`, with the life cycle of a move).
+A language loads a move (`load_to`, `load_by`) and starts it (`go`), or does both at once (`move_to` and
+`move_by`, which are in `core`, together with the life cycle of a move).
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ class AxisVerbs(Core):
     # ------------------------------------------------------------------------------------------- settings
 
     def configure(self, axis: int, name: str, value: object) -> None:
-        """Set one of `SETTINGS`; a rate and its time replace each other."""
+        """Set one of `SETTINGS`; a rate replaces its ramp time, and vice versa."""
         assert name in SETTINGS, name
         a = self.axes[axis]
         if a.move is not None and name in LIVE and motion.feedrate.unchanged(a, name, value):
@@ -85,13 +85,13 @@ class AxisVerbs(Core):
                 self.orders.heed(a)
 
     def restore(self, axis: int) -> None:
-        """Reset all `SETTINGS` of an axis at rest to those at power-up."""
+        """Reset all `SETTINGS` of an axis at rest to their values at power-up."""
         new = Axis(axis)
         for name in sorted(SETTINGS):
             self.configure(axis, name, getattr(new, name))
 
     def setting(self, axis: int, name: str) -> float | str | None:
-        """Return one of `SETTINGS`."""
+        """Return the value of one of `SETTINGS`."""
         value: float | str | None = getattr(self.axes[axis], name)
         return value
 
@@ -101,20 +101,20 @@ class AxisVerbs(Core):
         self.tell("scale", axis)
 
     def set_units(self, axis: int, speed: float | None, acceleration: float | None) -> None:
-        """Set the counts in the units of speed and of acceleration.
+        """Set the units of speed and of acceleration, each as a number of counts.
 
         None selects the unit of positions.
         """
         self.axes[axis].scale.set_units(speed, acceleration)
 
     def set_time_unit(self, axis: int, seconds: float) -> None:
-        """Set the seconds in the unit of time."""
+        """Set the unit of time, as a number of seconds."""
         self.axes[axis].scale.set_rate(seconds)
 
     def lend_rates(self, axis: int, accel: float | None, decel: float | None) -> dict[str, float | None]:
-        """Override the rates of the axis and return its own, for `return_rates`.
+        """Override the rates of the axis and return the replaced ones for `return_rates`.
 
-        None leaves a rate in force.
+        None does not override a rate.
         """
         a = self.axes[axis]
         own: dict[str, float | None] = {}
@@ -126,7 +126,7 @@ class AxisVerbs(Core):
         return own
 
     def return_rates(self, axis: int, own: Mapping[str, float | None]) -> None:
-        """Restore the axis's own rates for motion that begins from now on."""
+        """Restore the rates that `lend_rates` returned, for motion that begins later."""
         for name, value in own.items():
             setattr(self.axes[axis], name, value)
 
@@ -138,7 +138,7 @@ class AxisVerbs(Core):
         self.tell("home", axis)
 
     def set_limit_action(self, axis: int, bit: int, action: str) -> None:
-        """Set the action of an axis at its limits with the fault `bit`."""
+        """Set the action of those limits of an axis that raise the fault `bit`."""
         for limit in self.axes[axis].limits:
             if limit.bit == bit:
                 limit.action = action
@@ -148,7 +148,7 @@ class AxisVerbs(Core):
         self.axes[axis].locks = faults
 
     def set_brake(self, axis: int, on: bool) -> None:
-        """Set or release the brake of an axis without the knowledge of its drive."""
+        """Apply or release the brake of an axis without informing its drive."""
         (self.braked.add if on else self.braked.discard)(axis)
 
     # ---------------------------------------------------------------------------------------- on and off
@@ -174,7 +174,7 @@ class AxisVerbs(Core):
     def disable(self, axis: int) -> None:
         """Disable an axis.
 
-        Its commanded position stays, and so does the axis unless a simulated motor coasts.
+        Its commanded position stays, and so does the axis itself unless a simulated motor coasts.
         """
         a = self.axes[axis]
         self.freeze(a, "fault" if a.faults else "cancel")
@@ -213,7 +213,7 @@ class AxisVerbs(Core):
     # -------------------------------------------------------------------------------------------- moving
 
     def room(self, axis: int) -> int:
-        """Return how many more moves fit in the buffer, without the one being executed."""
+        """Return how many more moves fit into the buffer; the present move is not in it."""
         a = self.axes[axis]
         return a.buffer_size - len(a.buffer)
 
@@ -232,11 +232,14 @@ class AxisVerbs(Core):
         moves.buffer.put_action(self.movable(axis), moves.buffer.Dwell(duration), command, line)
 
     def load_output(self, axis: int, values: Mapping[int, float], command: str = "", line: int = 0) -> None:
-        """Put a change of outputs, channel to value, into the buffer; it takes no time."""
+        """Load a change of outputs into the buffer; it takes no time.
+
+        `values` maps channels to their new values.
+        """
         moves.buffer.put_action(self.movable(axis), moves.buffer.Outputs(dict(values)), command, line)
 
     def load_pulse(self, axis: int, channel: int, duration: float, command: str = "", line: int = 0) -> None:
-        """Load a pulse of an output, `duration` seconds; later entries do not wait for it."""
+        """Load a pulse of an output for `duration` seconds; later entries do not wait."""
         moves.buffer.put_action(self.movable(axis), moves.buffer.Pulse(channel, duration), command, line)
 
     def go(self, axes: Iterable[int]) -> None:
@@ -269,7 +272,7 @@ class AxisVerbs(Core):
         moves.buffer.keep_ends(a, position - before)
 
     def retarget_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
-        """Shift the end of the move in progress by `distance`, or start one at rest."""
+        """Shift the end of the move in progress by `distance`; at rest start a move."""
         self.retarget_to(axis, self.movable(axis).target + distance, command, line)
 
     def jog(
@@ -283,7 +286,7 @@ class AxisVerbs(Core):
     ) -> None:
         """Ramp to `velocity`, counts/s, and keep it.
 
-        With `ends` a jog to 0 is over when the axis is at rest.
+        With `ends`, a jog to velocity 0 is over when the axis is at rest.
         """
         from motionlang.controller.motion.jog import jog
 
@@ -304,9 +307,9 @@ class AxisVerbs(Core):
     ) -> None:
         """Play a profile that begins at the axis's position.
 
-        With `on_path` a stop stays on it.
-        A `step`, counts/s, is the velocity at which a stepper starts and stops at once, with the axis's rates
-        in between. `action` handles a stop if the caller has several axes on one profile.
+        With `on_path`, a stop comes to rest on the profile. `step` is the velocity, counts/s, at which a stepper
+        starts and stops abruptly; above it the rates of the axis apply. `action` handles a stop if the caller has
+        several axes on one profile.
         """
         from motionlang.controller.motion.profile_playback import Playback
 
@@ -350,13 +353,13 @@ class AxisVerbs(Core):
                 self.start_next(each)
 
     def come_to_rest(self, axis: int, ended: str = "") -> None:
-        """Decelerate to rest at the set rate and keep the buffer, which runs next."""
+        """Decelerate to rest at the set rate; the move buffer stays and runs next."""
         if ended and self.orders is not None:
             self.orders.stop(self.axes[axis], ended)
         motion.halt.stop(self, self.axes[axis], ended)
 
     def suspend(self, axis: int, reason: int = BY_WORD) -> None:
-        """Ramp to rest and keep the moves until `resume` has removed every reason."""
+        """Ramp to rest and keep the moves until every reason has been removed by `resume`."""
         motion.halt.suspend(self, self.axes[axis], reason)
         if self.orders is not None:
             self.orders.heed(self.axes[axis])
@@ -375,7 +378,7 @@ class AxisVerbs(Core):
         return self.axes[axis].suspended
 
     def abort(self, axis: int, ended: str = "cancel") -> None:
-        """Come to rest at once and empty the move buffer."""
+        """Halt at once, without a ramp, and empty the move buffer."""
         a = self.axes[axis]
         if ended == "cancel":
             triggers.events.stopped(self, a, ended)
@@ -385,7 +388,7 @@ class AxisVerbs(Core):
     def fault(self, axis: int, bit: int, action: str) -> None:
         """Raise a fault on an axis and take `action` (one of `conditions.ACTIONS`).
 
-        The action is taken each time. A fault that is still pending is no new error.
+        The action is taken each time; a fault that is still pending does not count as a new error.
         """
         a = self.axes[axis]
         is_new = not a.faults & bit

@@ -1,7 +1,7 @@
 """Virtual time: a heap of events, and `now`.
 
-Time passes if the program spends it (a statement has a duration), or if all tasks wait and the clock jumps to
-the next event. Both end in `advance`, so an event always runs at its exact time.
+Time passes when the program spends it (a statement has a duration), or when all tasks wait and the clock
+jumps to the next event. Both end in `advance`, so an event always runs at its exact time.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ class Event:
 
 
 class Clock:
-    """`now` in seconds since power-up, and `horizon`, the time of the next event.
+    """Virtual time: `now` since power-up, and `horizon`, the time of the next event.
 
-    `horizon` is infinite if there is no event. `made` and `fired` count the events that were entered and
-    those that have run, `leaps` the jumps over periodic execution.
+    Both are in s; `horizon` is infinite if there is no event. `made` and `fired` count the events that were
+    scheduled and those that have run. `leaps` counts the jumps over periodic execution.
     """
 
     __slots__ = ("_heap", "_kept", "fired", "horizon", "leaps", "made", "now")
@@ -57,7 +57,7 @@ class Clock:
         return event
 
     def again(self, event: Event, time: float) -> None:
-        """Schedule an event that has run once more."""
+        """Schedule an event that has already run for another time."""
         event.time = time
         self.made = made = self.made + 1
         heappush(self._heap, (time, made + self._kept, event))
@@ -74,7 +74,7 @@ class Clock:
         return first
 
     def at_reserved(self, time: float, order: int, call: Callable[[], object]) -> Event:
-        """Schedule a call like `at`, with a reserved order number."""
+        """Schedule a call like `at`, but with a reserved order number."""
         event = Event(time, call)
         heappush(self._heap, (time, order, event))
         if time < self.horizon:
@@ -107,9 +107,9 @@ class Clock:
         self.horizon = heap[0][0] if heap else INFINITY
 
     def advance_to_news(self, end: float) -> bool:
-        """Advance like `advance`, but only to the first event that wakes a task.
+        """Advance like `advance`, but no further than the first event that wakes a task.
 
-        True if there is none.
+        True if no event woke a task.
         """
         heap, time, quiet = self._heap, end, True
         while heap and heap[0][0] <= time:
@@ -129,11 +129,17 @@ class Clock:
         return quiet
 
     def second_time(self) -> float:
-        """Return the time of the event after the next one, which may have been cancelled."""
+        """Return the time of the second event in the queue, which may be a cancelled one.
+
+        It is infinite if there is none.
+        """
         return min(self._heap[1:3])[0] if len(self._heap) > 1 else INFINITY
 
     def reach(self, event: Event) -> bool:
-        """Advance to `event` without its call; False if it is not alone and next."""
+        """Advance to `event` and remove it without calling it.
+
+        False, without effect, unless it is the next event and the only one at its time.
+        """
         heap = self._heap
         time, _, first = heap[0]
         if first is not event or self.second_time() <= time:
@@ -145,9 +151,9 @@ class Clock:
         return True
 
     def ring(self, moment: float) -> bool:
-        """Advance to the next event if it is at `moment`.
+        """Advance to `moment` and run its events, if the next event is at that time.
 
-        False if it is not, or if it woke a task.
+        False if it is not, or if an event woke a task.
         """
         if self.horizon != moment and self.next_time() != moment:
             return False

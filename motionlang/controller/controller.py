@@ -1,8 +1,8 @@
-"""The virtual controller: every command that a language may give it.
+"""The virtual controller, with every command that a language may give it.
 
-The verbs of single axes are in `AxisVerbs`, those that only read in `Readings`. Those of several axes at
-once, and of functions alongside motion, are here. Each delegates to the module of its family, which is
-imported when first needed.
+The verbs of single axes are in `AxisVerbs`, the verbs that only read are in `Readings`. The verbs of several
+axes at once, and of functions alongside motion, are here. Each delegates to the module of its family, which
+is imported when first needed.
 """
 
 from __future__ import annotations
@@ -54,10 +54,10 @@ class Controller(AxisVerbs):
     # ----------------------------------------------------------------------------------- bound to an axis
 
     def reader(self, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER) -> Reader:
-        """Return a reader of a setting or an axis verb, for repeated use, in `unit`.
+        """Return a reader of a setting or of a verb of an axis, for repeated use.
 
-        "place" is the unit of positions, "" that of counts and of quantities without a unit. `subscriber` is
-        notified of each reading.
+        It returns values in `unit`: "place" is the unit of positions, "" means counts or a quantity without a unit.
+        `subscriber` is notified of each reading.
         """
         return readers.reader(self, name, axis, unit, subscriber)
 
@@ -66,9 +66,9 @@ class Controller(AxisVerbs):
         return readers.writer(self, name, axis, unit)
 
     def loader(self, axis: int, relative: bool, command: str) -> Loader:
-        """Return a fast loader of moves to a position or by a distance, user units.
+        """Return a fast function that loads moves to a position or by a distance.
 
-        It takes the position and a line, and returns false if it cannot load the move.
+        It takes the position or distance in user units, and a line. It returns false if it cannot load the move.
         """
         return self.axes[axis].loader(self, relative, command)
 
@@ -101,9 +101,9 @@ class Controller(AxisVerbs):
         self.fault_handler = handles
 
     def add_limit(self, axis: int, sign: int, bit: int, action: str, physical: bool = False) -> Limit:
-        """Add a limit of an axis at the end `sign` of its travel, without a position yet.
+        """Add a limit of an axis at the end `sign` of its travel, with no position yet.
 
-        `bit` is its fault.
+        `bit` is the fault that it raises.
         """
         from motionlang.controller.triggers.limit import Limit
 
@@ -114,7 +114,7 @@ class Controller(AxisVerbs):
     def forget_history(self, most: int) -> None:
         """Drop all but about the last `most` log records of each kind.
 
-        Ten times as many profiles stay.
+        Ten times as many profiles are retained.
         """
         self.log.forget(most, self.axes.values())
 
@@ -146,7 +146,7 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Load an arc by `angle` degrees, or a helix if further axes go to `rest`."""
+        """Load an arc by `angle` degrees, or a helix if further axes move to `rest`."""
         from motionlang.controller.moves import path
 
         path.load_arc(self, axes, centre, angle, rest, relative, command, line)
@@ -159,13 +159,13 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Load a path whose pace and joins are set by its guide."""
+        """Load a path whose speed, rates and joins are set by its policy."""
         from motionlang.controller.moves import path
 
         path.load_guided(self, axes, geometry, policy, command, line)
 
     def replan_path(self, axis: int) -> None:
-        """Continue on the present path of the axis at the pace that its guide gives now."""
+        """Replan the present path of the axis with the present pace of its policy."""
         from motionlang.controller.moves.path import run_of
 
         run = run_of(self.axes[axis])
@@ -207,16 +207,16 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Ramp to a speed reference, counts/s, by `slopes`, up and down.
+        """Ramp to a speed reference, counts/s, with `slopes` for speeding up and down.
 
-        An error brakes at `error_rate`.
+        An error brakes the axis at `error_rate`.
         """
         from motionlang.controller.motion.reference import refer_speed
 
         refer_speed(self, self.movable(axis), velocity, slopes, error_rate, command, line)
 
     def refer_position(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Follow a position reference: reach it within a period of the profiler."""
+        """Follow a position reference, reached within one period of the profiler."""
         from motionlang.controller.motion.reference import refer_position
 
         refer_position(self, self.movable(axis), position, command, line)
@@ -243,7 +243,7 @@ class Controller(AxisVerbs):
     ) -> None:
         """Follow a master, an axis or an encoder channel, at `ratio` counts per count.
 
-        With `ramp` it does not start at once.
+        With `ramp` the slave first ramps to the velocity of the master times `ratio`.
         """
         from motionlang.controller.motion.follow import gear
 
@@ -283,7 +283,10 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Follow a table of `values` over a master's `places`, both in counts, from here."""
+        """Follow a table from here: `values` of the slave over a master's `positions`.
+
+        Both are in counts.
+        """
         from motionlang.controller.moves.cam import start_cam
 
         start_cam(
@@ -302,7 +305,7 @@ class Controller(AxisVerbs):
         )
 
     def cam_index(self, axis: int) -> int:
-        """Return the present segment of the table of a cam; -1 if there is no cam."""
+        """Return the segment of the cam table that the axis is in; -1 if there is no cam."""
         from motionlang.controller.moves.cam import Cam
 
         move = self.axes[axis].move
@@ -332,7 +335,7 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Add a distance on top of following, in a mode of OFFSETMODE; at rest move by it."""
+        """Superpose a distance on following, in a mode of OFFSETMODE; at rest move by it."""
         from motionlang.controller.motion.offset import offset
 
         offset(self, self.movable(axis), distance, mode, over, command, line)
@@ -348,7 +351,7 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Load a cam; `table` gives its points for the slave's position, in every cycle."""
+        """Load a cam; for every cycle `table` returns its points for the slave's position."""
         from motionlang.controller.moves.entries import load_cam
 
         load_cam(self, self.movable(axis), self._master(master, encoder), table, cyclic, first, command, line)
@@ -362,7 +365,7 @@ class Controller(AxisVerbs):
         command: str = "",
         line: int = 0,
     ) -> None:
-        """Load an offset on top of following; GO starts it while the axis follows."""
+        """Load an offset to be superposed on following; GO starts it during following."""
         from motionlang.controller.moves.entries import load_offset
 
         load_offset(self, self.movable(axis), distance, mode, over, command, line)
@@ -370,23 +373,23 @@ class Controller(AxisVerbs):
     def load_points(
         self, axis: int, make: Make, again: Make | None = None, command: str = "", line: int = 0
     ) -> None:
-        """Load timed points, made from the position of the axis then.
+        """Load timed points, which `make` returns for the axis's position at their start.
 
-        `again` makes further points, for ever.
+        `again` returns further points each time, endlessly.
         """
         from motionlang.controller.moves.entries import load_points
 
         load_points(self, self.movable(axis), make, again, command, line)
 
     def offset_remaining(self, axis: int) -> float:
-        """The remaining distance of a slave's offset or another axis's move, counts."""
+        """The remaining distance, counts, of a slave's offset or of another axis's move."""
         from motionlang.controller.motion.follow import tie_of
 
         tie = tie_of(self.axes[axis])
         return tie.offset_left()[0] if tie is not None else self.remaining(axis)
 
     def offset_crossing_time(self, axis: int, left: float) -> float:
-        """Return the time at which that remaining distance is `left`."""
+        """Return when the remaining distance of `offset_remaining` is `left`, counts."""
         if abs(left) == INFINITY or self.master_of(axis) is None:
             return self.remaining_crossing_time(axis, left)
         from motionlang.controller.motion.offset import crossing_time
@@ -405,7 +408,7 @@ class Controller(AxisVerbs):
         return tie.master.index if tie is not None else None
 
     def drive_encoder(self, channel: int, velocity: float, accel: float = 0.0) -> None:
-        """Ramp an encoder channel to `velocity`, counts/s, at `accel`; 0: at once."""
+        """Ramp an encoder channel to `velocity`, counts/s, at `accel`; 0 means no ramp."""
         from motionlang.controller.io.encoder import turn
 
         turn(self, self.encoder(channel), velocity, accel)
@@ -451,21 +454,27 @@ class Controller(AxisVerbs):
     # --------------------------------------------------------------------------------------- simulated motors
 
     def set_servo_model(self, axis: int, model: str) -> None:
-        """Select the one of `gains.MODELS` that defines the gains of a simulated motor."""
+        """Select the entry of `gains.MODELS` that defines the gains of a simulated motor."""
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.model = model
 
     def set_gain(self, axis: int, quantity: str, value: float, word: str) -> None:
-        """Set a gain of the servo loop, in the unit of a language's keyword, at once."""
+        """Set a gain of the servo loop, in the unit of a language's keyword, at once.
+
+        `word` is that keyword.
+        """
         self.set_gains(axis, {**self.axes[axis].gains, quantity: (value, word)})
 
     def gain(self, axis: int, quantity: str, default: float) -> float:
-        """Return a gain set by the program."""
+        """Return a gain set by the program, or `default`."""
         return self.axes[axis].gains.get(quantity, (default,))[0]
 
     def set_gains(self, axis: int, gains: Mapping[str, tuple[float, str]]) -> None:
-        """Set all gains at once, values and keywords; reset the omitted ones."""
+        """Set all gains at once; omitted ones are reset.
+
+        `gains` maps each quantity to its value and keyword.
+        """
         a = self.axes[axis]
         if a.feedback is not None:
             a.feedback.tune(gains)
@@ -483,16 +492,17 @@ class Controller(AxisVerbs):
     def settle_within(
         self, axis: int, error: float, speed: float, hold: float, at_target: bool = False
     ) -> None:
-        """Set the window of `settled_time`: error or distance to target, speed, time.
+        """Set the window in which an axis counts as settled, for `settled_time`.
 
-        Units are counts, counts/s and seconds.
+        `error` is the following error, or with `at_target` the distance to the target, in counts; `speed` is in
+        counts/s, and `hold` in seconds.
         """
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.settle_within(error, speed, hold, at_target)
 
     def recall(self, axis: int, quantity: str, times: Sequence[float]) -> list[float]:
-        """Return a past quantity of `history.COLUMNS` at rising times.
+        """Return past values of one of `history.COLUMNS`; `times` must rise.
 
         Examples are "actual" (counts) and "output" (volts).
         """
@@ -518,7 +528,7 @@ class Controller(AxisVerbs):
         a.feedback.open(volts)
 
     def close_loop(self, axis: int) -> None:
-        """Resume position control of an axis, where its motor is now."""
+        """Resume position control of an axis at the present position of its motor."""
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.take_over(self)

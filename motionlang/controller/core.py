@@ -39,7 +39,7 @@ class Core(Readings):
         self.run_profile(a, move, profile)
 
     def move_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
-        """Move by `distance` from the present target now; without one from the position."""
+        """Move by `distance` now, from the present target, if any, or from the position."""
         a = self.movable(axis)
         base = a.target if abs(a.target) < INFINITY else a.position(self.clock.now)
         self.move_to(axis, base + distance, command, line)
@@ -47,8 +47,8 @@ class Core(Readings):
     def movable(self, axis: int) -> Axis:
         """Return an axis that may move.
 
-        Raises Rejected while it is disabled, has an error that locks it, its brake is set, or it is in a
-        motion that allows no other.
+        Raises Rejected while the axis is disabled, is locked by an error, has its brake set, or is in a motion that
+        allows no other.
         """
         a = self.axes[axis]
         triggers.conditions.refuse_motion(self, a)
@@ -59,12 +59,12 @@ class Core(Readings):
         return a
 
     def _hold(self, a: Axis) -> None:
-        """Return a simulated motor with a manual output to its loop."""
+        """Close the loop of a simulated motor whose output was set manually."""
         if a.feedback is not None and a.enabled:
             a.feedback.take_over(self)
 
     def rates(self, a: Axis, speed: float) -> tuple[float, float]:
-        """The rates in force for a move at `speed`; raise Rejected if it is not positive."""
+        """Return the rates for a move at `speed`; raise Rejected unless both are positive."""
         accel, decel = a.rates(speed)
         for rate, what in ((accel, "acceleration"), (decel, "deceleration")):
             if not rate > 0:
@@ -78,7 +78,7 @@ class Core(Readings):
         return accel, decel
 
     def plan_move(self, a: Axis, move: Move) -> Profile:
-        """Plan from the state of the axis to the end of the move."""
+        """Return the profile of a move from the present state of its axis."""
         speed = a.speed if move.speed is None else move.speed
         if not speed > 0:
             raise Rejected(
@@ -121,7 +121,7 @@ class Core(Readings):
         self.append_profile(a, profile)
 
     def log_move(self, a: Axis, move: Move, profile: Profile) -> None:
-        """Write a move that begins into the log; from now on it is the axis's."""
+        """Log the start of a move and make it the move in progress of its axis."""
         move.profile, move.start_time = profile, self.clock.now
         move.scale, move.zero = a.scale.counts, a.scale.zero
         a.move = move  # first: an interrupt in between then leaves no log entry without an owner
@@ -131,7 +131,7 @@ class Core(Readings):
             limit.forget()
 
     def together(self) -> Together:
-        """Return a block in which several axes get their motion; limits act at its end."""
+        """Return a block that starts several axes; limits are checked at its end."""
         return triggers.conditions.Together(self)
 
     def append_profile(self, a: Axis, profile: Profile) -> None:
@@ -168,7 +168,7 @@ class Core(Readings):
             limit.check()
 
     def make_room(self) -> None:
-        """Pack old profiles of all tracks."""
+        """Pack old profiles of all tracks to free memory."""
         self.log.make_room((*self.axes.values(), *self.encoders.values()))
 
     def finish_updates(self) -> None:
@@ -198,7 +198,7 @@ class Core(Readings):
             self.tell("idle", a.index)
 
     def start_waiting(self, a: Axis) -> None:
-        """Start like `start_next` without a waiting statement.
+        """Start the next entry like `start_next`, with no statement waiting for it.
 
         Each rejected entry is a run-time fault.
         """
@@ -212,8 +212,8 @@ class Core(Readings):
     def start_next(self, a: Axis) -> None:
         """Start the next entry of the buffer, if it is released.
 
-        Raises Rejected for an entry that cannot begin. It is skipped, and those behind it start once the error
-        has been handled.
+        Raises Rejected for an entry that cannot begin. The entry is skipped, and the ones behind it start once the
+        error has been handled.
         """
         while a.move is None and a.index not in self.homings and a.buffer and a.buffer[0].released:
             move = a.buffer[0]
@@ -243,7 +243,7 @@ class Core(Readings):
             moves.buffer.taken(self, a)
 
     def empty(self, a: Axis, ended: str) -> None:
-        """Discard the buffer, and related entries in the buffers of other axes; log it."""
+        """Discard and log the buffer, with related entries in the buffers of other axes."""
         entries, a.buffer = a.buffer, []
         for move in entries:
             gone = [move] if move.action is None else [move, *move.action.purge(a)]
@@ -257,7 +257,7 @@ class Core(Readings):
                     self._begin_waiting(self.axes[each.axis])
 
     def _begin_waiting(self, a: Axis) -> None:
-        """Start the buffer of an axis at rest once all other events of this time have run."""
+        """Schedule the start of the buffer after all other events of this time."""
         if self.orders is not None:
             self.orders.prompt(a, "drop")
 
@@ -273,14 +273,14 @@ class Core(Readings):
         self.clock.at(self.clock.now, begin)
 
     def drop(self, axes: Iterable[int], command: str, line: int, ended: str) -> None:
-        """Log a motion that a language held back and will not execute."""
+        """Log a motion that a language had deferred and will not execute."""
         for axis in axes:
             move = Move(axis, command, line, self.axes[axis].target)
             move.ended = ended
             self.log.dropped.add(move)
 
     def replan_move(self, a: Axis) -> None:
-        """Continue to the same target with the present settings."""
+        """Replan the move in progress to the same target with the present settings."""
         assert a.move is not None
         if a.move.action is None:
             self.continue_with(a, self.plan_move(a, a.move), "")
@@ -308,7 +308,7 @@ class Core(Readings):
         move.ended = ended or move.ended
 
     def end_move(self, a: Axis, ended: str) -> None:
-        """Close the log entry of a move to be replaced; the motion continues."""
+        """Close the log entry of a move that is being replaced; the motion continues."""
         move = a.move
         if move is not None and move.profile is not None:
             if move.action is not None:
@@ -324,7 +324,7 @@ class Core(Readings):
             a.move = None
 
     def freeze(self, a: Axis, ended: str) -> None:
-        """Stop at once where the axis is."""
+        """Stop the axis at once at its present position."""
         if self.orders is not None:
             self.orders.freeze(a, ended)
         triggers.conditions.release(self, a)

@@ -5,37 +5,37 @@ before. The rest of the controller is solved in closed form and jumps from event
 the position at any time. A limit, a switch or a wait must act at the sample at which the motor reaches it,
 even if no program reads it.
 
-Idea. The servo is simulated ahead of the clock, in blocks, as if nothing more were done to the axis. A
-reading is a lookup in the block. Whatever waits for the motor is searched for in the block and becomes an
-event of the clock, at the time of its sample. A new profile or gain makes the rest of the block wrong. Then
-the simulation is rolled back to the present sample and continues from there.
+Idea. The servo is simulated ahead of the clock, in blocks, on the assumption that no further command affects
+the axis. A reading is a lookup in the block. Everything that waits for the motor is searched for in the block
+and becomes an event of the clock, at the time of its sample. A new profile or gain makes the rest of the block
+wrong. Then the simulation is rolled back to the present sample and continues from there.
 
     samples ─────────┬──────────────┬──────────────────┬───────────
              dropped │ searched     │ to come          │ not computed
                   scanned          now            end of the block
 
-Data. `_servo` is the simulation. `_sight` has the samples that are still needed: encoder, velocity, following
-error, output and current. Sample k is taken at the time k / servo rate. `changes` lists everything that was
-done to the loop, by time, so that a report or a trace can run the servo again. Three things are searched for:
+Data. `_servo` is the simulation. `_samples` has the samples that are still needed: encoder, velocity, following
+error, output and current. Sample k is taken at the time k / servo rate. `changes` lists all changes to the
+loop, by time, so that a report or a trace can run the servo again. Three things are searched for:
 - positions that watches wait for, such as switches, latches and limits,
 - a following error beyond its limit or its warning level,
 - windows: the motor has settled within an error, and a speed, for long enough.
 
-The simulation has coordinates of its own. `offset` leads to those of the program, which change when the
-program gives the axis another zero.
+The simulation has coordinates of its own. `offset` converts them to those of the program, which change when
+the program gives the axis another zero.
 
 Invariants.
-- A sample does not depend on where a block begins or ends, nor on what is read and when.
-- All that was found up to `scanned` has happened. `_due` is the sample at which the search continues.
+- A sample does not depend on where a block begins or ends, nor on the readings and their times.
+- All events found up to `scanned` have happened. `_next_check` is the sample at which the search continues.
 - The present sample and those before it are never rolled back.
-- The rest at the end of a move is what the simulation assumed, so it causes no rollback.
+- The simulation assumes that the axis rests at the end of a move, so that rest causes no rollback.
 - A future time is exact, or, if the block does not show it, the time at which to check again.
 
 Cost. Nothing is computed before the first command that moves the motor; then the samples since power-up are
-made up for. The first block after a change has `SpeculativeServo.short` samples and each further one four times
-as many, up to `LONG` seconds: frequent changes waste little, and undisturbed motion has little overhead. A rollback
-repeats at most the last block. A motor that has come to a standstill for good (`StandstillDetector`) costs nothing
-until something is done to it.
+computed at once. The first block after a change has `SpeculativeServo.short` samples and each further one four
+times as many, up to `LONG` seconds: frequent changes waste little, and undisturbed motion has little overhead. A
+rollback repeats at most the last block. A motor that has come to a standstill for good (`StandstillDetector`)
+costs nothing until something affects it.
 """
 
 from __future__ import annotations
@@ -88,10 +88,10 @@ _ROUNDING = 1e-9
 
 
 class Feedback:
-    """The motor of one axis.
+    """The simulated motor of one axis and its servo loop.
 
     `model` is one of `gains.MODELS` if the program's gains are MCCL's. `plant` and `section` are the machine
-    file's `[axis.N.plant]` and `[axis.N.servo]`; ValueError names an invalid entry of the first. `tripped` is
+    file's `[axis.N.plant]` and `[axis.N.servo]`; an invalid entry of the plant raises ValueError. `tripped` is
     called if the following error exceeds `error_limit` (counts).
     """
 
@@ -213,7 +213,7 @@ class Feedback:
     def crossing_time(self, position: float) -> float:
         """Return when the motor reaches a position, counts.
 
-        If that cannot be seen yet, return when to check again; inf if never.
+        If the samples computed so far do not show that, return when to check again; inf if never.
         """
         if self._servo is None:
             return INFINITY
@@ -221,9 +221,9 @@ class Feedback:
         return self._sample_time(sight, k, crossing(sight.encoder[k:], position + self._servo.offset))
 
     def error_crossing_time(self, error: float) -> float:
-        """Return when the motor reaches a following error, counts.
+        """Return when the following error reaches `error`, counts.
 
-        Also return if it comes too near to it to decide which is larger.
+        A sample so close to `error` that rounding decides which is larger counts as well.
         """
         if self._servo is None:
             return INFINITY
@@ -234,9 +234,9 @@ class Feedback:
         return self._horizon(sight) if found is None else (sight.first + k + found) / self._rate
 
     def settled_time(self, name: str = "rest") -> float:
-        """Return when a window has been observed for long enough, now if it already has.
+        """Return when the motor has been within a window for long enough; now if it has.
 
-        If that cannot be seen yet, return when to check again; inf if never.
+        If the samples computed so far do not show that, return when to check again; inf if never.
         """
         if self._servo is None:
             return self._clock.now
@@ -247,7 +247,7 @@ class Feedback:
         return self._horizon(sight)
 
     def settled_since(self, name: str = "program") -> float:
-        """Return the time since which a window has been observed; inf if it is not."""
+        """Return since when the motor has been within a window; inf if it is outside."""
         if self._servo is None:
             return 0.0
         k, sight = self._ahead()
@@ -263,7 +263,7 @@ class Feedback:
 
     @property
     def at_standstill(self) -> bool:
-        """True if the motor stays at standstill unless something is done to it."""
+        """True if the motor is at rest and stays there unless something affects it."""
         return self._stillness.at_standstill
 
     @property
@@ -293,7 +293,7 @@ class Feedback:
         self.chosen = chosen
 
     def open(self, volts: float) -> None:
-        """Open the loop and set the output, volts, whatever the motor does."""
+        """Open the loop and set a constant output, volts."""
         if not self.closed and self.changes and self.changes[-1][1] == volts:
             return
         self.closed = False
@@ -302,7 +302,7 @@ class Feedback:
         self._do(float(volts))
 
     def take_over(self, controller: Core) -> None:
-        """Close an open loop: target and commanded position become that of the motor."""
+        """Close an open loop; the motor's position becomes target and commanded position."""
         if self.closed:
             return
         axis, here = self._axis, self.position
@@ -341,12 +341,12 @@ class Feedback:
         self.search_again()
 
     def set_warn_limit(self, limit: float) -> None:
-        """Set the following error, counts, of a warning and arm it again; inf for none."""
+        """Set and arm the following error, counts, that causes a warning; inf for none."""
         self.warn_limit, self.warning = limit, False
         self.search_again()
 
     def search_again(self) -> None:
-        """Search again after a change: another limit or watch, or a cleared fault."""
+        """Search the samples again after a change of a limit or watch, or a cleared fault."""
         if self._servo is None:
             return
         now = self._now
@@ -396,7 +396,7 @@ class Feedback:
             raise Rejected("range", f"the servo of axis {self._axis.index}: {problem}") from None
 
     def _wake(self) -> None:
-        """Start the servo, as if run since power-up with the present gains."""
+        """Start the servo and simulate it since power-up, with the present gains."""
         if self._servo is not None:
             return
         self.chosen = self._choose()
@@ -416,7 +416,7 @@ class Feedback:
         self.scanned = self._now
 
     def _here(self) -> int:
-        """Return the index of the present sample in `_sight`."""
+        """Return the index of the present sample in `_samples`."""
         assert self._sight is not None
         sight, now = self._sight, self._now
         while now >= sight.end:
@@ -424,7 +424,10 @@ class Feedback:
         return max(now - sight.first, 0)
 
     def _ahead(self) -> tuple[int, SampleBlock]:
-        """Return it with samples after it, unless the motor is at standstill for good."""
+        """Return the index of the present sample, and the samples with some after it.
+
+        There may be none after it if the motor is at standstill for good.
+        """
         assert self._sight is not None
         k, sight = self._here(), self._sight
         if k + 1 >= len(sight) and not self.at_standstill:
@@ -449,7 +452,7 @@ class Feedback:
         self._size = min(4 * self._size, self._long)
 
     def _check_standstill(self, sight: SampleBlock, now: int) -> None:
-        """Decide if the motor is at standstill for good.
+        """Decide whether the motor is at standstill for good.
 
         It is if its commanded position rests and the last block reached no new state.
         """
@@ -506,7 +509,7 @@ class Feedback:
                 self._happen(sample)
 
     def _next(self, sight: SampleBlock) -> int | None:
-        """Return the next sample with an event; None if none is seen."""
+        """Return the next sample with an event; None if the block has none."""
         assert self._servo is not None
         found = [sample for _, sample, _ in self._passes(sight) if sample is not None]
         lo = self.scanned + 1 - sight.first
@@ -521,7 +524,7 @@ class Feedback:
         return min(found, default=None)
 
     def _passes(self, sight: SampleBlock) -> list[tuple[Watch, int | None, int]]:
-        """Return when the motor next passes each watched position, and its side then."""
+        """Return the next sample past each watched position (or None), and the side then."""
         assert self._servo is not None
         found = []
         seen = sight.encoder[self.scanned - sight.first :]
@@ -535,7 +538,7 @@ class Feedback:
         return self.closed and self.error_limit < INFINITY and not self._axis.faults & FOLLOWING_ERROR
 
     def _happen(self, sample: int) -> None:
-        """Run the events of a sample: positions passed, following error beyond its limit."""
+        """Run the events of a sample: positions passed, excessive following error."""
         sight = self._sight
         assert sight is not None
         passed = [(watch, side) for watch, at, side in self._passes(sight) if at == sample]

@@ -1,4 +1,4 @@
-"""The track of an axis since power-up, packed or not, read like two lists."""
+"""The track of an axis since power-up, both packed and not, read like two lists."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ _MAX_UNPACKED = 1024
 
 
 class Joined:
-    """The starts (column 0) or profiles (column 1) of an axis.
+    """The starts (column 0) or the profiles (column 1) of an axis, as one list.
 
-    A forgotten one reads as the oldest one stored.
+    An item that has been dropped reads as the oldest one stored.
     """
 
     __slots__ = ("_axis", "_column", "_unpacked")
@@ -85,7 +85,7 @@ class Joined:
 
 
 class Followed:
-    """The track of an axis for a reader that follows it as it grows and is packed."""
+    """The track of an axis, for a reader that follows it while it grows and is packed."""
 
     __slots__ = ("profiles", "starts")
 

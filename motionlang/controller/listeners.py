@@ -28,7 +28,7 @@ KINDS = (
 
 
 class Listeners:
-    """The subscribers in order of notification, each with its kinds."""
+    """The subscribers in order of notification, each with the kinds it wants."""
 
     __slots__ = ("_calls", "of_rest")
 

@@ -23,9 +23,8 @@ class Move:
     starts. `ended` is "" for a complete move. It is "stop", "cancel", "fault" or "retarget" for one cut
     short, or `CONTINUED` if it continues as another entry. `offset` is how far the axis's zero was moved
     during the move: the profile stays as planned. `action` makes it something other than a move to a
-    position. `speed` is the one it was loaded with, None for that of the axis at the time; `rates` are an
-    acceleration and a deceleration of its own; `overridden` is true if the axis's override multiplies its
-    speed.
+    position. `speed` is the speed that it was loaded with; None means the axis's speed when it starts. `rates` are
+    its own acceleration and deceleration; `overridden` is true if the axis's override multiplies its speed.
     """
 
     __slots__ = (
@@ -70,13 +69,13 @@ class Move:
         self.offset = 0.0
 
     def until(self, time: float) -> Profile:
-        """Return its motion up to a machine time."""
+        """Return the motion of the move up to a machine time."""
         assert self.profile is not None
         return self.profile.cut(time - self.start_time)
 
 
 def keeps_rates(move: Move | None) -> bool:
-    """True if a move uses the rates of its axis, unlike a table or a master."""
+    """True if a move uses the rates of its axis, unlike a table or following."""
     return move is None or move.action is None or move.action.keeps_rates
 
 
@@ -97,27 +96,27 @@ class Action:
     live_limits: tuple[str, ...] = ()
 
     def release(self, move: Move) -> None:
-        """Handle a GO to the axis of the entry."""
+        """Handle a GO that releases the entry."""
         move.released = True
 
     def purge(self, a: Axis) -> list[Move]:
-        """Handle removal from the buffer of `a`; return the entries removed with it."""
+        """Handle removal from the buffer of `a`; return the entries removed together."""
         return []
 
     def keep_end(self, a: Axis, move: Move, shift: float) -> bool:
-        """True if it keeps its end although the axis will begin `shift` further on."""
+        """True if the entry keeps its end although it will begin `shift` further on."""
         return False
 
     def ready(self, controller: Core, a: Axis, move: Move) -> bool:
-        """True if it may begin, as the first entry of its buffer, and released."""
+        """True if the entry, first in its buffer and released, may begin."""
         return True
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
-        """Begin; the entry has left the buffer."""
+        """Begin the motion; its entry has left the buffer."""
         raise NotImplementedError
 
     def begin_on_top(self, controller: Core, a: Axis, move: Move) -> None:
-        """Begin while the axis follows a master; the entry has left the buffer."""
+        """Begin superposed while the axis follows a master; the entry has left the buffer."""
         raise NotImplementedError
 
     def plan(self, controller: Core, a: Axis) -> Profile:
@@ -129,21 +128,21 @@ class Action:
         controller.continue_with(a, self.plan(controller, a), "")
 
     def prolong(self, end: float) -> Profile | None:
-        """The continuation from `end` if the profile before it does not come to rest."""
+        """Return the continuation from `end`; None if the motion comes to rest there."""
         return None
 
     def more(self, controller: Core, a: Axis) -> None:
         """Handle the release of further buffer entries during the motion."""
 
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
-        """Handle a zero change that is about to increase positions by `shift`."""
+        """Handle a new zero that is about to increase positions by `shift`."""
 
     def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
-        """Come to rest in its own manner; False if the axis should simply decelerate."""
+        """Come to rest in a manner of its own; False to decelerate as usual."""
         return False
 
     def suspend(self, controller: Core, a: Axis) -> bool:
-        """Rest in its own manner until `plan` is called; False if `plan` does it."""
+        """Come to rest until `plan` is called; False if `plan` itself does it."""
         return False
 
     def resume(self, controller: Core, a: Axis) -> None:
@@ -153,28 +152,28 @@ class Action:
     def entries(self, a: Axis, move: Move) -> tuple[Move, ...]:
         """Return the log entries of the axis that may still change, oldest first.
 
-        `move` is the present one.
+        `move` is the move in progress.
         """
         return (move,)
 
     def together_with(self, a: Axis) -> tuple[Axis, ...]:
-        """Return the axes that it moves, which are suspended with `a`."""
+        """Return the axes that the action moves; they are suspended together with `a`."""
         return (a,)
 
     def leave(self, controller: Core, a: Axis, ended: str) -> None:
-        """Handle a change of the axis to another motion, or a halt where it is."""
+        """Handle the change of the axis to another motion, or its immediate halt."""
 
     @property
     def is_sequel(self) -> bool:
-        """True if no line commanded it by itself: it is a repetition of a periodic entry."""
+        """True for a repetition of a periodic entry, which no line of its own commanded."""
         return False
 
     @property
     def resting(self) -> bool:
-        """True if the axis is at rest and stays there unless another axis moves."""
+        """True if the axis is at rest until another axis moves."""
         return False
 
     @property
     def live(self) -> bool:
-        """True if a new speed or rate acts on it at once."""
+        """True if a new speed or rate acts on the motion at once."""
         return False

@@ -65,7 +65,7 @@ _CROSSINGS = {
 
 
 class _NoSubscriber:
-    """No subscriber and no wrap."""
+    """The absence of a subscriber and of any wrap."""
 
     notes: list[Any] | None = None
 
@@ -82,7 +82,7 @@ NO_SUBSCRIBER: Subscriber = _NoSubscriber()
 def reader(
     controller: AxisVerbs, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER
 ) -> Reader:
-    """Return the reader of a setting of `SETTINGS` or of a verb with an axis.
+    """Return the reader of a setting of `SETTINGS` or of a verb that takes an axis.
 
     Raises KeyError for an axis that does not exist.
     """
@@ -100,8 +100,8 @@ def reader(
 def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping[int, float]) -> Until:
     """Return a function for the time at which a reading passes a level, in its unit.
 
-    A reading without a comparison, level None, changes as long as the axis moves. A running maximum, level
-    INFINITY, changes until the next extremum, and not again at rest.
+    If the reading is not compared (level None), it may change at once as long as the axis moves. For a running
+    maximum (level INFINITY) the time is that of the next extremum, or now at rest.
     """
     clock, scale, axis = controller.clock, a.scale, a.index
     crossing_time = getattr(controller, _CROSSINGS[name]) if name in _CROSSINGS else None
@@ -126,9 +126,9 @@ def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping
 
 
 def passing_within(wrap: float | None, here: float, level: float, passing: Callable[[float], float]) -> float:
-    """Return when a quantity, now `here`, passes a level, by means of `passing`.
+    """Return when a quantity, now `here`, passes a level; `passing` solves one level.
 
-    A quantity that wraps also passes it after a wrap.
+    A quantity that wraps also passes the level by wrapping.
     """
     if not wrap:
         return passing(level)
@@ -138,7 +138,7 @@ def passing_within(wrap: float | None, here: float, level: float, passing: Calla
 
 
 def setting(get: Callable[[Any], Any], of: object, unit: str) -> Reader:
-    """Return a reader of an attribute of an axis, in `unit`, if it has one."""
+    """Return a reader of an attribute of `of`, converted to `unit` if one is given."""
     power = POWERS.get(unit)
     if power is None:
         return (lambda: float(get(of))) if unit else lambda: get(of)
@@ -154,7 +154,7 @@ def setting(get: Callable[[Any], Any], of: object, unit: str) -> Reader:
 def converted(
     read: Callable[[], Any], scale: Scale, unit: str, subscriber: Subscriber, until: Until = float
 ) -> Reader:
-    """Return any reading in `unit`, if it has one."""
+    """Return a reader that converts to `unit`, if one is given."""
     if not unit and subscriber is NO_SUBSCRIBER:
         return read
     power, factors = POWERS.get(unit), scale.factors
@@ -202,7 +202,7 @@ def _position(
 ) -> Reader:
     """Return the reader of the position.
 
-    It caches the present piece of the profile, because polling loops read nothing else.
+    It caches the present piece of the profile, because polling loops read little else.
     """
     clock, scale = controller.clock, a.scale
     asked, note, wraps, axis = (
@@ -246,7 +246,7 @@ def _position(
 def _velocity(
     controller: AxisVerbs, a: Axis, subscriber: Subscriber, until_passed: Until, actual: bool = True
 ) -> Reader:
-    """Return the reader of the velocity, from the cached piece of the profile."""
+    """Return the reader of the velocity; it caches the present piece of the profile."""
     clock, factors = controller.clock, a.scale.factors
     asked, note = subscriber.dependencies, subscriber.dependencies.note
     begun = since = c1 = twice_c2 = thrice_c3 = 0.0
@@ -275,9 +275,9 @@ def _velocity(
 
 
 def _piece(a: Axis, now: float) -> tuple[Profile, float, float, float, tuple[float, ...]]:
-    """Profile, begin, the times between which one cubic is valid, and that cubic.
+    """Return the profile, its start time, and its present cubic with its interval.
 
-    The times are in s after the start. If the profile has no cubic there, the interval is empty.
+    The interval is in s after the start. It is empty if the profile has no cubic there.
     """
     profile, begun = a.profiles[-1], a.starts[-1]
     return profile, begun, *(profile.cubic(now - begun) or (0.0, -1.0, (0.0, 0.0, 0.0, 0.0)))

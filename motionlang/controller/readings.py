@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 class Readings:
-    """`axes` axes numbered from `first`, channels, a clock, and the log.
+    """The readable state: `axes` axes numbered from `first`, channels, clock, and log.
 
     Positions are counts, velocities counts/s, times seconds of the clock. An axis that does not exist raises
     KeyError.
@@ -71,7 +71,7 @@ class Readings:
         self.fault_handler: Callable[[Rejected], bool] | None = None
 
     def moving(self) -> list[int]:
-        """Return the axes that are not idle; slaves only if they move."""
+        """Return the axes that are not idle; slaves only while they move."""
         found = []
         for number, axis in self.axes.items():
             if not axis.is_at_standstill:
@@ -126,15 +126,15 @@ class Readings:
     def settled_time(self, axis: int) -> float:
         """Return when an axis has settled by `settle_within`, or when to check again.
 
-        Infinite if it never does.
+        It is infinite if the axis never settles.
         """
         feedback = self.axes[axis].feedback
         return self.clock.now if feedback is None else feedback.settled_time("program")
 
     def settled_since(self, axis: int) -> float:
-        """Return the time since which an axis has been within `settle_within`.
+        """Return since when an axis has been within the window of `settle_within`.
 
-        Infinite if it is not.
+        It is infinite while the axis is outside.
         """
         feedback = self.axes[axis].feedback
         return 0.0 if feedback is None else feedback.settled_since()
@@ -170,7 +170,7 @@ class Readings:
     def vector_angle(self, x: int, y: int) -> float:
         """Return the direction of motion of two axes in their plane, degrees; 0 at rest.
 
-        It is that in user units.
+        The direction is that of the velocities in user units.
         """
         now = self.clock.now
         across = [a.velocity(now) / a.scale.counts for a in (self.axes[x], self.axes[y])]
@@ -180,7 +180,7 @@ class Readings:
         return self.axes[axis].enabled
 
     def may_enable(self, axis: int) -> bool:
-        """True if the enable input of the axis is on, or it has none."""
+        """True if the axis has no enable input, or the input is on."""
         channel = self.interlocks.get(axis)
         return channel is None or self.inputs.inverted(channel)
 
@@ -194,28 +194,28 @@ class Readings:
         return self.axes[axis].faults
 
     def idle_time(self, axis: int) -> float:
-        """When the axis will be idle if nothing else happens; infinite while it jogs."""
+        """Return when the axis will be idle if nothing else happens; infinite in a jog."""
         a = self.axes[axis]
         return a.end_of_motion() if a.moves else self.clock.now
 
     def end_of_moves(self, axes: tuple[int, ...]) -> Callable[[], float]:
-        """A reader of the time at which all given axes will be idle; -1 if they are."""
+        """Return a reader of the time when all given axes will be idle; -1 if they are."""
         ends = [self.axes[axis].end_of_move for axis in axes]
         return ends[0] if len(ends) == 1 else lambda: max([end() for end in ends], default=-1.0)
 
     def is_at_standstill(self, axis: int) -> bool:
-        """True if the axis is idle, or follows a master at standstill."""
+        """True if the axis is idle, or follows a master that is at standstill."""
         return self.axes[axis].is_at_standstill
 
     def standstill_time(self, axis: int) -> float:
-        """When the axis will be at standstill, idle or not, if nothing else happens."""
+        """Return when the axis will be at rest, idle or not, if nothing else happens."""
         a = self.axes[axis]
         return self.clock.now if a.is_at_standstill else a.end_of_motion()
 
     def crossing_time(self, axis: int, position: float) -> float:
         """Return when the axis will pass `position`; infinite if this motion never does.
 
-        If `position` is infinite, return the next reversal, now at standstill. For a simulated motor the
+        If `position` is infinite, return the time of the next reversal, or now at standstill. For a simulated motor the
         prediction is limited; beyond it the result is the time to check again.
         """
         feedback = self.axes[axis].feedback
@@ -250,7 +250,7 @@ class Readings:
         return INFINITY if found is None else start + found
 
     def remaining_crossing_time(self, axis: int, left: float) -> float:
-        """Return when the remaining distance is `left`; now if `left` is infinite."""
+        """Return when the remaining distance will be `left`; now if `left` is infinite."""
         return (
             self.clock.now
             if abs(left) == INFINITY
@@ -267,9 +267,11 @@ class Readings:
         return self.demand_velocity_crossing_time(axis, velocity)
 
     def demand_velocity_crossing_time(self, axis: int, velocity: float) -> float:
-        """Return when the commanded velocity will be `velocity` or change its trend.
+        """Return when the commanded velocity will be `velocity`, or when to check again.
 
-        It is a knot at the latest, and now if the profile is no cubic.
+        If `velocity` is infinite, return when the acceleration may change its sign. The result is at most the end of
+        the profile. Unless the profile consists of ramps, whose velocity does not jump, it is also at most the next
+        knot, and it is now in a piece that is not a cubic.
         """
         a, now = self.axes[axis], self.clock.now
         start, profile = a.starts[-1], a.profiles[-1]
@@ -349,7 +351,7 @@ class Readings:
         self.analogue_outputs[channel] = value
 
     def run_time_fault(self, rejected: Rejected) -> None:
-        """Raise a run-time fault outside a statement: the program handles it, or ends."""
+        """Raise a run-time fault outside a statement; unless handled, it ends the program."""
         if self.fault_handler is None or not self.fault_handler(rejected):
             raise rejected
 

@@ -9,8 +9,8 @@ POWERS = {"uu": 0, "uu/s": 1, "uu/s2": 2, "uu/s3": 3}
 class Scale:
     """`counts` per user unit, seconds per user time unit (`rate`), and the `zero`.
 
-    MCCL has all three (US, UR, UO). Mint has only the first, and on newer drives separate units for speeds
-    and for accelerations and jerks: `speed` and `acceleration`, None if they use `counts`.
+    MCCL has all three (US, UR, UO). Mint has only the first. On newer drives it also has a unit of speed, `speed`, and
+    a unit of acceleration and jerk, `acceleration`; None means `counts`.
     """
 
     __slots__ = ("acceleration", "counts", "factors", "rate", "speed", "zero")
@@ -21,7 +21,7 @@ class Scale:
         self.set(counts, rate, zero)
 
     def set(self, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
-        """Set one unit of length for everything."""
+        """Set one unit of length for positions, speeds and accelerations."""
         self.counts, self.rate, self.zero = counts, rate, zero
         self.set_units(None, None)
 
@@ -31,7 +31,7 @@ class Scale:
         self.set_units(self.speed, self.acceleration)
 
     def set_units(self, speed: float | None, acceleration: float | None) -> None:
-        """Set the counts in the units of speed, and of acceleration and jerk.
+        """Set the units of speed and of acceleration and jerk, each as a number of counts.
 
         None selects the unit of positions.
         """
@@ -40,7 +40,7 @@ class Scale:
         self.factors[:] = [(self.rate**power, each) for power, each in enumerate(per_unit)]
 
     def to_counts(self, value_uu: float, unit: str = "uu") -> float:
-        """Return a value in counts and seconds; `zero` affects positions, not lengths."""
+        """Convert a value to counts and seconds; `zero` affects positions, not lengths."""
         power = POWERS.get(unit)
         if power is None:
             return value_uu
@@ -48,7 +48,7 @@ class Scale:
         return value_uu * per_unit / rate
 
     def to_user(self, value: float, unit: str = "uu") -> float:
-        """Return a value in counts and seconds in a user unit."""
+        """Convert a value in counts and seconds to a user unit."""
         power = POWERS.get(unit)
         if power is None:
             return value

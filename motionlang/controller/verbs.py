@@ -163,7 +163,7 @@ VERBS: dict[str, str] = {
 class Recorder:
     """A controller without physics, which records every verb.
 
-    Readings return values of `answers`. `calls` is a list of `(verb, argument, …)` tuples. It has a clock and
+    Readings return values from `answers`. `calls` is a list of `(verb, argument, …)` tuples. It has a clock and
     axes with a scale, so that a language can run on it; nothing ever moves.
     """
 

@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
 
 class Watches:
-    """`all` watches as they were set; `program` and `machine` sorted by position.
+    """`all` watches in order of creation; `program` and `machine` sorted by position.
 
-    The positions are those of the program and of the machine. `loose` are those that have been solved since
-    the axis's profile began, `seen` the positions, in both coordinates, at which the sides of all others were
-    right. `count` is the number of watches ever set.
+    `program` has those with a position of the program, `machine` those with a machine position. `loose` are those that
+    have been solved since the axis's profile began, `seen` the positions, in both coordinates, at which the sides of
+    all others were right. `count` is the number of watches ever set.
     """
 
     __slots__ = ("all", "count", "crossed", "free", "loose", "machine", "program", "seen")
@@ -47,7 +47,7 @@ class Watches:
         return len(self.all)
 
     def append(self, watch: Watch) -> None:
-        """Add one; the caller solves it."""
+        """Add a watch; the caller solves it."""
         self.count += 1
         self.free = None
         watch.order = self.count
@@ -55,7 +55,7 @@ class Watches:
         insort_right(self.machine if watch.physical else self.program, (watch.position, watch.order, watch))
 
     def remove(self, watch: Watch) -> None:
-        """End one, and cancel its event."""
+        """Remove a watch and cancel its event."""
         del self.all[watch]
         self.free = None
         self.loose.pop(watch, None)

@@ -1,4 +1,4 @@
 """Copley PVT drives: wire format, the drive's buffer and motion, the CAN bus.
 
-The motion is that of the drive's trajectory generator.
+The motion is the one that the drive's trajectory generator makes.
 """

@@ -18,7 +18,7 @@ class Entry:
 
     `position` is in counts, `velocity` in 0.1 counts/s (None for a linear segment). The time is in
     microseconds, because object 0x60C2 can set fixed times finer than the milliseconds of a point. An
-    `initial` entry only states where the move begins, and takes no time.
+    `initial` entry only states the start position of the move, and takes no time.
     """
 
     position: int
@@ -61,7 +61,7 @@ class Buffer:
         return self.entries.popleft() if self.entries else None
 
     def clear(self) -> None:
-        """Remove every point; the latched errors and the running number stay."""
+        """Remove every point, but keep the latched errors and the running number."""
         self.entries.clear()
 
     def pop(self, count: int) -> None:

@@ -2,7 +2,7 @@
 
 It runs in virtual time and in one thread. Real frames go over python-can's virtual bus, or over another
 interface that loops back, such as SocketCAN's vcan. Every send delivers all frames in flight before the call
-returns. A run is therefore always the same, and nothing waits for real time.
+returns. A run is therefore deterministic, and nothing waits for real time.
 """
 
 from __future__ import annotations
@@ -40,22 +40,22 @@ def open_bus(interface: str, channel: str) -> can.BusABC:
 
 
 class LockstepNetwork(canopen.Network):
-    """A network whose bus delivers its frames, instead of a thread."""
+    """A network whose bus delivers its frames, without a receiving thread."""
 
     def __init__(self, owner: LockstepBus, bus: can.BusABC) -> None:
         super().__init__(bus)
         self.owner, self.end = owner, bus
 
     def send_message(self, can_id: int, data: bytes, remote: bool = False) -> None:
-        """Send a frame, and deliver it and all frames sent in answer."""
+        """Send a frame; deliver it and all frames sent in response."""
         super().send_message(can_id, data, remote)
         self.owner.deliver()
 
 
 class RealBus:
-    """A bus whose other end is real; a thread of python-can receives its frames.
+    """A bus with a real drive on the other end, or the drive of another program.
 
-    The other end is a real drive or anyone else's.
+    A thread of python-can receives its frames.
     """
 
     patience = 100
@@ -74,7 +74,7 @@ class RealBus:
         self.close()
 
     def wait(self) -> None:
-        """Wait until the drive sends its buffer status, but at most `NEWS_TIMEOUT`."""
+        """Wait until the drive sends its buffer status, at most `NEWS_TIMEOUT`."""
         self._news.wait(NEWS_TIMEOUT)
         self._news.clear()
 
@@ -116,7 +116,7 @@ class LockstepBus:
         self.drive.run_until(self.drive.microseconds + self.step)
 
     def deliver(self) -> None:
-        """Deliver frames until none is in flight, including those sent meanwhile."""
+        """Deliver frames until none is in flight, including those sent in the meantime."""
         if self._delivering:
             return
         self._delivering = True

@@ -29,7 +29,7 @@ ABORT_DECELERATION = 1_000_000.0
 class Drive:
     """A drive at rest at `position` with an empty buffer.
 
-    `log` lists the events (seconds, sentence). `listener` is called when a point leaves the buffer or an
+    `log` lists the events (time in seconds, sentence). `listener` is called when a point leaves the buffer or an
     error is latched: the event of object 0x2012.
     """
 
@@ -78,7 +78,7 @@ class Drive:
 
     @property
     def next_boundary(self) -> int | None:
-        """The microsecond at which the current segment ends; None at rest."""
+        """The virtual time, microseconds, at which the current segment ends; None at rest."""
         return self._boundary
 
     # ------------------------------------------------------------------------------------------ commands
@@ -101,7 +101,7 @@ class Drive:
         return taken
 
     def latch(self, error: int, why: str) -> None:
-        """Latch an error that the bus found."""
+        """Latch an error that was detected on the bus."""
         self.buffer.errors |= error
         self._note(why)
         self._event()
@@ -142,7 +142,7 @@ class Drive:
     # ----------------------------------------------------------------------------- motion outside the buffer
 
     def follow(self, profile: Profile, seconds: float, then: Callable[[], None]) -> None:
-        """Begin a motion now, instead of any other; call `then` after `seconds`."""
+        """Start a motion that replaces any current one; call `then` after `seconds`."""
         self._append(profile)
         self.state, self._then = MOVING, then
         self._boundary = None if seconds == inf else self.microseconds + max(1, ceil(seconds * 1e6 - 1e-6))
@@ -153,24 +153,24 @@ class Drive:
         self._rest(self.profiles[-1].end)
 
     def brake(self, deceleration: float) -> None:
-        """Brake to rest at a deceleration, counts/s², without a call at the end."""
+        """Brake to rest at a deceleration, counts/s²; no function is called at the end."""
         self._then = None
         self._brake(deceleration)
 
     def shift(self, distance: float) -> None:
-        """Move the zero position by a distance, at rest; the axis stays where it is."""
+        """Shift the zero position by a distance, counts, at rest; the axis does not move."""
         self.datum += distance
         self._rest(self.position - distance)
 
     def forget(self, most: int) -> None:
-        """Drop all but the last `most` profiles and remarks."""
+        """Delete all but the last `most` profiles and log entries."""
         for records in (self.starts, self.profiles, self.log):
             del records[: max(0, len(records) - most)]
 
     # ---------------------------------------------------------------------------------------------- time
 
     def run_until(self, microseconds: int) -> None:
-        """Let virtual time pass, segment by segment."""
+        """Advance virtual time to `microseconds`, segment by segment."""
         while self._boundary is not None and self._boundary <= microseconds:
             self.microseconds = self._boundary
             self._boundary = None
@@ -180,7 +180,7 @@ class Drive:
     # ---------------------------------------------------------------------------------- the life of a move
 
     def _begin(self) -> None:
-        """Take the first point: the initial position and velocity of the move."""
+        """Take the first point, which sets the initial position and velocity of the move."""
         self._reference = here = self.position
         first = self._take()
         while first is not None and first.initial:
@@ -200,7 +200,7 @@ class Drive:
         self._next_segment()
 
     def _arrive(self) -> None:
-        """End the current profile; begin the next segment or come to rest."""
+        """End the current profile, and begin the next segment or come to rest."""
         if self._then is not None:
             then, self._then = self._then, None
             then()

@@ -1,6 +1,6 @@
 """The EDS file of the simulated drive, for the configuration tools of masters.
 
-The text depends on the dictionary alone: the date in it is fixed, so the same version writes the same bytes.
+The text depends only on the dictionary: its date is fixed, so one version always writes the same bytes.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _DATE, _TIME = "01-01-2026", "12:00AM"
 
 
 def eds() -> str:
-    """Return the EDS of one drive; identifiers are given relative to the node."""
+    """Return the EDS of one drive; identifiers are relative to the node number."""
     dictionary: Any = object_dictionary()  # the library types records and variables alike
     information = dictionary.device_information
     information.vendor_name, information.vendor_number = "motionlang", 0

@@ -1,7 +1,7 @@
 """Export of a PVT move as CSV, serial words or the CAN frames of a whole session.
 
-Frames have the format of can-utils, `identifier#data`, so that `cansend` accepts each line. In every format a
-line that begins with # is a comment.
+Frames have the format of can-utils, `identifier#data`, so `cansend` accepts each line. In every format, lines
+that begin with # are comments.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class Export:
 def export(points: Sequence[WirePoint], form: str, node: int = 1) -> Export:
     """Return a move in one of `FORMATS`.
 
-    Raises `Unwritable` if the format cannot hold it.
+    Raises `Unwritable` if the format cannot represent it.
     """
     if form == "csv":
         return Export(write_points(from_wire(points)), list(points))
@@ -105,7 +105,7 @@ def _serial(points: Sequence[WirePoint]) -> Export:
 def _read_back(messages: Sequence[bytes]) -> list[WirePoint]:
     """Return the points in the messages.
 
-    An initial position is added to the point that counts from it.
+    An initial position is added to the point that is relative to it.
     """
     points: list[WirePoint] = []
     initial = None

@@ -1,8 +1,8 @@
 """A master that streams a PVT move to a drive over CANopen.
 
 The steps are those of the manual. Map the status object 0x2012 to an event-driven PDO, fill the buffer, and
-raise bit 4 of the control word. Then send more points whenever the status shows that the drive has taken
-some.
+raise bit 4 of the control word. Then send more points whenever the status shows that the drive has removed
+some from the buffer.
 """
 
 from __future__ import annotations
@@ -41,14 +41,14 @@ class StreamError(Exception):
 
 
 class Bus(Protocol):
-    """A canopen network with a method that waits for possible news."""
+    """A canopen network with a method that waits for messages from the drive."""
 
     @property
     def network(self) -> canopen.Network: ...
 
     @property
     def patience(self) -> int:
-        """The number of waits without news of the drive after which the master gives up."""
+        """The number of waits without a message after which the master gives up."""
 
     def wait(self) -> None: ...
 
@@ -58,7 +58,7 @@ class Streamed:
     """Statistics of a stream.
 
     `sent` counts the messages with points, and `resent` those sent again. `lowest` is the smallest number of
-    points seen in the buffer.
+    points observed in the buffer.
     """
 
     sent: int = 0
@@ -93,7 +93,7 @@ class Master:
         self.refresh()
 
     def stream(self, points: Sequence[WirePoint], way: str = "pdo") -> Streamed:
-        """Run a whole move by one of `TRANSFERS`.
+        """Stream a whole move with one of `TRANSFERS`.
 
         Raises `StreamError` if the drive or the points do not allow it.
         """
@@ -170,9 +170,9 @@ class Master:
             silent = self._wait(silent)
 
     def _stream_fixed(self, points: Sequence[WirePoint], mode: int) -> Streamed:
-        """Stream by sub-mode 0 or -1: one position per period.
+        """Stream in sub-mode 0 or -1: one position per period.
 
-        The last position is repeated until it is reached. Then bit 4 is lowered.
+        The last position is repeated until it is reached. Then bit 4 is cleared.
         """
         period = _common_time(points)
         self._write(0x60C2, 2, -3)
@@ -205,11 +205,10 @@ class Master:
         self._write(0x6040, 0, START)
 
     def _lost(self, next_number: int, *, everything: bool) -> int:
-        """Return how many of the last points the drive does not have after a lost frame.
+        """Return how many of the last points a drive lacks after a lost frame.
 
-        Clears the sequence error of the drive. The drive notices a missing segment when the next one comes.
-        If everything has been sent, none will come, so the status is read. That request arrives after the
-        points.
+        Clears the sequence error of the drive. The drive notices a missing segment only when the next one arrives. If
+        `everything` has been sent there is no next one, so the status is read. That request arrives after the points.
         """
         if everything:
             self.refresh()
@@ -222,7 +221,7 @@ class Master:
         return missing
 
     def _room(self, next_number: int) -> int:
-        """Return the free positions, less the points in transit at the drive's last count."""
+        """Return the free positions less the points in transit at the last status."""
         return max(0, self.status.free - (next_number - self.status.next_number & 0xFFFF))
 
     def _taken(self, base: int, sent: int) -> int:
@@ -240,7 +239,7 @@ class Master:
     def _at_rest(self) -> bool:
         """True if the move is over.
 
-        The drive is only queried after it has reported an empty buffer.
+        The drive is queried only after it has reported an empty buffer.
         """
         if self.news == 0:
             self.refresh()
@@ -251,7 +250,7 @@ class Master:
         return bool(self._read(0x6041) & MOVING_BIT)
 
     def _wait(self, silent: int) -> int:
-        """Let time pass; return the number of consecutive waits without news."""
+        """Let time pass; return the number of consecutive waits without a message."""
         before = self.news
         self.bus.wait()
         self._check()
@@ -263,7 +262,7 @@ class Master:
     # -------------------------------------------------------------------------------------------- the bus
 
     def _map_pdos(self) -> None:
-        """Map object 0x2010 to RPDO 1, and 0x2012 to TPDO 1 on every event."""
+        """Map object 0x2010 to RPDO 1, and 0x2012 to the event-driven TPDO 1."""
         receive, transmit = self.node.rpdo[1], self.node.tpdo[1]
         for pdo, index, can_id in (
             (receive, 0x2010, 0x200 + self.node_id),

@@ -1,20 +1,20 @@
-"""Profile position, profile velocity and homing of DS402, by the planners.
+"""Profile position, profile velocity and homing of DS402, with our planners.
 
 Problem. A master writes targets, speeds and rates, and bits of the control word. The drive must move as the standard
-says, and its status word must show the steps of it: set-point acknowledged, target reached, speed zero, homed.
+requires, and its status word must show each step: set-point acknowledged, target reached, speed zero, homed.
 
 Idea. Each motion is one profile from the state of the drive at that microsecond: a trapezoid to a position, or a ramp
-to a velocity. The drive calls back at the end of it. Between two calls nothing is computed; a position read over the
-bus is that of the profile.
+to a velocity. The drive calls back when the profile ends. Between two calls nothing is computed; a position read over
+the bus is evaluated from the profile.
 
     profile position   bit 4 rises: a set-point is taken and acknowledged (bit 12). At rest, or with bit 5, its motion
-                       begins at once. Otherwise it waits until the motion in progress ends, and bit 12 stays until then
+                       begins at once. Otherwise it waits until the motion in progress ends, and bit 12 stays set
     profile velocity   0x60FF is followed as long as operation is enabled
     homing             bit 4 rises: a sequence of searches; the last one ends at the home position, which becomes
                        minus the home offset
 
-Invariants. Only one motion is in progress, that of the mode in force. Limit switches end a motion in their direction;
-one away from them is allowed. Units of the objects: 0.1 counts/s, 10 counts/s².
+Invariants. At most one motion is in progress, which belongs to the current mode. A limit switch ends a motion in its
+direction; a motion away from it is allowed. Units of the objects: 0.1 counts/s, 10 counts/s².
 """
 
 from __future__ import annotations
@@ -41,11 +41,11 @@ SetPoint = tuple[float, float, float, float]
 
 
 class _NotFound(Exception):
-    """A limit switch came before the searched position."""
+    """A limit switch was reached before the position searched for."""
 
 
 class ProfileModes:
-    """The three modes for one drive; `emergency` is called with an error code."""
+    """The three modes of one drive; `emergency` is called with an error code."""
 
     def __init__(
         self, drive: Drive, values: Values, switches: Switches, emergency: Callable[[int], None]
@@ -79,7 +79,7 @@ class ProfileModes:
                 self._begin_homing()
 
     def leave(self, why: str) -> None:
-        """End the motion in progress, because operation or the mode ends."""
+        """End the motion in progress, because operation or the mode has ended."""
         self._point = self._next = None
         self._acknowledged = self._halted = False
         self._velocity, self._stages = None, None
@@ -171,7 +171,10 @@ class ProfileModes:
     # ------------------------------------------------------------------------------------------ limit switches
 
     def _run(self, profile: Profile, seconds: float, then: Callable[[], None], end: float) -> None:
-        """Begin a motion, unless a limit switch is in its way; end it where one comes."""
+        """Begin a motion that ends at a limit switch, if it meets one.
+
+        A motion that begins on an active limit switch in its direction is refused.
+        """
         drive, switches = self._drive, self._switches
         here, last = self._place, end + drive.datum
         forwards = last > here
@@ -198,7 +201,7 @@ class ProfileModes:
         self._continue_homing()
 
     def _continue_homing(self) -> None:
-        """Begin the next stage; end homing after the last one."""
+        """Begin the next stage of homing; end homing after the last one."""
         if self._stages is None:
             return
         try:
@@ -211,7 +214,10 @@ class ProfileModes:
             self._drive.brake(self._drive.abort_deceleration)
 
     def _homing(self, method: int) -> Iterator[None]:
-        """Yield whenever a stage has begun; its end continues the sequence."""
+        """Run the stages of a homing method; yield after each has begun.
+
+        The end of the stage's motion resumes the sequence.
+        """
         switches, fast, slow = self._switches, self._speed(0x6099, 1), self._speed(0x6099, 2)
         home = self._place
         if method not in METHODS:
@@ -241,16 +247,16 @@ class ProfileModes:
         return self._drive.position + self._drive.datum
 
     def _leave_switch(self, edge: float, fast: float, slow: float, active: bool) -> Iterator[None]:
-        """Run onto a switch at a fast velocity, and off it again at a slow one."""
+        """Move onto a switch at a fast velocity, and off it again at a slow one."""
         if not active:
             yield from self._search(edge, fast)
             yield from self._halt()
         yield from self._search(edge, slow)
 
     def _search(self, edge: float, velocity: float) -> Iterator[None]:
-        """Run at a velocity to a position on the machine.
+        """Move at a velocity to a position on the machine.
 
-        Raises _NotFound at a limit before it.
+        Raises _NotFound if a limit comes before the position.
         """
         drive, switches, rate = self._drive, self._switches, self._rate(0x609A)
         limit = switches.positive if velocity > 0 else switches.negative
@@ -273,7 +279,7 @@ class ProfileModes:
             drive.rest()
 
     def _return_to(self, home: float) -> Iterator[None]:
-        """Brake, go back to a position on the machine, and come to rest there."""
+        """Brake, return to a position on the machine, and come to rest there."""
         yield from self._halt()
         drive, rate = self._drive, self._rate(0x609A)
         target = home - drive.datum
@@ -291,9 +297,9 @@ class ProfileModes:
 
 
 def crossing(profile: Profile, place: float) -> float:
-    """Return when a profile reaches a position beyond its start, for the last time.
+    """Return the last time at which a profile crosses a position.
 
-    It must end on the other side.
+    The profile must start on one side of the position and end on the other.
     """
     ramps = profile.knots[-2]
     if profile.duration == inf and (place - profile.position(ramps)) * profile.end_velocity >= 0.0:
@@ -310,4 +316,4 @@ def crossing(profile: Profile, place: float) -> float:
 
 
 def _nothing() -> None:
-    """Go on at the velocity that is reached."""
+    """Do nothing at the end of a ramp: the motion continues at its velocity."""

@@ -1,7 +1,8 @@
-"""The simulated drive as a CANopen node, by the `canopen` library.
+"""The simulated drive as a CANopen node, built on the `canopen` library.
 
 It has an SDO server, the objects of CiA 301, PDOs with defaults, heartbeat, EMCY and the event of object 0x2012.
-`update` does what time demands. A bus in lock step has its own time and needs it only for status words.
+`update` performs the actions that are due. A bus in lock step has its own time and needs `update` only for status
+words.
 """
 
 from __future__ import annotations
@@ -63,8 +64,8 @@ NOT_MAPPABLE, TOO_LONG, VALUE_RANGE = 0x06040041, 0x06040042, 0x06090030
 def object_dictionary(node_id: int = 0) -> ObjectDictionary:
     """Return the drive's dictionary, with the identifiers of a node.
 
-    It has `OBJECTS`, the objects of CiA 301, and four PDOs in each direction. Node 0 gives the identifiers
-    without the node, as in an EDS.
+    It has `OBJECTS`, the objects of CiA 301, and four PDOs in each direction. For node 0 the identifiers do not include
+    the node number, as in an EDS.
     """
     dictionary = ObjectDictionary()  # type: ignore[no-untyped-call]  # the library is only partly typed
     u8, u16, u32, text = (
@@ -99,7 +100,7 @@ def object_dictionary(node_id: int = 0) -> ObjectDictionary:
 
 
 class DriveNode(LocalNode):
-    """A node for one drive, whose objects SDOs and PDOs read and write."""
+    """A node for one drive, whose objects are read and written by SDOs and PDOs."""
 
     def __init__(self, node_id: int, drive: Drive, switches: Switches | None = None) -> None:
         super().__init__(node_id, object_dictionary(node_id))
@@ -125,7 +126,7 @@ class DriveNode(LocalNode):
         return self.drive.now
 
     def boot(self) -> None:
-        """Join the bus: send the boot-up message and wait in pre-operational."""
+        """Join the bus: send the boot-up message and become pre-operational."""
         self.network.unsubscribe(self.sdo.rx_cobid, self.sdo.on_request)
         self.network.subscribe(self.sdo.rx_cobid, self._asked)
         self.network.subscribe(0, self._commanded)
@@ -155,7 +156,7 @@ class DriveNode(LocalNode):
                     self._transmit(each, data)
 
     def next_time(self) -> float:
-        """Return when `update` must be called next, s; infinite if only a frame matters."""
+        """Return the time, s, of the next `update`; infinite if only a frame requires one."""
         times = [self._heartbeat_at, self._boot_at, self._silent_at]
         if self.drive.next_boundary is not None:
             times.append(self.drive.next_boundary * 1e-6)
@@ -218,7 +219,7 @@ class DriveNode(LocalNode):
     # ------------------------------------------------------------------------------------- network management
 
     def _start(self) -> None:
-        """Enter the state after a reset of the communication."""
+        """Enter the state that follows a reset of the communication."""
         self.data_store.clear()
         self.error_register = 0
         self._heartbeat_at = self._boot_at = INFINITY
@@ -228,7 +229,10 @@ class DriveNode(LocalNode):
         self.nmt._state = PRE_OPERATIONAL
 
     def _commanded(self, _: int, data: bytearray, __: float) -> None:
-        """Carry out what a command of network management means beyond a new state."""
+        """Carry out a reset command of network management.
+
+        The library has already changed the state of the node.
+        """
         if len(data) >= 2 and data[1] in (0, self.id) and data[0] in (RESET_NODE, RESET_COMMUNICATION):
             if data[0] == RESET_NODE:
                 self.objects.reset()
@@ -244,7 +248,7 @@ class DriveNode(LocalNode):
         return int.from_bytes(self.get_data(0x1017, 0), "little") * 1e-3
 
     def _listen_to(self, node: int) -> None:
-        """Expect the heartbeat of a node from its first one on; 0 expects none."""
+        """Monitor the heartbeat of a node, beginning with its first one; 0 monitors none."""
         if self._heard:
             self.network.unsubscribe(HEARTBEAT_ID + self._heard, self._alive)
         self._heard, self._silent_at = node, INFINITY
@@ -279,7 +283,7 @@ class DriveNode(LocalNode):
             self._map_pdos()
 
     def _check(self, index: int, subindex: int, data: bytes, check_writable: bool) -> None:
-        """Check a write as the library does."""
+        """Check a write in the way that the library does."""
         variable = self._find_object(index, subindex)  # type: ignore[no-untyped-call]
         if check_writable and not variable.writable:
             raise SdoAbortedError(0x06010002)
@@ -287,7 +291,7 @@ class DriveNode(LocalNode):
             raise SdoAbortedError(0x06070010)
 
     def _check_mapping(self, index: int, subindex: int, value: int) -> None:
-        """Raise an abort if a mapping has an object that does not exist, or too many bits."""
+        """Raise an abort if a mapping has an unknown object or too many bits."""
         if subindex == 0:
             bits = sum(
                 int.from_bytes(self.get_data(index, n), "little") & 0xFF for n in range(1, min(value, 8) + 1)
@@ -357,7 +361,7 @@ class DriveNode(LocalNode):
         self._sent.append(made)
 
     def _synchronise(self, _: int, data: bytearray, __: float) -> None:
-        """Send what is due on a SYNC."""
+        """Send the PDOs that are due at a SYNC."""
         if self.nmt_state == OPERATIONAL:
             for each in self._sent:
                 content = self._data_of(each)
@@ -422,7 +426,7 @@ def _add_pdo(
     can_id: int,
     default: tuple[tuple[int, int], ...],
 ) -> None:
-    """Add one PDO with its default mapping; the first of each direction is on."""
+    """Add one PDO with its default mapping; enable only the first of each direction."""
     record = ODRecord(f"{way} PDO {(communication & 0xFF) + 1} communication", communication)
     sends = communication >= 0x1800
     on = communication & 0xFF == 0

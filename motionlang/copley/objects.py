@@ -1,7 +1,7 @@
 """The CANopen objects of the simulated drive, with the effects of access to each.
 
 `OBJECTS` is the table; the node's object dictionary, the documentation and the checks derive from it. This
-file does not depend on CAN: `ObjectServer` answers reads and writes, and `Abort` carries the SDO abort code.
+file does not depend on CAN: `ObjectServer` executes reads and writes, and `Abort` carries the SDO abort code.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ class Abort(Exception):
 class Object:
     """One object, or one sub-index of it.
 
-    `kind` is i or u with the number of bits, or bytes8. `access` is r, w or rw.
+    `kind` is i or u followed by the number of bits, or bytes8. `access` is r, w or rw.
     """
 
     index: int
@@ -196,7 +196,7 @@ BY_ADDRESS: dict[tuple[int, int], Object] = {(o.index, o.sub): o for o in OBJECT
 class ObjectServer:
     """The objects of one drive.
 
-    `power` is the state of `states`. `emergency` is called with the code of an error.
+    `power` is its state in the state machine of `states`. `emergency` is called with the code of an error.
     """
 
     def __init__(self, drive: Drive, switches: Switches | None = None) -> None:
@@ -249,7 +249,7 @@ class ObjectServer:
         return self.values[0x60C0, 0]
 
     def read(self, index: int, sub: int) -> int:
-        """Return the value of an object; raise `Abort` if it can only be written."""
+        """Return the value of an object; raise `Abort` if it is write-only."""
         if "r" not in BY_ADDRESS[index, sub].access:
             raise Abort(WRITE_ONLY, f"object {index:#06x} can only be written")
         made = self._reads.get(index)
@@ -334,11 +334,11 @@ class ObjectServer:
 
     @property
     def mode(self) -> int:
-        """The mode of operation in force."""
+        """The current mode of operation."""
         return self.values[0x6060, 0]
 
     def update(self) -> None:
-        """Let the state machine follow the motion: a quick stop ends at rest."""
+        """Update the state machine for the motion: a quick stop ends at rest."""
         if self.power == QUICK_STOP and self.drive.state == IDLE and self.values[0x605A, 0] == 2:
             self.power = DISABLED
 
@@ -350,14 +350,14 @@ class ObjectServer:
         self.emergency(code)
 
     def reset(self) -> None:
-        """Return to the state after power-up; the axis stays where it is."""
+        """Return to the state after power-up; the position does not change."""
         self._leave("by a reset")
         self.power, self.error = DISABLED, 0
         self.values.update(DEFAULTS)
         self.drive.steering = True
 
     def _report(self, code: int) -> None:
-        """Report an error that is no fault."""
+        """Report an error that is not a fault."""
         self.error = code
         self.emergency(code)
 
@@ -414,7 +414,7 @@ class ObjectServer:
             self._modes.control(self.mode, before if was == ENABLED else 0, value)
 
     def _interpolate(self, before: int, control: int) -> None:
-        """Start and stop the move in the buffer."""
+        """Start or stop the move in the buffer, as the control word commands."""
         if control & HALT or (before & START and not control & START):
             self.drive.stop("by the control word")
         elif control & START and not before & START:
@@ -432,7 +432,7 @@ class ObjectServer:
 
     @property
     def is_moving(self) -> bool:
-        """True unless the axis is at rest and waits for nothing."""
+        """True if the axis moves, brakes, or waits for points to start a move."""
         return self.drive.state in (MOVING, STOPPING, WAITING)
 
     def _position(self) -> int:
@@ -447,5 +447,5 @@ class ObjectServer:
 
 
 def _wrapped(value: int) -> int:
-    """Return a number as 32 bits show it."""
+    """Wrap a number to 32 bits, signed."""
     return (value + 2**31) % 2**32 - 2**31

@@ -1,4 +1,4 @@
-"""Objects 0x2010 and 0x2012 in bits: PVT points, buffer commands and the status.
+"""Encoding of objects 0x2010 and 0x2012: PVT points, buffer commands, the status.
 
 Object 0x2010 is eight bytes in one CAN frame. The note refers to the CANopen Programmer's Manual for the
 layout. Byte 0 is the header. If bit 7 is set, it is a buffer command with its code in bits 0-6. If bit 7 is
@@ -38,14 +38,14 @@ INT24 = range(-(2**23), 2**23)
 
 
 class BadPacket(ValueError):
-    """Object 0x2010 does not allow these eight bytes, or cannot hold the point."""
+    """Object 0x2010 does not allow these eight bytes, or cannot represent the point."""
 
 
 @dataclass(frozen=True, slots=True)
 class Packet:
-    """A segment: its running number and a point, or else an initial position.
+    """A segment: its running number, and either a point or an initial position.
 
-    The number is modulo 8 after decoding.
+    After decoding the number is modulo 8.
     """
 
     number: int
@@ -74,7 +74,7 @@ class BufferStatus:
 def encode_points(points: Sequence[WirePoint], number: int = 0) -> list[bytes]:
     """Encode each point as one packet.
 
-    An initial position comes first if 24 bits cannot hold the first position. Positions beyond 24 bits are
+    An initial position precedes them if the first position does not fit in 24 bits. Positions beyond 24 bits are
     sent as distances, and velocities beyond 24 bits in units of 10 counts/s (rounded).
     """
     packets, last = list[bytes](), None
@@ -115,7 +115,7 @@ def encode_command(command: PacketCommand) -> bytes:
 def decode(data: bytes) -> Packet | PacketCommand:
     """Return the segment or command in eight bytes.
 
-    Raises `BadPacket` for a format or a code that does not exist.
+    Raises `BadPacket` for an unknown format or command code.
     """
     if len(data) != 8:
         raise BadPacket(f"object 0x2010 holds 8 bytes, not {len(data)}")
@@ -166,7 +166,7 @@ def _place(point: WirePoint, last: int | None) -> int | None:
 
 
 def _fitting(i: int, point: WirePoint, last: int | None) -> WirePoint:
-    """Return the point in a form whose position fits in 24 bits."""
+    """Return the point as absolute or relative, so that its position fits in 24 bits."""
     if point.velocity is None or point.position in INT24:
         return point
     if point.relative or last is None or point.position - last not in INT24:

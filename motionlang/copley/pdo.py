@@ -1,9 +1,9 @@
 """Process data objects of the simulated drive: mappings, defaults, transmission.
 
 PDO 1 carries the control word and the status word from power-up on. The others have the mappings of DS402 and are
-switched off, because two PDOs that both carry the control word would overwrite each other's. A transmit PDO is sent
-after each change of its data (types 254 and 255), no sooner than its inhibit time, at the latest after its event
-timer, and on every n-th SYNC (types 1 to 240; 0: after a change).
+disabled, because two PDOs with the control word would overwrite each other's value. A transmit PDO is sent after each
+change of its data (types 254 and 255), no sooner than its inhibit time and at the latest after its event timer. Types
+1 to 240 are sent on every n-th SYNC, and type 0 on the SYNC after a change.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class Sent:
         return data != self.data and now >= self.at + self.inhibit
 
     def next_time(self) -> float:
-        """Return when it must be checked next, if nothing else happens."""
+        """Return the time of the next check if its data do not change, s."""
         if self.kind not in EVENT_DRIVEN or self.at == NEVER:
             return INFINITY
         return self.at + self.timer if self.timer else INFINITY

@@ -28,7 +28,7 @@ class WirePoint:
 
 @dataclass(frozen=True, slots=True)
 class BadPoint:
-    """A point that a drive would not execute as meant, with reason and consequence.
+    """A point that a drive would not execute as intended, with reason and consequence.
 
     `index` counts from 0. A `severe` point cannot be sent. Any other can, but its effect differs from the
     table.

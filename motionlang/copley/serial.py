@@ -88,7 +88,7 @@ def decode(message: Sequence[int]) -> WirePoint | BufferCommand:
 
 
 def status_words(free: int) -> tuple[int, int, int]:
-    """Return the words that a read of the parameter gives.
+    """Return the words that a read of the parameter returns.
 
     These are the free positions and two reserved words.
     """
@@ -96,13 +96,13 @@ def status_words(free: int) -> tuple[int, int, int]:
 
 
 def as_words(message: Sequence[int]) -> list[int]:
-    """Return the message in 16-bit words, the high half of a 32-bit value first."""
+    """Return the message as 16-bit words, the high half of a 32-bit value first."""
     word, *values = message
     return [word, *(half for value in values for half in (value >> 16, value & 0xFFFF))]
 
 
 def from_words(words: Sequence[int]) -> tuple[int, ...]:
-    """Return the message of 16-bit words.
+    """Return the message in 16-bit words as parameter values.
 
     Raises `BadWord` if they do not form whole 32-bit values.
     """

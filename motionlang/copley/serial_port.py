@@ -1,6 +1,6 @@
 """The drive's serial port: the two parameters and the op-code of a PVT move.
 
-Another document defines the framing of the serial protocol. A message here is the content of a parameter.
+The framing of the serial protocol is defined in another document. A message here is the content of a parameter.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Refused(Exception):
-    """The drive's serial port rejects the request."""
+    """The drive's serial port has rejected a request."""
 
 
 class SerialPort:
@@ -29,7 +29,7 @@ class SerialPort:
     def write(self, parameter: int, message: Sequence[int]) -> None:
         """Write a parameter; raise `Refused` if it is rejected.
 
-        A point that finds the buffer full is an overflow.
+        Writing a point to a full buffer is an overflow.
         """
         if parameter == serial.TRAJECTORY_PARAMETER:
             if list(message) not in ([0], [serial.PVT_CONFIGURATION]):

@@ -1,10 +1,10 @@
 """Simulated drives on a CAN bus in real time, for any CANopen master.
 
-One thread receives frames, lets the drives move up to the present time, and sends what is due. So a frame finds each
-drive at the time at which it came, and nothing needs a lock. The thread sleeps until the next frame, the end of a
-motion or a timer. After a frame, and while a drive moves, it wakes every `CYCLE` and sends the PDOs that have changed.
+One thread receives frames, advances the drives to the present time, and sends what is due. So each frame is processed
+at its time of arrival, and no locks are needed. The thread sleeps until the next frame, the end of a motion or a
+timer. After a frame, and while a drive moves, it wakes every `CYCLE` and sends the PDOs that have changed.
 
-Some interfaces give a node its own frames. The server filters them out, by bit 7 of the identifier.
+Some interfaces return a node's own frames to it. The server filters them out, by bit 7 of the identifier.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ MAX_DRIVES = 127
 class DriveServer:
     """Drives with the node numbers 1, 2 and so on at `interface` and `channel`.
 
-    `factor` is machine seconds per second of real time. `switches` are those of each drive. `complain` is
-    called once with each problem of the bus. Raises BusError if the bus cannot be opened.
+    `factor` is machine seconds per second of real time. `switches` has one entry per drive. `complain` is
+    called once for each problem of the bus. Raises BusError if the bus cannot be opened.
     """
 
     def __init__(
@@ -81,7 +81,7 @@ class DriveServer:
 
     @property
     def now(self) -> float:
-        """The machine time that corresponds to the present real time, seconds."""
+        """The current machine time, seconds: `factor` × the real time since the start."""
         return (self._wall() - self._began) * self._factor
 
     def run(self) -> None:
@@ -126,7 +126,7 @@ class DriveServer:
         return max(0.0, min(left, PATIENCE))
 
     def _guard(self, work: Callable[[], None]) -> None:
-        """Do `work`; no problem of the bus and no bad frame ends the server."""
+        """Call `work`; a bus problem or a bad frame does not end the server."""
         try:
             work()
         except (can.CanError, OSError) as problem:
@@ -141,12 +141,12 @@ class DriveServer:
 
 
 def _is_for_drives(message: can.Message) -> bool:
-    """True for a data frame with an identifier of 11 bits: all that CANopen uses."""
+    """True for a data frame with an 11-bit identifier, the only kind in CANopen."""
     return not (message.is_error_frame or message.is_remote_frame or message.is_extended_id)
 
 
 def _advance(node: DriveNode, microseconds: int, update: bool) -> None:
-    """Let a drive move up to a time, and send what is due."""
+    """Advance a drive to a time, microseconds, and send what is due."""
     drive = node.drive
     drive.run_until(microseconds)
     if update:

@@ -1,9 +1,10 @@
-"""The state machine of DS402: the control word in, the status bits out.
+"""The state machine of DS402: maps the control word to the status bits.
 
     disabled ─▶ ready ─▶ switched on ─▶ enabled ─▶ quick stop ─▶ disabled
                                            any ─▶ fault ─▶ disabled
 
-It rises one command at a time and falls at any time. A fault ends with a rising bit 7.
+A disabled drive can only become ready. From there a command may skip states, in both directions. A rising bit 7
+ends a fault.
 """
 
 from __future__ import annotations

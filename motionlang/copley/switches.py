@@ -1,4 +1,4 @@
-"""Switches and index marks of the machine of a simulated drive."""
+"""Switches and index marks of the machine that a simulated drive moves."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from math import ceil, floor, inf
 
 @dataclass(frozen=True, slots=True)
 class Switches:
-    """Positions on the machine in counts; the drive is at 0 when it is switched on.
+    """Positions of the switches on the machine, counts; the drive starts at 0.
 
-    The limit switches are active from `negative` down and from `positive` up, the home switch from `home` up.
-    Index marks are at the multiples of `index`.
+    The limit switches are active at and below `negative`, and at and above `positive`, the home switch at and above
+    `home`. There is an index mark at each multiple of `index`.
     """
 
     negative: float = -inf
@@ -20,7 +20,7 @@ class Switches:
     index: float = 4000.0
 
     def inputs(self, place: float) -> int:
-        """Return object 0x60FD: bits 0 and 1 limit switches, bit 2 home switch."""
+        """Return object 0x60FD: bits 0 and 1 are limit switches, bit 2 the home switch."""
         return (place <= self.negative) | (place >= self.positive) << 1 | (place >= self.home) << 2
 
     def next_index(self, place: float, direction: float) -> float:

@@ -1,8 +1,8 @@
 """PVT points in a CSV file, one line per point.
 
 The columns are position, velocity, time and relative. Positions are in counts, velocities in counts/s, times
-in whole milliseconds. An empty velocity means a linear segment. A file may leave out all columns but the
-first. Lines that begin with # are comments.
+in whole milliseconds. An empty velocity means a linear segment. A file may omit all columns but the first.
+Lines that begin with # are comments.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ YES, NO = ("1", "yes", "true"), ("0", "no", "false", "")
 
 @dataclass(slots=True)
 class Table:
-    """Points, each with the line that it came from; `has` names the file's columns."""
+    """Points, each with its line number; `has` names the file's columns."""
 
     points: list[Point] = field(default_factory=list)
     lines: list[int] = field(default_factory=list)
@@ -33,9 +33,9 @@ class Table:
 
 
 def read_points(source: Source) -> Table:
-    """Return the points of a CSV file; raise `ProgramError` with every mistake.
+    """Return the points of a CSV file; raise `ProgramError` with all mistakes.
 
-    NaN counts as a number here; `check_points` rejects it.
+    NaN is accepted as a number here; `check_points` rejects it.
     """
     table, wrong = Table(), list[Diagnostic]()
     names: tuple[str, ...] = ()
@@ -63,7 +63,7 @@ def read_points(source: Source) -> Table:
 def write_points(points: Sequence[Point]) -> list[str]:
     """Return the lines of a CSV file that `read_points` reads.
 
-    The relative column is only written if a point needs it.
+    The relative column is written only if a point needs it.
     """
     extra = any(point.relative for point in points)
     lines = [",".join(COLUMNS if extra else COLUMNS[:3])]

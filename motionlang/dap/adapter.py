@@ -1,8 +1,9 @@
 """The adapter: one session of one client, its requests, responses and events.
 
-Requests are handled one after the other in the thread that reads them. Commands that let the program run are handed to
-a worker thread, so that `pause` and `disconnect` are handled meanwhile; the phase is RUNNING until the worker reports a
-stop. `tables.py` lists in which phase each request is valid. Whatever a client sends, it gets a response.
+Requests are handled one after another in the thread that reads them. Commands that let the program run are passed to
+a worker thread, so that `pause` and `disconnect` can be handled in the meantime; the phase is RUNNING until the worker
+reports a stop. `tables.py` lists in which phase each request is valid. Every request gets a response, even an invalid
+one.
 """
 
 from __future__ import annotations
@@ -59,7 +60,7 @@ _COMMANDS = (".input", ".analog", ".keys", ".goto", ".changed", ".help")
 class Adapter:
     """One session; `send` writes a message to the client.
 
-    With `checkpoints` it may continue in a copy of the process: `hand_over` makes the message of that from the key of
+    With `checkpoints` it may continue in a copy of the process: `hand_over` makes the message for this from the key of
     the copy and the state of the session.
     """
 
@@ -133,7 +134,7 @@ class Adapter:
         self._start_after()
 
     def _start_after(self) -> None:
-        """Do what may only begin after the response."""
+        """Do the work that must follow the response."""
         after, self._after = self._after, []
         for each in after:
             each()
@@ -214,7 +215,7 @@ class Adapter:
             self._debugger.pause()
 
     def close(self) -> None:
-        """End the session, also in the middle of a run."""
+        """End the session, even during a run."""
         self.is_over = True
         if self.phase not in (NEW, READY):
             self._end()
@@ -232,7 +233,7 @@ class Adapter:
     # -------------------------------------------------------------------------------------------------- runs
 
     def _go(self, command: Callable[[], Stop | None]) -> None:
-        """Let the worker carry out a command once the response is sent."""
+        """Let the worker carry out a command after the response has been sent."""
         self.phase = RUNNING
         self._showing.forget()
         self._idle.clear()
@@ -242,7 +243,7 @@ class Adapter:
         self._after.append(lambda: self._work.put(command))
 
     def _run(self) -> None:
-        """Carry out commands, one after the other."""
+        """Carry out commands, one after another, in the worker thread."""
         while (command := self._work.get()) is not None:
             try:
                 stop = command()
@@ -263,7 +264,7 @@ class Adapter:
                 self._report(stop)
 
     def _continue_in_copy(self, handover: HandOver) -> None:
-        """Hand the session to a copy of this process, which does what is left to do."""
+        """Hand the session to a copy of this process, which does the remaining work."""
         assert self._hand_over is not None
         with self._lock:
             state = {
@@ -294,7 +295,7 @@ class Adapter:
     # ---------------------------------------------------------------------------------------------- progress
 
     def _progress(self, fraction: float) -> None:
-        """Report how far a replay is; in the thread of a clock."""
+        """Report the completed fraction of a replay; called in a timer thread."""
         if not self._reports_progress or self.phase != RUNNING:
             return
         if not self._progress_id:
@@ -466,7 +467,7 @@ class Adapter:
         return self._showing.evaluate(text)
 
     def _obey(self, line: str) -> str:
-        """Carry out a dotted line of the console."""
+        """Carry out a dot command of the console."""
         word, _, rest = line[1:].partition(" ")
         names = {"input": "inputs", "analog": "analog", "keys": "keys"}
         if word in names and rest.strip():
@@ -484,7 +485,7 @@ class Adapter:
 
 
 def _failure(command: str, text: str, code: str = "") -> Message:
-    """Return what a response has after an error.
+    """Return the fields of an error response.
 
     Requests that the client makes on its own open no message box.
     """

@@ -1,4 +1,4 @@
-"""The arguments of a request, checked: a wrong one is an error for the client."""
+"""The arguments of a request, with checks: a wrong argument is an error response."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _MOST = 2**53
 class Refused(Exception):
     """A request that cannot be carried out.
 
-    `code` is the protocol's code for it, such as "notStopped", if it has one.
+    `code` is the protocol's code for the reason, such as "notStopped", or "".
     """
 
     def __init__(self, text: str, code: str = "") -> None:
@@ -48,7 +48,7 @@ class Arguments:
         return value
 
     def seconds(self, name: str, default: float | None = None) -> float | None:
-        """Return a time, s."""
+        """Return a time, s, or the default."""
         value = self._values.get(name)
         if value is None:
             return default
@@ -57,7 +57,7 @@ class Arguments:
         return float(value)
 
     def flag(self, name: str, default: bool = False) -> bool:
-        """Return true or false."""
+        """Return a truth value."""
         value = self._values.get(name)
         if value is None:
             return default
@@ -66,7 +66,7 @@ class Arguments:
         return value
 
     def objects(self, name: str) -> list[Arguments]:
-        """Return a list of objects; empty if it is missing."""
+        """Return a list of objects; empty if the argument is missing."""
         value = self._values.get(name)
         if value is None:
             return []
@@ -75,7 +75,7 @@ class Arguments:
         return [Arguments(each) for each in value]
 
     def texts(self, name: str) -> list[str]:
-        """Return a list of texts; a single text is a list of one."""
+        """Return a list of texts; a single text becomes a list of one."""
         value = self._values.get(name)
         if value is None:
             return []
@@ -86,11 +86,11 @@ class Arguments:
         return list(value)
 
     def object(self, name: str) -> Arguments:
-        """Return an object; empty if it is missing."""
+        """Return an object; empty if the argument is missing."""
         return Arguments(self._values.get(name))
 
     def items(self, name: str) -> dict[str, float | str]:
-        """Return an object of numbers and texts; empty if it is missing."""
+        """Return an object of numbers and texts; empty if the argument is missing."""
         value = self._values.get(name)
         if value is None:
             return {}

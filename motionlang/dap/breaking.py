@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 class Breaking:
     """The breakpoints of a session.
 
-    `first_line` and `first_column` are the client's numbers of the first line and column.
+    `first_line` and `first_column` are the numbers with which the client starts counting lines and columns.
     """
 
     def __init__(self, debugger: Debugger, path: str, first_line: int, first_column: int) -> None:
@@ -35,7 +35,7 @@ class Breaking:
         return bool(path) and os.path.normcase(os.path.abspath(path)) == os.path.normcase(self._path)
 
     def lines(self, given: Arguments) -> list[Body]:
-        """Replace the breakpoints by line."""
+        """Replace the line breakpoints."""
         wanted, is_program = given.objects("breakpoints"), self._is_program(given)
         if not is_program:
             return [_unverified("this file is not the program that is debugged") for _ in wanted]
@@ -83,7 +83,7 @@ class Breaking:
         return answers
 
     def data(self, given: Arguments) -> list[Body]:
-        """Replace the data breakpoints: variables by their path, channels by name."""
+        """Replace the data breakpoints: variables by path, channels by name."""
         watched: list[Watched] = []
 
         def of(data: str) -> Search | None:
@@ -121,9 +121,9 @@ class Breaking:
         self._debugger.searches = [each for found in self._searches.values() for each in found]
 
     def targets(self, given: Arguments) -> list[Body]:
-        """Return where `goto` can go from a line: forward and back to its executions.
+        """Return the targets of `goto` at a line: its next and its previous execution.
 
-        The number of a target is twice the line, and one more to go back.
+        The number of the forward target is twice the line number, and that of the backward target is one more.
         """
         line = self._debugger.line_for(given.number("line") + self._line)
         if line is None or not self._is_program(given):

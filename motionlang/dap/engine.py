@@ -1,4 +1,4 @@
-"""The process of an engine: the adapter on a channel to the front, and its copies."""
+"""The engine process: the adapter on a channel to the front, and its copies."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 class Engine:
     """An adapter whose client is at the other end of a channel.
 
-    `announcements` takes the channels of new copies.
+    `announcements` carries the channels of new copies.
     """
 
     def __init__(self, channel: socket.socket, announcements: socket.socket) -> None:
@@ -56,7 +56,7 @@ class Engine:
             os._exit(0)
 
     def _hand_over(self, key: int, state: object) -> Message:
-        """Return the message that makes a copy the engine."""
+        """Return the message that makes a copy the new engine."""
         text = base64.b64encode(pickle.dumps(state)).decode("ascii")
         return {"type": "handover", "key": key, "state": text}
 
@@ -72,14 +72,14 @@ class Engine:
         close_here(self._channel.fileno())  # else the front would not see the end of the engine
 
     def _revive(self, channel: socket.socket, state: bytes) -> None:
-        """Be the engine from here on, in a copy."""
+        """Become the engine, in a copy."""
         self._channel, self._is_current = channel, True
         self._adapter.revive(pickle.loads(state))
         threading.Thread(target=self.serve, name="reader", daemon=True).start()
 
 
 def main(channel: socket.socket, announcements: socket.socket) -> NoReturn:
-    """Be an engine: the main function of a process that has just been forked."""
+    """Run an engine: the main function of a process that has just been forked."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the front ends the session
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # copies that end leave nothing
     for number in (0, 1):

@@ -21,7 +21,7 @@ _LENGTH = b"content-length"
 
 
 class WrongMessage(Exception):
-    """A message that cannot be read; the stream ends with it if it `is_fatal`."""
+    """A message that cannot be read; if it `is_fatal`, the stream cannot continue."""
 
     def __init__(self, text: str, is_fatal: bool = False) -> None:
         super().__init__(text)
@@ -29,7 +29,7 @@ class WrongMessage(Exception):
 
 
 def read(stream: IO[bytes]) -> Message | None:
-    """Return the next message; None at the end of the stream. Raises WrongMessage."""
+    """Return the next message, None at the end of the stream; raise WrongMessage."""
     length = _length(stream)
     if length is None:
         return None
@@ -49,7 +49,7 @@ def read(stream: IO[bytes]) -> Message | None:
 
 
 def _length(stream: IO[bytes]) -> int | None:
-    """Read a header and return the length of the message after it."""
+    """Read a header and return the length of the message that follows."""
     length = None
     read = 0
     while True:
@@ -74,6 +74,6 @@ def _length(stream: IO[bytes]) -> int | None:
 
 
 def written(message: Message) -> bytes:
-    """Return a message with its header."""
+    """Return a message as bytes, with its header."""
     body = json.dumps(message, ensure_ascii=False, allow_nan=False).encode("utf-8", "replace")
     return b"Content-Length: %d\r\n\r\n" % len(body) + body

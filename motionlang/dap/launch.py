@@ -1,4 +1,4 @@
-"""The arguments of `launch`: a program, its machine and its world."""
+"""The arguments of `launch`: a program, its machine and its simulated world."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 class Launch:
     """A program to debug, as a client describes it.
 
-    `program` is its path. Optional are `machine`, `dialect`, `stopOnEntry`, `stopAtEnd`, `until`, `set` (values of
-    names), and `input`, `analog`, `answer` and `keys` as on the command line.
+    `program` is its path. Optional are `machine`, `dialect`, `stopOnEntry`, `stopAtEnd`, `until`, `set` (values by
+    name), and `input`, `analog`, `answer` and `keys` as on the command line.
     """
 
     def __init__(self, given: Arguments) -> None:
@@ -60,7 +60,7 @@ class Launch:
         return source, dialect_for(source, self._dialect or None), self.settings
 
     def summary(self, debugger: Debugger) -> Iterator[str]:
-        """Yield the diagnostics of a run that has ended, and how it ended."""
+        """Yield the diagnostics of a completed run, and how it ended."""
         run = debugger.run
         if run is None:
             return
@@ -73,6 +73,6 @@ class Launch:
 
 
 def problems(error: ProgramError) -> str:
-    """Return the errors of a text in one message."""
+    """Return the errors of a program as one message."""
     found = [f"line {each.line}: {each.message}" if each.line else each.message for each in error.diagnostics]
     return "; ".join(found[:10])

@@ -1,9 +1,9 @@
 """The front of a session: passes messages between a client and the engine.
 
-The engine, a process of its own, is the adapter and the program. To go back in a slow run, the session continues in a
-copy of the engine (`debug/checkpoints.py`), and the engine ends. The front has the channels of all copies. It sends
-requests that have no response yet to the copy, too. When the client or the engine dies, the front closes all channels,
-and every process of the session ends. If the front dies, the system does that.
+The engine, a separate process, contains the adapter and the program. To step back in a slow run, the session continues
+in a copy of the engine (`debug/checkpoints.py`), and the engine ends. The front has the channels of all copies.
+Requests without a response so far are sent to the copy, too. When the client or the engine dies, the front closes all
+channels, and every process of the session ends. If the front dies, the operating system closes them.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Relay:
     """
 
     def __init__(self, send: Callable[[Message], None], close: Callable[[], None]) -> None:
-        """Fork the engine; `close` closes in it what belongs to the client."""
+        """Fork the engine; `close` is called there to close the streams of the client."""
         self._send, self.is_over = send, False
         self._lock, self._sending, self._is_answered = threading.Lock(), threading.Lock(), threading.Event()
         self._seq = 0
@@ -65,7 +65,7 @@ class Relay:
     # --------------------------------------------------------------------------------------- to the engine
 
     def handle(self, message: Message) -> None:
-        """Pass a message of the client on."""
+        """Pass a message from the client to the engine."""
         with self._lock:
             if self.is_over:
                 self._refuse(message)
@@ -104,7 +104,7 @@ class Relay:
             self._send({**message, "seq": self._seq})
 
     def _pass_on(self) -> None:
-        """Pass on what the engine sends, until it ends."""
+        """Pass messages from the engine to the client, until the engine ends."""
         while not self.is_over:
             stream = self._channel.makefile("rb")
             try:
@@ -130,7 +130,7 @@ class Relay:
                 self._is_answered.set()
 
     def _continue_in(self, message: Message) -> None:
-        """Let the session go on in a copy."""
+        """Continue the session in a copy."""
         number, state = message["key"], message["state"]
         assert isinstance(number, int)
         assert isinstance(state, str)
@@ -145,7 +145,7 @@ class Relay:
                 self._to_engine(each)
 
     def _ended(self) -> None:
-        """Report the end of the engine, if the client does not know it."""
+        """Report the end of the engine, unless the client has been informed."""
         with self._lock:
             if self.is_over:
                 return
@@ -192,7 +192,7 @@ class Relay:
 
 
 def _close(channel: socket.socket) -> None:
-    """Close a channel, also for a thread that reads from it."""
+    """Close a channel, and wake a thread that is reading from it."""
     try:
         channel.shutdown(socket.SHUT_RDWR)
     except OSError:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def serve(reading: IO[bytes], writing: IO[bytes], close: Callable[[], None]) -> None:
     """Serve a client until it disconnects or its stream ends.
 
-    `close` closes what belongs to the client in a process that is forked.
+    In a forked process, `close` closes the streams of the client.
     """
     broken = False
 
@@ -71,7 +71,7 @@ def serve_stdio() -> None:
 
 
 def serve_connection(listener: socket.socket) -> None:
-    """Serve the first client that connects, and no further one."""
+    """Serve the first client that connects, and no other."""
     listener.setblocking(True)
     connection, _ = listener.accept()
     listener.close()

@@ -1,8 +1,8 @@
 """The state at a stop in the protocol: threads, frames, scopes, variables.
 
-References to frames and variables are valid until the program goes on, and none is used twice: a client may still ask
-for one of an earlier stop, and takes equal numbers for the same thing. A reference has the path of what it refers to,
-which is looked up when the client asks.
+References to frames and variables are valid until the program continues, and none is used twice, because a client may
+still request one of an earlier stop and takes equal numbers for the same object. A reference stores the path of its
+object, which is looked up on request.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Showing:
         self._known: list[Body] = [{"id": 1, "name": "program"}]
 
     def forget(self) -> None:
-        """Invalidate all references, because the program goes on."""
+        """Invalidate all references, because the program continues."""
         self._old_frames += len(self._frames)
         self._old_references += len(self._references)
         self._frames.clear()
@@ -100,7 +100,7 @@ class Showing:
         }
 
     def _end(self) -> Body:
-        """Return the frame after the last statement, for a program that has ended."""
+        """Return a frame after the last statement, for a program that has ended."""
         self._frames.append(("", 0))
         lines = self._debugger.lines
         frame = {
@@ -124,7 +124,7 @@ class Showing:
     # ------------------------------------------------------------------------------------------------ scopes
 
     def scopes(self, given: Arguments) -> list[Body]:
-        """Return the scopes of a frame: its variables, those of the program, the machine."""
+        """Return the scopes of a frame: local variables, program variables, the machine."""
         number = given.number("frameId") - self._old_frames
         if not 1 <= number <= len(self._frames):
             raise Refused(f"there is no frame {number + self._old_frames} at this stop")
@@ -202,7 +202,7 @@ class Showing:
     # ----------------------------------------------------------------------------------------------- changes
 
     def set_variable(self, given: Arguments) -> Body:
-        """Give a variable or an input another value."""
+        """Change the value of a variable or an input."""
         path, frame, found = self._referred(given)
         name, text = given.text("name"), given.text("value")
         if path[0] == INPUTS:
@@ -234,14 +234,14 @@ class Showing:
         return self._value(path, None, found)
 
     def path_of(self, name: str) -> Path:
-        """Return the path of a variable, an axis or a channel by its name.
+        """Return the path of a variable, an axis or a channel, by its name.
 
-        Raises WrongExpression.
+        Raises WrongExpression if there is none.
         """
         return self._debugger.state().path_of(name)
 
     def set_expression(self, given: Arguments) -> Body:
-        """Give a variable another value by its name."""
+        """Change the value of a variable, given by its name."""
         return self._assign(self.path_of(given.text("expression")), given.text("value"))
 
     def evaluate(self, text: str) -> Body:
@@ -254,7 +254,7 @@ class Showing:
         return {"result": shown(found), "variablesReference": 0}
 
     def completions(self, given: Arguments, commands: Sequence[str]) -> list[Body]:
-        """Return the names that continue the word before the cursor of the console."""
+        """Return the names that complete the word before the cursor of the console."""
         column = given.number("column") + self._column - 1
         text = given.text("text").encode("utf-16-le")[: 2 * max(column, 0)].decode("utf-16-le", "ignore")
         word = _WORD.search(text)
@@ -271,7 +271,7 @@ class Showing:
         ][:MAX_COMPLETIONS]
 
     def data_of(self, given: Arguments) -> Body:
-        """Return the identity of a variable or a channel for a data breakpoint."""
+        """Return the identifier of a variable or a channel for a data breakpoint."""
         name = given.text("name")
         path: Path = ()
         if given.number("variablesReference", 0):

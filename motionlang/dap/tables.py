@@ -3,9 +3,9 @@
 new            before initialize
 ready          initialized, no program
 configuring    launched; breakpoints are set, the program has not begun
-running        the program runs, or a replay does
+running        the program or a replay runs
 stopped        before a statement, or at the end of the program
-ended          the program has ended and the client knows
+ended          the program has ended and the client has been informed
 """
 
 from __future__ import annotations

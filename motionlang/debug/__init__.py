@@ -1,1 +1,1 @@
-"""A debugger that steps back: stops, replay and the journal, without any protocol."""
+"""A debugger that steps forward and back; it does not depend on any protocol."""

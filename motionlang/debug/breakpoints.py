@@ -1,4 +1,4 @@
-"""Breakpoints with condition, hit count and message, and watched variables."""
+"""Breakpoints with condition, hit count and log message, and watched variables."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Breakpoint:
         self.message: Callable[[Names], str] | None = None if message is None else _message(message)
 
     def counts(self, count: int) -> bool:
-        """True if the program stops at this hit, counted from 1."""
+        """True if the program stops at hit number `count`, counted from 1."""
         return self._counts(count)
 
 
@@ -65,7 +65,10 @@ def _hits(text: str) -> Callable[[int], bool]:
 
 
 def _message(text: str) -> Callable[[Names], str]:
-    """Return the text of a log point, with the values of the expressions in braces."""
+    """Return a function that makes the text of a log point.
+
+    Expressions in braces are replaced by their values.
+    """
     parts = re.split(r"\{([^{}]*)\}", text)
     expressions = [parse(each) for each in parts[1::2]]
 
@@ -82,7 +85,7 @@ def _message(text: str) -> Callable[[Names], str]:
 
 
 class Watched:
-    """A variable, an axis or a channel by its path.
+    """A watched variable, axis or channel, by its path.
 
     The program stops after it has changed.
     """
@@ -91,7 +94,7 @@ class Watched:
         self.path = path
 
     def note(self, replay: Replay, point: Point) -> None:
-        """Remember the present value in a run."""
+        """Store the current value in a run."""
         replay.values[self.path] = self._value(replay, point)
 
     def change(self, replay: Replay, point: Point) -> str:

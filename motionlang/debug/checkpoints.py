@@ -1,11 +1,11 @@
 """Checkpoints: copies of the process that wait at a statement, made by fork.
 
-Problem. Going back is running again. That takes seconds with simulated motors, or with polls that count next to other
-tasks.
+Problem. Stepping back means running again. That takes seconds with simulated motors, or with polling loops that run
+next to other tasks.
 
-Idea. While a run goes on, its process forks itself every `INTERVAL` of real time. The copy waits at its statement. To
-go back, the session hands its state to the last copy before the statement, and continues there. The copy forks itself
-first, so that the next step back finds it again.
+Idea. During a run, its process forks every `INTERVAL` of real time. The copy waits at its statement. To step back, the
+session hands its state to the last copy before the statement, and continues there. The copy first forks again, so that
+the next step back also finds a copy there.
 
     front                        engine                       copy at statement 5000
     | <-- the copy's channel ---- fork ----------------------> waits
@@ -13,11 +13,12 @@ first, so that the next step back finds it again.
     | --- the state ----------------------------------------> forks another copy
     |                             ends                        runs to 5999, is the engine
 
-A copy waits for the channel to which only the front has the other end. It ends if that is closed, so no copy outlives
-the front, however that ends. An engine sends the other end of a new channel to the front and closes its own, so no copy
-inherits the end of another one.
+A copy waits for data on a channel whose other end only the front has. It exits when that end is closed, so no copy
+outlives the front, however the front ends. An engine sends the other end of a new channel to the front and closes its
+own, so no copy inherits the end of another one.
 
-Real time decides only where the copies are. A copy runs on like any replay, so a stop has the same state either way.
+Real time determines only where the copies are. A copy continues like any replay, so the state at a stop does not depend
+on them.
 """
 
 from __future__ import annotations
@@ -42,9 +43,9 @@ _LENGTH = struct.Struct(">Q")
 
 
 class HandOver(Exception):
-    """The session continues in a copy.
+    """Raised to continue the session in a copy.
 
-    `key` is its number and `then` what is left to do.
+    `key` is the number of the copy and `then` the remaining work.
     """
 
     def __init__(self, key: int, *then: object) -> None:
@@ -70,9 +71,9 @@ class Ticks(threading.Thread):
 class Checkpoints:
     """The copies of an engine.
 
-    `keep` hands the channel of a copy to the front, and `drop` ends copies. `leave` is called in each new copy and
-    closes the channel of the engine. `revive` is called in one that is to continue, with its channel and the state of
-    the session.
+    `store` passes the channel of a copy to the front, and `drop` ends copies. `leave` is called in each new copy
+    and closes the channel of the engine. `revive` is called in the copy that continues the session, with its
+    channel and the state of the session.
     """
 
     def __init__(
@@ -88,7 +89,7 @@ class Checkpoints:
         self.last_key = 0
 
     def take(self, number: int, time: float) -> bool:
-        """Fork at a statement; True in the copy, when that is to continue."""
+        """Fork at a statement; return True in the copy when it is to continue."""
         self.last_key += 1
         key = self.last_key
         near, far = socket.socketpair()
@@ -123,7 +124,7 @@ class Checkpoints:
             channel = far
 
     def before(self, number: int) -> int | None:
-        """Return the key of the last copy at a statement or before it."""
+        """Return the key of the last copy at or before a statement."""
         return next((each[2] for each in reversed(self.known) if each[0] <= number), None)
 
     def before_time(self, time: float) -> int | None:
@@ -131,7 +132,7 @@ class Checkpoints:
         return next((each[2] for each in reversed(self.known) if each[1] < time), None)
 
     def forget_from(self, number: int) -> None:
-        """End the copies from a statement on, because the run continues differently."""
+        """End the copies from a statement on, because the run now continues differently."""
         self._forget([each for each in self.known if each[0] >= number])
 
     def _forget(self, copies: list[tuple[int, float, int]]) -> None:
@@ -141,14 +142,14 @@ class Checkpoints:
 
 
 def can_fork() -> bool:
-    """True on systems where a process with threads can fork safely."""
+    """True on systems on which a process with threads can fork safely."""
     return sys.platform == "linux"
 
 
 def close_here(descriptor: int) -> None:
-    """Close a file in this process alone.
+    """Close a file descriptor in this process only.
 
-    Objects that still have its number read and write nothing.
+    Objects that still have its number then read end of file and discard writes.
     """
     nothing = os.open(os.devnull, os.O_RDWR)
     os.dup2(nothing, descriptor)

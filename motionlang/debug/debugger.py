@@ -1,21 +1,25 @@
-"""The debugger: forward and back through a run, breakpoints, and changes by hand.
+"""The debugger: forward and back through a run, breakpoints, and manual changes.
 
-Problem. A user stops a program somewhere and asks how it came to be there. The run has gone on by then.
+Problem. A user stops a program and asks how it reached this state. By then the run has moved on.
 
-Idea. A stop is the number of a statement (`replay.py`). Forward, the run continues from where its thread waits. Back, a
-new run goes to an earlier number. To find that number, each run remembers the statements just
-before a stop, and a search runs up to the stop once more and notes the last hit.
+Idea. A stop is identified by the number of a statement (`replay.py`). To go forward, the waiting thread of the run
+continues. To go back, a new run executes up to an earlier number. To find that number, each run remembers the
+statements just before a stop. If they do not suffice, a search runs to the stop once more and notes the last hit.
 
-Moments that no statement marks, such as a limit in the middle of a wait, are looked for in the log, whenever the run
-stops and every `STRIDE` statements. The first statement after the moment becomes the stop. If the program ends before
-there is one, it is the last statement.
+Moments without a statement, such as a limit in the middle of a wait, are found in the log, whenever the run stops and
+every `STRIDE` statements. The first statement after the moment becomes the stop, or the last statement if the program
+ends before that.
+
+A program may wait for something that never happens, while events go on for eight hours. A command that needs a
+statement gives up after as many advances of the clock as the run has made so far (`patience.py`). The last statement is
+then the stop. `go_on` and `go_to_line` run on, until they are paused.
 
 Invariants.
 - After each command there is one run: stopped at `stop`, or ended (`stop` is None, `run` has the result).
-- The same commands give the same stops, and no command changes the result of the run. Changes by hand are in the
+- The same commands give the same stops, and no command changes the result of the run. Manual changes are in the
   journal.
-- Hit counts count executed statements from the start of the program. Iterations of a polling loop that are skipped
-  execute none.
+- Hit counts count executed statements from the start of the program. Skipped iterations of a polling loop execute
+  none.
 """
 
 from __future__ import annotations
@@ -55,7 +59,7 @@ CLOSE = 1e-8
 class Stop:
     """A stop before a statement.
 
-    `moment` is the time, s, of what caused the stop, if that was before the statement.
+    `moment` is the time, s, of the event that caused the stop, if that was before the statement.
     `reason` is "entry", "step", "breakpoint", "moment", "exception", "change", "pause", "goto" or "start".
     """
 
@@ -70,15 +74,15 @@ class Stop:
 
 
 class NotStopped(Exception):
-    """A question about a program that has ended, or has not begun."""
+    """The program has ended or not begun, so its state is not available."""
 
 
 class Interrupted(Exception):
-    """The user has cancelled a search; the program is where it was."""
+    """The user has cancelled a search; the program is at its previous stop."""
 
 
 class Debugger:
-    """A program that is run forward and back."""
+    """A program that runs forward and back."""
 
     def __init__(
         self,
@@ -94,7 +98,8 @@ class Debugger:
     ) -> None:
         """Compile the program; raise ProgramError with all its errors.
 
-        `show` takes its output, and `say` the texts of log points. `ask` returns a line for INPUT.
+        `show` takes its output, and `log_message` the texts of log points. `ask` returns a line for INPUT. While
+        `interrupted()` is true, whatever runs is paused.
         """
         self._say, self._ask = say, ask
         self._settings, self._overrides = dict(settings or {}), dict(overrides or {})
@@ -145,13 +150,13 @@ class Debugger:
     def observe(self, checkpoints: Checkpoints | None, progress: Callable[[float], None]) -> None:
         """Make copies of the process in slow runs, and report the progress of replays.
 
-        Called before `start`.
+        Call it before `start`.
         """
         self.checkpoints, self.progress = checkpoints, progress
         self._replay = self._new()
 
     def _tick(self, replay: Replay) -> None:
-        """Make a copy of a slow run, and report its progress; in the thread of a clock."""
+        """Make a copy of a slow run, and report its progress; runs in a timer thread."""
         replay.ticks += 1
         if replay.ticks < checkpoints.SLOW:
             return
@@ -195,16 +200,16 @@ class Debugger:
         return State(self, replay)
 
     def abandon(self) -> None:
-        """End the session; nothing of it goes on."""
+        """End the session and its run."""
         self._replay.abandon()
 
     def problems(self) -> list[str]:
-        """Return, once, the changes of the journal that could not be made again."""
+        """Return, once, the changes of the journal that could not be repeated."""
         found, self._replay.problems = self._replay.problems, []
         return found
 
     def stay(self, text: str) -> Stop | None:
-        """Remain at the stop, for a reason."""
+        """Remain at the stop; `text` is the reason."""
         return self._at(self._replay.point, "goto", text)
 
     def pause(self) -> None:
@@ -214,7 +219,7 @@ class Debugger:
     # ----------------------------------------------------------------------------------------------- forward
 
     def start(self, stop_on_entry: bool = True) -> Stop | None:
-        """Begin the run: to its first statement, or to the first stop."""
+        """Begin the run and go to its first statement, or to the first stop."""
         if stop_on_entry:
             return self._at(self._replay.go(lambda point: True, 0), "entry")
         return self.go_on()
@@ -224,16 +229,16 @@ class Debugger:
         return self._forward(None, "")
 
     def step_in(self) -> Stop | None:
-        """Go to the next statement of the task, also into a sub or a macro."""
+        """Go to the next statement of the task, also inside a sub or a macro."""
         task = self._point().task
         return self._forward(lambda point: point.task is task or task.done, "step")
 
     def next(self) -> Stop | None:
-        """Go to the next statement of the task that is not in a call of this one."""
+        """Go to the next statement of the task, stepping over calls."""
         return self._over(0)
 
     def step_out(self) -> Stop | None:
-        """Go to the first statement after the present sub or macro."""
+        """Go to the first statement after the current sub or macro."""
         return self._over(-1)
 
     def _over(self, more: int) -> Stop | None:
@@ -253,7 +258,7 @@ class Debugger:
         return self._replay.point
 
     def _forward(self, steps: Callable[[Point], bool] | None, reason: str) -> Stop | None:
-        """Continue to a stop: a breakpoint, a moment, or where `steps` is true."""
+        """Continue to a breakpoint, a moment, or a point at which `steps` is true."""
         if self._replay.run is not None:
             return None
         if self.stop is not None and self._after < self.stop.time:
@@ -322,7 +327,7 @@ class Debugger:
     # ------------------------------------------------------------------------------------------- breakpoints
 
     def _hit(self, point: Point, live: bool) -> tuple[str, str] | None:
-        """Return why the program stops at a point: reason and text; None if it does not."""
+        """Return reason and text of a stop at a point; None if the program does not stop."""
         for watched in self.watched:
             change = watched.change(self._replay_in_force, point)
             if change:
@@ -351,7 +356,7 @@ class Debugger:
         return self._searching or self._replay
 
     def set_breakpoints(self, breakpoints: Iterable[Breakpoint]) -> None:
-        """Replace all breakpoints by line; hits are counted from the start of the program."""
+        """Replace all line breakpoints; hits are counted from the start of the program."""
         self.breakpoints = list(breakpoints)
         if self._replay.point is None:
             self._replay.hook.places = self._stopping_offsets()
@@ -359,7 +364,7 @@ class Debugger:
             self._go_to(self._replay.point.number)
 
     def offsets_at(self, line: int) -> tuple[int, ...]:
-        """Return the source offsets at which the program may begin a line."""
+        """Return the source offsets at which execution of a line may begin."""
         places = self._lines.get(line, [])
         return (*places[:1], *(each for each in places[1:] if each in self._entries))
 
@@ -370,9 +375,9 @@ class Debugger:
     # ----------------------------------------------------------------------------------------------- moments
 
     def _has_come(self, moment: Moment, point: Point) -> bool:
-        """True if a moment is in the log at a point.
+        """True if a moment has occurred by a point, according to the log.
 
-        The statement that causes it may be at the same time, and still to come.
+        The statement that causes a moment may have the same time and not be executed yet.
         """
         return point.time >= moment.time and any(
             abs(each.time - moment.time) <= CLOSE for each in self._moments(point.time)
@@ -384,7 +389,7 @@ class Debugger:
         return sorted(found, key=lambda each: each.time)
 
     def _earliest(self, point: Point | None) -> Moment | None:
-        """Return the first moment since the last stop, up to a point or the end."""
+        """Return the first moment between the last stop and a point, or the end."""
         run = self._replay.run
         if not self.searches and not (self.stops_at_errors and point is None):
             return None
@@ -414,7 +419,7 @@ class Debugger:
         return self._at_moment(moment)
 
     def _at_moment(self, moment: Moment) -> Stop | None:
-        """Make the present statement the stop after a moment."""
+        """Make the current statement the stop for a moment."""
         text = moment.text if moment.time == INFINITY else self._described(moment)
         stop = self._at(self._replay.point, moment.reason, text)
         self._after = moment.time
@@ -425,7 +430,10 @@ class Debugger:
     # -------------------------------------------------------------------------------------------------- back
 
     def _go_to(self, number: int, decide: Callable[[Point], bool] | None = None) -> Point | None:
-        """Run again up to a statement, or from there to where `decide` is true."""
+        """Run again up to a statement, or from there to where `decide` is true.
+
+        The replay gives up a while after `time`.
+        """
         self._replay.abandon()
         self._replay = replay = self._new()
         counted = self._counted_places()
@@ -442,23 +450,23 @@ class Debugger:
             self._last = 0
 
     def _arrive(self, number: int, reason: str, text: str = "") -> Stop | None:
-        """Go to a statement and make it the stop, here or in a copy that is closer."""
+        """Go to a statement and make it the stop, in this process or in a closer copy."""
         self._hand_over(number, "arrive", number, reason, text)
         point = self._go_to(number)
         return self._at(point, "pause") if self._replay.paused else self._at(point, reason, text)
 
     def _hand_over(self, number: int, *then: object) -> None:
-        """Raise HandOver if a copy waits at a statement or before it."""
+        """Raise HandOver if a copy waits at or before a statement."""
         key = self.checkpoints.before(number) if self._may_hand_over() and self.checkpoints else None
         if key is not None:
             raise HandOver(key, *then)
 
     def _may_hand_over(self) -> bool:
-        """False if a copy would not know the hits of a breakpoint or a watched value."""
+        """False if a copy would lack the hit count of a breakpoint or a watched value."""
         return not self.watched and not any(each.is_counted for each in self.breakpoints)
 
     def state_for_copy(self) -> dict[str, object]:
-        """Return what a copy needs to continue this session."""
+        """Return the state that a copy needs to continue this session."""
         assert self.checkpoints is not None
         return {
             "journal": (self.journal.changes, self.journal.answers),
@@ -468,7 +476,7 @@ class Debugger:
         }
 
     def revive(self, state: Mapping[str, Any]) -> None:
-        """Continue a session in this copy, with its state."""
+        """Continue the session in this copy, with its state."""
         assert self.checkpoints is not None
         self.journal.changes, self.journal.answers = state["journal"]
         self._output.revive(state["shown"])
@@ -478,7 +486,7 @@ class Debugger:
         self._replay.revive()
 
     def resume(self, then: Sequence[Any]) -> Stop | None:
-        """Do what was left to do when the session was handed over to this copy."""
+        """Do the work that remained when the session was handed over to this copy."""
         what, number, *rest = then
         if what == "arrive":
             return self._arrive_on(number, *rest)
@@ -502,7 +510,7 @@ class Debugger:
         return self._arrive(found or max(number - 1, 1), "step")
 
     def _arrive_on(self, number: int, reason: str, text: str) -> Stop | None:
-        """Go on from an earlier statement to one that becomes the stop."""
+        """Continue from an earlier statement to one that becomes the stop."""
         self._run_on_to(number, MEMORY)
         point = self._replay.point
         return self._at(point, "pause") if self._replay.paused else self._at(point, reason, text)
@@ -515,7 +523,7 @@ class Debugger:
             self._last = 0
 
     def _search(self, last: int, first: int, note: Callable[[Point], None], places: frozenset[int]) -> None:
-        """Run up to a statement once more, and note points before it."""
+        """Run to a statement once more, and call `note` for points before it."""
         self._searching = replay = self._new()
         try:
 
@@ -533,7 +541,7 @@ class Debugger:
             self._searching, self._last = None, 0
 
     def step_back(self) -> Stop | None:
-        """Go to the statement of the task before this one, but not into a call."""
+        """Go to the previous statement of the task, stepping over calls."""
         if self._replay.run is not None:
             return self._arrive(self._replay.hook.count, "step")
         point, depth = self._point(), self._depth()
@@ -568,7 +576,7 @@ class Debugger:
         self._search(number, max(number - reach, 0), note, frozenset())
 
     def reverse(self) -> Stop | None:
-        """Go back to the last stop before this one, or to the first statement."""
+        """Go back to the last breakpoint or moment before this stop, or to the beginning."""
         ended = self._replay.run is not None
         here = self._replay.hook.count + 1 if ended else self._point().number
         hits: list[tuple[int, str, str]] = []
@@ -590,7 +598,7 @@ class Debugger:
         return self._arrive(number, reason, text)
 
     def _last_moment(self) -> tuple[int, str, str] | None:
-        """Return the last stop after a moment before this one: number, reason, text."""
+        """Return the stop after the last moment before this one: number, reason, text."""
         if not self.searches:
             return None
         run, stop = self._replay.run, self.stop
@@ -615,7 +623,7 @@ class Debugger:
         return f"{moment.text} at {moment.time:.9g} s{where}"
 
     def _first_after(self, moment: Moment, before: int) -> int | None:
-        """Return the number of the first statement after a moment, below a number."""
+        """Return the number of the first statement after a moment, if below `before`."""
         found: list[int] = []
 
         def note(point: Point) -> None:
@@ -630,7 +638,7 @@ class Debugger:
         return found[0] if found else None
 
     def go_to_time(self, time: float) -> Stop | None:
-        """Go to the first statement at or after a time; to the last one if there is none."""
+        """Go to the first statement at or after a time, or to the last statement."""
         key = self.checkpoints.before_time(time) if self.checkpoints and self._may_hand_over() else None
         if key is not None:
             raise HandOver(key, "time", time)
@@ -655,7 +663,7 @@ class Debugger:
         return self._at(point, "goto")
 
     def go_to_line(self, line: int) -> Stop | None:
-        """Go to the next time that a line begins; stay if it does not begin again."""
+        """Go to the next execution of a line; stay if there is none."""
         places, counted = frozenset(self.offsets_at(line)), self._counted_places()
         before = self._point().number
         self._output.hold()
@@ -671,7 +679,7 @@ class Debugger:
         return self._at(point, "pause" if self._replay.paused else "goto")
 
     def go_back_to_line(self, line: int) -> Stop | None:
-        """Go back to the last time that a line began; stay if it has not begun before."""
+        """Go back to the previous execution of a line; stay if there is none."""
         places, found = frozenset(self.offsets_at(line)), [0]
         ended = self._replay.run is not None
         here = self._replay.hook.count + 1 if ended else self._point().number
@@ -687,7 +695,7 @@ class Debugger:
     def last_change(self, path: Sequence[str]) -> Stop | None:
         """Go back to the statement that last changed a variable, an axis or a channel.
 
-        Returns None if none did.
+        Returns None if there is no such statement.
         """
         point = self._point()
         watched = Watched(tuple(path))
@@ -711,7 +719,7 @@ class Debugger:
     # ------------------------------------------------------------------------------------------------ changes
 
     def assign(self, path: Sequence[str], value: object) -> Variable:
-        """Give a variable another value; raise ValueError if that is not possible."""
+        """Change the value of a variable; raise ValueError if that is not possible."""
         point, replay = self._point(), self._replay
         variable = replay.ask(lambda: scopes.find(replay.hook, point, path))
         if variable is None:
@@ -734,7 +742,7 @@ class Debugger:
         self.journal.add(Entered(point.number, dict(entries)))
 
     def _changed(self) -> None:
-        """Show the output from here on again, because the run continues differently."""
+        """Allow output from here on to be shown again, because the run now differs."""
         self._output.forget(self._replay.written)
         self._logged = min(self._logged, self._point().number)
         if self.checkpoints is not None:
@@ -743,7 +751,7 @@ class Debugger:
     def restart(self, source: Source) -> Stop | None:
         """Run another text with the same journal, up to the time of the stop.
 
-        Raises ProgramError, and leaves everything as it is, if the text has errors.
+        Raises ProgramError, and changes nothing, if the text has errors.
         """
         time = self.stop.time if self.stop is not None else 0.0
         self._load(source)
@@ -757,7 +765,7 @@ class Debugger:
 def destination(debugger: Debugger, text: str) -> Callable[[], Stop | None]:
     """Return the command that goes to a time, "2.5", or to a line, "line 12".
 
-    Raises ValueError.
+    Raises ValueError for any other text.
     """
     word, _, rest = text.strip().partition(" ")
     if word.lower() == "line" and rest.strip().isdecimal():
@@ -775,7 +783,7 @@ def destination(debugger: Debugger, text: str) -> Callable[[], Stop | None]:
 
 
 def _before(recent: Iterable[Remembered], number: int, task: str, depth: int) -> int | None:
-    """Return the last statement of a task before a number, in at most `depth` calls."""
+    """Return a task's last statement before a number, in at most `depth` calls."""
     found = None
     for each in recent:
         if each.number < number and each.task == task and each.depth <= depth:

@@ -1,12 +1,12 @@
-"""Expressions over the state at a stop: conditions, log points, watches.
+r"""Expressions over the state at a stop: conditions, log points, watches.
 
-They have no side effects. There are numbers, texts, variables and the operators of Mint, with its precedence, from
-weak to strong:
+They have no side effects. There are numbers, texts, variables and the operators of Mint, with Mint's precedence, from
+lowest to highest:
 
-    Or   And   Not   = <> < > <= >=   + -   * / \\ Mod   -x   ^
+    Or   And   Not   = <> < > <= >=   + -   * / \ Mod   -x   ^
 
 Registers of MCCL are R10 or @10. `position(0)`, `velocity(0)`, `target(0)`, `idle(0)`, `input(5)`, `output(5)` and
-`time` read the machine at the time of the stop; POS, VEL, IDLE, IN, INX, OUT and OUTX are the same. Other keywords are
+`time` read the machine at the time of the stop; POS, VEL, IDLE, IN, INX, OUT and OUTX are synonyms. Other keywords are
 rejected, because reading some of them has an effect.
 """
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
         """The state that an expression reads."""
 
         def variable(self, name: str, subscripts: list[float]) -> Value | None:
-            """Return the value of a variable or an element; None if there is none of the name."""
+            """Return the value of a variable or an element; None if there is no such variable."""
 
         def reading(self, what: str, number: int) -> float:
             """Return a reading of an axis or a channel; ValueError if that does not exist."""
@@ -50,11 +50,11 @@ _LEVELS: tuple[tuple[str, ...], ...] = (
 
 
 class WrongExpression(ValueError):
-    """A text that is no expression, or one that cannot be evaluated."""
+    """An invalid expression, or one that cannot be evaluated."""
 
 
 def parse(text: str) -> Expression:
-    """Return the expression of a text; raise WrongExpression."""
+    """Parse an expression; raise WrongExpression if it is invalid."""
     if len(text) > MAX_LENGTH:
         raise WrongExpression(f"the expression has {len(text)} characters; {MAX_LENGTH} are allowed")
     parser = _Parser(_tokens(text))
@@ -77,7 +77,7 @@ def _tokens(text: str) -> list[tuple[str, str]]:
 
 
 class _Parser:
-    """A parser by precedence, which makes functions of the state."""
+    """A precedence parser that compiles an expression to functions of the state."""
 
     def __init__(self, tokens: list[tuple[str, str]]) -> None:
         self._tokens, self._at, self._depth = tokens, 0, 0

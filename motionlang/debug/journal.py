@@ -1,4 +1,4 @@
-"""The journal of a session: changes by hand, with the statement that follows them.
+"""The journal of a session: manual changes, each with the statement after it.
 
 A replay makes the same changes before the same statements. An entry made after stepping back invalidates all later
 ones, because they belong to another continuation of the run.
@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 @record
 class Assigned:
-    """A variable that was given another value.
+    """A variable that was assigned another value.
 
-    `path` is its scope and the names that lead to it.
+    `path` consists of its scope and the names that lead to it.
     """
 
     statement: int
@@ -27,7 +27,7 @@ class Assigned:
 
 @record
 class Entered:
-    """Inputs and keys as entries of a machine file; times count from the statement."""
+    """Inputs and keys as machine-file entries; times are relative to the statement."""
 
     statement: int
     entries: Mapping[str, object]
@@ -42,19 +42,19 @@ class Answered:
 
 
 class Journal:
-    """All changes by hand in the order of their statements, and the answers to INPUT."""
+    """All manual changes in the order of their statements, and the answers to INPUT."""
 
     def __init__(self) -> None:
         self.changes: list[Assigned | Entered] = []
         self.answers: list[Answered] = []
 
     def add(self, change: Assigned | Entered) -> None:
-        """Add a change, and remove all that came after its statement."""
+        """Add a change, and remove all changes after its statement."""
         self._truncate(change.statement)
         self.changes.append(change)
 
     def answer(self, statement: int, text: str, number: int) -> None:
-        """Add the answer to the INPUT of that number, counted from 0."""
+        """Add the answer to an INPUT; `number` counts INPUTs from 0."""
         del self.answers[number:]
         self.answers.append(Answered(statement, text))
 
@@ -63,7 +63,7 @@ class Journal:
         return [each for each in self.changes if each.statement == statement]
 
     def following(self, statement: int) -> float:
-        """Return the number of the next statement with a change; infinite if none."""
+        """Return the number of the next statement with a change; infinity if none."""
         return min(
             (each.statement for each in self.changes if each.statement > statement), default=float("inf")
         )

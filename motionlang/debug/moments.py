@@ -1,12 +1,12 @@
-"""Moments of a run that no statement marks: motion, limits, faults, outputs.
+"""Moments of a run without a statement: motion, limits, faults, outputs.
 
-They are found in what a run has logged by then: events, moves, changes of channels, and the motion of the axes. A
-search covers the times after one up to another.
+They are found in the log of a run: events, moves, changes of channels, and the motion of the axes. A search covers the
+times after a first one, up to a second one.
 
     axis 0 starts     axis 0 stops     input 5 rises     output 2 falls     position(0) > 120 and input(3)
 
-A condition becomes true where its state changes from false to true. Between two changes in the log the motion is
-sampled, `SAMPLES` times in each profile, and the time is then found by bisection.
+A condition occurs when its value changes from false to true. Between two changes in the log the motion is sampled,
+`SAMPLES` times in each profile, and the time is then found by bisection.
 """
 
 from __future__ import annotations
@@ -48,9 +48,9 @@ FORMS = "axis 0 starts, axis 0 stops, input 5 rises, output 2 falls or a conditi
 
 @record
 class Moment:
-    """Something that happened at a time, s.
+    """An occurrence at a time, s.
 
-    `at` is the source offset of the program then, if it is known, and `reason` that of the stop after it.
+    `at` is the program's source offset at that time, if it is known, and `reason` the reason of the stop after it.
     """
 
     time: float
@@ -60,7 +60,7 @@ class Moment:
 
 
 def together(found: list[Moment]) -> Moment:
-    """Return the first of moments in order, with the texts of all at its time."""
+    """Return the first of ordered moments, with the texts of all at the same time."""
     first = found[0]
     texts = list(dict.fromkeys(each.text for each in found if each.time == first.time))
     more = f"; {len(texts) - MAX_TEXTS} more" if len(texts) > MAX_TEXTS else ""
@@ -68,7 +68,7 @@ def together(found: list[Moment]) -> Moment:
 
 
 def search(text: str) -> Search:
-    """Return the search of a motion breakpoint; raise WrongExpression if it is none."""
+    """Return the search for a motion breakpoint; raise WrongExpression if invalid."""
     match = _AXIS.fullmatch(text)
     if match is not None:
         return _axis(int(match[1]), match[2].lower())
@@ -84,7 +84,7 @@ def search(text: str) -> Search:
 
 
 def filtered(kinds: Iterable[str]) -> Search:
-    """Return the search of events of some kinds."""
+    """Return the search for events of some kinds."""
     wanted = frozenset(kinds)
 
     def find(machine: Machine, after: float, until: float) -> Iterator[Moment]:
@@ -105,7 +105,7 @@ def complaints(machine: Machine, after: float, until: float) -> Iterator[Moment]
 
 
 def channel(what: str, number: int, how: str, reason: str = "moment") -> Search:
-    """Return the search of changes of a digital input or output."""
+    """Return the search for changes of a digital input or output."""
 
     def find(machine: Machine, after: float, until: float) -> Iterator[Moment]:
         log = machine.log.inputs if what == "input" else machine.log.outputs
@@ -168,7 +168,7 @@ def _stops(machine: Machine, number: int, after: float, until: float) -> Iterato
 
 
 class _Blank:
-    """Any state, to check an expression without a run."""
+    """A state in which every reading is 1, to check an expression without a run."""
 
     def variable(self, name: str, subscripts: list[float]) -> float | None:
         return None
@@ -178,7 +178,7 @@ class _Blank:
 
 
 class Past:
-    """The state of a machine at an earlier time, from the log."""
+    """The state of a machine at an earlier time, taken from the log."""
 
     def __init__(self, machine: Machine) -> None:
         self._machine, self.time = machine, 0.0

@@ -1,12 +1,12 @@
 """One execution of a program, in a thread that blocks in the hook at a stop.
 
 Problem. A debugger asks for the state of a run at a statement, and then for an earlier one. A run cannot go back, and a
-run that is cut and continued differs in last bits.
+run that is split into parts differs in the last bits.
 
-Idea. Runs are deterministic. A statement has the same number in each run, so a stop is a number, and going back is
-running again up to an earlier one. The run is never cut: its thread waits in the hook, in the middle of whatever it was
-doing, while another thread asks for its state. All questions are answered in the thread of the run, where the frames of
-the program are.
+Idea. Runs are deterministic. A statement has the same number in each run, so a stop is a number, and going back means
+running again to an earlier number. A run is never split: its thread waits inside the hook, in the middle of its work,
+while another thread asks for its state. All questions are answered in the thread of the run, which has the program's
+frames.
 
     controlling thread                       thread of the run
     go(…)              -- None ------------> continues
@@ -18,8 +18,9 @@ the program are.
 
 Invariants.
 - One thread runs at a time, except for `pause`, which only makes the next statement a stop.
+- A run that gives up, because no statement begins, ends between two events. It only shows its log from then on.
 - The changes of the journal are made before their statements, in every run.
-- An abandoned run leaves nothing behind: it writes no files, and its output is shown only where it is new.
+- An abandoned run leaves nothing behind: it writes no files, and only its new output is shown.
 """
 
 from __future__ import annotations
@@ -69,10 +70,7 @@ class Cancelled(Exception):
 
 @record
 class Point:
-    """A statement that is about to be executed.
-
-    It has its number, its time, s, and its source offset.
-    """
+    """A statement about to be executed: its number, time (s) and source offset."""
 
     number: int
     time: float
@@ -82,7 +80,7 @@ class Point:
 
 @record
 class Remembered:
-    """A statement before a stop."""
+    """A recently executed statement before a stop."""
 
     number: int
     task: str
@@ -92,7 +90,7 @@ class Remembered:
 
 @record
 class Setup:
-    """The common data of all runs of a session."""
+    """The data shared by all runs of a session."""
 
     source: Source
     language: Dialect
@@ -105,8 +103,8 @@ class Setup:
 class Output:
     """The output of a session; text that an earlier run has shown is not repeated.
 
-    A run that may have to go back, because it searches for a moment, holds its output until it is known how far it
-    counts.
+    A run that searches for a moment may have to go back. It retains its output until it is known up to which character
+    the output is valid.
     """
 
     def __init__(self, show: Callable[[str], object]) -> None:
@@ -115,27 +113,27 @@ class Output:
         self._holds = False
 
     def write(self, begin: int, text: str) -> None:
-        """Show, or hold, the new part of a text at character `begin` of the output."""
+        """Show, or retain, the new part of a text at character `begin` of the output."""
         known = self._shown + len(self._held)
         self._held += text[max(known - begin, 0) :]
         if not self._holds:
             self.release(known + len(self._held))
 
     def hold(self) -> None:
-        """Hold all text from here on."""
+        """Retain all text from here on."""
         self._holds = True
 
     @property
     def shown(self) -> int:
-        """How much of the output has been shown, in characters."""
+        """The number of characters of the output that have been shown."""
         return self._shown
 
     def revive(self, shown: int) -> None:
-        """Continue with what another process has shown."""
+        """Continue after another process has shown `shown` characters."""
         self._shown, self._held, self._holds = shown, "", False
 
     def release(self, length: int) -> None:
-        """Show the output up to a length, and forget what is held after it."""
+        """Show the output up to a length, and discard the retained rest."""
         text = self._held[: max(length - self._shown, 0)]
         self._held, self._holds = "", False
         self._shown += len(text)
@@ -143,12 +141,12 @@ class Output:
             self._show(text)
 
     def forget(self, length: int) -> None:
-        """Show all output after the first `length` characters again."""
+        """Allow the output after the first `length` characters to be shown again."""
         self._shown = min(self._shown, length)
 
 
 class Replay:
-    """A run in a thread of its own.
+    """A run in its own thread.
 
     `ask_user` returns the line for an INPUT; without it there is no operator, as in a plain run.
     """
@@ -199,9 +197,10 @@ class Replay:
         limit: float = INFINITY,
         places: frozenset[int] | None = None,
     ) -> Point | None:
-        """Continue until `decide` is true; return the stop, or None at the end of the run.
+        """Continue until `decide` is true; return that point, or None at the end.
 
-        `decide` is called before each statement from number `limit` on, and before those at `places`.
+        `decide` is called before each statement from number `limit` on, and before those at `offsets`. `give_up` is
+        called with each time to which the clock is about to advance. If it is true, `gave_up` is set and the run ends.
         """
         if self.run is not None or self.error is not None:
             return None
@@ -235,7 +234,10 @@ class Replay:
         return answer  # type: ignore[no-any-return]
 
     def pause(self) -> None:
-        """Stop before the next statement; may be called from any thread."""
+        """Stop before the next statement, or end the run if none begins.
+
+        May be called from any thread.
+        """
         self._pausing = True
         self.hook.limit = 0
 
@@ -248,14 +250,14 @@ class Replay:
         self.hook.limit = 0
 
     def revive(self) -> None:
-        """Be stopped at the statement of this copy, for new threads that control the run."""
+        """Remain stopped in this copy, with new threads that control the run."""
         self._orders, self._news, self._answers = SimpleQueue(), SimpleQueue(), SimpleQueue()
         self.point, self.problems = self._copied, []
         self.paused = self._pausing = False
         self.ticks = 0
 
     def consider_from(self, number: int) -> None:
-        """Ask `decide` from a later statement on; called by `decide` itself."""
+        """Call `decide` only from statement `number` on; called by `decide` itself."""
         self._limit = number
 
     def abandon(self) -> None:
@@ -267,7 +269,7 @@ class Replay:
             self.point = None
 
     def enter(self, entries: Mapping[str, object]) -> None:
-        """Add inputs and keys to the world now."""
+        """Add inputs and keys to the simulated world now."""
         self.ask(lambda: self.machine.add_entries(entries))
 
     # -------------------------------------------------------------------------------- in the thread of the run
@@ -344,7 +346,7 @@ class Replay:
                 self._answers.put((None, error))
 
     def _arm(self) -> None:
-        """Set the number of the next statement for `decide` or for the journal."""
+        """Set the number of the next statement for `decide` or the journal."""
         self.hook.limit = min(self._limit, self._journal.following(self.hook.count))
         if self._pausing or self._is_due:
             self.hook.limit = 0
@@ -356,7 +358,7 @@ class Replay:
         recent.append(Remembered(point.number, point.task.name, self.depth(point.task), point.place))
 
     def depth(self, task: Task) -> int:
-        """Return how many calls the running task is in."""
+        """Return the number of calls that the running task is in."""
         assert self.hook.inspection is not None
         return self.hook.inspection.depth(task)
 
@@ -386,7 +388,7 @@ class Replay:
         return answers[number].text if number < len(answers) else None
 
     def _answer_input(self) -> bool:
-        """Ask the user for the line of an INPUT; False if the session ends instead."""
+        """Ask the user for the line of an INPUT; False if the session ends meanwhile."""
         assert self._ask_user is not None
         line = self._ask_user(self.machine.terminal.begun)
         if line is None:

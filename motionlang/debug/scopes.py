@@ -1,7 +1,7 @@
-"""The state at a stop as variables: calls, data of the program, axes, channels.
+"""The state at a stop as variables: calls, program data, axes, channels.
 
 Nothing here changes the run: positions are computed from the profiles at the time of the stop, and a motor shows only
-samples that the run has computed by itself.
+samples that the run itself has computed.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _OF_MACHINE = re.compile(r"\s*(axis|(?:analogue )?(?:input|output))\s+(\d{1,4})\
 
 @record
 class Waiting:
-    """A task or an event handler, and what it waits for ("" if it can run)."""
+    """A task or an event handler, and the condition it waits for ("" if it can run)."""
 
     name: str
     task: Task
@@ -44,7 +44,7 @@ class Waiting:
 
 
 def tasks(machine: Machine, running: Task | None) -> list[Waiting]:
-    """Return the tasks and handlers of a program; the running one is among them."""
+    """Return the tasks and handlers of a program, including the running one."""
     scheduler = machine.scheduler
     if scheduler is None:
         return []
@@ -66,13 +66,13 @@ def frames(hook: Hook, task: Task, point: Point | None) -> Sequence[Frame]:
 
 
 def module(hook: Hook) -> list[Variable]:
-    """Return the variables of the whole program, or the shared registers."""
+    """Return the global variables of the program, or the shared registers."""
     assert hook.inspection is not None
     return hook.inspection.module()
 
 
 def find(hook: Hook, point: Point | None, path: Sequence[str]) -> Variable | None:
-    """Return the variable at a path: its scope and the names that lead to it.
+    """Return the variable at a path, which is its scope and the names that lead to it.
 
     `point` is None at the end of the run, where there are no calls.
     """
@@ -99,7 +99,7 @@ def find(hook: Hook, point: Point | None, path: Sequence[str]) -> Variable | Non
 
 
 def named(hook: Hook, point: Point | None, name: str) -> tuple[tuple[str, ...], Variable] | None:
-    """Return the path and the variable of a name, as the program finds it."""
+    """Return path and variable of a name, resolved as in the program."""
     for scope in (f"{LOCAL}0", MODULE):
         variable = find(hook, point, (scope, name))
         if variable is not None:
@@ -111,9 +111,9 @@ def named(hook: Hook, point: Point | None, name: str) -> tuple[tuple[str, ...], 
 
 
 def axes(machine: Machine, time: float, moment: float | None = None) -> list[Variable]:
-    """Return each axis at a time not before the clock's, and its motion at a moment.
+    """Return the state of each axis at a time, and its motion at an earlier moment.
 
-    There are none before the program uses the controller.
+    The time is not before the clock's. There are no axes before the program uses the controller.
     """
     if not machine.has_controller:
         return []
@@ -188,13 +188,13 @@ def reading(machine: Machine, time: float, what: str, number: int) -> float:
 
 
 def of_machine(name: str) -> str | None:
-    """Return the name of an axis or a channel, such as "output 2"; None if it is none."""
+    """Return the full name of an axis or a channel, such as "output 2", or None."""
     match = _OF_MACHINE.fullmatch(name)
     return None if match is None else f"{match[1].lower()} {int(match[2])}"
 
 
 def present(machine: Machine, name: str) -> object:
-    """Return what changes with an axis or a channel, by its name.
+    """Return a value that changes whenever the axis or channel with a name does.
 
     The result is None before the program uses the controller. An axis changes when a move enters or leaves its buffer,
     and with its target, its faults and whether it is on.
@@ -217,7 +217,7 @@ def present(machine: Machine, name: str) -> object:
 
 
 def inputs(machine: Machine) -> list[Variable]:
-    """Return the inputs that have had a value other than 0, digital and analogue."""
+    """Return the digital and analogue inputs that have had a value other than 0."""
     if not machine.has_controller:
         return []
     controller = machine.controller
@@ -226,7 +226,7 @@ def inputs(machine: Machine) -> list[Variable]:
 
 
 def outputs(machine: Machine) -> list[Variable]:
-    """Return the outputs that have had a value other than 0, digital and analogue."""
+    """Return the digital and analogue outputs that have had a value other than 0."""
     if not machine.has_controller:
         return []
     controller = machine.controller

@@ -27,12 +27,12 @@ class State:
 
     @property
     def time(self) -> float:
-        """The time of the statement, s, or of the end."""
+        """The time of the statement, or of the end, s."""
         run = self._replay.run
         return self._point.time if self._point is not None else run.time if run is not None else 0.0
 
     def tasks(self) -> list[Waiting]:
-        """Return the tasks and event handlers, each with what it waits for."""
+        """Return the tasks and event handlers, each with the condition it waits for."""
         running = None if self._point is None else self._point.task
         return self._ask(lambda: scopes.tasks(self._replay.machine, running))
 
@@ -41,11 +41,11 @@ class State:
         return self._ask(lambda: scopes.frames(self._replay.hook, task, self._point))
 
     def module(self) -> list[Variable]:
-        """Return the variables of the whole program, or the shared registers."""
+        """Return the global variables of the program, or the shared registers."""
         return self._ask(lambda: scopes.module(self._replay.hook))
 
     def axes(self) -> list[Variable]:
-        """Return the axes at the exact time of the stop, and how they moved at its moment."""
+        """Return the axes at the time of the stop, and their motion at its moment."""
         stop = self._debugger.stop
         moment = None if stop is None or self._point is None else stop.moment
         return self._ask(lambda: scopes.axes(self._replay.machine, self.time, moment))
@@ -61,13 +61,13 @@ class State:
         return self._ask(lambda: scopes.find(self._replay.hook, self._point, path))
 
     def named(self, name: str) -> tuple[tuple[str, ...], Variable] | None:
-        """Return the path and the variable of a name at the stop."""
+        """Return path and variable of a name at the stop."""
         return self._ask(lambda: scopes.named(self._replay.hook, self._point, name))
 
     def path_of(self, name: str) -> tuple[str, ...]:
         """Return the path of a variable, an axis or a channel such as "output 2".
 
-        Raises WrongExpression.
+        Raises WrongExpression if there is none.
         """
         found = self.named(name.strip())
         if found is not None:
@@ -86,7 +86,7 @@ class State:
         return list(dict.fromkeys([*found, *READINGS, "time"]))
 
     def evaluate(self, text: str) -> object:
-        """Return the value of an expression, or the variable of a name.
+        """Return the value of an expression, or the variable with a name.
 
         Raises WrongExpression.
         """

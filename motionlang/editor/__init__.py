@@ -1,4 +1,4 @@
 """The features of an editor as pure functions of a text.
 
-There is no protocol, clock or thread in them.
+They use no protocol, clock or thread.
 """

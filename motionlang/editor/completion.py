@@ -1,7 +1,7 @@
 """Completion: keywords, names of the program and blocks, with snippets.
 
-Only the line of the cursor is examined, and the names may be those of a text that is a few
-keys older. So the cost does not depend on the size of the program.
+Only the line of the cursor is examined, and the names may come from a text that is a few keystrokes older. So the
+cost does not depend on the size of the program.
 """
 
 from __future__ import annotations
@@ -51,8 +51,8 @@ _STATEMENT = re.compile(r"(?:^|:|\bthen\b|\belse\b)[ \t]*\w*$", re.IGNORECASE)
 class Item:
     """One proposal: `text` replaces the span from `start` to the cursor.
 
-    `kind` is a kind of `lang/names.py`, of a keyword's row, or "block". `snippet` is the same text with stops
-    for the cursor, "" if it has none. Items with a lower `rank` come first.
+    `kind` is a kind of name (`lang/names.py`), the kind of a keyword's row, or "block". `snippet` is the same text with
+    cursor stops, "" if it has none. Items with a lower `rank` come first.
     """
 
     label: str
@@ -66,9 +66,9 @@ class Item:
 
 
 def complete(page: Page, offset: int, names: Names | None = None) -> list[Item]:
-    """Return what can follow the text before an offset.
+    """Return the proposals for the text before an offset.
 
-    Nothing is proposed in a comment or a string.
+    There are none in a comment or a string.
     """
     start, end = page.line_of(offset)
     before, after = page.text[start:offset], page.text[offset:end]
@@ -162,7 +162,7 @@ def _rows(table: Iterable[Keyword], begun: str) -> Iterator[Keyword]:
 def _call(row: Keyword, name: str, is_statement: bool) -> str:
     """Return the snippet of a keyword with its brackets.
 
-    An `=` follows if the keyword takes a value there.
+    It ends with `=` if the keyword takes a value there.
     """
     if row.kind in ("statement", "constant") or row.access == "":
         return ""
@@ -187,5 +187,5 @@ def _plain(parameter: str) -> str:
 
 
 def _spelt(name: str, begun: str) -> str:
-    """Return a name in the user's case, because both languages accept any case."""
+    """Return a name in the case that the user types; both languages accept any case."""
     return name.lower() if begun and begun.islower() else name

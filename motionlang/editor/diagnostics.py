@@ -22,16 +22,16 @@ _UNKNOWN = "\ufffd"
 def findings(page: Page, known: dict[object, object] | None = None) -> list[Diagnostic]:
     """Return the diagnostics of a program, as `check` reports them.
 
-    `known` is as in `Dialect.check`.
+    `known` is the parameter of `Dialect.check`.
     """
     found = page.language.check(page.source, page.settings, known)
     return decoded(page.source, one_sentence(page.language, page.source, found))
 
 
 def decoded(source: Source, found: list[Diagnostic], code: str = "syntax") -> list[Diagnostic]:
-    """Return diagnostics, with one for all characters that an editor could not decode.
+    """Add one diagnostic for all characters that an editor could not decode.
 
-    An editor that opens a file in another encoding than its own puts U+FFFD in place of such characters.
+    An editor that opens a file in the wrong encoding replaces such characters by U+FFFD.
     """
     first = source.text.find(_UNKNOWN)
     if first < 0:

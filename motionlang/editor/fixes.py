@@ -1,6 +1,6 @@
 """Quick fixes of diagnostics.
 
-They are corrections, names that may have been meant, and comments that silence a warning.
+A fix is a correction, a name that was probably meant, or a comment that silences a warning.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _IGNORE = re.compile(r"lint:\s*ignore\b(?:[ \t]+[\w-]+(?:[ \t]*,[ \t]*[\w-]+)*)?
 
 @record
 class Edit:
-    """Replace the text of a span."""
+    """A replacement of the text in a span."""
 
     span: Span
     text: str
@@ -34,7 +34,7 @@ class Edit:
 class Fix:
     """One change that an editor offers.
 
-    `preferred` is True for the only possible correction, which `check --fix` makes, too.
+    `preferred` is True for the only possible correction, which `check --fix` also makes.
     """
 
     title: str
@@ -43,7 +43,7 @@ class Fix:
 
 
 def fixes(page: Page, diagnostic: Diagnostic) -> Iterator[Fix]:
-    """Yield the changes that would settle a diagnostic, the best first."""
+    """Yield the changes that would resolve a diagnostic, the best first."""
     if not diagnostic.line or not diagnostic.column:
         return
     begin = page.offset(diagnostic.line, diagnostic.column)
@@ -59,9 +59,9 @@ def fixes(page: Page, diagnostic: Diagnostic) -> Iterator[Fix]:
 
 
 def silencing(page: Page, diagnostic: Diagnostic) -> Edit | None:
-    """Return the comment that silences a warning on its line, None if none can.
+    """Return an edit that adds a comment to silence a warning on its line, or None.
 
-    A line that continues on the next one has no room for a comment.
+    A line that continues on the next one cannot have a comment.
     """
     titles = WARNINGS.get(diagnostic.code, "")
     if diagnostic.severity != "warning" or page.language.title not in titles or diagnostic.code == "silenced":

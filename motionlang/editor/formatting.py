@@ -1,6 +1,6 @@
 """The layout of a Mint program: indentation by blocks, no trailing blanks.
 
-Tokens and comments stay as they are, so the program stays the same.
+Tokens and comments do not change, so the program keeps its meaning.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def format(page: Page, indent: str = "  ") -> list[Edit]:
-    """Return the edits that lay a text out, none for a language without blocks."""
+    """Return the edits that format a text; none for a language without blocks."""
     edits = []
     start = 0
     for line, wanted in zip(page.text.split("\n"), formatted_lines(page, indent), strict=True):

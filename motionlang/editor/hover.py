@@ -1,4 +1,4 @@
-"""The page in Markdown of the name or the keyword under the pointer."""
+"""The Markdown page about the name or the keyword under the pointer."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Hover:
 
 
 def hover(page: Page, offset: int) -> Hover | None:
-    """Return what is known of the word at an offset."""
+    """Return the description of the word at an offset, None if there is none."""
     named = page.names.at(offset)
     if named is not None:
         return Hover(definition_page(page, named[0]), named[1])
@@ -72,7 +72,7 @@ def keyword_page(row: Keyword, language: str) -> str:
 
 
 def _comment_above(page: Page, definition: Definition) -> str:
-    """Return the comment in the lines above a declaration, or at its end."""
+    """Return the comment above a declaration, or at the end of its line."""
     if definition.span is None:
         return ""
     start, end = page.line_of(definition.span[0])

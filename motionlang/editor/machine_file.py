@@ -32,7 +32,7 @@ _KINDS = {
 
 @record
 class _Row:
-    """A key of a section; `choices` are its values if they are a choice."""
+    """A key of a section; `choices` are its values if they are limited."""
 
     name: str
     kind: str
@@ -99,7 +99,7 @@ def _code(line: str) -> str:
 
 
 def _section(source: Source, offset: int) -> tuple[str, bool]:
-    """Return the header above an offset, and whether it is one of a table of entries."""
+    """Return the section header above an offset, and True if it heads a list entry."""
     for line in reversed(source.text[: source.text.rfind("\n", 0, offset) + 1].split("\n")):
         header = _HEADER.match(_code(line))
         if header is not None:
@@ -115,7 +115,7 @@ def _row(section: str, is_table: bool, key: str) -> _Row | None:
 
 
 def _rows(section: str, is_table: bool) -> Iterator[_Row]:
-    """Yield the keys of a section with their names in it."""
+    """Yield the keys of a section, with their names in that section."""
     if is_table:
         for name, (kind, help) in TABLES.get(section, {}).items():
             yield _Row(name, kind, help, CHOICES.get(kind, ()))
@@ -156,7 +156,7 @@ def _headers(opening: str, typed: str, offset: int) -> Iterator[Item]:
 
 
 def _values(row: _Row, typed: str, offset: int) -> Iterator[Item]:
-    """Yield the values of a choice; those that are texts get quotation marks."""
+    """Yield the values of a choice; texts get quotation marks."""
     begun = typed.strip().lstrip('"')
     start = offset - len(typed.lstrip())
     for each in row.choices:

@@ -1,4 +1,4 @@
-"""Definitions, references, new names, symbols and folding ranges of a text."""
+"""Definitions, references, renaming, symbols and folding ranges of a text."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ _LISTED = frozenset(("constant", "define", "variable", "label", "member"))
 
 
 class Refused(Exception):
-    """A name cannot be changed; the message is the reason."""
+    """A name cannot be changed; the message has the reason."""
 
 
 @record
 class Symbol:
     """An entry of the outline.
 
-    `span` is all of it, `at` its name, `inner` are the entries that it contains.
+    `span` is its whole text, `at` its name, and `inner` the entries that it contains.
     """
 
     name: str
@@ -44,7 +44,7 @@ def definition(page: Page, offset: int) -> Span | None:
 
 
 def references(page: Page, offset: int, declaration: bool = True) -> list[Span]:
-    """Return every use of the name at an offset, with or without its declaration."""
+    """Return all uses of the name at an offset, with or without its declaration."""
     found = page.names.at(offset)
     if found is None:
         return []
@@ -52,7 +52,7 @@ def references(page: Page, offset: int, declaration: bool = True) -> list[Span]:
 
 
 def renamed_span(page: Page, offset: int) -> tuple[Span, str]:
-    """Return the span and text of the name at an offset; raise Refused if it is fixed."""
+    """Return span and text of the name at an offset; raise Refused if it is fixed."""
     found = page.names.at(offset)
     if found is None:
         word = page.keyword(offset)
@@ -63,9 +63,9 @@ def renamed_span(page: Page, offset: int) -> tuple[Span, str]:
 
 
 def rename(page: Page, offset: int, name: str) -> list[Edit]:
-    """Return the edits that give a name to all uses of the one at an offset.
+    """Return the edits that rename all uses of the name at an offset.
 
-    Raises Refused with the reason if the program would change.
+    Raises Refused with the reason if the meaning of the program would change.
     """
     renamed_span(page, offset)
     if not page.names.complete:
@@ -108,7 +108,7 @@ def _symbols(page: Page) -> Iterator[Symbol]:
 
 
 def folds(page: Page) -> list[tuple[int, int, bool]]:
-    """Return the first and last line of each block and comment, from 1.
+    """Return the first and last line of each block and comment, counted from 1.
 
     The third value is True for a comment.
     """
@@ -131,5 +131,5 @@ def folds(page: Page) -> list[tuple[int, int, bool]]:
 
 
 def _closes(page: Page, block: Block) -> int:
-    """Return 1 if the last line of a block is its end, which stays visible."""
+    """Return 1 if a block ends with a closing line, which stays visible, else 0."""
     return 0 if block.kind == "macro" else 1

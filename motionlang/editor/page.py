@@ -21,7 +21,7 @@ _WORDS = frozenset(("word", "control", "command", "not-simulated"))
 
 
 class Page:
-    """The text of a program. Its names are found when they are first needed."""
+    """The text of a program. Its names are computed on first use."""
 
     __slots__ = ("_names", "_starts", "language", "settings", "source")
 
@@ -44,7 +44,7 @@ class Page:
         return self._names
 
     def offset(self, line: int, column: int) -> int:
-        """Return the character offset of a line and a column, both from 1."""
+        """Return the character offset of a line and a column, both counted from 1."""
         if self._starts is None:
             self._starts = [0, *(match.end() for match in re.finditer("\n", self.text))]
         if line > len(self._starts):
@@ -54,7 +54,7 @@ class Page:
         return min(start + max(column, 1) - 1, max(end, start))
 
     def line_of(self, offset: int) -> Span:
-        """Return the start and end of the line with an offset."""
+        """Return the start and end of the line that contains an offset."""
         start = self.text.rfind("\n", 0, offset) + 1
         end = self.text.find("\n", offset)
         return start, len(self.text) if end < 0 else end
@@ -62,7 +62,7 @@ class Page:
     def token(self, offset: int) -> tuple[str, str, int] | None:
         """Return kind, text and offset of the token at an offset.
 
-        Between two tokens, a keyword or a name takes precedence.
+        At the boundary of two tokens, a keyword or a name takes precedence.
         """
         start, end = self.line_of(offset)
         found = None

@@ -16,9 +16,9 @@ _OPENING, _CLOSING = ("(", "["), (")", "]")
 
 @record
 class Signature:
-    """A call as text.
+    """The text of a call.
 
-    `active` is the number of the parameter at the cursor, -1 if there is none.
+    `active` is the index of the parameter at the cursor, -1 if there is none.
     """
 
     text: str

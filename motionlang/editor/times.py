@@ -1,4 +1,4 @@
-"""The simulated time of each line, from a run with limits that writes nothing."""
+"""The simulated time of each line, from a limited run that writes no files."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ _LOG_SIZE = 0.0
 
 @record
 class LineTime:
-    """The number of moves that a line has started, and their duration.
+    """The number of moves that a line has started, and their duration, s.
 
-    `waited` are the seconds that tasks have waited at the line.
+    `waited` is the time, in seconds, that tasks have waited at the line.
     """
 
     line: int
@@ -49,8 +49,8 @@ _SHORTEST = 0.0005
 class Times:
     """The times of a run's lines.
 
-    `fault` is the line and the message at which it ended, or None. `until` is the machine time at which
-    the run was cut short, 0 if it ended by itself.
+    `fault` is the line and the message of the error that ended the run, or None. `until` is the machine time, s, at
+    which the run was cut short, 0 if it ended by itself.
     """
 
     lines: list[LineTime]

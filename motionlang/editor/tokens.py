@@ -1,4 +1,4 @@
-"""Semantic tokens: the kinds of words, from the tables of the highlighting."""
+"""Semantic tokens: the kinds of words, from the tables of syntax highlighting."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ _MODIFIERS = {"constant": 1, "not-simulated": 2 | 4, "keyword": 4, "move": 4}
 def _words(language: str, line: str) -> tuple[tuple[int, int, str, str], ...]:
     """Return column, length, kind and name of the tokens of a line.
 
-    Most lines of a text are the same after a key.
+    The result is cached, because most lines do not change with a keystroke.
     """
     found = []
     for column, kind, piece in pieces(dialect(language), line):
@@ -71,8 +71,8 @@ def tokens(
 ) -> Iterator[tuple[int, int, int, int, int]]:
     """Yield line, column, length, type and modifiers of the words in some lines.
 
-    The lines are `first` to `last`, from 1; positions in the result count from 0. A name has the kind of
-    the definition with its spelling, so `names` may be those of a text that is a few keys older.
+    The lines are `first` to `last`, counted from 1; positions in the result count from 0. A name has the kind of
+    the definition with its spelling, so `names` may come from a text that is a few keystrokes older.
     """
     found = page.names if names is None else names
     kinds: dict[str, str] = {}

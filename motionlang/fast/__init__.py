@@ -1,7 +1,7 @@
 """Accelerators: faster replacements of engine components, with equal results.
 
 `motionlang.execution` reads the switch and passes them to a machine; nothing else imports this package. The
-head of each module states what it replaces, its hook, its gain and the test that holds it equal.
+head of each module states what it replaces, its hook, its gain and the test that checks equality.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def everything() -> Accelerators:
-    """Return all accelerators; those that few programs need are imported when called."""
+    """Return all accelerators; those that few programs need are imported on first use."""
     return Accelerators(
         axes=_axes,
         counted=_counted,

@@ -1,10 +1,10 @@
 """The closed form of a linear servo: samples along a cubic in one expression.
 
-Replaces: the plain steps of `SpeculativeServo` (servo/speculative.py). A linear loop goes from one cubic of its
-command to the next by its closed form. Plain steps do the samples between cubics and around the limits, and everything
-nonlinear.
+Replaces: the single steps of `SpeculativeServo` (servo/speculative.py). A linear loop goes from one cubic of its
+command to the next by its closed form. Single steps compute the samples between cubics and around the limits, and
+everything nonlinear.
 
-Hook: `Accelerators.servo`; `Feedback` makes its servo of it.
+Hook: `Accelerators.servo`; `Feedback` creates its servo by it.
 
 Gain: 1.7 to 2.2 times in runs with linear motors (`linear-in-a-run` of benchmarks/servo.py).
 
@@ -12,13 +12,13 @@ Equality is tested by: tests/fast/test_closed_form.py and tests/fast/test_both_w
 
 The algorithm
 
-Between its limits loop and plant are one linear system, and a ramp of the command is four numbers. So a
-sample depends on the state and the command at the beginning of its stretch by constant factors: a table, made
-once for a loop and a plant by doubling. Products are added term by term, which no matrix library promises: a
-sample is equal to the last bit whatever the processor and the length of the stretch.
+Between its limits, loop and plant are one linear system, and a cubic of the command is four numbers. So a sample is a
+linear function of the state and the command at the beginning of its stretch. The factors are constant: a table,
+computed once for a loop and a plant by doubling. Products are added term by term, which no matrix library promises, so
+a sample is equal to the last bit whatever the processor and the length of the stretch.
 
-The points of the command are on the cubic from the end of the first cycle on. The point at its beginning and
-the one before it were given already, and so are their offsets from the cubic.
+The points of the command are on the cubic from the end of the first cycle on. The point at the beginning of that cycle
+and the one before it were given already, and so are their offsets from the cubic.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ _TRIAL = 256
 def closed_form(loop: Loop, plant: Motor | Drive) -> ClosedForm | None:
     """Return the closed form of a loop and a plant.
 
-    None if more than their state decides which terms act.
+    None if more than their state decides which terms of the loop act.
     """
     unit = lcm(loop.ratio, loop.derivative_every if loop.derivative else 1)
     if not (loop.is_linear and plant.is_linear) or unit > _MAX_UNIT:
@@ -80,10 +80,10 @@ def closed_form(loop: Loop, plant: Motor | Drive) -> ClosedForm | None:
 
 
 class ClosedForm:
-    """The table of one loop and one plant, relative to the command at its start.
+    """The table of one loop and one plant, relative to the command at the start.
 
-    A stretch begins with a trajectory cycle, and with a sample of the derivative. `longest` is the number of
-    samples that it may have.
+    A stretch begins with a trajectory cycle, and with a sample of the derivative. `longest` is its maximum number of
+    samples.
     """
 
     def __init__(self, loop: Loop, plant: Motor | Drive, unit: int) -> None:
@@ -107,13 +107,13 @@ class ClosedForm:
 
     @property
     def longest(self) -> int:
-        """The longest stretch, in samples."""
+        """The maximum length of a stretch, in samples."""
         return int(self._rows.shape[2])
 
     # -- the table: over (state, 1, three coefficients of the command, offsets of the two points before)
 
     def _begin(self, loop: Loop, plant: Motor | Drive, unit: int) -> None:
-        """Compute the first samples, one by one."""
+        """Compute the table for the first samples, one by one."""
         made = discretise(plant, loop.period)
         columns = ["position", "velocity", "output", "current", "integral", *["twist"] * made.load_encoder]
         probe = Probe(loop, plant, tuple(columns))
@@ -164,7 +164,7 @@ class ClosedForm:
         return made
 
     def _double(self) -> None:
-        """Double the samples by those of a stretch that begins where this one ends."""
+        """Double the table: append a stretch that begins where this one ends."""
         count, nz = self.longest, len(self._kept)
         cycles = count // self.ratio
         moved = self._point(cycles)
@@ -187,7 +187,7 @@ class ClosedForm:
         """Fill `out`, a row for each of `SEEN`, as if there were no limits.
 
         `off` are the offsets from the cubic of the points before and at the beginning of the first cycle.
-        Returns the number of samples within the limits, and the state after those.
+        Returns the number of samples within the limits, and the state after these samples.
         """
         base, *ramp = cubic
         start = [state[place] for place in self._kept]
@@ -210,7 +210,7 @@ class ClosedForm:
         return good, tuple(full)
 
     def _inside(self, made: Array) -> int:
-        """Return how many samples, from the first, are within the limits."""
+        """Return how many samples, counted from the first, are within the limits."""
         good = int(made.shape[1])
         for row, limit in self._bounds:
             values = made[row, :good]
@@ -232,7 +232,7 @@ def _summed(terms: list[tuple[Array, float]], height: int, count: int) -> Array:
 
 
 def _after(onward: Array, factors: Array) -> Array:
-    """Return the factors of a stretch's start, from those of its continuation."""
+    """Convert the factors of a continuation to factors of the stretch's start."""
     made = np.zeros_like(factors)
     for row, each in zip(onward, factors, strict=True):
         made += row[:, None, None] * each
@@ -246,7 +246,7 @@ def _product(a: Array, b: Array) -> Array:
 
 
 class ClosedFormServo(SpeculativeServo):
-    """One axis under servo, simulated ahead of time by its closed form."""
+    """The simulated servo of one axis, run ahead of the clock by its closed form."""
 
     _form_of: tuple[Loop, ClosedForm | None] | None = None
     # The loop last in control, and the sample from which it counts as permanent.
@@ -255,7 +255,10 @@ class ClosedFormServo(SpeculativeServo):
 
     @property
     def short(self) -> int:
-        """Samples of the first block after a change that another may follow."""
+        """Number of samples in the first block after a change.
+
+        Another change may follow soon, so the block is short.
+        """
         return SHORT if self._form(self._sample + _SHORT) is None else _SHORT
 
     def run_block(self, count: int) -> Array:
@@ -279,10 +282,10 @@ class ClosedFormServo(SpeculativeServo):
         return made
 
     def _next_cubic(self, form: ClosedForm, until: int) -> tuple[Cubic | None, int, int]:
-        """The next worthwhile cubic, and its first and last sample; None before `until`.
+        """Return the next cubic that is long enough, and its first and last sample.
 
-        The complete length of a cubic decides, not its length up to `until`, so that repeated samples are
-        computed equally.
+        The cubic is None if there is none before `until`. The complete length of a cubic decides, not its length up to
+        `until`, so that repeated samples are computed equally.
         """
         ratio, sample = self.loop.ratio, self._sample
         if self._state[_WAIT]:  # a closed form begins with a sample of the derivative
@@ -298,7 +301,7 @@ class ClosedFormServo(SpeculativeServo):
         return None, sample, sample
 
     def _glide(self, form: ClosedForm, cubic: Cubic, until: int, out: Array) -> None:
-        """Run along a cubic to sample `until` (exclusive)."""
+        """Run along a cubic to sample `until` (exclusive), by the closed form."""
         first, patience, ratio = self._sample, _PATIENCE, self.loop.ratio
         unit = 2 * form.unit  # two cycles on, the points before the first one have no effect
         while self._sample < until:
@@ -321,9 +324,10 @@ class ClosedFormServo(SpeculativeServo):
                 patience = min(2 * patience, _MAX_PATIENCE)
 
     def _form(self, until: int) -> ClosedForm | None:
-        """The closed form of the loop in control; None if none applies before `until`.
+        """Return the closed form of the present loop; None if none applies before `until`.
 
-        The first loop is permanent at once, a later one after a while: a rising torque makes one per cycle.
+        The first loop gets its form at once, a later one only when it has stayed for a while: a rising torque limit
+        changes the loop in every cycle.
         """
         loop = self._in_charge
         if loop is not self._loop:

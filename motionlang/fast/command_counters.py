@@ -3,17 +3,17 @@
 Replaces: running every iteration of a polling loop in which a register counts, as RA40,AA1,AR40 does. Iterations are
 skipped only while all comparisons with the register give the same result.
 
-Hook: `Accelerators.registers`; `Poll.again` of mccl/runtime/poll.py calls `advanced` at a jump back after which a
-register has changed.
+Hook: `Accelerators.registers`; `Poll.again` of mccl/runtime/poll.py calls `advanced` at a jump back if a register
+has changed since the last one.
 
 Gain: 10² to 10³ times (`mccl_status_counted` and `mccl_watch_counts` of benchmarks/cliffs.py).
 
-Held equal by: tests/fast/test_command_counters.py, with generated loops.
+Equality is tested by: tests/fast/test_command_counters.py, with generated loops.
 
 A register counts if a loop recalls it, adds or subtracts a whole number and stores it again, in three commands that
 no condition governs, and uses it nowhere else. Until the accumulator is set again, its value may only be compared
-with numbers. An iteration has then had no other effect if each counter has advanced, and there are as many effects as
-counters.
+with numbers. If each counter has advanced by its step, and the iteration had as many effects as there are counters,
+it had no other effect.
 """
 
 from __future__ import annotations
@@ -46,9 +46,10 @@ class CountedRegisters:
         self._values: list[float | int] = []
 
     def advanced(self, effects: int) -> tuple[Counter, ...]:
-        """Return the counters of the iteration that ends here; () if they are not all.
+        """Return the counters of the iteration that ends here, or ().
 
-        They are if they explain its `effects`. `effects` is negative if the last jump back was another one.
+        The result is () unless they explain all `effects` of the iteration. `effects` is negative if the last jump
+        back was that of another loop.
         """
         counters = self._counters()
         if not counters:
@@ -61,12 +62,12 @@ class CountedRegisters:
         return counters if counts and all(isinstance(m, int) for m in self._values) else ()
 
     def most(self, counters: Sequence[Counter]) -> float:
-        """Return how many iterations may follow without a comparison that changes."""
+        """Return how many iterations may follow before the result of a comparison changes."""
         steps, levels = [step for _, step, *_ in counters], [each for _, _, each, _ in counters]
         return counted(self._values, steps, levels)
 
     def count(self, counters: Sequence[Counter], iterations: int) -> None:
-        """Advance the counters by some iterations."""
+        """Advance the counters by a number of iterations."""
         task = self._task
         for number, step, _, is_left in counters:
             task.set_register(number, task.register(number) + step * iterations)
@@ -79,7 +80,7 @@ class CountedRegisters:
         return any(is_left for *_, is_left in counters)
 
     def _counters(self) -> tuple[Counter, ...]:
-        """Return the counters of the loop from the task's next command to the present one."""
+        """Return the counters of the loop that the task is about to repeat."""
         task = self._task
         assert task.line is not None
         key = id(task.line), task.pc, task.here

@@ -1,23 +1,29 @@
 """Skipping of rounds when the joint state of polling MCCL tasks recurs.
 
-Replaces: carrying out every command of background watches while two or more tasks can run. The tasks then
+Replaces: executing every command of background watches while two or more tasks can run. The tasks then
 alternate command by command.
 
 Hook: `Accelerators.rounds`; `Poll.again` of mccl/runtime/poll.py calls it at each jump back while another task
 can run.
 
-Gain: 10³ to 10⁴ times for two or more watches (`mccl_2_watches` of benchmarks/cliffs.py).
+Gain: 10² to 10⁴ times for two or more watches (`mccl_2_watches` and `mccl_field_two_counts` of
+benchmarks/cliffs.py).
 
 Equality is tested by: tests/fast/test_command_rounds.py.
 
-Idea. If no task has had an effect, none has waited for a time and no event has happened since the joint state
-was the same, the next round is like the last one, until an event, the end of another task's wait, or a time
-at which a value that they read changes. The state of a task is its line, its position in it, the macros that
-called it, its repeats and its own registers. Everything else changes only by an effect.
+Idea. Suppose that the joint state recurs, and since its last occurrence no task has had an effect, none has waited for
+a time and no event has happened. Then the next round is like the last one, until an event, the end of another task's
+wait, or a time at which a value that they read changes. The state of a task is its line, its position in the line, the
+macros that called the line, its repeats and its own registers. Everything else changes only by an effect.
 
-The time of each command is that of the one before plus its duration, which is a sum that rounds. `advanced`
-has its value after many commands: while a number keeps its exponent, adding the same duration changes it by the
-same amount. A tie of rounding may alternate, so two successive amounts are compared.
+The time of each command is the time of the one before plus its duration, a sum that is rounded. `advanced` computes
+it for many commands: while a number keeps its exponent, adding the same duration changes it by the same amount. A
+rounding tie may alternate, so two successive amounts are compared.
+
+Counters. A task whose innermost loop counts a register (`command_counters.py`) has an effect in every iteration.
+If the counters explain all effects of a round and no other loop uses their registers, each round advances them by the
+same amount, until one of their comparisons changes. While a task counts, all tasks that can run must stay in one loop
+and enter no line.
 """
 
 from __future__ import annotations
@@ -41,7 +47,7 @@ SHORTEST_SLICE = 5e-4
 
 
 class CommandRounds:
-    """The joint states of the tasks of a board since the last effect."""
+    """The joint states of a board's tasks since the last effect other than a count."""
 
     def __init__(self, board: Board) -> None:
         self._board = board
@@ -51,7 +57,7 @@ class CommandRounds:
         self._met: dict[tuple[object, ...], tuple[int, float]] = {}
 
     def jumped(self, task: CommandTask) -> None:
-        """Skip rounds, if any can be skipped, as a task jumps back."""
+        """Skip rounds, if possible, when a task jumps back."""
         board = self._board
         scheduler, clock = board.machine.scheduler, board.controller.clock
         since = board.effects, board.waited, clock.fired, clock.made, len(board.tasks)
@@ -88,7 +94,10 @@ class CommandRounds:
             self._met.clear()
 
     def _share(self, task: CommandTask, seconds: float, running: int) -> None:
-        """Distribute the time of skipped rounds, which the scheduler gives to one task."""
+        """Distribute the computing time of skipped rounds over the running tasks.
+
+        The scheduler attributes all of it to `task`.
+        """
         taken = self._board.machine.log.slices.seconds
         for each in self._board.tasks:
             if each.wait is None and each is not task:
@@ -97,7 +106,7 @@ class CommandRounds:
 
 
 def _state(task: CommandTask) -> tuple[object, ...]:
-    """Return what decides the next commands of a task while nothing has an effect."""
+    """Return the state that determines a task's next commands as long as nothing acts."""
     calls = [(id(line), pc, *repeats.items()) for line, pc, repeats in task.calls]
     place = id(task.line), task.pc, task.paid, id(task.wait), id(task.then), id(task.path_open)
     return *place, *task.repeats.items(), *calls, *map(_exact, task.registers)
@@ -108,7 +117,7 @@ def _exact(value: float) -> tuple[type, float]:
 
 
 def advanced(time: float, step: float, count: int) -> float:
-    """Return `time` after `step` was added `count` times, rounded each time."""
+    """Return `time` after adding `step` `count` times, with rounding each time."""
     while count > 0:
         after = time + step
         if after == time:

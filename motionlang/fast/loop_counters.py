@@ -3,7 +3,7 @@
 Replaces: running every iteration of a polling loop in which a variable counts. The variable may be compared with
 constants only, and iterations are skipped only while all comparisons give the same result.
 
-Hook: `Accelerators.counted`; `Site.skip` of mint/runtime/loop_skipping.py calls it if counters have moved.
+Hook: `Accelerators.counted`; `Site.skip` of mint/runtime/loop_skipping.py calls it if counters have changed.
 
 Gain: 10² to 10⁵ times for a loop that counts while it polls (`poll_counter` of benchmarks/poll.py).
 
@@ -24,9 +24,9 @@ LARGEST = 2147483647  # Integer
 def counted(
     counters: Sequence[float], steps: Sequence[float], levels: Sequence[Sequence[float]] = ()
 ) -> float:
-    """How many iterations counters can advance before one passes a level.
+    """Return how many iterations counters can advance before one passes a level.
 
-    They also stop where a counter leaves the integers of 32 bits. `levels` are, for each counter, the constants
+    They also stop before a counter exceeds the range of 32-bit integers. `levels` are, for each counter, the constants
     that it is compared with. An iteration may compare the counter before or after it has counted.
     """
     if any(n != int(n) for n in (*counters, *steps)):

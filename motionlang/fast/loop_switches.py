@@ -1,18 +1,18 @@
-"""Polling loops that switch outputs and come back to the same levels.
+"""Polling loops that switch outputs and return to the same levels.
 
-Replaces: running every iteration of such a loop, as OUTX(1) = 1 : OUTX(1) = 0 is.
+Replaces: running every iteration of such a loop, for example OUTX(1) = 1 : OUTX(1) = 0.
 
 Hook: `Accelerators.switches`; `Site.turn` of mint/runtime/loop_skipping.py calls `skip` if an iteration has only
 switched outputs.
 
 Gain: 10³ to 10⁴ times (`watch_outputs_toggle` of benchmarks/cliffs.py).
 
-Held equal by: tests/fast/test_loop_switches.py, with generated loops.
+Equality is tested by: tests/fast/test_loop_switches.py, with generated loops.
 
-Iterations after which variables and outputs are as before them repeat until one of their readings changes, like one
-that does nothing. There may be several: OUTX(1) = Not OUTX(1) has a period of two. The changes of the outputs are in
-the log: those of one period become a template (`log/repeated.py`). This is done for a task that has the machine for
-itself, in a loop that never waits, whose times all count from one base.
+If variables and outputs are the same after some iterations as before them, these iterations repeat until one of
+their readings changes. There may be several: OUTX(1) = Not OUTX(1) has a period of two. The changes of the outputs are
+in the log: those of one period become a template (`log/repeated.py`). This is done only for the sole running task, in
+a loop that never waits, whose times all count from one base.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ MAX_PERIOD, MAX_ROWS = 8, 64
 
 
 class LoopSwitches:
-    """The latest iterations of one loop that switches outputs, up to its period.
+    """The latest iterations of one loop that switches outputs, up to `MAX_PERIOD`.
 
-    Of each it has the outputs and the lengths of the log at the beginning.
+    For each it stores the outputs and the lengths of the log at its beginning.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -43,7 +43,7 @@ class LoopSwitches:
         self._begun: list[tuple[Look, int, tuple[tuple[int, float], ...], list[int]]] = []
 
     def begin(self, look: Look, follows: bool) -> None:
-        """Record the beginning of an iteration; `follows` if it is the one after the last."""
+        """Record the start of an iteration; `follows` is true if it succeeds the last one."""
         environment = self._environment
         alone = self._is_alone()
         if not (follows and alone) or len(self._begun) >= MAX_PERIOD:
@@ -63,9 +63,9 @@ class LoopSwitches:
         levels: Sequence[Sequence[float]],
         carries: bool,
     ) -> tuple[float, float, Counters] | None:
-        """Skip iterations like those before statement `t`; None if they may not repeat.
+        """Skip repetitions of the iterations before statement `t`.
 
-        Returns the end of the last of them like `Site.skip`.
+        None if they may not repeat. If they do, the result is that of `Site.skip` for the end of the last repetition.
         """
         environment, begun = self._environment, self._begun
         if (
@@ -104,7 +104,7 @@ class LoopSwitches:
         levels: Sequence[Sequence[float]],
         carries: bool,
     ) -> tuple[float, float, Counters] | None:
-        """Skip periods like that from `look` to statement `t`; None without any."""
+        """Skip repetitions of the period from `start` to statement `t`; None if none fits."""
         environment = self._environment
         statements, log = environment.statements, environment.machine.log
         _, began_with, since, base, began, _, notes, first = look

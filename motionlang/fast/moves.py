@@ -1,25 +1,25 @@
 """Fast-path moves: an unobserved move from rest to rest is a tuple of numbers.
 
-Replaces: the `Move` in the buffer, the `Move` and its two profiles on the track, and the event of its end,
-which the engine makes for each move. Here a move in the buffer is an `Entry`, a started one a `Row`
-(log/plain_moves.py), in the log and alongside the track of its axis, and the event is reused.
+Replaces: for each move, the engine makes a `Move` in the buffer, the move's two profiles on the track, and the event
+of its end. Here a move in the buffer is an `Entry`. A started one is a `Row` (log/plain_moves.py), in the log and
+alongside the track of its axis, and the event is reused.
 
-Hook: `Accelerators.axes` makes the axes of a controller. `GO` calls `start_loaded` before it reads the
+Hook: `Accelerators.axes` creates the axes of a controller. `GO` calls `start_loaded` before it reads the
 buffer, `move_to` calls `start_at_once`, and a language that loads moves repeatedly requests a `loader`; all
 three are no-ops on an `Axis` of the engine.
 
-Gain: a shift to its report 3.0 times, its run 3.8 times (`shift` and `shift_run` of benchmarks/shift.py).
+Gain: a shift with its report 3.0 times, its run alone 3.8 times (`shift` and `shift_run` of benchmarks/shift.py).
 
 Equality is tested by: tests/fast/test_plain_moves.py with random programs that read the axes at any time;
 tests/log/test_interrupted.py ends a run at each line of this file.
 
-A read of the move, the buffer, the arrival event or the track of the axis materialises them: the tuples
-become the `Move`, the profiles and the rests that the engine would have made at the time. So no other module
-knows of fast-path moves. Anything that makes a move special (a motor, a follower, another shape, a limit or a
-watch in its range) has to be checked only as it begins: a later change reads the move first. Watches report
-once how far the axis may move before it passes one (`Watches.free`), until they change. The end of such a
-move wakes no task while there is no listener for rest, so a wait that knows when its axes will be at rest is
-not checked again (`Scheduler.comes_to_rest`).
+A read of the move, the buffer, the arrival event or the track of the axis materialises them: the tuples become the
+`Move`, the profiles and the rests that the engine would have made by then. So no other module knows of fast-path
+moves. The conditions that rule out a fast-path move (a motor, a follower, another shape, a limit or a watch in its
+range) are checked only when it begins: a later change of one of them reads the move first. The interval in which an
+axis passes no watch is computed once (`Watches.free`), until the watches change. The end of such a move wakes no task
+while there is no listener for rest, so a wait that knows when its axes will be at rest is not checked again
+(`Scheduler.comes_to_rest`).
 """
 
 from __future__ import annotations
@@ -102,7 +102,7 @@ class FastAxis(Axis):
 
     @property
     def arrival(self) -> Event | None:
-        """The event of its end."""
+        """The event of the end of the move in progress."""
         if self.in_motion:
             self._write()
         return self._arrival
@@ -115,7 +115,7 @@ class FastAxis(Axis):
 
     @property
     def buffer(self) -> list[Move]:
-        """The waiting moves, the next one first."""
+        """The waiting moves, in order of execution."""
         if self.in_motion:
             self._write()
         if self.loaded is not None:
@@ -140,7 +140,7 @@ class FastAxis(Axis):
 
     @property
     def profiles(self) -> list[Profile]:
-        """The profiles of its track."""
+        """The profiles of the axis's track."""
         if self.rows:
             self._write()
         return self._profiles
@@ -150,13 +150,13 @@ class FastAxis(Axis):
         self._profiles = profiles
 
     def _write(self) -> None:
-        """Write the rows on the track; the one in motion becomes a visible `Move`."""
+        """Write the rows to the track; the one in motion becomes a visible `Move`."""
         rows = self.rows[:]
         self.writing = len(self._profiles), rows, move_of(rows[-1]) if self.in_motion else None
         self._go_on_writing()
 
     def _go_on_writing(self) -> None:
-        """Execute `writing`; after an interrupt again, from its beginning."""
+        """Execute `writing`; after an interrupt repeat it from the start."""
         assert self.writing is not None
         first, rows, move = self.writing
         self._starts[first:], self._profiles[first:] = written(rows, move is not None)
@@ -186,12 +186,12 @@ class FastAxis(Axis):
 
     @property
     def moves(self) -> bool:
-        """True if a move is in progress, for callers that need no more."""
+        """True if a move is in progress."""
         return self.in_motion or self._move is not None
 
     @property
     def is_at_standstill(self) -> bool:
-        """True if it is idle, or in a motion that rests unless another axis moves."""
+        """True if the axis is idle, or at rest until another axis moves."""
         return not self.in_motion and super().is_at_standstill
 
     def position(self, time: float) -> float:
@@ -207,11 +207,11 @@ class FastAxis(Axis):
         return super().velocity(time)
 
     def end_of_motion(self) -> float:
-        """Return the end time of the present profile: infinite while jogging."""
+        """Return the end time of the present profile; infinite while jogging."""
         return self.ends if self.rows else super().end_of_motion()
 
     def end_of_move(self) -> float:
-        """Return the time at which it will be idle if nothing else happens; -1 if it is."""
+        """Return when the axis will be idle if nothing else happens; -1 if it is now."""
         return self.ends if self.in_motion else -1.0 if self._move is None else self.end_of_motion()
 
     def idle_reader(self) -> Callable[[], bool]:
@@ -222,9 +222,9 @@ class FastAxis(Axis):
     # moves
 
     def loader(self, controller: Core, relative: bool, command: str) -> Loader:
-        """Return a fast loader of moves to a position or by a distance, user units.
+        """Return a fast function that loads moves to a position or by a distance.
 
-        It takes a line too, and returns false if the move must be a `Move`.
+        It takes the position or distance in user units, and a line. It returns false if the move must be a `Move`.
         """
         braked, scale, axis = controller.braked, self.scale, self.index
         self.logged = controller.log.moves
@@ -259,7 +259,10 @@ class FastAxis(Axis):
         return load
 
     def start_loaded(self, controller: Core) -> bool:
-        """Start the move of `loader`; false without one, or with another entry."""
+        """Start the move that `loader` has loaded; false if there is none.
+
+        False also if the move must be a `Move`.
+        """
         entry = self.loaded
         if entry is None or (
             self._move is not None
@@ -326,7 +329,7 @@ class FastAxis(Axis):
         return True
 
     def start_at_once(self, controller: Core, target: float, command: str, line: int) -> bool:
-        """Start a move to a target, counts; false if it must be a `Move`."""
+        """Start a move to `target`, counts, without a `Move`; false if it needs one."""
         if (
             self.in_motion
             or self._move is not None
@@ -348,9 +351,9 @@ class FastAxis(Axis):
         return False
 
     def _arrival_of(self, controller: Core) -> Callable[[], bool]:
-        """Return the handler of the end of each fast-path move.
+        """Return the handler for the end of every fast-path move.
 
-        It returns true if it woke no task.
+        The handler returns true if it woke no task.
         """
         clock, log, listeners = controller.clock, controller.log, controller.listeners
 
@@ -373,9 +376,9 @@ class FastAxis(Axis):
 
 
 def written(rows: list[Row], in_motion: bool) -> tuple[list[float], list[Profile]]:
-    """Return the starts and profiles of moves in a row, with the rests after them.
+    """Return the starts and profiles of consecutive moves and of the rests after them.
 
-    There is no rest after one that is in motion.
+    If `in_motion`, the last move has no rest yet.
     """
     starts: list[float] = []
     profiles: list[Profile] = []

@@ -11,10 +11,10 @@ Gain: For loops 2.5 to 3.6 times, While 1.25 times (benchmarks/loop.py). Compili
 Equality is tested by: tests/fast/test_range_analysis.py and tests/fast/test_for_loops.py,
 tests/generated/test_loops.py with generated programs.
 
-An abstract run along the paths of the function with ranges in place of values. Where paths join, the ranges
-are joined. Where they lead back, bounds that keep moving jump to the next constant of the function, then to
-the ends of Integer and of the exact doubles. The result is valid for every real run: excluded values (shared
-variables, arrays, by-reference) count as unknown.
+This is abstract interpretation: it follows the paths of the function with ranges in place of values. Where paths join,
+the ranges are joined. Where a path leads back, bounds that continue to move jump to the next constant of the function,
+then to the limits of Integer and of the exact doubles. The result is valid for every real run: variables that are not
+followed (shared, arrays, by-reference) count as unknown.
 """
 
 from __future__ import annotations
@@ -66,13 +66,16 @@ def analysed(function: Function) -> set[Symbol]:
 
 
 def ranges(function: Function) -> tuple[set[Symbol], dict[int, Range]]:
-    """The variables of a function whose ranges are known, and the ranges by node."""
+    """Return the variables of a function with known ranges, and the ranges by node."""
     followed = analysed(function)
     return followed, Flow(function, followed).run() if followed else {}
 
 
 class Flow:
-    """One analysis; `facts` has the range at a Name, or at the Next of a For, by `id`."""
+    """The analysis of one function.
+
+    `facts` maps the `id` of a Name, or of the Next of a For, to the range there.
+    """
 
     def __init__(self, function: Function, followed: set[Symbol]) -> None:
         self.function, self.followed = function, followed
@@ -93,7 +96,7 @@ class Flow:
     def _met(self, old: State, new: State, step: Step, back: bool) -> State:
         """Return the join of two states before a step.
 
-        Bounds move on by thresholds where a path leads back to it.
+        If `back`, a path leads back to the step, and bounds that move jump to the next threshold.
         """
         if back:
             turn = self._turns[step] = self._turns.get(step, 0) + 1
@@ -202,7 +205,7 @@ class Flow:
         return symbol if symbol in self.followed else None
 
     def _value(self, node: nodes.Expr, state: State) -> tuple[str, Range]:
-        """Type and range of an expression, and record the range of each variable in it."""
+        """Return type and range of an expression; record the range of each variable in it."""
         follow = _VALUES.get(type(node))
         if follow is not None:
             return follow(self, node, state)
@@ -281,7 +284,7 @@ class Flow:
     # ---------------------------------------------------------------------------------------- branching
 
     def _narrow(self, node: nodes.Expr, truth: bool, state: State | None) -> State | None:
-        """Return the state in which a condition is true, or false."""
+        """Return the state after a condition has the value `truth`."""
         if state is None:
             return None
         if type(node) is nodes.Unary and node.op == "Not":
@@ -314,7 +317,7 @@ class Flow:
 
 
 def _operated(op: str, one: tuple[str, Range], other: tuple[str, Range]) -> tuple[str, Range]:
-    """Return type and range of an operation on two sides."""
+    """Return type and range of a binary operation on two typed ranges."""
     (left_type, left), (right_type, right) = one, other
     integer = left_type == INTEGER and right_type == INTEGER
     kind = INTEGER if integer else FLOAT
@@ -357,9 +360,9 @@ _VALUES: dict[type, Callable[..., tuple[str, Range]]] = {
 
 
 def _result(op: str, integer: bool, a: Range, b: Range) -> Range:
-    """Return the range of `ranges.arithmetic`, for a compiler that may know more.
+    """Return the range of an operation by `ranges.arithmetic`, or that of any value.
 
-    A Float that would have to be made a float here may still be an int there.
+    The latter applies if the operation would convert to float: the compiler may know more and leave an int.
     """
     known, how = intervals.arithmetic(op, integer, a, b)
     return intervals.ANY if how == intervals.COERCED else known
@@ -371,12 +374,12 @@ def _held(symbol: Symbol, known: Range) -> Range:
 
 
 def _join(a: State, b: State) -> State:
-    """Return the join of two states; `a` itself if it contains `b`."""
+    """Return the join of two states; it is `a` itself if that contains `b`."""
     return _moved(a, [(symbol, intervals.join(known, b[symbol])) for symbol, known in _unlike(a, b)])
 
 
 def _widened(old: State, new: State, thresholds: list[int]) -> State:
-    """Return the join with bounds that move on by thresholds."""
+    """Return the join of two states; bounds that move jump to the next threshold."""
     return _moved(
         old,
         [(symbol, intervals.widen(known, new[symbol], thresholds)) for symbol, known in _unlike(old, new)],
@@ -384,7 +387,7 @@ def _widened(old: State, new: State, thresholds: list[int]) -> State:
 
 
 def _unlike(a: State, b: State) -> Iterable[tuple[Symbol, Range]]:
-    """Yield the differences of `a` from `b`.
+    """Yield the variables, with their ranges in `a`, in which `a` differs from `b`.
 
     All states have the same variables, in the same order.
     """
@@ -392,13 +395,13 @@ def _unlike(a: State, b: State) -> Iterable[tuple[Symbol, Range]]:
 
 
 def _moved(state: State, moves: list[tuple[Symbol, Range]]) -> State:
-    """Return a state with changed ranges; itself if there are no changes."""
+    """Return the state with changed ranges; the same object if nothing changes."""
     moved = {symbol: known for symbol, known in moves if known != state[symbol]}
     return state | moved if moved else state
 
 
 def _constants(body: Iterable[object]) -> set[int]:
-    """Return the integers of a function, and their neighbours: where bounds settle."""
+    """Return the integers of a function and their neighbours, where bounds settle."""
     found: set[int] = set()
     for node in walk(body):
         known: object = None

@@ -14,7 +14,7 @@ A joint state is everything that decides the next actions of the tasks:
 
 * of each task its position in the code, its local variables and the rest of its wait (`Task.state`),
 * the variables that tasks share, and the counters of their other actions (`Shared.state`),
-* the task of the next time slice, and the events so far.
+* the task of the next time slice, the events so far, and those in the log.
 
 Readings are included by their dependencies. `Dependencies.read` collects those of all tasks since the first
 state was stored. The period repeats until the first time at which one of them may change, an event happens,
@@ -22,6 +22,10 @@ or a wait outside the period ends. So a state that recurs proves a period, whate
 
 The actions of tasks are compared first, so that nothing is stored while they act. States are small: contents
 are replaced by numbers, and a task that has not run since keeps its number.
+
+A search begins with the first time slice without an action. After `MAX_EAGER_FAILURES` failed searches per task
+it begins only after as many such slices as there are tasks, and every second search is replaced by a back-off of
+1, 2, 4, … time slices.
 """
 
 from __future__ import annotations
@@ -76,7 +80,7 @@ class Recurrence:
             self._since = self._shared = None
 
     def has_run(self, task: Task) -> None:
-        """Invalidate the position of a task that has run."""
+        """Invalidate the stored state of a task that has run."""
         self._states.pop(task, None)
 
     def leap(self, tasks: Sequence[Task], turn: int, until: float) -> None:

@@ -1,8 +1,8 @@
 """Time slices of tasks that wait, found without checking each task.
 
 Replaces: the round of `Scheduler` in which every task is checked for the end of its wait. `idle_round`
-resumes tasks that wait for a time or for motion to end one after the other, each found in one pass over the
-ends of the waits. `passes_among_others` lets a wait pass without a switch if its task is the next to continue
+resumes one task after the other while they wait for a time or for motion to end; each is found in one pass over the
+ends of the waits. `passes_among_others` lets a wait pass without a task switch if its task is the next to continue
 anyway. All other cases (two tasks at one time, an event in between, a wait for a condition) are left to the
 scheduler.
 
@@ -67,7 +67,7 @@ class TimeSlices(Scheduler):
         """Resume tasks one after the other while all wait for a time or for motion to end.
 
         It stops at the time of a more complex case: two tasks can continue, an event comes first, a task does
-        not wait, or its wait is unpredictable. False if no task continued.
+        not wait, or the end of its wait is not predictable. False if no task continued.
         """
         if self._left:
             return False
@@ -135,15 +135,15 @@ class TimeSlices(Scheduler):
         return went > 0
 
     def _last_checked(self, places: set[int]) -> Task:
-        """Return the task whose wait the scheduler checks last.
+        """Return the task whose wait the scheduler would check last.
 
-        The next events are logged at its source position.
+        The next events are logged at the task's source position.
         """
         turn, count = self._turn, len(self.tasks)
         return self.tasks[max(places, key=lambda k: (k - turn) % count) if len(places) > 1 else min(places)]
 
     def _list_waits(self) -> bool:
-        """List the waits of all tasks and their ends.
+        """List the waits of all tasks, with their ends.
 
         False if a task does not wait, or if there is only one task.
         """
@@ -158,10 +158,7 @@ class TimeSlices(Scheduler):
         return True
 
     def _end_round(self, task: Task, time: float, went: int) -> None:
-        """Hand a round back to the scheduler after a slice that changes something.
-
-        The task does more in such a slice than wait again.
-        """
+        """Return a round to the scheduler, because a task did more than wait again."""
         if went + self._went > 1:
             self._idle_rounds = 0
         self._stalls = 0
@@ -224,7 +221,10 @@ class TimeSlices(Scheduler):
         self.next_slice, self._known = -INFINITY, []
 
     def _horizon(self, task: Task, now: float, due: float) -> float:
-        """Return how far a task that wakes now may run, if another continues at `due`."""
+        """Return the time up to which a task that wakes now may run.
+
+        Another task continues at `due`.
+        """
         turn, clock, until = task.turn, self.clock, self.until
         self._end = horizon = now + (turn if turn < TURN else TURN)
         event = clock.horizon
@@ -236,10 +236,10 @@ class TimeSlices(Scheduler):
         return due if due < horizon else horizon
 
     def passes_among_others(self, since: float, end: float, by_bell: bool) -> float:
-        """Let a wait of one of several tasks pass, if they wake in turn.
+        """Let a wait of one of several tasks pass, if its task is the next to continue.
 
-        Returns how far it may then run, 0.0 if it yields. With `by_bell` its end is an event that wakes no
-        other task.
+        Returns the time up to which the task may then run, 0.0 if it must yield. With `by_arrival` the wait ends with
+        an event that wakes no other task.
         """
         clock, known, ends, surely = self.clock, self._known, self._ends, self._surely
         if self.interrupts:

@@ -3,7 +3,7 @@
 Replaces: the path of a tick through `Clock.advance`, `Events.raise_`, `Events.deliver` and the scheduler, and
 running the handler where it does what it did before.
 
-Hook: `Accelerators.ticks`; `Events.set_timer` creates it, and `TimeSlices` calls `run` before it jumps.
+Hook: `Scheduler.timer_set`, by which `TimeSlices` creates it; it calls `run` before it jumps.
 
 Gain: a handler that computes 2.5 times (`filter_timer_1` of benchmarks/cliffs.py), one that counts or toggles
 10² to 10⁴ times (`handlers_timer_1_toggles`).

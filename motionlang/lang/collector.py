@@ -8,7 +8,7 @@ import gc
 class CollectorOff:
     """A block in which the collector does not run.
 
-    What such a block makes is in use, so the collector would only scan it repeatedly.
+    The objects that such a block creates remain in use, so the collector would only scan them repeatedly.
     """
 
     __slots__ = ("_was_on",)

@@ -1,9 +1,10 @@
 """The hook that a debug build calls before statements, and its state at a stop.
 
 A debug build counts its statements. Before each of them it compares the number with a limit, and its source offset with
-a set, and calls the hook if either asks for it. The hook may block the run, or end it with an exception; it never
-changes the time of a statement. Both languages share one vocabulary: a stop is in a task, at a source offset, and has
-frames with variables.
+a set, and calls the hook if either asks for it. While the program waits there are no statements, so the clock of a
+debug build also reports each time to which it advances. The hook may block the run, or end it with an exception; it
+never changes the time of a statement. Both languages share one vocabulary: a stop is in a task, at a source offset, and
+has frames with variables.
 """
 
 from __future__ import annotations
@@ -48,9 +49,10 @@ INFINITY = float("inf")
 class Hook:
     """The hook of one run, and the number of the last statement.
 
-    `stop` is called before each statement whose number is at least `limit`, and before those at the source offsets in
-    `places`. `cells` has these three, so that generated code reads them as fast as its own variables. `tally` is for an
-    interpreter, which compares only once: the number, and the limit, or 0 while there are places.
+    `stop` is called before each statement whose number is at least `limit`, and before those at the source
+    offsets in `offsets`. `cells` has these three, so that generated code reads them as fast as its own variables.
+    `advancing` is called with each time to which the clock is about to advance.
+    `tally` is for an interpreter, which compares only once: the number, and the limit, or 0 while there are offsets.
     """
 
     __slots__ = ("cells", "inspection", "stop", "tally")
@@ -90,7 +92,7 @@ class Hook:
     def consider(self, task: Task, time: float, place: int) -> None:
         """Stop before a statement if that is due.
 
-        For an interpreter, which counts by itself.
+        Only an interpreter calls this, after counting the statement; compiled code compares by itself.
         """
         if self.count >= self.limit or (self.places is not None and place in self.places):
             self.stop(task, time, place)
@@ -104,8 +106,9 @@ def _cell(value: object) -> Any:
 class Variable:
     """A variable at a stop.
 
-    `value` is a number, a text or a list of variables. `set` gives it another value and raises ValueError for one that
-    the language does not allow; None if it cannot be set. `type` is its type in the language.
+    `value` is a number, a text or a list of variables. `set` assigns a new value and raises ValueError if the
+    language does not allow it; `set` is None if the variable cannot be set. `type` is its type in the
+    language.
     """
 
     name: str

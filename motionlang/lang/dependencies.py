@@ -18,18 +18,18 @@ the one before.
         ────────|─────── time
              1.25 s
 
-The clients, which need the first of these times:
+The clients, which need the earliest of these times:
 - Loops of Mint (`loop_skipping.py`): an iteration that did nothing and left every variable unchanged repeats
   until then, in one step.
-- Conditions of PAUSE (`Condition` below): the wait sleeps until then.
-- Loops of MCCL (`poll.py`): the same for the accumulator.
+- Conditions of PAUSE (`Condition` of `waits.py`): the wait sleeps until then.
+- Loops of MCCL (`poll.py`): like loops of Mint, with the accumulator as the variable.
 - Periods of several polling tasks, for which `read` collects the dependencies of all tasks.
 
 Data. `notes` is the list of dependencies of the running task, None if no client needs any. Nested loops share
 the list, and each remembers how long it was when its iteration began. Two levels are special. -infinity: the
 loop only stores the value without a comparison, so there is no dependency. +infinity: the loop keeps the
-largest value so far, and its iterations stay equal until the value has an extremum. In `read` both count as
-changing at once.
+largest value so far, and its iterations stay equal until the value has an extremum. In `read` a value with
+either level counts as changing at once.
 
 Invariants.
 - A dependency may be too early, never too late. Too early costs a check; too late would change the result.
@@ -39,7 +39,7 @@ Invariants.
 - `until` is called with the clock set to the time in question; the clock is set back afterwards.
 - A value that cannot be solved may change at once. A PAUSE on it is tested every millisecond, at the
   profiler's ticks.
-- `POS > 50` is false at the exact time of 50, so a PAUSE is also tested just after a solved time (`_AFTER`).
+- `POS > 50` is false at the exact time of 50, so a PAUSE is also tested just after a solved time.
 
 Cost. One test for each value read, plus one append while there is a client. A check solves each distinct
 dependency once. An iteration that reads more than `MAX_NOTES` values is never skipped. Checks that fail cost
@@ -74,8 +74,9 @@ _OF_LOOPS = (_NO_DEPENDENCY, (INFINITY,))
 class Dependencies:
     """The dependencies of the running task; `notes` is None without a subscriber.
 
-    `read` has the dependencies of all tasks since a subscriber to all readings began; None while there is
-    none. If it is set, `notes` is never None.
+    `read` has the dependencies of all tasks since a subscriber to all readings began, None while there is no
+    such subscriber. While it is set, `notes` is not None. `longest` is the same set while a subscriber from
+    `begin_longest` needs all readings; any other subscriber then shares the set.
     """
 
     __slots__ = ("clock", "notes", "read")
@@ -86,9 +87,9 @@ class Dependencies:
         self.read: set[Note] | None = None
 
     def note(self, until: Callable[..., float], *about: object) -> None:
-        """Record a reading that may change at `until(*about)` without an event.
+        """Record that a value just read may change at `until(*about)` without an event.
 
-        A value compared with -INFINITY is only stored, so it is no dependency.
+        A value compared with -INFINITY is only stored, so it is not a dependency.
         """
         notes, read = self.notes, self.read
         if read is not None:
@@ -112,7 +113,10 @@ class Dependencies:
         return self.notes, len(self.notes)
 
     def until(self, since: float, notes: Iterable[Note]) -> float:
-        """The first time from `since` on at which one of `notes` changes without an event."""
+        """Return the first time from `since` on at which one of `notes` may change.
+
+        Events are not taken into account.
+        """
         clock = self.clock
         now, clock.now = clock.now, since
         try:

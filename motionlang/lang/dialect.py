@@ -58,7 +58,7 @@ def parse(text: str, language: str) -> object:
 
 
 def unknown_model(name: str) -> tuple[str, str] | None:
-    """Message and hint for the name of an unknown controller; None if it is known."""
+    """Return message and hint for an unknown controller name; None if it is known."""
     from motionlang.errors import nearest, shown
 
     languages = [dialect(each) for each in dialects()]
@@ -73,7 +73,7 @@ def unknown_model(name: str) -> tuple[str, str] | None:
 class Dialect:
     """A dialect: `name` for users, `title` for sentences, file `suffixes`, first axis.
 
-    `cached` is true if compiled programs are worth caching, by `Program.payload` and `load`.
+    `cached` is true if compiled programs are worth caching, with `Program.payload` and `load`.
     """
 
     name: str
@@ -99,7 +99,7 @@ class Dialect:
     ) -> Program:
         """Parse and compile; raise ProgramError with all errors of the text.
 
-        `ranges` is the accelerator of that name.
+        `ranges` is the accelerator called `ranges`.
         """
         raise NotImplementedError
 
@@ -110,13 +110,14 @@ class Dialect:
         values: Mapping[str, float | str],
         ranges: Ranges | None = None,
     ) -> Program:
-        """Compile for runs with many `values` of its names; like `compile` by default."""
+        """Compile for runs with many `values` of names; same as `compile` by default."""
         return self.compile(source, settings, ranges)
 
     def debug(self, source: Source, settings: dict[str, object] | None = None) -> Program:
         """Return a program that counts its statements, for a machine with a `hook`.
 
-        It does the same as that of `compile`, bit for bit. Raises ProgramError with all errors of the text.
+        It runs exactly like the program that `compile` returns, bit for bit. Raises ProgramError with all
+        errors of the text.
         """
         raise NotImplementedError
 
@@ -131,7 +132,7 @@ class Dialect:
         overrides: Mapping[str, float | str],
         ranges: Ranges | None = None,
     ) -> Listing:
-        """Return the code of a run with these settings and overrides, for reading.
+        """Return the code of a run with these settings and overrides, for people to read.
 
         Raises ProgramError with all errors. `ranges` is as in `compile`.
         """
@@ -149,16 +150,16 @@ class Dialect:
     ) -> list[Diagnostic]:
         """Return all errors and warnings without a run.
 
-        `settings` are those of the machine file. `known` is a dict, empty at first, that passes from one check of
-        a text to the next: a language may store in it what it found, so that it checks only what has changed. The
-        result is the same.
+        `settings` are the settings of the machine file. `known` is a dict, empty at first, that is passed
+        from one check of a text to the next: a language may cache its findings there, so that it checks only
+        what has changed. The result is the same.
         """
         raise NotImplementedError
 
     def names(self, source: Source, settings: Mapping[str, object] | None = None) -> Names:
         """Return the definitions, uses and blocks of a text.
 
-        Lines that cannot be read have none.
+        Lines with syntax errors have none.
         """
         raise NotImplementedError
 
@@ -170,9 +171,9 @@ class Dialect:
         return None
 
     def forms(self, row: Keyword) -> tuple[str, ...]:
-        """Return how a keyword is written, with a for an axis and n for a number.
+        """Return the spellings of a keyword, with a for an axis and n for a number.
 
-        The result is () if the keyword's row states it.
+        The result is () if the keyword's row states them.
         """
         return ()
 
@@ -181,11 +182,11 @@ class Dialect:
         return ()
 
     def knows_model(self, name: str) -> bool:
-        """True if a name is that of such a controller, in any spelling."""
+        """True if a name is that of a controller of the dialect, in any spelling."""
         return name in self.models()
 
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
-        """Message and hint for a key of the dialect's machine file section, or None."""
+        """Return message and hint for a key of the dialect's own section, None if valid."""
         return None
 
     def switches(self) -> Mapping[str, Switch]:
@@ -193,18 +194,18 @@ class Dialect:
         return {}
 
     def input_reads(self, source: Source) -> list[InputRead]:
-        """Return where a program depends on digital inputs and keys, by line."""
+        """Return the lines where a program depends on digital inputs and keys."""
         return []
 
     def driven_by(self, why: str) -> list[str]:
         """Return the tables and keys of the machine file that could end a wait.
 
-        The text `why` describes the wait.
+        `why` is the text that describes the wait.
         """
         return []
 
     def load(self, payload: bytes) -> Program:
-        """Return the program that `Program.payload` was made of."""
+        """Return the program from the bytes that `Program.payload` returned."""
         raise NotImplementedError
 
     def table(self) -> Table:
@@ -216,7 +217,7 @@ class Dialect:
         raise NotImplementedError
 
     def locations(self, source: Source, places: Sequence[int]) -> list[tuple[int, int, int]]:
-        """Return line, column and length of many source positions."""
+        """Return line, column and length for each of many source positions."""
         return [self.locate(source, at) for at in places]
 
     def blocks(self, source: Source) -> list[tuple[str, int, int]]:
@@ -226,7 +227,7 @@ class Dialect:
     def has_code(self, line: str) -> bool:
         """True if a line has more than blanks and a comment.
 
-        It is cheap, because a profile calls it after every run.
+        The test is cheap, because a profile calls it after every run.
         """
         return bool(line.strip())
 
@@ -238,18 +239,18 @@ class Dialect:
         return lambda place: None
 
     def interactive(self, machine: Machine) -> Interactive:
-        """Return an interpreter for lines typed one after the other."""
+        """Return an interpreter for lines that are typed one after another."""
         raise NotImplementedError
 
     def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
-        """Kind, text and offset of each token of `text`, for highlighting; never fails."""
+        """Yield kind, text and offset of each token, for highlighting; never fails."""
         raise NotImplementedError
 
 
 class Interactive:
-    """An interpreter that keeps a program's names between lines.
+    """An interpreter that remembers the names of a program from line to line.
 
-    `keeps_columns` is true if diagnostics of an earlier text, such as a macro, have columns of that text.
+    `keeps_columns` is true if diagnostics about an earlier text, such as a macro, have columns of that text.
     """
 
     keeps_columns = False

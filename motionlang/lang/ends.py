@@ -1,7 +1,7 @@
 """Options that end a wait: `--input 2=1@0.5`, `--answer TEXT`, `--keys`.
 
-They are for a wait that nothing else can end. The wait itself says what it is for, or else the condition at
-its source offset does.
+They are suggested for a wait that nothing else can end. The wait itself may state its purpose; if it does
+not, the condition at its source offset is analysed.
 """
 
 from __future__ import annotations
@@ -23,9 +23,10 @@ MAX_NAMED = 3
 def what_ends(
     dialect: Dialect, source: Source, machine: Machine, task: Task, wait: Wait, at_prompt: bool = False
 ) -> str:
-    """Return a hint that says what to type, or "" if no option ends the wait.
+    """Return a hint with the option to type, or "" if no option ends the wait.
 
-    `at_prompt` is for the prompt, whose commands have the names of the options and count time from now.
+    `at_prompt` is for the interactive prompt, whose commands have the names of the options and count time
+    from now.
     """
     dash, now = (".", 0.0) if at_prompt else ("--", machine.clock.now)
     at = f"{round(now + SOON, 1):g}"
@@ -56,7 +57,7 @@ def what_ends(
 
 
 def _reads(dialect: Dialect, source: Source, task: Task, wait: Wait) -> frozenset[Read]:
-    """Return what the condition of a wait reads."""
+    """Return the values that the condition of a wait reads."""
     if wait.cause == "input" and wait.what:
         return frozenset(("input", channel) for channel in wait.what)
     if not source.text.strip():

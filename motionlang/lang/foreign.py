@@ -1,4 +1,4 @@
-"""Detection of a file in the other language, for one diagnostic in place of many."""
+"""Detection of a file in the other language, to report it in a single diagnostic."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _ASKED = 80
 
 
 def one_sentence(language: Dialect, source: Source, found: Sequence[Diagnostic]) -> list[Diagnostic]:
-    """Return the diagnostics of a file, or the one that names its language."""
+    """Return the diagnostics of a file, or a single one that names its real language."""
     wrong = _wrong_lines(found)
     if not wrong:
         return list(found)
@@ -43,7 +43,7 @@ def one_sentence(language: Dialect, source: Source, found: Sequence[Diagnostic])
 
 
 def _begin(source: Source, wrong: set[int]) -> Source:
-    """The program up to the last wrong line that is checked in the other language."""
+    """Return the program up to the last wrong line; this part is checked as the other."""
     if len(wrong) <= _ASKED:
         return source
     last = sorted(wrong)[_ASKED - 1]

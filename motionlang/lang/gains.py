@@ -1,4 +1,4 @@
-"""Gains of the servo loop by keyword of a language, for use outside a program."""
+"""Servo gains by the keywords of a language, for use outside a program."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ FURTHER = {"IO": "integral_mode", "RATE": "rate"}
 
 
 def gain_words(language: str, rows: Iterable[Keyword]) -> dict[str, str]:
-    """Return the quantity of the loop that each gain of a language sets, by keyword."""
+    """Return the quantity of the servo loop that each gain keyword of a language sets."""
     return {row.name: row.tunes for row in rows if row.tunes} | (FURTHER if language == "mccl" else {})
 
 
 def written(words: Mapping[str, str], values: Mapping[str, float]) -> Gains:
-    """Return values by keyword as the loop's gains; ValueError for an unknown gain."""
+    """Convert values by keyword to the loop's gains; ValueError for an unknown gain."""
     for word in values:
         if word not in words:
             raise ValueError(f"{word} is not a servo gain; these are {', '.join(words)}")
@@ -28,6 +28,6 @@ def written(words: Mapping[str, str], values: Mapping[str, float]) -> Gains:
 
 
 def spoken(words: Mapping[str, str], values: Mapping[str, float]) -> dict[str, float]:
-    """Return values by keyword from values by quantity."""
+    """Convert values by quantity to values by keyword."""
     by_quantity = {quantity: word for word, quantity in words.items()}
     return {by_quantity[quantity]: value for quantity, value in values.items()}

@@ -1,4 +1,4 @@
-"""The kinds of all pieces of a text, for highlighting.
+"""The kinds of all fragments of a text, for highlighting.
 
 The dialect splits a text into tokens; the rows of its table define the keywords.
 """
@@ -17,7 +17,7 @@ _WORDS = frozenset(("word", "command", "not-simulated"))
 
 
 def pieces(dialect: Dialect, text: str) -> Iterator[tuple[int, str, str]]:
-    """Split a text into fragments with offset, kind and text, leaving nothing out.
+    """Yield the fragments of a text with offset, kind and text, leaving nothing out.
 
     Text between tokens has the kind "". A keyword of the table has the kind "move", "keyword" or
     "not-simulated". The other kinds are those of `Dialect.tokens`.

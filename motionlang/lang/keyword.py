@@ -1,4 +1,4 @@
-"""A keyword: one row of a dialect's vocabulary, from which all else derives.
+"""A keyword: one row of a dialect's vocabulary, the source of everything about it.
 
 Dispatch, diagnostics, did-you-mean, completion, `help`, highlighting, the linter and `docs/keywords/` read
 these rows and nothing else. A row refers to the functions that execute it (`Actions`), which its file
@@ -42,11 +42,11 @@ TRAITS = {
 
 
 class Actions:
-    """The functions of a keyword, None if there is none; each language defines calls.
+    """The functions of a keyword, None if there is none; calls differ by language.
 
     `verb`       the name of its function in the controller, the compiler or the linter; "" if they need none
     `read`, `write`, `load`, `do`   read its value, write it, load a move into the buffer, execute a command
-    `held`       reads the value that a write replaces, if `read` does not
+    `replaced`   reads the value that a write replaces, if `read` does not
     `attribute`  the property that it reads and writes of its subject, such as the "edge" of a latch
     """
 
@@ -78,19 +78,18 @@ class Keyword:
                the value of a constant, the name of a function or a statement; "" if it is not simulated
     `low`…`high`  the accepted range, inclusive; None if open
     `below`    True if the range excludes `high` (MCCL)
-    `solved`   its reading takes the level of a comparison, and can solve when it passes that
+    `solved`   its `read` accepts the level of a comparison, and can solve when the value passes that level
     `simulated`   False: recognised, documented, reported as "not simulated"
     `effect`   the effect of writing or executing the keyword on its axes: words of `ROLES` and `TRAITS`
     `gives`    the property of moves that it sets: "speed", "accel", "decel jerk" …; the last one written is
                in force
-    `changes`  "motion": the value changes only while the axis moves; "always": each reading gives another
-               value
-    `every`    read of several axes it is true if it is true of each
+    `changes`  "motion": the value changes only while the axis moves; "always": it may differ at each read
+    `every`    read for several axes, it is true if it is true for each of them
     `optional` the number of values that may be omitted at the end of the brackets
     `tunes`    the quantity of the servo loop that it sets: one of the gains of its language in `servo.gains`
     `meant`    words that people write for it if they do not know it
     `family`   the keywords that a controller lacks or limits together with it, as defined in `models.py` of a
-    language
+               language
     `driven`   the section of the machine file that sets the value read, such as "input"
     """
 
@@ -168,12 +167,12 @@ class Keyword:
 
     @property
     def takes_fractions(self) -> bool:
-        """True if a value that is written keeps its fraction."""
+        """True if a value written to it keeps its fraction."""
         return self.unit not in WHOLE_UNITS or self.unit == "ms"
 
     @property
     def accepted(self) -> str:
-        """The accepted range in words, "" if it is not limited."""
+        """The accepted range as text, "" if it is not limited."""
         low, high = (None if bound is None else f"{bound:.10g}" for bound in (self.low, self.high))
         if low is None or high is None:
             return f"{low} or more" if low else f"{high} or less" if high else ""
@@ -181,16 +180,16 @@ class Keyword:
 
     @property
     def attribute(self) -> str:
-        """The property of its subject that it reads and writes."""
+        """The property of its subject that the keyword reads and writes."""
         return self.actions.attribute
 
     def does(self, what: str) -> bool:
-        """True if its effect has a word of `ROLES` or `TRAITS`."""
+        """True if `effect` contains `what`, a word of `ROLES` or `TRAITS`."""
         return what in self.effect.split()
 
     @property
     def role(self) -> str:
-        """Its word of `ROLES`, "" if it has none."""
+        """The word of `ROLES` in `effect`, "" if there is none."""
         return next((what for what in self.effect.split() if what in ROLES), "")
 
     def __repr__(self) -> str:

@@ -83,8 +83,8 @@ def has_host(source: Source, comment: re.Pattern[str]) -> bool:
 def silence(source: Source, found: Iterable[Diagnostic], comment: re.Pattern[str]) -> list[Diagnostic]:
     """Return the diagnostics without those that a comment silences.
 
-    A comment that names no warning gives one itself. `comment` matches a line up to the beginning of a
-    comment of the language, which is its group 1.
+    A comment with an unknown code adds a diagnostic. `comment` matches a line up to the beginning of a
+    comment of the language; the comment is its group 1.
     """
     found = list(found)
     if "lint:" not in source.text.lower():

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class Listing:
-    """`head` explains the `lines`; `is_python` is true if the code in them is Python."""
+    """The generated code: `head` explains the `lines`; `is_python` if they are Python."""
 
     __slots__ = ("head", "is_python", "lines")
 

@@ -44,10 +44,10 @@ MAX_NAMED = 4
 
 @record
 class Literal:
-    """A number in the text: its `address`, what is written (`base`), and its place.
+    """A number in the text: its `address`, its target (`base`), and its position.
 
-    `is_whole` says that the number is the whole value and not a part of an expression, `is_write` that a
-    statement writes it and no condition or loop has it.
+    `is_whole` is true if the number is the whole value and not part of an expression, `is_write` if a
+    statement writes it, rather than a condition or a loop.
     """
 
     address: str
@@ -60,7 +60,7 @@ class Literal:
 
 
 def canonical(name: str) -> str | None:
-    """Return an address in its one spelling, None for a name that is no address."""
+    """Return an address in its canonical spelling; None if a name is not an address."""
     text = name.replace(" ", "")
     line = _LINE.fullmatch(text)
     if line is not None:
@@ -102,9 +102,10 @@ def literals(source: Source, language: Dialect) -> list[Literal]:
 
 
 def _addressed(found: Sequence[tuple[str, int, Token, bool, bool]]) -> list[Literal]:
-    """Return literals with their addresses.
+    """Assign addresses to literals and return them.
 
-    The writes of a line are numbered before its conditions, so that a condition changes no address of a write.
+    The writes of a line are numbered before its conditions, so that a condition does not change the address
+    of a write.
     """
     counts: dict[tuple[str, int, bool], int] = {}
     for base, line, _, _, writes in found:
@@ -127,8 +128,8 @@ def edited(
 ) -> tuple[Source, dict[str, float | str], list[str]]:
     """Return the edited program, the values of names, and notes for the report.
 
-    The program has the values of literals in its text. `found` are the program's `literals`, if they are
-    known. Raises ProgramError with every address that is wrong.
+    In the program's text the literals have their new values. `found` are the program's `literals`, if they
+    are known. Raises ProgramError with every address that is wrong.
     """
     addressed, named = _sorted(source, language, values)
     if not addressed:
@@ -157,10 +158,11 @@ def edited(
 def bound(
     source: Source, language: Dialect, values: Values, found: Sequence[Literal]
 ) -> tuple[Source, dict[str, str]] | None:
-    """Return the program with constants in place of literals, and their names.
+    """Return the program with constants in place of literals, and the constant names.
 
-    The names are by those of `values`. Such a program is compiled once for many values. None if that is not
-    possible: the language has no constants, or a literal is not the whole value of a keyword.
+    The result maps the names in `values` to these names. Such a program is compiled once for many values.
+    None if this is not possible: the language has no constants, or a literal is not the whole value of a
+    keyword.
     """
     if not language.constant:
         return None
@@ -185,14 +187,14 @@ def bound(
 
 
 def has_address(values: Values, language: Dialect) -> bool:
-    """True if a name may be an address: its form is one, or it is a keyword."""
+    """True if a name may be an address: by its form, or because it is a keyword."""
     return any(canonical(name) is not None or language.table().get(name) is not None for name in values)
 
 
 def _replaced(text: str, edits: Mapping[int, tuple[int, str]]) -> str:
-    """Return a text with other words at some offsets.
+    """Return a text with replacements at some offsets.
 
-    Each comes with the length of the text that it replaces.
+    Each edit has the length of the text that it replaces, and the new text.
     """
     parts, end = [], 0
     for offset, (length, word) in sorted(edits.items()):
@@ -227,7 +229,7 @@ def _sorted(
 def _declared(source: Source, language: Dialect) -> set[str]:
     """Return the words of the statements that declare names, in lower case.
 
-    A declared name may be that of a keyword.
+    A keyword may be among them, because a program may declare it as a name.
     """
     found: set[str] = set()
     end, declares = 0, False
@@ -242,9 +244,9 @@ def _declared(source: Source, language: Dialect) -> set[str]:
 
 
 def _chosen(found: Sequence[Literal], address: str, source: Source) -> list[Literal]:
-    """Return the literals that an address means.
+    """Return the literals that an address stands for.
 
-    Raise ProgramError if there is none, or if the address is ambiguous.
+    Raises ProgramError if there is none, or if the address is ambiguous.
     """
     if address.startswith("line:"):
         line = int(address[5:])
@@ -276,14 +278,14 @@ def _chosen(found: Sequence[Literal], address: str, source: Source) -> list[Lite
 
 
 def _in_line(here: Sequence[Literal], line: int, source: Source) -> str:
-    """Return why a line has no single literal."""
+    """Return the reason why a line does not have exactly one literal."""
     if not here and re.search(r"\b\d", source.line(line)):
         return f"the numbers of line {line} have no address: those of CASE, PRINT and brackets have none"
     return f"line {line} has {len(here) or 'no'} literals"
 
 
 def _wrong(message: str, others: Sequence[Literal], address: str = "") -> ProgramError:
-    """Return the error for an address, with those that were probably meant."""
+    """Return the error for an address, with the addresses that were probably meant."""
     names = [each.address for each in others]
     near = nearest(address, names) if address else None
     if len(names) > MAX_NAMED and near is not None:
@@ -296,7 +298,7 @@ def _wrong(message: str, others: Sequence[Literal], address: str = "") -> Progra
 
 
 def _text(address: str, value: float | str) -> str:
-    """Return a value as it is written into the text."""
+    """Return a value in the notation of the program."""
     if isinstance(value, str):
         raise ProgramError([Diagnostic("option", f"{address} is a number, not {value!r}")])
     return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(float(value))
@@ -327,7 +329,7 @@ def _statements(text: str, language: Dialect) -> Iterator[list[Token]]:
 
 
 def _values(statement: list[Token], language: Dialect) -> Iterator[tuple[str, Token, bool]]:
-    """Yield the target of each literal of a statement, and the literal.
+    """Yield the target of each literal of a statement, and the literal itself.
 
     The third item is true if the literal is the whole value.
     """
@@ -371,7 +373,7 @@ _COMPARISONS = frozenset(("=", "<>", "<", ">", "<=", ">="))
 
 
 def _compared(condition: list[Token], language: Dialect) -> Iterator[tuple[str, Token, bool]]:
-    """Yield the word that each comparison is about, and each number of it."""
+    """Yield the word that is compared, and each number in the comparison."""
     tokens = [each for number, each in enumerate(condition) if not _groups(condition, number)]
     parts: list[list[Token]] = [[]]
     for token in tokens:
@@ -393,13 +395,13 @@ def _compared(condition: list[Token], language: Dialect) -> Iterator[tuple[str, 
 
 
 def _comparison(tokens: list[Token]) -> int:
-    """Return where the operator of a comparison is, 0 if there is none."""
+    """Return the index of the comparison operator, 0 if there is none."""
     found = (n for n, (kind, text, _) in enumerate(tokens) if kind == "operator" and text in _COMPARISONS)
     return next(found, 0)
 
 
 def _groups(tokens: list[Token], number: int) -> bool:
-    """True if a token is a bracket that groups a condition, and follows no word."""
+    """True if a token is a bracket that groups a condition and follows no word."""
     if tokens[number][1] in ("(", "["):
         return not number or tokens[number - 1][0] != "word"
     if tokens[number][1] not in (")", "]"):
@@ -413,7 +415,7 @@ def _groups(tokens: list[Token], number: int) -> bool:
 
 
 def _behind_equals(tokens: list[Token]) -> list[Token]:
-    """Return the tokens behind an equals sign, or all if there is none."""
+    """Return the tokens after an equals sign, or all tokens if there is none."""
     at = next((n for n, each in enumerate(tokens) if each[1] == "="), -1)
     return tokens[at + 1 :]
 
@@ -428,10 +430,7 @@ def _of_command(statement: list[Token], language: Dialect) -> Iterator[tuple[str
 
 
 def _target(statement: list[Token], language: Dialect) -> tuple[str, str, list[Token]]:
-    """Return the first word of a statement, its index as text, and the tokens.
-
-    The tokens are those behind both.
-    """
+    """Return the first word of a statement, its index as text, and the other tokens."""
     word, index, end = statement[0][1], "", 1
     dotted = _DOTTED.fullmatch(word)
     if dotted is not None:
@@ -444,7 +443,7 @@ def _target(statement: list[Token], language: Dialect) -> tuple[str, str, list[T
 
 
 def _split(tokens: list[Token]) -> tuple[list[list[Token]], bool]:
-    """Return the values of a list, and whether a `;` at its end repeats the last one."""
+    """Return the values of a list, and True if a final `;` repeats the last one."""
     values: list[list[Token]] = [[]]
     depth = 0
     for token in tokens:
@@ -459,9 +458,9 @@ def _split(tokens: list[Token]) -> tuple[list[list[Token]], bool]:
 
 
 def _numbers(value: list[Token]) -> Iterator[tuple[Token, bool]]:
-    """Yield the numbers of a value, without those in the brackets of a word.
+    """Yield the numbers of a value, except those in the brackets of a word.
 
-    A sign belongs to a lone number.
+    A sign is part of a number that is the only one.
     """
     if len(value) == 2 and value[0][1] == "-" and value[1][0] == "number":
         (_, _, begin), (_, text, offset) = value

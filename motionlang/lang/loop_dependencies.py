@@ -1,4 +1,4 @@
-"""The readings of loops and conditional waits, for the time profile."""
+"""The values read by loops and conditional waits, for the time profile."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ class LoopDependencies:
     """The readings that decide the duration of a loop or a wait at a source offset.
 
     `leaves`   the readings in the conditions that end it; none if it only computes
-    `within`   the readings in all conditions in it, those of branches taken in some iterations
+    `within`   the readings in all conditions in it, including branches that only some iterations take
     `lines`    the lines that it executes
-    `counts`   it also ends by itself, when it has counted to its limit
+    `counts`   true if it also ends by itself, when it has counted to its limit
     `why`      a description of what it waits for
     """
 
@@ -52,13 +52,13 @@ class LoopDependencies:
 
 @record
 class InputRead:
-    """One place at which a program depends on the world around it.
+    """A position at which a program depends on the world around it.
 
     `kind`    "wait" (the program stops here until the level comes), "poll" (the condition of a loop), "guard" (an If
               that jumps away at the other level), "test" (any other reading), "event" (a handler) or "key" (a key
               that the program compares with)
     `channel` the number of the input, or the code of the key; None if it is only known at run time
-    `level`   the level that lets the program go on, or makes a test true; None if that is unknown
+    `level`   the level that lets the program continue, or makes a test true; None if that is unknown
     `line`    the line; `last` is the last line of a loop
     """
 

@@ -1,7 +1,7 @@
-"""The names of a program, as an editor needs them: definitions, uses, blocks.
+"""The names of a program, for an editor: definitions, uses and blocks.
 
 `Dialect.names` returns them, in one vocabulary for all languages. Positions are character offsets in the text
-of the source, so they belong to one text only.
+of the source, so they are valid for one text only.
 """
 
 from __future__ import annotations
@@ -37,13 +37,14 @@ KINDS = (
 class Definition:
     """A name of the program, and every position at which it is written.
 
-    `span` is the name in its declaration, None for a register, which is not declared. `uses` has all of them
-    in the order of the text, the declaration included. `scope` is where the name is visible, `home` the sub or
-    task that declares it, "" for the module. `text` is the declaration, `type` and `value` what is known of them.
-    `parameters` are those of a sub. `fixed` is the reason why the name cannot be changed, "" if it can.
+    `span` is the name in its declaration, None for a register, which is not declared. `uses` has all
+    positions in the order of the text, including the declaration. `scope` is where the name is visible,
+    `home` the sub or task that declares it, "" for the module. `text` is the declaration, `type` and `value`
+    what is known about them. `parameters` are the parameters of a sub. `fixed` is the reason why the name
+    cannot be changed, "" if it can.
 
-    With `positions`, the scope is given as two tokens, and a use as its token and its length. They become
-    offsets when one of them is first read, because most of them never are.
+    With `positions`, the scope is given as two tokens, and a use as its token and its length. They are
+    converted to offsets when one of them is first read, because most of them are never read.
     """
 
     __slots__ = (
@@ -84,15 +85,15 @@ class Definition:
 
     @property
     def is_used(self) -> bool:
-        """True if the text has its name, be it in the declaration only."""
+        """True if the text has the name anywhere, including the declaration."""
         return bool(self._uses)
 
     def use(self, span: Span) -> None:
-        """Enter a use."""
+        """Add a use."""
         self._uses.append(span)
 
     def declare(self, span: Span) -> None:
-        """Enter the declaration, which is a use as well."""
+        """Add the declaration, which counts as a use."""
         self._span = span
 
     def _locate(self) -> None:
@@ -110,8 +111,8 @@ class Definition:
 class Block:
     """A sub, a task, a handler, a loop or a branch.
 
-    `span` is from its first to its last token. `name` is "" for a block without one, and `at` the span of its
-    name, or of the keyword that opens it.
+    `span` extends from its first to its last token. `name` is "" for a block without one. `at` is the span of
+    its name, or of the keyword that opens it.
     """
 
     kind: str
@@ -124,8 +125,8 @@ class Block:
 class LineLayout:
     """The indentation of a line.
 
-    The line is `back` levels less indented than those above; those below change by `change` levels. A
-    line that `continues` another one, or has characters of no token, is not indented.
+    The line is indented by `back` levels less than the lines above; the lines below change by `change`
+    levels. A line that `continues` another one, or has characters of no token, is not indented.
     """
 
     back: int = 0
@@ -137,8 +138,8 @@ class LineLayout:
 class Names:
     """The names of one text.
 
-    `complete` is False if unreadable lines had to be left out. `problem` says why a name cannot be given to a
-    definition: a function of the definition and the new name that returns "" if it can. `find_blocks` is called
+    `complete` is False if lines with syntax errors had to be skipped. `problem` is a function of a definition
+    and a new name that returns the reason why it cannot have this name, "" if it can. `find_blocks` is called
     when `blocks` is first read.
     """
 
@@ -161,13 +162,13 @@ class Names:
 
     @property
     def blocks(self) -> list[Block]:
-        """The blocks in the order of their beginnings."""
+        """The blocks in the order in which they begin."""
         if self._blocks is None:
             self._blocks = self._find_blocks()
         return self._blocks
 
     def at(self, offset: int) -> tuple[Definition, Span] | None:
-        """Return the definition whose name is written at an offset, or just before it."""
+        """Return the definition whose name is at an offset or just before it."""
         if self._by_start is None:
             uses = [(start, end, each) for each in self.definitions for start, end in each.uses]
             self._by_start = sorted(uses, key=itemgetter(0, 1))
@@ -179,12 +180,12 @@ class Names:
         return (definition, (start, end)) if offset <= end else None
 
     def visible(self, offset: int) -> Iterator[Definition]:
-        """Yield the definitions that can be used at an offset, the innermost scope first."""
+        """Yield the definitions that can be used at an offset, innermost scope first."""
         inside = [each for each in self.definitions if each.scope[0] <= offset <= each.scope[1]]
         return iter(sorted(inside, key=lambda each: each.scope[1] - each.scope[0]))
 
     def named(self, name: str, kind: str) -> Definition | None:
-        """Return the definition of a kind with this name, in any case."""
+        """Return the definition of a kind with this name, ignoring case."""
         key = name.lower()
         return next((e for e in self.definitions if e.kind == kind and e.name.lower() == key), None)
 

@@ -1,9 +1,9 @@
 """The call depth of a program, and space for it on Python's stack.
 
-A language has a depth of its own, so that a recursion ends at the same call and the same time wherever it
-runs: from the command line, from `run` at any depth of Python calls, in a thread, on any version of Python.
-Python's recursion limit is raised for the duration of a run, relative to the depth at its beginning, so that
-it never ends a program.
+A language has a maximum depth of its own, so that a recursion ends at the same call and the same time in any
+environment: from the command line, from `run` at any depth of Python calls, in a thread, on any version of
+Python. Python's recursion limit is raised for the duration of a run, relative to the depth at its beginning,
+so that it never ends a program.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A compiled program: the result of a dialect for a source, ready to be started."""
+"""A compiled program: a dialect's result for a source, ready to be started."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ class Program:
 
     @property
     def size(self) -> int:
-        """How much of it is compiled, if that grows as it runs."""
+        """The amount of compiled code, if that grows as the program runs."""
         return 0
 
     @property
     def is_doubtful(self) -> bool:
-        """True if it begins with unknown text: it may be in another language."""
+        """True if the program begins with unknown text, perhaps of another language."""
         return False
 
     @property
@@ -36,7 +36,7 @@ class Program:
 
     @property
     def entries(self) -> Sequence[int]:
-        """The statements of a debug build that begin a macro in the middle of a line."""
+        """The statements of a debug build that begin a macro within a line."""
         return ()
 
     @property
@@ -46,16 +46,16 @@ class Program:
 
     @property
     def outline(self) -> Outline | None:
-        """Blocks and lines, known without parsing again; None if they are not stored."""
+        """Blocks and lines, if stored by the compiler; None if parsing is needed."""
         return None
 
     def start(self, machine: Machine) -> Task:
-        """Return the parent task of the program, bound to `machine`, not yet run."""
+        """Return the program's parent task, bound to `machine` but not yet run."""
         raise NotImplementedError
 
     def payload(self) -> bytes | None:
         """Return the program as bytes for the cache and `Dialect.load`.
 
-        None if compiling is as quick.
+        Returns None if compiling is just as fast.
         """
         return None

@@ -24,10 +24,10 @@ _ARITHMETIC: dict[type[BaseException], tuple[str, str, str]] = {
 
 
 class NotSimulated(Exception):
-    """A statement has reached a keyword that is known and not simulated.
+    """Raised if a statement reaches a keyword that is known but not simulated.
 
-    No handler of the language catches it. `at` is the source position of the keyword, -1 if only that of the
-    statement is known.
+    No handler of the language catches it. `at` is the source position of the keyword, -1 if only the position
+    of the statement is known.
     """
 
     def __init__(self, message: str, hint: str = "", at: int = -1) -> None:

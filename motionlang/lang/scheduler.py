@@ -90,7 +90,7 @@ class Scheduler:
     """Runs tasks on a machine, or on a bare controller, until the parent ends.
 
     The parent is the first task. `pace(now)` is called before time jumps, so that a run can be synchronised
-    with real time. `outside` is a world that acts by itself, such as a host: it decides how far time
+    with real time. `outside` is a world that acts by itself, such as a host: it controls how far time
     advances, and may end any wait.
     """
 
@@ -137,12 +137,12 @@ class Scheduler:
 
     @property
     def parent(self) -> Task:
-        """The task that is the program."""
+        """The task of the program itself."""
         return self.tasks[0]
 
     @property
     def by_itself(self) -> bool:
-        """True if only the tasks limit the advance of the clock."""
+        """True if nothing but the tasks limits the advance of the clock."""
         return self.pace is None and self.outside is None
 
     def _where(self) -> int:
@@ -155,7 +155,7 @@ class Scheduler:
         self.tasks.append(task)
 
     def end(self, task: Task) -> None:
-        """Stop a task that the running one ends."""
+        """Stop a task at the request of the running one."""
         self.invalidate_waits()
         self._forget(task)
 
@@ -210,7 +210,7 @@ class Scheduler:
         return True
 
     def idle_round(self, until: float) -> bool:
-        """Resume waiting tasks whose waits have known ends; False if there are none."""
+        """Resume waiting tasks at the known ends of their waits; False if there are none."""
         return False
 
     def slice_over(self, task: Task) -> None:
@@ -223,8 +223,8 @@ class Scheduler:
     def passes(self, wait: Wait) -> bool:
         """Let a wait of the running task pass; False if the task must yield.
 
-        It must unless it is the only task, nothing outside controls the clock, nothing else begins meanwhile,
-        and the wait has an end.
+        The task must yield unless it is the only task, nothing outside controls the clock, nothing else
+        begins during the wait, and the wait has an end.
         """
         clock = self.clock
         if not self.by_itself or self._end:
@@ -240,16 +240,17 @@ class Scheduler:
         return False
 
     def passes_among_others(self, since: float, end: float, by_bell: bool) -> float:
-        """Let a wait of one of several tasks pass, like `passes`.
+        """Like `passes`, for a wait of one of several tasks.
 
-        Returns how far it may then run, 0.0 if it yields.
+        Returns the time up to which the task may then run, 0.0 if it must yield.
         """
         return 0.0
 
     def comes_to_rest(self, since: float, end_of_moves: Callable[[], float]) -> bool:
-        """Let a wait from `since` pass until axes are at rest, like `passes`.
+        """Let a wait for standstill of axes pass; False if the task must yield.
 
-        Its end is known without a check.
+        The wait began at `since`. `end_of_moves` returns its end without a check, negative once the axes are
+        at rest. The conditions are the same as in `passes`.
         """
         clock, until = self.clock, self.until
         if not self.by_itself or self._end:
@@ -267,7 +268,10 @@ class Scheduler:
         return False
 
     def _leave(self, task: Task, event: float, time: float, several: bool) -> None:
-        """Advance to the time of a task; `event` was the next event when it was resumed."""
+        """Advance to the time at which a task stopped.
+
+        `event` was the next event when the task was resumed.
+        """
         clock = self.clock
         advance = clock.advance if self.pace is None and self.outside is None else self._advance
         advance(time)
@@ -283,7 +287,10 @@ class Scheduler:
             self._forget(task)
 
     def reach(self) -> float:
-        """Until when the running task may run alone without an action; 0 if not alone."""
+        """Return until when the running task may run alone without acting; 0 if not alone.
+
+        A statement that coincides with the end of another task's wait comes after it, as in `_next_due`.
+        """
         return min(self.next_change(), self.until) if self._alone and self.outside is None else 0.0
 
     def is_watched(self) -> bool:
@@ -291,7 +298,7 @@ class Scheduler:
         return any(task.wait is not None and not task.wait.ignores_data for task in self.tasks)
 
     def next_change(self) -> float:
-        """Return the next event, or end of a wait, if the running tasks do nothing."""
+        """Return the time of the next event or end of a wait if running tasks do nothing."""
         first = self.clock.next_time()
         for task in self.interrupts[-1:] or self.tasks:
             wait = task.wait
@@ -302,7 +309,7 @@ class Scheduler:
         return first
 
     def waited(self, wait: tuple[object, ...]) -> None:
-        """Write the record of a wait that is over to the log."""
+        """Write the record of a completed wait to the log."""
         log = self.machine.log
         log.waits.add(wait)
         if log.slices.seconds:
@@ -344,7 +351,7 @@ class Scheduler:
             self._advance(time)
 
     def _slice_length(self, horizon: float) -> float:
-        """The duration of a time slice, of many quanta if the difference is invisible.
+        """Return the length of a time slice: many quanta if the difference is invisible.
 
         It is invisible while every task that can run computes with its own data, and nothing is due before
         the round ends.
@@ -370,7 +377,10 @@ class Scheduler:
         return self._length
 
     def _next_due(self, task: Task) -> float:
-        """Return when the first other wait may end; no slice outlasts it."""
+        """Return when the first wait of another task may end; no time slice outlasts it.
+
+        The task is alone until then if all others wait.
+        """
         waiting, now = self._waiting, self.clock.now
         waiting.clear()
         first = INFINITY
@@ -403,7 +413,7 @@ class Scheduler:
         self.clock.advance(time)
 
     def _forget(self, task: Task) -> None:
-        """Drop a task that has ended; another one may have dropped it before."""
+        """Drop a task that has ended, unless another one has already dropped it."""
         for tasks in (self.interrupts, self.tasks):
             if task in tasks:
                 tasks.remove(task)

@@ -1,8 +1,8 @@
 """Machine time in whole statements: a base plus their number times their duration.
 
-It is never a running sum. So it makes no difference, to the last bit, how often the clock was read in
-between, or if iterations of a loop were executed or skipped. A WAIT ends on a multiple of the time unit, so
-sums of such times are exact, too.
+The time is never a running sum. Therefore the result is the same, to the last bit, however often the clock
+was read in between, and whether iterations of a loop were executed or skipped. A WAIT ends on a multiple of
+the time unit, so sums of such times are exact, too.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ NEVER = -INFINITY
 
 
 class StatementTime:
-    """The time of the running task, from the `base` of statement 0 and a `cost` each.
+    """The time of the running task: the `base` of statement 0 plus `cost` for each.
 
-    Both are in s. `count` is the statement at which the last task stopped, `reached` its time: a task that
-    continues there continues the count. `until` is the horizon of the running task. Up to `free` no other
-    task can act and the time is a whole number of units; it is `NEVER` if the task is not `alone`.
+    Both are in seconds. `count` is the statement at which the last task stopped, `reached` its time: a task
+    that continues from there continues the count. `until` is the horizon of the running task. Up to `free` no
+    other task can act and the time is a whole number of units; it is `NEVER` if the task is not `alone`.
     """
 
     __slots__ = ("alone", "base", "cost", "count", "free", "reached", "until")
@@ -40,13 +40,13 @@ class StatementTime:
         return self.base + count * self.cost
 
     def share(self) -> None:
-        """Record that others may act while the running task waits."""
+        """Record that other tasks may act while the running task waits."""
         self.alone, self.free = False, NEVER
 
     def go_on(self, now: float, horizon: float) -> tuple[float, float]:
-        """Resume a task at `now`; return its statement, and the first one from `horizon`.
+        """Resume a task at `now`; return its statement, and the first one at the horizon.
 
-        The latter is found like in `limit`.
+        The latter is computed as in `limit`.
         """
         if now != self.reached:
             self.base, base, count = now, now, 0.0
@@ -75,14 +75,14 @@ class StatementTime:
         return self.reached
 
     def limit(self, horizon: float) -> float:
-        """Return the first statement not before `horizon`, the limit of the running task."""
+        """Set the horizon of the running task; return the first statement at or after it."""
         self.until = horizon
         if self.alone:
             self.free = horizon if horizon < LATEST else LATEST
         return self.first(horizon)
 
     def first(self, moment: float) -> float:
-        """Return the first statement not before a time."""
+        """Return the first statement at or after a time."""
         if moment == INFINITY:
             return INFINITY
         base, cost = self.base, self.cost
@@ -92,10 +92,10 @@ class StatementTime:
         return count - 1.0 if base + (count - 1.0) * cost >= moment else count
 
     def periods(self, base: float, count: float, here: float, until: float) -> float:
-        """Return how often the progress since `base` and `count` fits until `until`.
+        """Return how many times the progress since `base` and `count` fits before `until`.
 
-        The running task is now at `here`. The result is 0 if it has waited, neither for a complete iteration
-        nor to a whole unit.
+        The running task is now at statement `here`. After a wait, the result is 0 unless `here` equals
+        `count` and `base` is a whole number of units.
         """
         if until == INFINITY:
             return INFINITY
@@ -106,7 +106,7 @@ class StatementTime:
         return (until - self.at(here)) // (self.base - base)
 
     def repeat(self, base: float, count: float, times: float) -> float:
-        """Repeat the progress since `base` and `count`, and return the new statement."""
+        """Repeat the progress since `base` and `count`; return the new statement."""
         if base != self.base:
             here = units(self.base)
             self.base = (here + int(times) * (here - units(base))) / UNITS

@@ -144,9 +144,9 @@ class Task:
     `None` for the wait means that the horizon was reached, or, with `done` set, that the task has ended.
     Source positions ("at") are token numbers, which the dialect's `locate` converts to line and column.
 
-    A task that only polls sets `look`: the number of actions by then, and true if it reads anything.
-    `in_vain` is the time since which it has polled for something that nothing could cause until the end of
-    the run, and `looks_at` its last reading, as text.
+    A task that only polls sets `poll_check`: the number of actions so far, and true if it reads anything.
+    `in_vain` is the time since which it has polled for something that could not happen before the end of
+    the run, and `last_poll` its last reading, as text.
     """
 
     __slots__ = (
@@ -175,24 +175,25 @@ class Task:
 
     @property
     def shared(self) -> Shared | None:
-        """The state shared by the tasks of its program, if that can be compared."""
+        """The state shared by the tasks of its program; None if that cannot be compared."""
         return None
 
     def state(self, alive: dict[int, object]) -> bytes | None:
-        """Return the state that decides its future, without its wait and shared state.
+        """Return the state that decides the task's future, without wait and shared state.
 
-        None if it cannot be compared. Objects whose identity is part of it are added to `alive`.
+        Returns None if it cannot be compared. Objects whose identity is part of the state are added to
+        `alive`.
         """
         return None
 
     @property
     def at(self) -> int:
-        """Its source position."""
+        """The source position of the task."""
         return 0
 
     @property
     def stack(self) -> tuple[int, ...]:
-        """Its source position, after those of the calls that led there, outermost first."""
+        """The source position of the task after those of its callers, outermost first."""
         return (self.at,)
 
     @property
@@ -203,14 +204,14 @@ class Task:
 
     @property
     def loops(self) -> Sequence[tuple[int, float, tuple[int, ...]]]:
-        """The loops that it is in, the outermost first.
+        """The loops that the task is in, outermost first.
 
-        Each is a source position, begin, s, and the positions of the calls that led there.
+        Each has its source position, its start in s, and the positions of the calls that led there.
         """
         return ()
 
     def waited(self, wait: Wait, until: float) -> tuple[object, ...]:
-        """Return the record of a wait that is over, like `record.records.Waited`."""
+        """Return the record of a completed wait, in the form of `record.records.Waited`."""
         at, callers = wait.place or self.standing
         why = "" if wait.cause == "time" else wait.why
         return self.name, at, wait.since, until, wait.cause, wait.what, why, callers
@@ -221,11 +222,11 @@ class Task:
         return False
 
     def at_error(self, error: BaseException) -> int:
-        """The source position at which `error`, which came out of `resume`, was raised."""
+        """Return the source position at which `error`, raised by `resume`, occurred."""
         return self.at
 
     def time_at_error(self, error: BaseException) -> float:
-        """Return the task's own time, s, when `error` was raised; 0 if it is unknown."""
+        """Return the task's own time when `error` was raised, s; 0 if it is unknown."""
         return 0.0
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
@@ -238,10 +239,10 @@ if TYPE_CHECKING:
 
 
 class GeneratorTask(Task):
-    """A task made of a generator, which yields times or `Wait`s and returns a time.
+    """A task based on a generator, which yields times or `Wait`s and returns a time.
 
     At the horizon it may yield `(time, busy)` instead of a time, where `busy` is how long no other task can
-    observe it. `file` is the file name of the generated code and `places[n]` the source position of its line
+    observe it. `file` is the file name of the generated code and `offsets[n]` the source position of its line
     `n`.
     """
 
@@ -274,7 +275,7 @@ class GeneratorTask(Task):
 
     @property
     def stack(self) -> tuple[int, ...]:
-        """The source positions of its subs, the innermost last; not while it is running."""
+        """The source positions of its subs, innermost last; invalid while it is running."""
         generator: Any = self._generator
         if generator is not None and generator.gi_yieldfrom is None and generator.gi_frame is not None:
             return (self._places[generator.gi_frame.f_lineno],)
@@ -289,7 +290,7 @@ class GeneratorTask(Task):
         return tuple(places) or (self._places[0],)
 
     def callers(self, above: int = 2) -> tuple[int, ...]:
-        """Return the stack while it is running, without the innermost position.
+        """Return the stack without the innermost position, for a running task.
 
         `above` is the number of calls between this one and the program's code.
         """
@@ -325,7 +326,7 @@ class GeneratorTask(Task):
         return bool(getattr(self._generator, "gi_running", False))
 
     def at_error(self, error: BaseException) -> int:
-        """Return the source position of the innermost frame of the program in the error."""
+        """Return the source position of the innermost frame of the program in a traceback."""
         line, traceback = 0, error.__traceback__
         while traceback is not None:
             if traceback.tb_frame.f_code.co_filename == self._file:

@@ -1,4 +1,4 @@
-"""The line that a host types: characters, backspace, a limit, a line end."""
+"""The line that a host types: characters, backspace, length limit and line end."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ BACKSPACE, TAB, LF, CR, BLANK, DELETE = 8, 9, 10, 13, 32, 127
 
 
 class TypedLine:
-    """The characters of one line since the last line end, at most `limit` of them."""
+    """The characters typed since the last line end, at most `limit` of them."""
 
     def __init__(self, limit: int) -> None:
         self._limit = limit
@@ -16,7 +16,7 @@ class TypedLine:
         self.after_cr = False
 
     def type(self, code: int) -> str:
-        """Take a character and return its echo, a line feed at the end of the line."""
+        """Take a character and return its echo, with a line feed at the end of the line."""
         after_cr, self.after_cr = self.after_cr, code == CR
         if code in (CR, LF):
             return "" if code == LF and after_cr else "\n"
@@ -34,12 +34,12 @@ class TypedLine:
         return chr(code)
 
     def take(self) -> tuple[str, int]:
-        """Begin a new line; return the last one and how many characters it lacks."""
+        """Begin a new line; return the last one and the number of its dropped characters."""
         text, dropped = self._typed.decode("latin-1"), self._dropped
         self.clear()
         return text, dropped
 
     def clear(self) -> None:
-        """Forget what was typed."""
+        """Discard the typed characters."""
         self._typed.clear()
         self._dropped = 0

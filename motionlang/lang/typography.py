@@ -27,7 +27,7 @@ _INSIDE = re.compile(f"(?<=[^\\W\\d_])[{_PLAIN[chr(39)][1]}](?=[^\\W\\d_])")
 def typographic(text: str) -> tuple[str, str] | None:
     """Return message and hint for a text that begins with a typographic character.
 
-    None for others.
+    Returns None for any other text.
     """
     character = text[:1]
     if "\x80" <= character <= "\x9f":  # Windows-1252, read as Latin-1
@@ -41,9 +41,9 @@ def typographic(text: str) -> tuple[str, str] | None:
 
 
 def unclosed(text: str) -> tuple[str, str] | None:
-    """Message and hint for a text with a plain and a typographic quote.
+    """Return message and hint for a text in a plain and a typographic quote.
 
-    The text begins with the plain one. None for other texts.
+    The text begins with the plain quote. Returns None for any other text.
     """
     closing = _CLOSING.search(text, 1) if text[:1] == '"' else None
     return typographic(closing[0]) if closing else None
@@ -52,9 +52,9 @@ def unclosed(text: str) -> tuple[str, str] | None:
 def plain(line: str) -> tuple[int, str]:
     """Return the length of the beginning of `line` to replace, and its plain text.
 
-    The result is (0, "") if that is not certain. The text begins at a typographic character, or at the plain
-    quote of a text that a typographic one closes. Of a text in quotes both quotes are replaced. A single
-    quote begins a comment, unless there is a second one.
+    The result is (0, "") if the replacement is not certain. The line begins at a typographic character, or at
+    the plain quote of a text that a typographic quote closes. For a text in quotes both quotes are replaced.
+    A single quote begins a comment, unless there is a second one.
     """
     kind, wanted = TYPOGRAPHIC.get(line[:1], ("", ""))
     if wanted == '"' or line[:1] == '"':

@@ -1,7 +1,7 @@
 """The keywords of a language, loaded on demand: a program uses few of a thousand.
 
 `index.py` next to the files of keywords lists the keywords of each file. It is derived from their rows. A
-file is imported at the first use of one of its keywords, and all of them for a complete listing.
+file is imported at the first use of one of its keywords; a complete listing imports all files.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 
 class Vocabulary(Table):
-    """A table whose rows are imported on lookup.
+    """All keywords of a language, by name or short form, ignoring case.
 
-    `index` has the keywords of each file of `package`.
+    Rows are imported on lookup. `index` has the keywords of each file of `package`.
     """
 
     __slots__ = ("_file_of", "_index", "_package", "_whole")
@@ -37,7 +37,7 @@ class Vocabulary(Table):
         return self._whole
 
     def get(self, word: str) -> Keyword | None:
-        """Return the row of a keyword, by its name or its short form, in any case."""
+        """Return the row of a keyword, by its name or its short form, ignoring case."""
         key = word.lower()
         row = self._by_name.get(key)
         if row is None and key in self._file_of:
@@ -47,7 +47,7 @@ class Vocabulary(Table):
         return row
 
     def file(self, word: str) -> Any:
-        """Return the module that has a keyword, imported at its first use."""
+        """Return the module that defines a keyword, imported on first use."""
         return self._module(self._file_of[word.lower()])
 
     def _module(self, name: str) -> Any:

@@ -1,6 +1,6 @@
-"""The functions for other Python programs: `motionlang.run` and its neighbours.
+"""The functions for other Python programs: `motionlang.run`, `check` and others.
 
-Each is thin: it checks its arguments, and opens the layer that does the work when it is called.
+Each function only checks its arguments and calls the layer that does the work, which is imported on use.
 """
 
 from __future__ import annotations
@@ -45,18 +45,18 @@ def run(
 ) -> Run:
     """Run a program on the virtual controller and return its `Run`.
 
-    `program` is a path, or a `Source` with its text. `dialect` is "mint" or "mccl"; without it the suffix
-    chooses. `machine` has settings by the dotted keys of the machine file, such as {"controller.axes": 2};
-    without it they are those of the machine file next to the program, if there is one. `until` is the machine
+    `program` is a path, or a `Source` with its text. `dialect` is "mint" or "mccl"; without it the file extension
+    decides. `machine` has settings by the dotted keys of the machine file, such as {"controller.axes": 2};
+    without it they are taken from the machine file next to the program, if there is one. `until` is the machine
     time in seconds at which the run ends at the latest, by default the file's `run.until` or 8 hours.
-    `overrides` has values for constants and variables of the program. `inputs`, `analog`, `answers` and
-    `keys` are what the world does, in the form of `--input` and the other options: {2: "1@0.5"}. `show` is
-    called with each text that the program prints. `nv` is a file in which nonvolatile data outlive the run.
-    With `prove` the run stores what `motionlang.prove` needs. `log_size` is how many gigabytes of disk the
-    log may use. With `cache=False` the program is compiled from scratch. With `fast=False` the run goes
-    without accelerators: the result is equal, only later.
+    `overrides` has values for constants and variables of the program. `inputs`, `analog`, `answers` and `keys` are
+    events of the simulated world, in the form of `--input` and the other options: {2: "1@0.5"}. `show` is called with
+    each text that the program prints. `nv` is a file that stores nonvolatile data between runs. With `prove` the run
+    stores the data that `motionlang.prove` needs. `log_size` is the disk space that the log may use, in gigabytes. With
+    `cache=False` the program is compiled from scratch. With `fast=False` the run uses no accelerators; the result is
+    equal, but takes longer.
 
-    Errors in the program are `Run.diagnostics`, never exceptions. Raises OSError if the file cannot be read,
+    Errors in the program are in `Run.diagnostics` and never raised. Raises OSError if the file cannot be read,
     ProgramError if the machine file is wrong, and ValueError, with the choices, for a wrong argument.
     """
     from motionlang import execution
@@ -90,12 +90,12 @@ def check(
     machine: Mapping[str, object] | None = None,
     model: str | None = None,
 ) -> list[Diagnostic]:
-    """Return every error and warning of a program, in order of line; nothing is run.
+    """Return all errors and warnings of a program, in order of line; nothing is run.
 
     `dialect` and `machine` are those of `run`. `model` is the controller that the program is for, such as
     "mintmt". A diagnostic has `code`, `message`, `line`, `hint` and `severity`, "error" or "warning". Raises
     OSError if the file cannot be read, ProgramError if the machine file is wrong, and ValueError, with the
-    choices, for another model or language.
+    choices, for an unknown model or language.
     """
     from motionlang.errors import ProgramError
     from motionlang.execution import checked_settings, dialect_for, settings_next_to
@@ -122,10 +122,10 @@ def check(
 
 
 def profile(program: Program | Run) -> TimeProfile:
-    """Return where the time of a run goes, along the critical path.
+    """Return how the time of a run is spent, along the critical path.
 
-    The time is split by line, sub, cause and axis. `program` is a `Run`, or a program that is run first. All
-    times are seconds. Raises what `run` raises.
+    The time is split by line, sub, cause and axis. `program` is a `Run`, or a program to run first. All times are
+    seconds. Raises the errors of `run`.
     """
     from motionlang.analysis.cycle.profile import TimeProfile
 
@@ -135,11 +135,10 @@ def profile(program: Program | Run) -> TimeProfile:
 def diff(old: Side, new: Side, *tolerances: str) -> Difference:
     """Return the difference between two runs.
 
-    It covers times, motion, output, events and errors. Each side is a `Run`, a report, or a program that is
-    run first. Moves, prints and events are aligned by content, so a line that is inserted is no difference.
-    `tolerances` are texts such as "time=1ms", "position=0.01uu" or "speed=2%". The result has `same`, and its
-    differences by kind. Raises ValueError for a wrong tolerance or a report of an unknown version, and what
-    `run` raises.
+    It covers times, motion, output, events and errors. Each side is a `Run`, a report, or a program to run first.
+    Moves, prints and events are aligned by content, so an inserted line is not a difference. `tolerances` are texts
+    such as "time=1ms", "position=0.01uu" or "speed=2%". The result has `same`, and the differences by kind. Raises
+    ValueError for a wrong tolerance or a report of an unknown version, and the errors of `run`.
     """
     from motionlang.analysis.diff.reports import checked, difference
     from motionlang.analysis.diff.tolerance import Tolerance
@@ -158,12 +157,12 @@ def compare(
 ) -> Comparison:
     """Compare a recording of a real controller with a run.
 
-    The result has residuals, lag and overshoot, move by move. `program` is a `Run`, or a program that is run
-    first; `recording` is the path of a table of text. `mapping` gives columns a meaning: {"time": "t*0.001",
-    "position.0": "PosAct"}; a factor turns their numbers into seconds or user units (uu). `tolerances` are
-    the largest residuals allowed, uu, by "position" or "position.0". `delay` is how many seconds the
-    recording is later than the run; it is found without it. Raises ProgramError if there is nothing to
-    compare, ValueError for a wrong mapping, OSError if a file cannot be read, and what `run` raises.
+    The result has residuals, lag and overshoot, move by move. `program` is a `Run`, or a program to run first;
+    `recording` is the path of a text file with a table. `mapping` gives columns a meaning: {"time": "t*0.001",
+    "position.0": "PosAct"}; a factor converts their numbers to seconds or user units (uu). `tolerances` are the
+    largest residuals allowed, uu, by "position" or "position.0". `delay` is the delay of the recording relative to the
+    run, in seconds; without it the delay is determined from the data. Raises ProgramError if there is nothing to
+    compare, ValueError for a wrong mapping, OSError if a file cannot be read, and the errors of `run`.
     """
     from motionlang.analysis.compare.comparison import Mapped, compare
     from motionlang.source import Source
@@ -184,9 +183,9 @@ def compare(
 def certify(program: Program | Run) -> list[Limit]:
     """Return how far a run used each limit of its machine file.
 
-    There is a line for each limit of each axis. `program` is a `Run`, or a program that is run first. A limit
-    has `reached`, `time` (s), `line`, `margin` and `verdict`: "within", "exceeded" or "unknown". Raises
-    ValueError if the machine file has no limits, and what `run` raises.
+    The result has an entry for each limit of each axis. `program` is a `Run`, or a program to run first. An entry has
+    `reached`, `time` (s), `line`, `margin` and `verdict`: "within", "exceeded" or "unknown". Raises ValueError if the
+    machine file has no limits, and the errors of `run`.
     """
     from motionlang.analysis.certificate import LIMITS, certificate
 
@@ -200,9 +199,9 @@ def certify(program: Program | Run) -> list[Limit]:
 def prove(program: Program | Run) -> Proof:
     """Check the motion of a run against the commanded limits.
 
-    The check is independent of the planner. `program` is a `Run` made with `prove=True`, or a program that is
-    run first. The result has `holds`, `violations` and `worst`, the largest used fraction of each bound.
-    Raises ValueError for a run without `prove`, and what `run` raises.
+    The check is independent of the planner. `program` is a `Run` made with `prove=True`, or a program to run first. The
+    result has `holds`, `violations` and `worst`, the largest used fraction of each limit. Raises ValueError for a run
+    without `prove`, and the errors of `run`.
     """
     from motionlang.result import Run
 
@@ -227,7 +226,7 @@ def _report_of(side: Side) -> dict[str, object]:
 
 
 def _checked(program: Program) -> Program:
-    """Return a program; ValueError for the text of one, which needs a `Source`."""
+    """Return a program; ValueError for program text, which must be in a `Source`."""
     if isinstance(program, str) and "\n" in program:
         raise ValueError('this is the text of a program: pass Source("name.mnt", text), or a path')
     return program

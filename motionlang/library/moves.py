@@ -22,10 +22,10 @@ COLUMNS = (
 class Move:
     """A move that was started.
 
-    `axis` and `line` count as in the program. `start_time` and `duration` are seconds; `start`, `end` and
+    `axis` and `line` are numbered as in the program. `start_time` and `duration` are seconds; `start`, `end` and
     `distance` are user units of the axis (uu), `peak_speed` and `commanded_speed` uu/s. `commanded_speed` is
-    None for a path, a follower or a table. `ended` says what cut the move short, or is "". `phases` are the
-    phases in order of time, `motor` the figures of a simulated motor, or None.
+    None for a path, a follower or a table. `ended` is the reason why the move was cut short, or "". `phases` are in
+    chronological order, `motor` has the figures of a simulated motor, or is None.
     """
 
     __slots__ = (*COLUMNS, "_run", "motor", "phases")
@@ -69,7 +69,7 @@ class Move:
 class Moves(Table, Sequence[Move]):
     """The moves of a run in order of start time.
 
-    They are also a table, by `to_polars` and `to_pandas`.
+    They can be converted to a table, with `to_polars` and `to_pandas`.
     """
 
     __slots__ = ("_rows", "_run")
@@ -92,7 +92,7 @@ class Moves(Table, Sequence[Move]):
     def columns(self) -> dict[str, list[Any]]:
         """Return the columns by name.
 
-        The fields of a move except its phases come first, then those of its motor.
+        The fields of a move except its phases come first, followed by the figures of its motor.
         """
         rows = [
             {name: row.get(name) for name in COLUMNS}

@@ -1,6 +1,6 @@
-"""Rows as a table of polars or pandas.
+"""Rows as a polars or pandas table.
 
-Both are imported on use and need not be installed.
+Both libraries are imported on use and need not be installed.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class Table:
-    """A base of classes whose rows form a table."""
+    """Base of classes whose rows can be converted to a table."""
 
     __slots__ = ()
 
@@ -39,10 +39,10 @@ class Table:
 
 
 def transposed(rows: list[dict[str, Any]], names: tuple[str, ...] = ()) -> dict[str, list[Any]]:
-    """Return the columns of rows.
+    """Return rows as columns.
 
-    Those of `names` come first, then others in order of appearance. A column with integers and floats has
-    floats alone.
+    Columns in `names` come first, then others in order of appearance. A column with integers and floats contains only
+    floats.
     """
     found = dict.fromkeys(names)
     for row in rows:

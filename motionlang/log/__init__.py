@@ -1,4 +1,4 @@
-"""The motion of a run afterwards: as columns, trajectory points, and motor data."""
+"""The motion of a completed run: as columns, trajectory points, and motor data."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""The orders of an axis: the settings in force for each profile, wanted steps.
+"""The orders of an axis: the settings in force for each profile, commanded steps.
 
-A run that is to be proved keeps these records; others pay nothing for them. They contain the commands of the
-program, never a planner's result.
+Only a run that is to be proved stores these records; other runs have no cost. They contain the commands of
+the program, never a planner's result.
 """
 
 from __future__ import annotations
@@ -44,13 +44,15 @@ _TIME = itemgetter(0)
 class ExpectedMotion:
     """The records of a controller: `of` and `data` by axis, one per profile.
 
-    A datum is how far the zero of the axis has been moved. `standstills` has the axes and times at which an axis
-    was commanded to stop at once, with the keyword. Equal orders are one object. Beyond `MAX_PROFILES` profiles it
-    `is_full`, and stores nothing more. `unheeded` has, by axis and time, the effect of settings on a profile
-    that they have not replaced. `offsets` has, by axis and time, the line and the distance of an OFFSET.
-    `begun` has, by axis, the start times of motions with an entry of their own. `stops` has, by axis, the
-    times at which its motion was commanded to come to rest or to halt, with the keyword. `refused` has, by
-    axis, when an entry of its buffer was last rejected as it began.
+    A datum is the distance by which the zero of the axis has been moved. Equal orders are one object. Beyond
+    `MAX_PROFILES` profiles it `is_full`, and stores nothing more.
+
+    - `standstills` has the axes and times at which an axis was commanded to stop at once, with the keyword.
+    - `unheeded` has, by axis and time, the effect of settings that have not replaced a profile.
+    - `offsets` has, by axis and time, the line and the distance of an OFFSET.
+    - `begun` has, by axis, the start times of motions with a log entry of their own.
+    - `stops` has, by axis, when its motion was commanded to come to rest or to halt, with the keyword.
+    - `refused` has, by axis, the time at which a buffered move was last rejected as it began.
     """
 
     def __init__(self, controller: Controller) -> None:
@@ -97,7 +99,7 @@ class ExpectedMotion:
         controller.orders = self
 
     def add(self, a: Axis) -> None:
-        """Record a further profile of the track of an axis."""
+        """Record the order of the newest profile of an axis's track."""
         if self._controller.axes.get(a.index) is a:
             move = a.move
             path = move is not None and isinstance(move.action, PathMove)
@@ -127,7 +129,7 @@ class ExpectedMotion:
             self.begun[a.index].add(self._controller.clock.now)
 
     def _append(self, a: Axis, order: Order) -> None:
-        """Append an order, sharing equal ones; if full, continue without a proof."""
+        """Append an order, sharing equal ones; if full, stop recording."""
         now, scales = self._controller.clock.now, self._scales[a.index]
         self.unheeded.pop((a.index, now), None)
         if not scales or scales[-1][1:] != (a.scale.counts, a.scale.zero):
@@ -171,7 +173,7 @@ class ExpectedMotion:
         self._known.clear()
 
     def finish_updates(self) -> None:
-        """Drop orders of profiles that an interrupt prevented.
+        """Drop orders whose profiles were prevented by an interrupt.
 
         A profile on the track without an order is not checked.
         """
@@ -182,7 +184,7 @@ class ExpectedMotion:
             del self.data[number][count:]
 
     def _path(self, a: Axis) -> Order:
-        """Return the order of a path; those that begin at one time are numbered."""
+        """Return the order of a path; paths that begin at the same time are numbered."""
         move = a.move
         assert move is not None
         action = move.action
@@ -204,7 +206,10 @@ class ExpectedMotion:
         return order
 
     def _tails(self, running: dict[PathMove, Order], action: PathMove, rests: bool) -> tuple[Order, ...]:
-        """Return the orders of the paths still run, except the last; a late rate waits."""
+        """Return the orders of the blended paths still in motion, except the newest.
+
+        Settings that come too late for a path apply to it only from its next plan on.
+        """
         found = []
         for each, before in list(running.items()):
             move = each.moves[0]
@@ -225,7 +230,7 @@ class ExpectedMotion:
         return tuple(found)
 
     def _entry(self, move: Move) -> int:
-        """Return the number of a path's entry in the log, the last one of a long path."""
+        """Return the log number of a path's entry; for a long path, of the last entry."""
         began, entry = self._entries.get(move, (-1.0, -1))
         if began != move.start_time:
             entry = self._controller.log.moves.number(move)
@@ -235,7 +240,8 @@ class ExpectedMotion:
     def _planned_by(self, a: Axis, action: PathMove, before: int, entry: int) -> Order | None:
         """Return the order of a path that continues as planned.
 
-        Only the one that it is blended with changes. Its log entry was `before` until now, and is `entry`.
+        Only the path that it is blended with has changed. The number of its log entry was `before`, and is
+        now `entry`.
         """
         run = action.run
         if run is None or len(run.courses) < 2 or run.present.began == self._controller.clock.now:
@@ -252,9 +258,9 @@ class ExpectedMotion:
         return order._replace(path=order.path._replace(begun=a.move.start_time, entry=entry))
 
     def _planned(self, action: PathMove, move: Move, entry: int) -> Order:
-        """Return the order of the newest path by the settings of its last plan.
+        """Return the order of the newest path, with the settings of its last plan.
 
-        The plan may be that of another path.
+        It may have been planned together with an earlier path.
         """
         order, run = _path(action, move, self._nth[action], entry), action.run
         assert order.path is not None
@@ -272,12 +278,15 @@ class ExpectedMotion:
         return order._replace(shape=planned.shape, ramp=planned.ramp)
 
     def _is_planned_now(self, action: PathMove) -> bool:
-        """True if a path in progress has just been planned."""
+        """True if a path in progress was planned at the current time."""
         courses = () if action.run is None else action.run.courses
         return any(each.here is action and each.planned_at == self._controller.clock.now for each in courses)
 
     def displace(self, action: PathMove) -> None:
-        """Displace the orders of a path, since the one it is blended with was cut short."""
+        """Update the geometry in the orders of a path that has been displaced.
+
+        This happens if the path with which it is blended is cut short.
+        """
         if action not in self._nth:
             return
         begun, nth = action.moves[0].start_time, self._nth[action]
@@ -292,9 +301,9 @@ class ExpectedMotion:
                     records[-back] = order._replace(path=path)
 
     def scale(self, axis: int, time: float) -> set[tuple[float, float]]:
-        """Return counts per unit and the zero of an axis at a time.
+        """Return counts per unit and zero of an axis at a time.
 
-        There are several if they changed at that time.
+        There are several pairs if they changed at that time.
         """
         scales = self._scales[axis]
         last = bisect_right(scales, time, key=_TIME)
@@ -307,11 +316,11 @@ class ExpectedMotion:
         return stops[bisect_left(stops, first, key=_TIME) : bisect_right(stops, last, key=_TIME)]
 
     def was_stopped(self, axis: int, word: str, time: float) -> bool:
-        """True if an axis was stopped up to a time, with that keyword."""
+        """True if an axis was stopped at or before a time by a keyword."""
         return self._first_stops.get((axis, word), INFINITY) <= time
 
     def heed(self, a: Axis) -> None:
-        """Record a setting that acts at once, if the motion continues as planned."""
+        """Record a setting that acts at once although the motion continues as planned."""
         move = a.move
         if move is None:
             return
@@ -345,7 +354,7 @@ class ExpectedMotion:
             self.unheeded[key] = wanted
 
     def jogs(self, a: Axis, velocity: float) -> None:
-        """Record the velocity of a jog if the axis does not adopt it."""
+        """Record the commanded velocity of a jog if the axis has not adopted it."""
         move = a.move
         if move is None or a.suspended or not isinstance(move.action, Jog):
             return
@@ -355,23 +364,23 @@ class ExpectedMotion:
             self.unheeded[key] = last._replace(speed=abs(goal), goal=goal)
 
     def prompt(self, a: Axis, word: str) -> None:
-        """Record a possible start of a blend.
+        """Record an event that may start a blend.
 
         It is a release, BLEND, a setting of blends, or the end of a suspension.
         """
         self.prompts[a.index].append((self._controller.clock.now, word))
 
     def prompted(self, axis: int, first: float, last: float) -> list[tuple[float, str]]:
-        """Return the possible starts of a blend of an axis between two times."""
+        """Return the events that may start a blend of an axis between two times."""
         prompts = self.prompts[axis]
         return prompts[bisect_left(prompts, first, key=_TIME) : bisect_right(prompts, last, key=_TIME)]
 
     def refuse(self, a: Axis) -> None:
-        """Record that a buffer entry of an axis is rejected as it begins."""
+        """Record that a buffered move of an axis is rejected as it begins."""
         self.refused[a.index] = self._controller.clock.now
 
     def gears(self, a: Axis, ratio: float) -> None:
-        """Record a commanded ratio if the axis follows at another one."""
+        """Record a commanded ratio if the axis follows with a different one."""
         key, last = (a.index, self._controller.clock.now), self.of[a.index][-1]
         if last.tie is None or last.tie.curve is not None or a.suspended:
             return
@@ -381,15 +390,15 @@ class ExpectedMotion:
             self.unheeded[key] = last._replace(tie=last.tie._replace(ratio=ratio))
 
     def offset(self, a: Axis, distance: float, line: int) -> None:
-        """Record the start of an offset; the rest of one before it is added."""
+        """Record the start of an offset, to which the rest of the previous one is added."""
         self.offsets[a.index, self._controller.clock.now] = line, distance
 
     def refuse_offset(self, a: Axis) -> None:
-        """Drop the offset that was to begin now, since its axis's limits prevent it."""
+        """Remove the offset that was to begin now, since its axis's limits prevent it."""
         self.offsets.pop((a.index, self._controller.clock.now), None)
 
     def stop(self, a: Axis, ended: str) -> None:
-        """Record a decelerated stop of an axis, and of those that move together with it."""
+        """Record a decelerated stop of an axis and of the axes that move together with it."""
         if a.move is not None:
             action = a.move.action
             for each in (a,) if action is None else action.together_with(a):
@@ -419,7 +428,7 @@ def _paths_ahead(action: PathMove) -> list[PathMove]:
 
 
 def _angle_through(action: PathMove) -> float:
-    """Return the angle up to which a path may be entered without a stop now."""
+    """Return the largest angle at which a path may now be entered without a stop."""
     master = action.axes[0]
     if action.policy is not None:
         return STRAIGHT
@@ -427,9 +436,9 @@ def _angle_through(action: PathMove) -> float:
 
 
 def _gentler(order: Order, before: Order) -> Order:
-    """The new order of a path that another one is blended onto, on its old plan.
+    """Return the new order of a path that continues by its old plan while blended.
 
-    New rates may have come too late for it, and another shape applies from its next plan on.
+    New rates may have come too late for it, and a new shape applies from its next plan on.
     """
     path, old = order.path, before.path
     assert path is not None
@@ -492,7 +501,7 @@ def _tie(action: Gear | CurveFollow) -> Tie:
 
 
 def _rates(a: Axis, move: Move) -> tuple[float, float]:
-    """Return the rates of a move: its own, or those of the axis."""
+    """Return the rates of a move: its own or, if it has none, those of the axis."""
     accel, decel = a.rates(a.speed if move.speed is None else move.speed)
     if move.rates is not None:
         accel, decel = move.rates[0] or accel, move.rates[1] or decel
@@ -502,7 +511,7 @@ def _rates(a: Axis, move: Move) -> tuple[float, float]:
 def _bounds(a: Axis, move: Move) -> tuple[float, tuple[float, float], tuple[float, float]]:
     """Return speed, rates and jerks of a move, within the limits of its axis.
 
-    They are its own, or those of the axis.
+    They are those of the move itself or, if it has none, of the axis.
     """
     accel, decel = _rates(a, move)
     accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
@@ -529,7 +538,7 @@ def _jerks(a: Axis) -> tuple[float, float]:
 def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | None = None) -> Order:
     """Return the order of a path by the present settings.
 
-    One that is still ahead gets the `run` it belongs to.
+    A path that has not begun gets the `run` to which it belongs.
     """
     run = run or action.run
     master, leader, axes, policy = action.axes[0], action.moves[0], action.axes, action.policy

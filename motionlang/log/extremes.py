@@ -1,6 +1,6 @@
 """Extremes of an axis in a run: position, speed, acceleration and jerk.
 
-Nothing is sampled: each piece of a profile is a polynomial or a wave, so its extremes are its ends and its
+Nothing is sampled. Each piece of a profile is a polynomial or a wave, so its extremes are at its ends and
 stationary points.
 """
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 class Extreme:
     """A figure in user units and the machine time at which it was reached.
 
-    Of a magnitude it is the largest.
+    The extreme of a magnitude is the largest one.
     """
 
     value: float
@@ -66,8 +66,8 @@ class Extremes:
 def extremes(a: Axis, until: float) -> Extremes:
     """Return the extremes of the commanded motion of an axis up to a time.
 
-    They are in the user units that it has at the end. Where the velocity jumps, the acceleration is infinite,
-    and so is the jerk where the acceleration does.
+    They are in the user units in force at the end. Where the velocity jumps, the acceleration is infinite;
+    where the acceleration jumps, the jerk is.
     """
     found: Extremes | None = None
     before: State | None = None
@@ -85,9 +85,9 @@ def extremes(a: Axis, until: float) -> Extremes:
 
 
 def peak_speed(a: Axis, until: float) -> float:
-    """Return the highest speed of `extremes` alone, in a tenth of the time.
+    """Return only the highest speed of `extremes`, in a tenth of the time.
 
-    Most profiles store theirs.
+    Most profiles store their highest speed.
     """
     peak = 0.0
     for begin, length, profile in _track(a, until):
@@ -98,7 +98,7 @@ def peak_speed(a: Axis, until: float) -> float:
 
 
 def _track(a: Axis, until: float) -> Iterator[tuple[float, float, Profile]]:
-    """Yield for each profile its start, the time it was in force, and itself."""
+    """Yield the start of each profile, how long it was in force, and the profile."""
     track = WholeTrack(a)
     starts = iter(track.starts)
     begin = next(starts)
@@ -112,7 +112,7 @@ def _track(a: Axis, until: float) -> Iterator[tuple[float, float, Profile]]:
 def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, State]]]:
     """Yield the smooth stretches of the first `length` seconds.
 
-    Each is its ends and the extrema between them.
+    Each stretch is the states at its ends and at the extrema in between.
     """
     within = min(profile.duration, length)
     knots = profile.knots
@@ -135,7 +135,7 @@ def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, St
 def _flat_points(piece: Piece, span: float) -> tuple[float, ...]:
     """Return the times of peak velocity and jerk of a wave.
 
-    They are half a period apart, where its cosine is 1 or -1.
+    They are half a period apart, where the cosine of the wave is 1 or -1.
     """
     amplitude, omega, phase = piece[4:]
     if not amplitude:
@@ -150,7 +150,7 @@ _LOOKS = 48
 
 
 def _searched(profile: Profile, begin: float, end: float) -> list[tuple[float, State]]:
-    """Return the extrema of a formula, by search."""
+    """Return the extrema of a formula, found by search."""
     end_inside = end - (end - begin) * 1e-12
     times = [begin + (end_inside - begin) * n / _LOOKS for n in range(_LOOKS + 1)]
     looks: tuple[Callable[[float], float], ...] = (
@@ -173,7 +173,7 @@ _MOMENT = 1e-10
 
 
 def _jump(found: Extremes, now: float, left: State, right: State) -> None:
-    """Set an infinite derivative for a jump between two states at one time."""
+    """Record an infinite derivative where the state jumps."""
     jumps = _differ(left.velocity, right.velocity, left.acceleration, right.acceleration)
     if jumps and found.acceleration.value < inf:
         found.acceleration = Extreme(inf, now)
@@ -203,7 +203,7 @@ def motor_peak(a: Axis, until: float, column: str, *, rms: bool = False) -> Extr
     """Return the largest magnitude of a motor column, or its root mean square.
 
     `column` is one of a `ServoTrace`: "error" in user units, "torque", "output". The root mean square has the
-    time `until`. None if no motor is simulated.
+    time `until`. Returns None if no motor is simulated.
     """
     if a.feedback is None:
         return None

@@ -1,7 +1,7 @@
 """Replay of simulated motors after a run, for its report, trace and pictures.
 
-A run records only the changes to the loops of its motors. From these and the track of the axis everything is
-computed again, block by block, to the same numbers.
+A run records only the changes to the servo loops. From these and the track of the axis all motor data are
+computed again, block by block, with identical numbers.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ COLUMNS = {
 class MotorFigures(NamedTuple):
     """A motor's figures for one move: counts, volts, N m, seconds.
 
-    It did not settle if `settle_time` is None.
+    `settle_time` is None if the motor did not settle.
     """
 
     peak_error: float
@@ -58,8 +58,8 @@ class MotorFigures(NamedTuple):
 class MoveFigures:
     """Accumulated motor figures of one move.
 
-    They are the largest following error (counts) and output (volts), torque, and settling time. It has
-    settled when its error stays within a window, up to the next move.
+    They are the largest following error (counts) and output (volts), torque, and settling time. The motor has
+    settled when its error stays within a window until the next move.
     """
 
     def __init__(self, begin: float, end: float, until: float) -> None:
@@ -75,7 +75,7 @@ class MoveFigures:
 
     @property
     def settle_time(self) -> float | None:
-        """Seconds from the end of the move; None if it did not settle."""
+        """Seconds from the end of the move until it settled; None if it did not settle."""
         if self._outside == self._seen > -inf:
             return None
         return max(self._outside + self._period - self.end, 0.0)
@@ -124,9 +124,9 @@ def _track(a: Axis) -> Demanded:
 
 
 def servo_trace(a: Axis, until: float) -> ServoTrace | None:
-    """Return the motor data of an axis in one trace.
+    """Return the motor data of an axis as one trace.
 
-    None if the motor was never used, or for too long to be stored.
+    None if the motor was never used, or for too long to be stored in memory.
     """
     feedback = a.feedback
     if feedback is None or feedback.first_loop is None:
@@ -137,7 +137,7 @@ def servo_trace(a: Axis, until: float) -> ServoTrace | None:
 
 
 def servo_traces(controller: Controller) -> dict[int, ServoTrace]:
-    """Return the traces of all axes that have one."""
+    """Return the motor traces of all axes that have one."""
     made = {
         number: servo_trace(controller.axes[number], controller.clock.now) for number in motors(controller)
     }
@@ -145,7 +145,7 @@ def servo_traces(controller: Controller) -> dict[int, ServoTrace]:
 
 
 def window_of(feedback: Feedback) -> float:
-    """Return the counts within which the motor counts as settled, by default one."""
+    """Return the settling window of a motor, counts; by default one."""
     error = feedback.windows["program"].error
     return error if feedback.windows["program"].announced and error < inf else REST_ERROR
 
@@ -173,7 +173,7 @@ class Figures:
         self._place[number] = len(self)
 
     def get(self, number: int) -> MotorFigures | None:
-        """Return the figures of a move; None if it has no motor."""
+        """Return the motor figures of a move; None if its axis has no motor."""
         if number not in self:
             return None
         first = 4 * self._place[number] - 4
@@ -232,9 +232,9 @@ class _Done:
 
 
 class Reader:
-    """Columns of motor data, sampled at any times; quick if they rise.
+    """Columns of motor data, sampled at any times; fast if the times increase.
 
-    Between two servo samples a column has the value of the first one.
+    Between two servo samples a column has the value of the earlier one.
     """
 
     def __init__(self, a: Axis, until: float) -> None:
@@ -247,7 +247,7 @@ class Reader:
         self._dropped = False
 
     def fill(self, quantity: str, times: Array, out: Array) -> None:
-        """Fill in one of `COLUMNS` at rising times; 0 before the first sample.
+        """Sample one of `COLUMNS` at increasing times; 0 before the first sample.
 
         Units are counts, volts or N m.
         """
@@ -280,7 +280,7 @@ class Reader:
 
 
 def recall(a: Axis, until: float, quantity: str, times: Sequence[float]) -> list[float]:
-    """Return a quantity of `COLUMNS` at rising times up to `until`."""
+    """Return a quantity of `COLUMNS` at increasing times up to `until`."""
     if not times:
         return []
     made = np.empty(len(times))
@@ -290,13 +290,13 @@ def recall(a: Axis, until: float, quantity: str, times: Sequence[float]) -> list
 
 
 def chunk_column(part: ServoTrace, quantity: str) -> Array:
-    """Return the column of a block for a quantity."""
+    """Return the column of a quantity in a block."""
     column: Array = getattr(part, COLUMNS[quantity])
     return column
 
 
 def notes(controller: Controller) -> list[str]:
-    """Notes for the report: gains that were never set, and gains without effect."""
+    """Return notes for the report: gains never set, and gains without effect."""
     found = []
     for number, feedback in motors(controller).items():
         chosen = feedback.chosen

@@ -1,7 +1,7 @@
-"""The log of a run: all records in order, kind by kind.
+"""The log of a run: all records in order, by kind.
 
-Report, trace and proof read nothing else. It only grows. Old records are packed (`stream.py`), in memory and
-then in an unnamed file, so the memory of a run does not depend on its length.
+Report, trace and proof read nothing else. The log only grows. Old records are packed (`stream.py`), in memory
+and then in an unnamed file, so the memory of a run does not depend on its length.
 """
 
 from __future__ import annotations
@@ -41,18 +41,18 @@ def nowhere() -> int:
 class Log:
     """The streams of a run, all of them in one store.
 
-    moves      every `Move` that was started, in order of start; amended until it is over
-    dropped    those that were loaded into a buffer and discarded: `ended` is the cause
+    moves      every `Move` that was started, in order of start; updated until it is over
+    dropped    moves that were loaded into a buffer and discarded: `ended` is the cause
     inputs, outputs, analogue_inputs, analogue_outputs: `Changed`
     settings   `Setting`, written if the value has changed
     waits      `Waited`, each when it is over
     loops      `Looped`, each loop of more than a hundred statements, when it is over
     slices     `TimeSlices`, if there is more than one task
-    prints     `Printed`, those of the console
+    prints     `Printed`, lines of the console
     events     `Event`: limits, faults, clamps, stops and the like
 
-    The profiles of an axis are in `Axis.starts` and `profiles`, the older ones packed in `Axis.older`:
-    `WholeTrack` of `track.py` reads them as one.
+    The profiles of an axis are in `Axis.starts` and `profiles`, the older ones packed in `Axis.older`.
+    `WholeTrack` of `track.py` reads them as one sequence.
     """
 
     # Created by `__getattr__`: a program without motion imports none of their components.
@@ -95,7 +95,7 @@ class Log:
             return made
 
     def locate_by(self, where: Callable[[], int]) -> None:
-        """Use a function that returns the source offset of events."""
+        """Set the function that returns the source offset of an event."""
         self.where = where
 
     def note(
@@ -108,17 +108,17 @@ class Log:
         ordered: int = 0,
         text: str = "",
     ) -> None:
-        """Write an event, at the present source offset."""
+        """Write an event with the current source offset."""
         self.events.add((time, kind, axis, value, limit, self.where(), ordered, text))
 
     def new(self, kind: str) -> Stream[Any]:
-        """Create a further stream, such as that of another terminal, for a kind of record."""
+        """Create another stream for a kind of record, such as another terminal's output."""
         made: Stream[Any] = Stream(self.store, kind)
         self.others.append(made)
         return made
 
     def make_room(self, axes: Collection[Axis]) -> None:
-        """Pack profiles; the first time only check how they follow each other."""
+        """Pack profiles; the first call only checks how quickly moves follow each other."""
         self._check_hurry()
         if not self._looked:
             self._looked, self.room = True, _most(axes) - FIRST_CHECK
@@ -126,7 +126,7 @@ class Log:
         self.pack(axes)
 
     def pack(self, axes: Collection[Axis]) -> None:
-        """Pack the profiles of axes except the newest; pack their moves first."""
+        """Pack the profiles of axes except the newest, after packing their moves."""
         self.moves.pack(max(len(self.moves) - self.moves.packed - LEFT_PROFILES, 0))
         kept = 0
         for a in axes:
@@ -143,7 +143,7 @@ class Log:
             count -= a.older.take_from(a, count)
 
     def _check_hurry(self) -> None:
-        """Report a loop that starts motion after motion without time to execute them."""
+        """Report a loop that starts one motion after another without time to execute them."""
         last = self.moves[-min(len(self.moves), FIRST_CHECK) :]
         if len(last) < FIRST_CHECK // 2 or self.hurried is None:
             return
@@ -152,7 +152,7 @@ class Log:
             self.hurried(last[-1], len(last), span)
 
     def forget(self, kept: int, axes: Iterable[Axis]) -> None:
-        """Drop all but about `kept` records of each kind, and ten times as many profiles."""
+        """Drop all but about `retained` records per kind, and ten times as many profiles."""
         for stream in self.streams():
             stream.forget(kept)
         for a in axes:

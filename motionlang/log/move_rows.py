@@ -1,4 +1,4 @@
-"""Packed moves: rows of numbers and texts, with the index of a profile."""
+"""Packed moves: rows of numbers and texts, with profiles stored as indices."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class _Overlaid(Move):
 
 
 def row(move: Move, a: Axis | None) -> tuple[object, ...]:
-    """A move as numbers; a complete profile of the track is stored as its index."""
+    """Return a move as a row; a complete profile of the track is stored as its index."""
     profile: object = None if a is None else _place(a, move)
     if profile is None and move.profile is not None:
         profile = packed(move.profile)
@@ -57,7 +57,7 @@ def move_of(row: tuple[Any, ...], axes: Mapping[int, Axis]) -> Move:
 
 
 def sealed(move: Move, done: Profile) -> Move:
-    """Return the move up to now, when it continues as another entry."""
+    """Return a copy of the move up to now, because it continues as another entry."""
     made = move_of(_row(move, None), {})
     made.profile, made.ended = done, CONTINUED
     return made
@@ -74,7 +74,7 @@ def _place(a: Axis, move: Move) -> int | None:
 
 
 def _is_of(profile: Profile, other: Profile | None) -> bool:
-    """True if they are one, or one is the profile that a plain move's row gives."""
+    """True if the profiles are one object, or one comes from a fast-path move's row."""
     return profile is other or (
         other is not None and len(profile._recipe) > _ENDS and profile._recipe is other._recipe
     )

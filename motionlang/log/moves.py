@@ -26,10 +26,10 @@ MAX_WAITING = 16_000
 
 
 class Moves(Stream[Move]):
-    """The stream of moves; a packed one keeps all but its `action`.
+    """The stream of moves; a packed move retains everything except its `action`.
 
-    Only the existence of the action is stored. A move in progress while its neighbours are packed stays
-    unpacked until it is over. The motion of an axis in a move is in its track, and not packed twice.
+    Only the existence of the action is stored. A move in progress stays unpacked until it is over, even while
+    its neighbours are packed. The motion of an axis in a move is in its track, and not packed twice.
     """
 
     __slots__ = ("_left_out", "_store", "_waiting", "axes")
@@ -45,13 +45,13 @@ class Moves(Stream[Move]):
         self.axes: Mapping[int, Axis] = {}
 
     def show(self, row: Row, move: Move) -> None:
-        """Replace a plain move by the `Move` that a caller has read."""
+        """Replace the row of a fast-path move by the `Move` that a caller has read."""
         place = self._place(row)
         if place >= 0:
             self.tail[place] = move
 
     def has(self, row: Row) -> bool:
-        """True if a plain move that begins now is in the log."""
+        """True if a fast-path move that begins now is in the log."""
         return any(each is row for each in reversed(self.tail))  # type: ignore[comparison-overlap]
 
     def pack(self, count: int) -> None:
@@ -75,7 +75,7 @@ class Moves(Stream[Move]):
         return next(number for number, each in self._left_out.items() if each is move)
 
     def as_stored(self) -> Iterator[Move | Row]:
-        """Yield all moves, plain ones that are not packed as rows."""
+        """Yield all moves; unpacked fast-path moves are yielded as rows."""
         self._live()
         return super().as_stored()
 
@@ -98,9 +98,9 @@ class Moves(Stream[Move]):
         return [move_of(each) if each.__class__ is tuple else each for each in rows]
 
     def split(self, move: Move, done: Profile, now: float, size: int) -> None:
-        """Continue a move as another entry; the old one keeps the motion up to now.
+        """Continue a move as another entry; the old one ends now, with the profile `done`.
 
-        That has `size` pieces.
+        The old entry has `size` pieces.
         """
         sealed, place = record.move_rows.sealed(move, done), self._place(move)
         if place >= 0:

@@ -28,7 +28,7 @@ class Profiles(Chunks):
         self._begins: list[float] = []
 
     def take_from(self, a: Axis, most: int) -> int:
-        """Pack the oldest profiles of the axis, at most `most`, and return how many."""
+        """Pack up to `most` of the oldest profiles of the axis; return their number."""
         count = min(stream.PART, most)
         starts = a.starts[:count]
         rows = list(zip(starts, map(packed, a.profiles[:count]), strict=True))
@@ -53,17 +53,17 @@ class Profiles(Chunks):
         return self.record(number)[0]  # type: ignore[no-any-return]
 
     def profile(self, number: int) -> Profile:
-        """Return a profile."""
+        """Return a profile by its number."""
         return unpacked(self.record(number)[1])
 
     def forget_before(self, time: float) -> None:
-        """Drop profiles that were over at a time; the numbers of the others stay."""
+        """Drop profiles that ended before a time; the others retain their numbers."""
         while len(self._begins) > 1 and self._begins[1] <= time:
             self.forget()
             del self._begins[0]
 
     def in_force(self, time: float) -> int:
-        """Return the number of the profile in force at a time, or of the first one."""
+        """Return the number of the profile in force at a time, or the first one's."""
         part = max(bisect_right(self._begins, time) - 1, 0)
         rows = self.part(part)
         return max(self.firsts[part] + bisect_right(rows, time, key=_start) - 1, 0)

@@ -1,6 +1,6 @@
 """The order behind a profile: the kind of motion and the settings in force.
 
-It consists of records only.
+This module contains only records.
 """
 
 from __future__ import annotations
@@ -20,15 +20,19 @@ ENDLESS = (INFINITY, INFINITY)
 class PathOrder(NamedTuple):
     """A path as commanded: its axes, its master first, and its geometry.
 
-    `line` are the ends of a straight one; an arc has `centre`, `angle` (degrees) and `rest`, the ends of its
-    further axes; `plane` are the indices of the two of the circle. `length` is its nominal length, None for
-    that in space. Of a `relative` one the numbers count from its start. `scales` are counts per user unit,
-    `begun` is its start time; `most`, `most_accel` and `most_decel` are the limits of its axes; it may be
-    entered at an angle of up to `angle_into` degrees. Of several paths that begin at one time, because they
-    are blended, it is the `nth`. `entry` is the number of the log entry of the axis that the order is for, -1
-    for a path that has not begun. `blend` is the distance before the end of the path before it at which it
-    has to begin, 0 for at its end. `tails` are those that it is blended with, begun before it. A path that
-    `rests` was stopped or suspended: it comes to rest anywhere, possibly on one of those `ahead`.
+    Geometry. `line` has the ends of a straight path. An arc has `centre`, `angle` (degrees) and `rest`, the
+    ends of its further axes; `plane` has the indices of the two axes of the circle. `length` is the nominal
+    length, None for the length in space. The numbers of a `relative` path count from its start. `scales` are
+    counts per unit.
+
+    Limits. `most`, `most_accel` and `most_decel` are the limits of the axes. The path may be entered at an
+    angle of up to `angle_into` degrees.
+
+    Sequence. `begun` is the start time. Of several blended paths that begin at one time, it is the `nth`.
+    `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not
+    begun. `blend` is the distance before the end of the previous path at which it has to begin, 0 for at the
+    end. `tails` are the earlier paths with which it is blended. A path that `comes_to_rest` was stopped or
+    suspended: it may come to rest anywhere, possibly on one of the paths `ahead`.
     """
 
     members: tuple[int, ...]
@@ -57,7 +61,7 @@ class Tie(NamedTuple):
     """The master of an axis: a track, at a `ratio`, or on a `curve` from `origin` on.
 
     A ratio applies once it is `locked`; it is reached along a `ramp`, or at once. `table` is the source of
-    the curve: master positions, values there, and how they are joined.
+    the curve: master positions, the values there, and the kind of interpolation.
     """
 
     master: Axis
@@ -70,7 +74,7 @@ class Tie(NamedTuple):
     ramp: bool = False
 
     def takes_up(self, earlier: Tie | None) -> bool:
-        """True if it starts a ratio that was not followed before."""
+        """True if it starts a ratio that the axis did not follow before."""
         if self.curve is not None:
             return False
         return (
@@ -84,11 +88,11 @@ class Order(NamedTuple):
     """The order of one profile: kind, source line, and bounds in counts and seconds.
 
     `kind` is "rest", "move", "step", "jog", "stop", "path", or the name of the action that makes the profile;
-    of the last the bounds are infinite. `rates` and `jerks` are those of speeding up and of slowing down;
-    jerks are infinite except for S-ramps. `goal` is the velocity of a jog, or the position or velocity of a
+    an action has infinite bounds. `rates` and `jerks` are pairs, for speeding up and for slowing down; jerks
+    are infinite except for S-ramps. `goal` is the velocity of a jog, or the position or velocity of a
     reference, `ramp` the ratio of a PMC S-curve. `step` is the velocity at which a stepper starts and stops a
-    move of kind "step" at once. `slopes` are those of a speed reference: rate, begin and end of speeding up
-    and of slowing down. `points` are those that a profile has to pass, with their velocities and the times
+    move of kind "step" at once. `slopes` belong to a speed reference: rate, begin and end of speeding up and
+    of slowing down. `points` are the points that a profile has to pass, with their velocities and the times
     between them.
     """
 
@@ -108,7 +112,7 @@ class Order(NamedTuple):
 
     @property
     def bends(self) -> bool:
-        """True if the acceleration of its shape never jumps."""
+        """True if the acceleration of its shape is continuous."""
         return self.jerks[0] < INFINITY or self.shape in ("scurve", "sinusoidal")
 
     @property

@@ -1,7 +1,7 @@
 """The paths of a run in order: length, speed along the path, and transitions.
 
 A path is a move of several axes that begin and end together on one line. Its figures are measured on the
-motion itself, not taken from its plan: at the beginning, at the end, and at `SAMPLES` points between.
+motion itself, not taken from its plan: at the beginning, at the end, and at `SAMPLES` points in between.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ AT_ONCE = 1e-3
 
 
 class PathRow(NamedTuple):
-    """One path: `length` in uu, speeds in uu/s, `corner` in degrees to the next.
+    """One path: `length` in uu, speeds in uu/s, `corner` to the next path in degrees.
 
     `ended` is the cause of an early end, "" for none.
     """
@@ -57,7 +57,7 @@ class _Path(NamedTuple):
 
 
 def paths(trace: Trace) -> list[PathRow]:
-    """Return every path that was begun, in order of time."""
+    """Return every path that has begun, in order of time."""
     found = _paths(trace)
     return [_row(trace, path, _following(path, found[k + 1 :])) for k, path in enumerate(found)]
 
@@ -111,9 +111,10 @@ def _row(trace: Trace, path: _Path, following: _Path | None) -> PathRow:
 
 
 def _length(places: Array, speeds: Array, duration: float) -> float:
-    """Return the distance between the ends of a line, or the integral of the speed.
+    """Return the length of a path, uu.
 
-    The integral is by Simpson's rule.
+    For a line it is the distance between the ends, for any other path the integral of the speed by Simpson's
+    rule.
     """
     way = places[:, -1] - places[:, 0]
     chord = float(np.linalg.norm(way))

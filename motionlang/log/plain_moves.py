@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def entry_of(axis: int, entry: Entry) -> Move:
-    """Return the entry of the move buffer."""
+    """Return the entry of the move buffer as a `Move`."""
     target, base, command, line, speed, mark = entry
     move = Move(axis, command, line, target)
     move.base, move.speed, move.id = base, speed, mark
@@ -26,7 +26,7 @@ def entry_of(axis: int, entry: Entry) -> Move:
 
 
 def move_of(row: Row) -> Move:
-    """Return the move that was started."""
+    """Return the move that a row describes."""
     axis, start_time, _, end, _, _, asked, scale, zero, entry = row
     move = entry_of(axis, entry)
     move.target, move.asked, move.start_time = end, asked, start_time
@@ -36,5 +36,5 @@ def move_of(row: Row) -> Move:
 
 
 def profile_of(row: Row) -> Profile:
-    """Return its profile."""
+    """Return the profile of the move that a row describes."""
     return Profile("trapezoid", row[2], row[3], row[4], row[5])

@@ -1,7 +1,7 @@
-"""The records of a log, kind by kind: their fields in the order of writing.
+"""The records of a log, by kind: their fields in the order of writing.
 
 A run writes plain tuples; a stream of the log returns them as these types. Times are seconds of the machine's
-clock. `at` is a source position, a token number, from which the dialect's `locate` gets line and column;
+clock. `at` is a source position, a token number that the dialect's `locate` converts to line and column;
 `line` is a line.
 """
 
@@ -14,7 +14,7 @@ from motionlang.log.written_waits import whole
 
 
 class Changed(NamedTuple):
-    """A channel has a new value: an output set by the program, an input set outside."""
+    """A channel changed its value: an output set by the program, or an input."""
 
     time: float
     channel: int
@@ -34,7 +34,7 @@ CAUSES = ("time", "axis", "input", "operator", "task", "host", "condition")
 
 
 class Waited(NamedTuple):
-    """A task has waited, from `since` to `until`.
+    """A task waited from `since` to `until`.
 
     `cause` is one of `CAUSES`, `what` the numbers of its axes or channels, `why` a description ("" for a
     time). `callers` are the source positions of the calls that led there, the outermost first.
@@ -51,7 +51,7 @@ class Waited(NamedTuple):
 
 
 class Looped(NamedTuple):
-    """A loop of a task has run from `since` to `until`, with everything it called.
+    """A loop of a task ran from `since` to `until`, including everything it called.
 
     A loop within another one precedes it. `callers` are as in `Waited`.
     """
@@ -64,9 +64,9 @@ class Looped(NamedTuple):
 
 
 class TimeSlices(NamedTuple):
-    """The tasks that have alternated from `time` to `until`, without a wait.
+    """The tasks that alternated from `time` to `until`, without a wait.
 
-    `seconds` is the time that each of `tasks` had the processor. The difference to the total time are skipped
+    `seconds` is how long each of `tasks` had the processor. The rest of the total time are skipped
     polls.
     """
 
@@ -101,8 +101,9 @@ GRAVE = ("limit", "soft limit", "following error", "fault", "e-stop", "abort", "
 class Event(NamedTuple):
     """A reported event: `kind` is one of `EVENTS`, `axis` may be None.
 
-    `value` and `limit` are in user units of that time, None if there is none; the program was `at` that
-    source position (-1: at none), and `ordered` is the line that commanded the motion, 0 at standstill.
+    `value` and `limit` are in the user units in force then, None if there is none. `at` is the source
+    position of the program, -1 if it was at none. `ordered` is the line that commanded the motion, 0 at
+    standstill.
     """
 
     time: float
@@ -116,9 +117,9 @@ class Event(NamedTuple):
 
 
 class Setting(NamedTuple):
-    """A setting of an axis has a new value, in counts and seconds.
+    """A setting of an axis changed to a new value, in counts and seconds.
 
-    It has its name in the controller.
+    Its name is the one in the controller.
     """
 
     time: float

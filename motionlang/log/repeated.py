@@ -1,16 +1,16 @@
 """Records of actions that repeat, as a template that is read like a list.
 
 A handler that toggles an output every millisecond writes 58 million records in eight hours. They differ only
-in their times, which are those of statements: a base, such as a tick of a timer, plus a number of statements.
-So the records of all repetitions are one `Template`, and a record is made when it is read.
+in their times, which are times of statements: a base, such as a tick of a timer, plus a number of statements.
+So the records of all repetitions are one `Template`, and a record is created when it is read.
 
 The base of tick k is `start + (first + k) * period`. A record of repetition r has the time
 
     start + (first + r * ticks + tick) * period + (count + r * statements) * cost
 
-with the `tick` and `count` of its template. This is the expression by which the run computes the times itself, so
-they are equal to the last bit. A loop that never waits has one base (`period` 0), and its `statements` are those of
-an iteration; a handler has none.
+with the `tick` and `count` of its template. The run computes the times with the same expression, so they are
+equal to the last bit. A loop that never waits has one base (`period` 0), and `statements` is the number per
+iteration; a handler has 0.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _BATCH = 1024
 
 
 class RepeatedRecords:
-    """The records of a template, in order; `make` turns plain tuples into records."""
+    """The records of a template, in order; `make` converts plain tuples to records."""
 
     __slots__ = ("_make", "_pace", "_shape")
 
@@ -82,7 +82,10 @@ def length(shape: Shape) -> int:
 
 
 def _with_times(times: list[float], rest: tuple[object, ...]) -> tuple[object, ...]:
-    """Return a record; one with two times also ends with their difference."""
+    """Return a record with its times.
+
+    A record with two times also ends with their difference.
+    """
     if len(times) == 1:
         return times[0], *rest
     began, ended = times
@@ -90,9 +93,10 @@ def _with_times(times: list[float], rest: tuple[object, ...]) -> tuple[object, .
 
 
 def rows_of(records: Sequence[tuple[Any, ...]], tick: int, base: float, cost: float) -> list[Row] | None:
-    """Return the rows of the records of one tick, whose statements begin at `base`.
+    """Return the rows of the records of one tick, relative to its first statement.
 
-    None if a time is not that of a statement. Records with a tuple of a duration at the end have two times.
+    That statement is at `base`. None if a time is not that of a statement. Records with a tuple of a duration
+    at the end have two times.
     """
     rows: list[Row] = []
     for record in records:

@@ -79,8 +79,8 @@ PART = 2048
 class Store:
     """Packed chunks of a log: up to `memory` bytes in memory, then in an unnamed file.
 
-    The file is gone when the process ends, however that happens. Raises Rejected beyond `disk` bytes in it,
-    and if it cannot be written.
+    The file disappears when the process ends, however that happens. Raises Rejected if the file would exceed
+    `disk` bytes or cannot be written.
     """
 
     __slots__ = ("_file", "_written", "disk", "held", "memory")
@@ -136,20 +136,20 @@ class Store:
         return self._file.read(place[1])
 
     def drop(self, place: ChunkLocation) -> None:
-        """Drop a chunk; its space on the disk stays in use."""
+        """Drop a chunk; its space on disk is not reused."""
         if isinstance(place, bytes):
             self.held -= len(place)
 
 
 class Chunks:
-    """Packed records, in chunks; `count` is the number after the last record."""
+    """Packed records in chunks; `count` is the number after the last record."""
 
     __slots__ = ("_cached", "_places", "_read", "_store", "_total", "count", "firsts")
 
     def __init__(self, store: Store, read: Callable[[list[Any], int], list[Any]]) -> None:
-        """Take a function `read(rows, first)` that makes records of packed rows.
+        """Take a function `read(rows, first)` that creates records from packed rows.
 
-        `first` is the number of the first one.
+        `first` is the number of the first record.
         """
         self._store, self._read = store, read
         self.firsts: list[int] = []
@@ -169,7 +169,7 @@ class Chunks:
     def pack(self, rows: list[Any], *tails: list[Any]) -> None:
         """Pack a chunk in place of the oldest records of each tail.
 
-        Raise Rejected without space.
+        Raises Rejected if there is no space.
         """
         place, count = self._store.put(dumps(rows)), len(rows)
         self._total = self.count + len(tails[0])
@@ -191,7 +191,7 @@ class Chunks:
             self._total = 0
 
     def repeat(self, template: tuple[Shape, Pace], count: int) -> None:
-        """Store a chunk of `count` records, made from a template as they are read."""
+        """Store a chunk of `count` records that are created from a template on reading."""
         self._places.append(self._store.put(dumps(template)))
         self.firsts.append(self.count)
         self.count += count
@@ -211,7 +211,7 @@ class Chunks:
         return self._cached[1]
 
     def reread(self) -> None:
-        """Read the records of a chunk again, since one of them has become another one."""
+        """Discard the cached chunk, because one of its records has changed."""
         self._cached = -1, []
 
     def record(self, index: int) -> Any:
@@ -222,7 +222,7 @@ class Chunks:
         return self.part(number)[index - self.firsts[number]]
 
     def records(self, first: int, past: int) -> list[Any]:
-        """Return the records from `first`, which is stored, to `past` (exclusive)."""
+        """Return the records from `first`, which must be stored, to `past` (exclusive)."""
         found: list[Any] = []
         number = bisect_right(self.firsts, first) - 1
         while first < past:
@@ -264,7 +264,7 @@ class Stream(_Of[T]):
             self.pack(MAX_TAIL - LEFT)
 
     def trim(self) -> None:
-        """Pack some records if there are many, for callers of `append`."""
+        """Pack some records if there are many; for callers that use `append` directly."""
         if len(self.tail) >= MAX_TAIL:
             self.pack(len(self.tail) - LEFT)
 
@@ -283,7 +283,7 @@ class Stream(_Of[T]):
 
     @property
     def packed(self) -> int:
-        """How many of them are packed, or dropped."""
+        """The number of records that are packed or dropped."""
         return self._parts.count
 
     def __len__(self) -> int:
@@ -298,7 +298,7 @@ class Stream(_Of[T]):
         yield from self._typed(self.tail)
 
     def as_stored(self) -> Iterator[Any]:
-        """Yield all records, those that are not packed as the plain tuples written."""
+        """Yield all records; unpacked ones are yielded as the plain tuples written."""
         parts = map(self._parts.part, range(len(self._parts)))
         return chain(chain.from_iterable(parts), self.tail)
 
@@ -328,7 +328,7 @@ class Stream(_Of[T]):
             return self._newest(behind) if behind >= 0 else self._parts.record(index)
 
     def forget(self, kept: int) -> None:
-        """Drop all but about `kept` of the newest records; their numbers do not change."""
+        """Drop all but about `retained` newest records; the others retain their numbers."""
         while len(self._parts) and len(self) - self._parts.first > 2 * kept:
             self._parts.forget()
         if not len(self._parts) and len(self.tail) > 2 * kept:
@@ -350,11 +350,11 @@ class Stream(_Of[T]):
     # ------------------------------------------------------------------------------- overridden by a subclass
 
     def _rows(self, records: list[T], first: int) -> list[Any]:
-        """Return records, the first one of that number, in packed form."""
+        """Return records in packed form; `first` is the number of the first one."""
         return records
 
     def _records(self, rows: list[Any], first: int) -> list[T]:
-        """Return records from their packed form."""
+        """Return records from their packed form; `first` is the number of the first one."""
         return self._typed(rows)
 
     def _newest(self, place: int) -> T:

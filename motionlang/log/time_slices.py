@@ -1,4 +1,4 @@
-"""Processor time of several tasks that share it."""
+"""Processor time of several tasks that share the processor."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ else:
 class TimeSliceStream(TimeSlicesInOrder):
     """`TimeSlices` in order of time.
 
-    Tasks that alternate without a wait are one record.
+    Tasks that alternate without a wait form one record.
     """
 
     __slots__ = ("_began", "seconds")
@@ -29,7 +29,7 @@ class TimeSliceStream(TimeSlicesInOrder):
         self._began = 0.0
 
     def took(self, task: str, began: float, now: float, stops: bool) -> None:
-        """Record a time slice of a task; `stops` is true if it then waits or has ended."""
+        """Record a time slice of a task; `stops` is true if the task then waits or ends."""
         seconds = self.seconds
         if not seconds:
             if stops:
@@ -41,6 +41,6 @@ class TimeSliceStream(TimeSlicesInOrder):
             self.close(now)
 
     def close(self, now: float) -> None:
-        """Write the record: a task begins or ends a wait."""
+        """Write the current record, because a task begins or ends a wait."""
         seconds, self.seconds = self.seconds, {}
         self.add((self._began, now, tuple(seconds), tuple(seconds.values())))

@@ -1,7 +1,7 @@
 """The motion of a run as NumPy columns, sampled on request, at any rate.
 
 Rows are at 0, 1/rate, 2/rate …; the last row is at the exact end of the run, even between two steps of the
-grid. Lengths are user units by the scale that the axis has when it is sampled.
+grid. Lengths are in the user units in force when the trace is sampled.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def _column(axis: int, quantity: str) -> Column:
 class Samples:
     """Columns of equal length, by name or by axis and quantity.
 
-    `samples["axis0_position_uu"]` and `samples.get(0, "position")` are one array.
+    `samples["axis0_position_uu"]` and `samples.get(0, "position")` return the same array.
     """
 
     columns: tuple[Column, ...]
@@ -90,7 +90,7 @@ class Samples:
 
     @property
     def time(self) -> Array:
-        """Seconds since power-up."""
+        """The time of each row, seconds since power-up."""
         return self.data[0]
 
     def get(self, axis: int, quantity: str) -> Array:
@@ -102,7 +102,7 @@ class Samples:
 
 
 def quantity_of(column: str) -> tuple[str, str]:
-    """Return quantity and axis of a column's name, such as "velocity.0".
+    """Return quantity and axis from a column's name, such as "velocity.0".
 
     Raises ValueError if there is no such quantity.
     """
@@ -115,7 +115,7 @@ def quantity_of(column: str) -> tuple[str, str]:
 
 
 class Trace:
-    """The motion of a controller so far; it does not follow the controller later."""
+    """The motion of a controller so far; later motion is not included."""
 
     def __init__(self, controller: Controller) -> None:
         self.controller = controller
@@ -146,10 +146,11 @@ class Trace:
     ) -> NDArray[np.void]:
         """Return a structured array of samples: `array["axis0_position_uu"]`.
 
-        It has a row each 1/`rate` s and one at the end. Its fields are `time_s` and those of each axis.
-        `quantities` are "position", "velocity", "acceleration" and "jerk", and with a simulated motor
+        It has a row every 1/`rate` s and one at the end. Its fields are `time_s` and the columns of each
+        axis. `quantities` are "position", "velocity", "acceleration" and "jerk", and with a simulated motor
         "actual", "following error", "output" and "torque". Raises ValueError, with the choices, for an axis
-        or a quantity that does not exist, for a rate that is not above 0, and above 200 million rows.
+        or a quantity that does not exist. Also raises it for a rate that is not above 0, or if there would be
+        more than 200 million rows.
         """
         for quantity in quantities or ():
             quantity_of(quantity)
@@ -170,11 +171,11 @@ class Trace:
 
     @property
     def axes(self) -> tuple[int, ...]:
-        """The axes that ever moved or were given a position, or the first one."""
+        """The axes that ever moved or were given a position; if none, the first axis."""
         return axes_of(self.controller)
 
     def choose(self, wanted: Sequence[str]) -> None:
-        """Select columns, and the time: "velocity" of all axes, "velocity.0" of one.
+        """Select columns and the time: "velocity" for all axes, "velocity.0" for one.
 
         Raises ValueError, with the alternatives, for an axis or a quantity that does not exist.
         """
@@ -190,10 +191,11 @@ class Trace:
     def columns(
         self, axes: Sequence[int] | None = None, quantities: Sequence[str] | None = None
     ) -> tuple[Column, ...]:
-        """Return the columns that `sample` and `chunks` give.
+        """Return the columns that `sample` and `chunks` yield.
 
-        Without arguments they are the selected ones; without `quantities` those of `USUAL`, and those of
-        `MOTOR` if an axis has a simulated one. Raises KeyError for an axis or a quantity that does not exist.
+        Without arguments they are the selected ones. Without `quantities` they are those of `USUAL`, and
+        those of `MOTOR` if an axis has a simulated motor. Raises KeyError for an axis or a quantity that does
+        not exist.
         """
         if axes is None and quantities is None and self._chosen is not None:
             return (_TIME, *(_column(axis, quantity) for axis, quantity in self._chosen))
@@ -204,7 +206,7 @@ class Trace:
         return tuple(made)
 
     def rows(self, rate: float = 1000.0, until: float | None = None) -> int:
-        """Return the number of rows of a sampling."""
+        """Return the number of rows that `sample` would return."""
         return _last_step(rate, self.end if until is None else until) + 1
 
     def sample(
@@ -214,9 +216,9 @@ class Trace:
         until: float | None = None,
         quantities: Sequence[str] | None = None,
     ) -> Samples:
-        """Return all rows at once, `rate` in samples per second.
+        """Return all rows at once; `rate` is in samples per second.
 
-        Raises ValueError above 200 million rows: use `chunks`.
+        Raises ValueError above 200 million rows; use `chunks` for these.
         """
         count = self.rows(rate, until)
         if count > MAX_ROWS:
@@ -237,7 +239,7 @@ class Trace:
         until: float | None = None,
         quantities: Sequence[str] | None = None,
     ) -> Iterator[Samples]:
-        """The rows, `ROWS` at a time; each chunk overwrites the arrays of the last one."""
+        """Yield the rows, `ROWS` at a time; each chunk reuses the arrays of the last one."""
         end = self.end if until is None else until
         last = _last_step(rate, end)
         columns = self.columns(axes, quantities)
@@ -279,14 +281,14 @@ class Trace:
         return Commanded(self.controller, trajectory_rate)
 
     def table(self, axis: int) -> PieceTable:
-        """Return the pieces of an axis's motion, in counts; they are made once."""
+        """Return the pieces of an axis's motion, in counts; they are computed once."""
         if axis not in self._tables:
             track = WholeTrack(self.controller.axes[axis])
             self._tables[axis] = PieceTable(track.starts, track.profiles)
         return self._tables[axis]
 
     def _window(self, axis: int, begin: float, end: float) -> PieceTable:
-        """Return the pieces between two times; all of them if the log has packed none."""
+        """Return the pieces between two times, or all if the log has not packed any."""
         a = self.controller.axes[axis]
         return self.table(axis) if a.older is None else PieceTable(*WholeTrack(a).between(begin, end))
 
@@ -299,11 +301,11 @@ class Trace:
         return values
 
     def resolution(self, axis: int) -> float:
-        """Return one count of an axis in user units."""
+        """Return the size of one count of an axis in user units."""
         return 1.0 / abs(self.controller.axes[axis].scale.counts or 1.0)
 
     def to_user(self, axis: int, quantity: str, values: Array) -> None:
-        """Convert counts to user units, in place; all times are seconds."""
+        """Convert values in counts to user units, in place; times are always seconds."""
         scale = self.controller.axes[axis].scale
         if quantity == "position" and scale.zero:
             values -= scale.zero
@@ -339,7 +341,7 @@ class Trace:
 
 
 class Commanded(Trace):
-    """A trace of the commands to the loop, up to a cycle after the end of the run.
+    """A trace of the commands to the servo loop, up to one cycle after the run's end.
 
     Velocity, acceleration and jerk are the differences of the points over one, two and three cycles.
     """
@@ -383,7 +385,10 @@ class Commanded(Trace):
 
 
 def _last_step(rate: float, end: float) -> int:
-    """The number of the last row; a billionth of a step before the end is the end."""
+    """Return the number of the last row.
+
+    A step within a billionth of its length before the end counts as the end.
+    """
     if not (isfinite(rate) and rate > 0.0):
         raise ValueError(f"the rate must be a number above 0, not {rate!r}")
     if not (isfinite(end) and end >= 0.0):

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class WholeTrack:
-    """An axis from the log: `starts[i]` is when `profiles[i]` began, since power-up."""
+    """The motion of an axis since power-up: `starts[i]` is the start of `profiles[i]`."""
 
     def __init__(self, a: Axis) -> None:
         self._a, self.index = a, a.index
@@ -34,7 +34,7 @@ class WholeTrack:
 
     @property
     def scale(self) -> Scale:
-        """The present scale of the axis."""
+        """The current scale of the axis."""
         return self._a.scale
 
     @property
@@ -44,16 +44,16 @@ class WholeTrack:
 
     @property
     def waiting(self) -> list[Move]:
-        """The moves of its buffer, unless the axis is suspended."""
+        """The buffered moves of the axis; empty while the axis is suspended."""
         return [] if self._a.suspended else self._a.buffer
 
     @property
     def feedback(self) -> Feedback | None:
-        """Its motor, if one is simulated."""
+        """The simulated motor of the axis, or None."""
         return self._a.feedback
 
     def at(self, time: float) -> State:
-        """Position, velocity, acceleration and jerk at a time, counts and seconds."""
+        """Return position, velocity, acceleration and jerk at a time, counts and seconds."""
         return self._a.at(time)
 
     def position(self, time: float) -> float:
@@ -68,13 +68,13 @@ class WholeTrack:
         return older.in_force(time)
 
     def count(self, begin: float, end: float) -> int:
-        """Return how many profiles were in force between two times; 0 if none are packed."""
+        """Return the number of profiles begun between two times; 0 if none are packed."""
         return 0 if self._a.older is None else self.place(end) - self.place(begin)
 
     def between(self, begin: float, end: float) -> tuple[Sequence[float], Sequence[Profile]]:
-        """Return starts and profiles in force from `begin` to `end`, and the one before.
+        """Return starts and profiles in force from `begin` to `end`, with the one before.
 
-        If none are packed, return all.
+        If none are packed, all of them are returned.
         """
         if self._a.older is None:
             return self.starts, self.profiles
@@ -83,7 +83,7 @@ class WholeTrack:
 
 
 def axes_of(controller: Controller) -> tuple[int, ...]:
-    """Return the axes that ever moved or were given a position, or the first one."""
+    """Return the axes that ever moved or were given a position, or the first axis."""
     axes = controller.axes
     return tuple(axis.index for axis in axes.values() if len(axis.starts) > 1) or (next(iter(axes)),)
 
@@ -91,8 +91,8 @@ def axes_of(controller: Controller) -> tuple[int, ...]:
 def pieces_of(track: WholeTrack) -> tuple[list[float], list[Piece]]:
     """Return the times at which the pieces of a track begin, and the pieces in counts.
 
-    Each holds until the next one begins. The first one is the standstill before the track; a profile that is
-    over before the next one is followed by a piece at its end.
+    Each is valid until the next one begins. The first one is the standstill before the track; if a profile
+    ends before the next one begins, a piece for the standstill at its end follows.
     """
     begins: list[float] = []
     pieces: list[Piece] = []
@@ -115,7 +115,7 @@ def pieces_of(track: WholeTrack) -> tuple[list[float], list[Piece]]:
 
 
 class Recorded:
-    """A controller from its log: its axes with their complete motion, and the moves."""
+    """A controller as recorded in its log: axes with their whole motion, and moves."""
 
     def __init__(self, controller: Controller) -> None:
         self.moves = controller.log.moves

@@ -1,10 +1,10 @@
 """The trajectory points of an axis: one per cycle, as a controller computes them.
 
 A controller does not follow the closed form. Its trajectory generator computes a point per cycle (PMC: 1
-kHz), and the loop, which runs faster (4 kHz), interpolates linearly between them (TN1069). So velocity is
-constant during a cycle and acceleration is its change from cycle to cycle. A move from rest begins with a
-cycle: it waits until then, and later changes of the motion (a stop, a new speed) are delayed as much as the
-motion.
+kHz), and the servo loop, which runs faster (4 kHz), interpolates linearly between the points (TN1069). So
+velocity is constant during a cycle and acceleration is its change from cycle to cycle. A move from rest
+begins with a cycle, so it waits for the next one. Later changes of the motion (a stop, a new speed) are
+delayed by the same time.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ AT_ONCE = 1e-7
 class Points:
     """The trajectory points of an axis, in counts unaffected by new zeros.
 
-    The point at the end of a cycle is made as the cycle begins, by the profile that is in force then.
+    The point for the end of a cycle is computed as the cycle begins, from the profile that is in force then.
     """
 
     def __init__(self, axis: Axis, period: float) -> None:
@@ -48,7 +48,7 @@ class Points:
             self._begins[k] += late
 
     def between(self, first: int, last: int) -> Array:
-        """Return the points at the begins of the cycles `first` to `last`, inclusive."""
+        """Return the points at the starts of the cycles `first` to `last`, inclusive."""
         cycles = np.arange(first, last + 1)
         owners = np.maximum(np.searchsorted(self._first, cycles - 1, "right") - 1, 0)
         low, high = int(owners[0]), int(owners[-1]) + 1
@@ -63,7 +63,7 @@ class Points:
         return made
 
     def renamed(self, times: Array) -> Array:
-        """Return the displacement of positions by new zeros, counts."""
+        """Return the displacement of positions due to new zeros, counts."""
         owners = np.searchsorted(self._starts, times + AT_ONCE * self._period, "right") - 1
         made: Array = self._offsets[np.maximum(owners, 0)]
         return made

@@ -1,4 +1,4 @@
-"""A wait as it is written to the log, for readers of many that need no records."""
+"""A wait as written to the log, for bulk readers that need no record objects."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Short = tuple[tuple[str, int, tuple[int, ...], float], float, float, float]
 
 
 def whole(wait: CompleteWait | Short) -> CompleteWait:
-    """Return all fields of a wait."""
+    """Return a stored wait with all of its fields."""
     if len(wait) == 8:
         return wait
     (task, at, callers, cost), base, count, until = wait

@@ -1,4 +1,4 @@
-"""From what `editor/` returns to the types of the protocol."""
+"""Conversion of the results of `editor/` to types of the protocol."""
 
 from __future__ import annotations
 
@@ -59,9 +59,9 @@ ITEMS = {
 
 
 def diagnostic(document: Document, each: Diagnostic) -> types.Diagnostic:
-    """Return a diagnostic.
+    """Convert a diagnostic.
 
-    Without a column it marks its line, without a line the first one.
+    Without a column it marks its line, without a line the first line.
     """
     line = max(each.line, 1)
     text = document.source.line(line)
@@ -83,16 +83,16 @@ def diagnostic(document: Document, each: Diagnostic) -> types.Diagnostic:
 
 
 def edits(document: Document, found: Sequence[Edit]) -> list[types.TextEdit]:
-    """Return the changes of a text."""
+    """Convert the changes of a text."""
     return [types.TextEdit(document.range(each.span), each.text) for each in found]
 
 
 def workspace_edit(
     document: Document, found: Sequence[Edit], capabilities: types.ClientCapabilities
 ) -> types.WorkspaceEdit:
-    """Return the changes of a text.
+    """Convert the changes of a text to an edit of the workspace.
 
-    They are for its present version if the editor knows versions.
+    They refer to its present version if the editor supports versions.
     """
     changes = edits(document, found)
     workspace = capabilities.workspace
@@ -104,7 +104,7 @@ def workspace_edit(
 
 
 def symbol(document: Document, each: Symbol) -> types.DocumentSymbol:
-    """Return an entry of the outline with all that it contains."""
+    """Convert an entry of the outline, with all entries inside it."""
     return types.DocumentSymbol(
         each.name,
         _SYMBOLS.get(each.kind, types.SymbolKind.Variable),
@@ -116,5 +116,5 @@ def symbol(document: Document, each: Symbol) -> types.DocumentSymbol:
 
 
 def markdown(text: str) -> types.MarkupContent:
-    """Return a text in Markdown."""
+    """Return a text as Markdown content."""
     return types.MarkupContent(types.MarkupKind.Markdown, text)

@@ -1,8 +1,8 @@
 """The open texts of an editor, changed as it reports, with positions in UTF-16.
 
-pygls has its own documents. They split lines at characters that are no line ends for an editor, such as a form
-feed, and count from a wrong place after that. These accept any position: one outside the text is moved to the
-nearest one in it, one inside a surrogate pair to the start of the pair.
+The documents of pygls are not used. They split lines at characters that are not line ends for an editor, such as a
+form feed, and count wrongly after that. Here any position is accepted: a position outside the text is moved to the
+nearest one in it, and one inside a surrogate pair to the start of the pair.
 """
 
 from __future__ import annotations
@@ -40,14 +40,14 @@ class Document:
 
     @property
     def name(self) -> str:
-        """The file name of the text, or the last part of its address."""
+        """The file name of the text, or the last part of its URI."""
         return self.uri.rstrip("/").rpartition("/")[2] or self.uri
 
     @property
     def source(self) -> Source:
         """The text as a program.
 
-        A blank replaces a byte order mark, so that columns are right.
+        A blank replaces a byte order mark, so that columns are correct.
         """
         if self._source is None:
             text = " " + self.text[1:] if self.text.startswith(_MARK) else self.text
@@ -55,7 +55,7 @@ class Document:
         return self._source
 
     def change(self, changes: Sequence[types.TextDocumentContentChangeEvent], version: int) -> None:
-        """Apply the changes of an editor, each to the text after the one before."""
+        """Apply an editor's changes in order, each to the result of the previous one."""
         for each in changes:
             if isinstance(each, types.TextDocumentContentChangePartial):
                 starts = line_starts(self.text)
@@ -69,7 +69,7 @@ class Document:
         self.version, self._source = version, None
 
     def _raw(self, position: types.Position, starts: list[int]) -> int:
-        """Return the offset of a position in the text with its own line ends."""
+        """Return the offset of a position in the text with its original line ends."""
         if position.line >= len(starts):
             return len(self.text)
         start = starts[max(position.line, 0)]
@@ -80,7 +80,7 @@ class Document:
     # ------------------------------------------------------------- positions and offsets of the source
 
     def offset(self, position: types.Position) -> int:
-        """Return the offset in the source of a position."""
+        """Return the offset of a position in the source."""
         starts = self._line_starts()
         if position.line >= len(starts):
             return len(self.source.text)
@@ -97,12 +97,12 @@ class Document:
         return types.Position(line - 1, units(text[offset - column + 1 : offset]))
 
     def source_offset(self, line: int) -> int:
-        """Return the offset in the source of the start of a line, from 1."""
+        """Return the source offset at which a line, counted from 1, starts."""
         starts = self._line_starts()
         return starts[min(line, len(starts)) - 1]
 
     def range(self, span: Span) -> types.Range:
-        """Return the range of two offsets in the source."""
+        """Return the range between two offsets in the source."""
         return types.Range(self.position(span[0]), self.position(span[1]))
 
     def span(self, range: types.Range) -> Span:
@@ -111,7 +111,7 @@ class Document:
 
     @property
     def last_line(self) -> int:
-        """The number of the last line, from 1."""
+        """The number of the last line, counted from 1."""
         return len(self._line_starts())
 
     def _line_starts(self) -> list[int]:
@@ -128,7 +128,7 @@ def line_starts(text: str) -> list[int]:
 
 
 def units(text: str) -> int:
-    """Return the number of UTF-16 units of a text."""
+    """Return the number of UTF-16 code units of a text."""
     return len(text) if text.isascii() else len(text.encode("utf-16-le", "surrogatepass")) // 2
 
 

@@ -1,4 +1,4 @@
-"""The requests that the server answers, each from a function of `editor/`."""
+"""The requests that the server answers, each with a function of `editor/`."""
 
 from __future__ import annotations
 
@@ -42,32 +42,35 @@ LENSES = {
 
 
 def register(server: Server) -> None:
-    """Register all requests at a server."""
+    """Register all requests with a server."""
     _Names(server).register()
     _Typing(server).register()
     _Display(server).register()
 
 
 class _Feature:
-    """Requests about the open texts of a server."""
+    """A group of requests about the open texts of a server."""
 
     def __init__(self, server: Server) -> None:
         self.server, self.session = server, server.session
 
     def known(self, params: Any) -> tuple[Known, Page] | None:
-        """Return the text of a request and its page, None if it is not open or no program."""
+        """Return the text of a request and its page.
+
+        None if the text is not open or is not a program.
+        """
         known = self.session.known(params.text_document.uri)
         page = None if known is None else self.session.page(known)
         return None if known is None or page is None else (known, page)
 
     def on(self, method: str, handler: Callable[..., Any], options: Any = None) -> None:
-        """Let a method of this object answer a method of the protocol."""
+        """Register a method of this object as the handler of a method of the protocol."""
         # pygls sets attributes of a handler, which a bound method cannot have.
         self.server.feature(method, options)(partial(handler))
 
 
 class _Names(_Feature):
-    """Hover, definition, references and new names."""
+    """Hover, definition, references and renaming."""
 
     def register(self) -> None:
         self.on(types.TEXT_DOCUMENT_HOVER, self.hover)
@@ -274,7 +277,7 @@ class _Display(_Feature):
         self._lenses = [name for name in LENSES if isinstance(commands, list) and name in commands]
 
     def watch(self, params: types.InitializedParams) -> None:
-        """Ask an editor that can to report machine files that change on disk."""
+        """Ask the editor, if it can, to report changes of machine files on disk."""
         workspace = self.server.capabilities.workspace
         watched = workspace.did_change_watched_files if workspace is not None else None
         if watched is None or not watched.dynamic_registration:
@@ -331,7 +334,7 @@ class _Display(_Feature):
         return str(self._number)
 
     def _data(self, known: Known, page: Page, first: int, last: int) -> list[int]:
-        """Return tokens as numbers, each position relative to the one before."""
+        """Return tokens as numbers, each position relative to the previous token."""
         data: list[int] = []
         line = column = 0
         for at, start, length, kind, modifiers in tokens(page, first, last, known.names):
@@ -381,12 +384,12 @@ class _Display(_Feature):
         ]
 
     def files_changed(self, params: types.DidChangeWatchedFilesParams) -> None:
-        """Check again with the machine files on disk."""
+        """Check the programs again with the machine files on disk."""
         self.session.machine_changed()
 
 
 def _difference(before: list[int], after: list[int]) -> types.SemanticTokensEdit | None:
-    """Return the one edit from a list to another, None if they are equal."""
+    """Return the single edit between two lists, None if they are equal."""
     if before == after:
         return None
     same = 0

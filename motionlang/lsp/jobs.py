@@ -1,6 +1,6 @@
-"""The jobs of the worker of a language server: checks and runs of one text.
+"""The jobs of a language server's worker: checks and runs of one text.
 
-A job is plain data in both directions, so it can go to another process.
+A job and its result are plain data, so a job can go to another process.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Job:
 
 
 def work(job: Job) -> list[Diagnostic] | Times:
-    """Do a job and return its result."""
+    """Carry out a job and return its result."""
     language = dialect(job.language) if job.language else None
     source = Source(job.name, job.text)
     if language is None:

@@ -1,7 +1,7 @@
-"""The protocol of pygls with answers for what it leaves unanswered or prints.
+"""The protocol of pygls, with answers to messages that pygls ignores or prints.
 
-Each request gets one answer: a malformed one, one before `initialize` or after `shutdown`, and one that fails.
-Errors have one sentence, and no traceback leaves the process.
+Each request gets exactly one answer. This includes a malformed request, one before `initialize` or after `shutdown`,
+and one that fails. Errors have one sentence, and no traceback leaves the process.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ REQUEST_FAILED = -32803
 
 
 class Malformed:
-    """A message whose form is wrong: the `id` to answer, None if it has none."""
+    """A malformed message: the `id` for the answer, None if it has none."""
 
     def __init__(self, number: int | str | None, code: int, message: str, method: str = "") -> None:
         self.id, self.code, self.message, self.method = number, code, message, method
 
 
 class Protocol(LanguageServerProtocol):
-    """The protocol of one connection, with the server's own documents."""
+    """The protocol of one connection; it uses the server's own documents."""
 
     _server: Server
 
@@ -45,7 +45,7 @@ class Protocol(LanguageServerProtocol):
     # ----------------------------------------------------------------------------------------- messages
 
     def structure_message(self, data: dict[str, Any]) -> Any:
-        """Return the message that a JSON object is."""
+        """Convert a JSON object to a message."""
         try:
             return super().structure_message(data)
         except Exception:
@@ -74,7 +74,7 @@ class Protocol(LanguageServerProtocol):
                 self._refuse(number, *refused)
 
     def _out_of_order(self, method: str | None) -> tuple[int, str] | None:
-        """Return code and text of the error of a message at the wrong time, or None."""
+        """Return error code and text for a message at the wrong time, or None."""
         if method == types.EXIT:
             return None
         if self._shutdown:
@@ -89,13 +89,13 @@ class Protocol(LanguageServerProtocol):
     def _send_response(
         self, msg_id: int | str, result: Any | None = None, error: types.ResponseError | None = None
     ) -> None:
-        """Send the answer to a request; an error has its message alone."""
+        """Send the answer to a request; an error is reduced to its message."""
         if error is not None:
             error.data = None
         super()._send_response(msg_id, result, error)
 
     def report_broken(self, error: Exception) -> None:
-        """Answer bytes that are no message."""
+        """Answer bytes that are not a message."""
         text = "the message is not valid JSON" if not isinstance(error, JsonRpcException) else str(error)
         self._refuse(None, PARSE_ERROR, text)
 
@@ -103,7 +103,7 @@ class Protocol(LanguageServerProtocol):
 
     @lsp_method(types.INITIALIZE)
     def lsp_initialize(self, params: types.InitializeParams) -> Generator[Any, Any, types.InitializeResult]:
-        """Agree on the features; positions are in UTF-16, which all clients support."""
+        """Negotiate the features; positions are in UTF-16, which all clients support."""
         general = params.capabilities.general
         if general is not None:
             general.position_encodings = [types.PositionEncodingKind.Utf16]
@@ -112,7 +112,7 @@ class Protocol(LanguageServerProtocol):
 
     @lsp_method(types.TEXT_DOCUMENT_DID_OPEN)
     def lsp_text_document__did_open(self, params: types.DidOpenTextDocumentParams) -> None:
-        """Take over a text."""
+        """Store an opened text."""
         self._server.session.open(params.text_document)
 
     @lsp_method(types.TEXT_DOCUMENT_DID_CHANGE)
@@ -122,5 +122,5 @@ class Protocol(LanguageServerProtocol):
 
     @lsp_method(types.TEXT_DOCUMENT_DID_CLOSE)
     def lsp_text_document__did_close(self, params: types.DidCloseTextDocumentParams) -> None:
-        """Forget a text."""
+        """Remove a closed text."""
         self._server.session.close(params.text_document.uri)

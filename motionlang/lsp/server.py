@@ -1,4 +1,4 @@
-"""The server: its connection, and what it sends by itself."""
+"""The server: its connection, and the messages that it sends on its own."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class Server(LanguageServer):
         )
 
     def report_server_error(self, error: Exception, source: Any) -> None:
-        """Answer bytes that are no message; requests that fail are answered already."""
+        """Answer bytes that are not a message; failed requests are answered elsewhere."""
         if source is JsonRpcException:
             self.protocol.report_broken(error)
         elif source is not FeatureRequestError:
@@ -70,7 +70,7 @@ class Server(LanguageServer):
         self.window_log_message(types.LogMessageParams(types.MessageType.Error, message))
 
     def serve_streams(self) -> int:
-        """Serve the editor at standard input and output; return the exit status."""
+        """Serve the editor on standard input and output; return the exit status."""
         prepare()
         output = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
         sys.stdout = sys.stderr  # nothing else may write where the messages go
@@ -83,7 +83,7 @@ class Server(LanguageServer):
         return 0 if self.protocol._shutdown else 1
 
     def serve_socket(self, listener: socket.socket) -> int:
-        """Serve the first editor that connects to a socket, until it leaves."""
+        """Serve the first editor that connects to a socket, until it disconnects."""
         prepare()
         try:
             asyncio.run(self._serve_one(listener))
@@ -111,19 +111,19 @@ class Server(LanguageServer):
 
 
 class Input:
-    """A stream of messages in which none is too large to read."""
+    """A stream of messages that limits their size."""
 
     def __init__(self, stream: BinaryIO) -> None:
         self._stream = stream
 
     def readline(self) -> bytes:
-        """Return a line of a header, or what fits of it."""
+        """Return a line of a header, truncated to the limit."""
         return self._stream.readline(_MAX_HEADER)
 
     def read(self, count: int) -> bytes:
         """Return the body of a message.
 
-        One that is too large is skipped, and an empty object is returned.
+        A body that is too large is skipped, and an empty object is returned.
         """
         if count <= MAX_MESSAGE:
             return self._stream.read(count)
@@ -156,9 +156,9 @@ class _Limited:
 
 
 def prepare() -> None:
-    """Load the keywords, and exempt all objects so far from the garbage collector.
+    """Load the keywords, and exempt all present objects from garbage collection.
 
-    Collections would scan them again and again; that is a third of the time of a parse.
+    Repeated scans of these objects would take a third of the time of a parse.
     """
     from motionlang.lang.dialect import dialect, dialects
 

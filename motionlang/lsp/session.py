@@ -1,7 +1,7 @@
 """The open texts of one editor, with their names, diagnostics and times.
 
-Typing costs little: names are found and checks are started when it pauses. A check or a run is done by the
-worker, one at a time. Its result is dropped if the text has changed since.
+Typing costs little: names are computed and checks are started when the user pauses. The worker does one check or run
+at a time. Its result is dropped if the text has changed in the meantime.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from motionlang.lang.names import Names
 
     class Worker(Protocol):
-        """Does the jobs of a server."""
+        """Carries out the jobs of a server."""
 
         async def do(self, job: Job) -> list[Diagnostic] | Times | None: ...
 
@@ -47,7 +47,7 @@ MAX_TEXT = 2_000_000
 
 
 class Known:
-    """The state of one open text; `checked` and `timed` are versions."""
+    """The state of one open text; `checked` and `timed` are version numbers."""
 
     __slots__ = ("checked", "document", "found", "language", "names", "page", "pause", "timed", "times")
 
@@ -66,7 +66,7 @@ class Known:
 class Session:
     """All open texts.
 
-    `publish` is called with the diagnostics of one, and `log` with a message for the editor's log.
+    `publish` is called with the diagnostics of a text, and `log` with a message for the editor's log.
     """
 
     def __init__(
@@ -85,7 +85,7 @@ class Session:
     # ---------------------------------------------------------------------------------------- documents
 
     def open(self, item: types.TextDocumentItem) -> None:
-        """Take over a text; one that is open already is replaced."""
+        """Store an opened text; an earlier one with the same URI is replaced."""
         self.close(item.uri)
         document = Document(item.uri, item.text, item.version)
         name = document.name
@@ -98,14 +98,14 @@ class Session:
         self._changed(self._known[item.uri], 0.0)
 
     def change(self, params: types.DidChangeTextDocumentParams) -> None:
-        """Change a text that is open; others are ignored."""
+        """Change an open text; ignore changes of any other."""
         known = self._known.get(params.text_document.uri)
         if known is not None:
             known.document.change(params.content_changes, params.text_document.version)
             self._changed(known, PAUSE)
 
     def close(self, uri: str) -> None:
-        """Forget a text and take back its diagnostics."""
+        """Remove a text and withdraw its diagnostics."""
         known = self._known.pop(uri, None)
         if known is None:
             return
@@ -117,7 +117,7 @@ class Session:
         self._publish(known.document, [])
 
     def stop(self) -> None:
-        """Forget all texts and end the worker."""
+        """Remove all texts and end the worker."""
         for known in self._known.values():
             if known.pause is not None:
                 known.pause.cancel()
@@ -127,11 +127,11 @@ class Session:
         self._worker.stop()
 
     def known(self, uri: str) -> Known | None:
-        """Return the state of an open text, None if it is not open."""
+        """Return the state of a text, None if it is not open."""
         return self._known.get(uri)
 
     def page(self, known: Known) -> Page | None:
-        """Return the page of a text, None for a machine file and for a very large text."""
+        """Return the page of a text, None for a machine file or a very large text."""
         if known.language is None or len(known.document.text) > MAX_TEXT:
             return None
         if known.page is None or known.page.source is not known.document.source:
@@ -209,7 +209,10 @@ class Session:
         return result if not isinstance(result, list) and self._is_current(known, source) else None
 
     async def _do(self, what: str, known: Known) -> list[Diagnostic] | Times | None:
-        """Return the result of a job on the present text, None if it changes before the job begins."""
+        """Carry out a job on the current text and return its result.
+
+        None if the text changes before the job begins.
+        """
         source = known.document.source
         if self._lock is None:
             self._lock = asyncio.Lock()
@@ -225,7 +228,7 @@ class Session:
                 return self._failed(job, error)
 
     def _failed(self, job: Job, error: Exception) -> list[Diagnostic] | Times:
-        """Report an internal error in a job and return its result."""
+        """Return the result of a job with an internal error: a diagnostic, or no times."""
         why = f"internal error: {type(error).__name__}: {error}".partition("\n")[0]
         if job.what == CHECK:
             message = f"{job.name} cannot be checked: {why}"
@@ -258,5 +261,5 @@ class Session:
 
 
 def is_machine_file(name: str) -> bool:
-    """True if a file is a machine file by its name."""
+    """True if a file name is that of a machine file."""
     return name.endswith(MACHINE_SUFFIX) or name == MACHINE_SUFFIX[1:]

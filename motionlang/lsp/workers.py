@@ -1,7 +1,7 @@
-"""The workers of a language server: a process, or this one.
+"""The workers of a language server: a separate process, or this one.
 
-A server asks for one job at a time. A check that takes too long, and a process that dies, count as no result;
-the next job gets a new process.
+A server requests one job at a time. A check that takes too long, or a process that dies, gives no result; the next job
+gets a new process.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
 
     class Stopping(Protocol):
-        """An executor whose processes can be ended."""
+        """An executor whose processes can be killed."""
 
         def stop(self) -> None: ...
 
@@ -38,7 +38,7 @@ JOB_LIMIT = 20.0
 
 
 class Inline:
-    """Does jobs in the process of the server, as a browser has to."""
+    """Carries out jobs in the process of the server, as required in a browser."""
 
     async def do(self, job: Job) -> list[Diagnostic] | Times | None:
         """Return the result of a job."""
@@ -49,7 +49,7 @@ class Inline:
 
 
 class Process:
-    """Does jobs in a process of its own, which ends with this one."""
+    """Carries out jobs in a separate process, which ends with this one."""
 
     def __init__(self, limit: float = JOB_LIMIT, run_limit: float = RUN_LIMIT) -> None:
         self._limit, self._run_limit = limit, run_limit
@@ -77,7 +77,7 @@ class Process:
 
 
 def _limited(job: Job, limit: float) -> list[Diagnostic] | Times:
-    """Do a job in a worker process; interrupt a run after `limit` seconds."""
+    """Carry out a job in a worker process; interrupt a run after `limit` seconds."""
     _silence()
     if job.what != TIMES:
         return work(job)

@@ -1,6 +1,6 @@
 """MCAPI, the library by which hosts drive PMC boards, for virtual boards.
 
-A host reaches a board by the C library, by the port of `motionlang serve --mcapi`, or from Python:
+A host reaches a board through the C library, through the port of `motionlang serve --mcapi`, or from Python:
 
     host = Mcapi.virtual({"controller.model": "dcx-pci100"})
     host.Open(0, MC_OPEN_BINARY)
@@ -9,7 +9,8 @@ A host reaches a board by the C library, by the port of `motionlang serve --mcap
     host.IsStopped(1, 10.0)          # 1
     host.GetPositionEx(1)            # 5000.0
 
-All meaning is here: the C library only transports calls. An ordinary run imports none of it.
+All functions are implemented here: the C library only transports calls. An ordinary run imports nothing of this
+package.
 """
 
 from __future__ import annotations

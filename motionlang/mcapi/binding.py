@@ -268,7 +268,7 @@ class Mcapi(Binding):
         self._do("MCBlockBegin", int(mode), int(num))
 
     def BlockEnd(self) -> int:
-        """Carry the block out; the number of a task is the result."""
+        """Carry out the block; the result is the number of a task."""
         found: int = self._get("MCBlockEnd", 1)
         return found
 
@@ -326,7 +326,7 @@ class Mcapi(Binding):
         self._do("MCEnableAxis", int(axis), int(state))
 
     def EnableBacklash(self, axis: int, backlash: float, state: int) -> None:
-        """Compensate backlash or not."""
+        """Switch backlash compensation on or off."""
         self._do("MCEnableBacklash", int(axis), backlash, int(state))
 
     def EnableCapture(self, axis: int, count: int) -> None:
@@ -350,7 +350,7 @@ class Mcapi(Binding):
         self._do("MCEnableEncoderFault", int(axis), int(state))
 
     def EnableGearing(self, axis: int, master: int, ratio: float, state: int) -> None:
-        """Slave the axis to its master, or frees it."""
+        """Slave the axis to its master, or release it."""
         self._do("MCEnableGearing", int(axis), int(master), ratio, int(state))
 
     def EnableInterrupt(self, hWnd: int, axis: int, mask: int, lpIntFunc: object) -> None:
@@ -372,16 +372,16 @@ class Mcapi(Binding):
     def FindAuxEncIdx(self, axis: int, position: float) -> None:
         """Call MCFindAuxEncIdx.
 
-        Wait for the index mark of the auxiliary encoder, where the position becomes this one.
+        Wait for the index mark of the auxiliary encoder and set the position there.
         """
         self._do("MCFindAuxEncIdx", int(axis), position)
 
     def FindEdge(self, axis: int, position: float) -> None:
-        """Wait for the home edge, where the position becomes this one."""
+        """Wait for the home edge and set the position there."""
         self._do("MCFindEdge", int(axis), position)
 
     def FindIndex(self, axis: int, position: float) -> None:
-        """Wait for the index mark, where the position becomes this one."""
+        """Wait for the index mark and set the position there."""
         self._do("MCFindIndex", int(axis), position)
 
     def GetAccelerationEx(self, axis: int) -> float:
@@ -422,21 +422,15 @@ class Mcapi(Binding):
         return list(self._do("MCGetCaptureData", int(axis), int(type), int(start), int(points), 1))
 
     def GetCaptureSettings(self, axis: int) -> tuple[Any, ...]:
-        """Settings of the last recording, and how many points it has."""
+        """Settings of the last recording, and its number of points."""
         return self._do("MCGetCaptureSettings", int(axis), 1, 1, 1, 1)
 
     def GetConfiguration(self, param: MCPARAM) -> None:
-        """Call MCGetConfiguration.
-
-        What the model can do; for hosts older than MCGetConfigurationEx.
-        """
+        """Capabilities of the model; for hosts older than MCGetConfigurationEx."""
         self._fill(param, "MCGetConfiguration", 1)
 
     def GetConfigurationEx(self, param: MCPARAMEX) -> None:
-        """Call MCGetConfigurationEx.
-
-        What the model can do.
-        """
+        """Capabilities of the model."""
         self._fill(param, "MCGetConfigurationEx", 1)
 
     def GetContourConfig(self, axis: int, contour: MCCONTOUR) -> None:
@@ -609,7 +603,7 @@ class Mcapi(Binding):
         return found
 
     def GetVersion(self) -> int:
-        """4.4.1, a byte each from the third byte down: 263169."""
+        """263169: version 4.4.1, one byte per number, the third byte first."""
         return self._value("MCGetVersion")
 
     def Go(self, axis: int) -> None:
@@ -703,7 +697,7 @@ class Mcapi(Binding):
         self._do("MCSetAnalogEx", int(channel), int(value))
 
     def SetAuxEncPos(self, axis: int, position: float) -> None:
-        """Give the auxiliary encoder a position."""
+        """Set the position of the auxiliary encoder."""
         self._do("MCSetAuxEncPos", int(axis), position)
 
     def SetCommutation(self, axis: int, commutation: MCCOMMUTATION) -> None:
@@ -767,7 +761,7 @@ class Mcapi(Binding):
         self._do("MCSetOperatingMode", int(axis), int(caxis), int(mode))
 
     def SetPosition(self, axis: int, position: float) -> None:
-        """Make the present position this one."""
+        """Set the current position."""
         self._do("MCSetPosition", int(axis), position)
 
     def SetProfile(self, axis: int, mode: int) -> None:

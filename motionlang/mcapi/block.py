@@ -1,7 +1,4 @@
-"""Blocks.
-
-Commands that MCBlockBegin collects and MCBlockEnd carries out as one line.
-"""
+"""Blocks: commands that MCBlockBegin collects and MCBlockEnd runs as one line."""
 
 from __future__ import annotations
 
@@ -32,9 +29,9 @@ PATHS = {
 
 @record
 class Block:
-    """The commands so far.
+    """The commands collected so far.
 
-    `handle` has begun it, and `first` comes before them in the line.
+    `handle` has begun the block, and the commands `first` precede them in the line.
     """
 
     handle: Handle
@@ -43,15 +40,15 @@ class Block:
     commands: list[Command]
 
     def add(self, commands: list[Command]) -> None:
-        """Collect the commands of a call."""
+        """Add the commands of a call."""
         if len(self.commands) + len(commands) > MAX_COMMANDS:
             raise Refused(mc.MCERR_BLOCK_MODE)
         self.commands += commands
 
     def line(self, call: Call) -> Line:
-        """Return the line that carries the block out.
+        """Return the line that carries out the block.
 
-        The number of a task is the result of the call.
+        If the block is a task, the result of the call is the task's number.
         """
         call.outputs = (0,)
         if self.mode != mc.MC_BLOCK_TASK:
@@ -65,7 +62,7 @@ class Block:
 
 
 def begin(interface: Interface, handle: Handle, mode: int, number: int) -> list[Command]:
-    """Begin a block; return the commands of a mode that acts at once."""
+    """Begin a block; if its mode acts at once, return the commands."""
     if mode == mc.MC_BLOCK_RESETM:
         return [command("RM")]
     if mode == mc.MC_BLOCK_CANCEL:

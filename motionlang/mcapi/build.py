@@ -1,7 +1,7 @@
 """Build the C library from its source in the package.
 
-The result is in the user's cache, in a folder of this source: a library of another version of the package is
-never taken for this one.
+The result is in the user's cache, in a folder named after this source, so that a library of another version of
+the package is never used.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _COMMON = ("-std=c99", "-O2", "-shared")
 
 
 class CannotBuild(Exception):
-    """The library cannot be built; `hint` is what to do about it."""
+    """The library cannot be built; `hint` says what to do about it."""
 
     def __init__(self, message: str, hint: str) -> None:
         self.hint = hint
@@ -38,10 +38,10 @@ class CannotBuild(Exception):
 
 @record
 class Target:
-    """A system that the library is built for.
+    """A system for which the library is built.
 
-    `library` is the file, `links` are further names for it. `dialogs` is a library that forwards the functions
-    of MCDLG to it, "" for none. `compilers` are tried in this order.
+    `library` is the name of the file, `links` are further names for it. `dialogs` is a library that forwards the
+    functions of MCDLG to it, "" for none. `compilers` are tried in this order.
     """
 
     name: str
@@ -124,7 +124,7 @@ def build(target: Target, out: Path | None = None) -> Path:
 
 
 def _build_dialogs(target: Target, compiler: list[str], work: Path) -> None:
-    """Make the library of dialogs, which only forwards to the other one."""
+    """Build the dialogs library, which only forwards calls to the main library."""
     names = [name for name in FUNCTIONS if name not in MCAPI]
     to = target.library.removesuffix(".dll")
     exports = work / "dialogs.def"
@@ -135,10 +135,7 @@ def _build_dialogs(target: Target, compiler: list[str], work: Path) -> None:
 
 
 def _compiler(target: Target) -> list[str]:
-    """Return the command of the compiler.
-
-    That of CC for this system, or the first that there is.
-    """
+    """Return the compiler command: CC (on Linux), or the first compiler installed."""
     given = os.environ.get("CC") if target.name == "linux" else None
     if given:
         words = shlex.split(given)

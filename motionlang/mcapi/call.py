@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 class Call:
     """A function with its arguments and, when `done`, its results.
 
-    `arguments` are the inputs of the table, flat: a structure is its values, an array its length and values,
-    and None is a NULL pointer. `outputs` are flat, too, and empty if the call failed. `value` is that of a
-    function that returns one. `begin` and `end` are machine times, s.
+    `arguments` are the inputs of the table, flattened: a structure as its values, an array as its length and
+    values, and None for a NULL pointer. `outputs` are flattened, too, and empty if the call failed. `value` is the
+    result of a function that returns a value. `begin` and `end` are machine times, s.
     """
 
     __slots__ = (
@@ -54,7 +54,7 @@ class Call:
         self.finished: Callable[[Call], None] | None = None
 
     def finish(self, now: float, code: int | None = None) -> None:
-        """Complete the call, once; the last error of the handle is its code."""
+        """Complete the call, once; its code becomes the last error of the handle."""
         if self.done:
             return
         if code is not None:

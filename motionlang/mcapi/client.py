@@ -1,7 +1,4 @@
-"""The base of the Python class of MCAPI.
-
-Structures, errors, and the two ways to a board.
-
+"""The base of the Python class of MCAPI: structures, errors, connections.
 
 The class itself, with a method for every function, is generated (`binding.py`).
 """
@@ -55,7 +52,7 @@ class McapiException(Exception):
 
 
 class Structure:
-    """A structure of MCAPI: plain attributes, all 0 at first."""
+    """A structure of MCAPI: plain attributes, initially 0."""
 
     names: ClassVar[tuple[str, ...]]
 
@@ -78,7 +75,7 @@ class Structure:
         return found
 
     def fill(self, values: Sequence[Any]) -> None:
-        """Set the values of an answer."""
+        """Set the values from an answer."""
         at = 0
         for field in STRUCTURES[type(self).__name__].values:
             setattr(self, field.name, list(values[at : at + field.count]) if field.count > 1 else values[at])
@@ -86,16 +83,17 @@ class Structure:
 
 
 class Calls(Protocol):
-    """A way to a board: carries out a call and returns its result and its outputs."""
+    """A connection to a board: carries out a call and returns its result and outputs."""
 
     def call(self, name: str, handle: int, arguments: Sequence[Value | None]) -> Answer: ...
     def close(self) -> None: ...
 
 
 class PortCalls:
-    """Calls over the port of `motionlang serve --mcapi`; connects with the first one.
+    """Calls over the port of `motionlang serve --mcapi`; the first call connects.
 
-    A connection that fails answers MCERR_SOCKET, and so do all handles that were open, until the next MCOpen.
+    After a connection failure every call returns MCERR_SOCKET, also on all handles that were open, until the next
+    MCOpen.
     """
 
     def __init__(self, address: str | None = None) -> None:
@@ -104,7 +102,7 @@ class PortCalls:
         self._rest = b""
 
     def call(self, name: str, handle: int, arguments: Sequence[Value | None]) -> Answer:
-        """Carry out a call over the connection; only MCOpen makes one."""
+        """Carry out a call over the connection; only MCOpen opens a connection."""
         if self._socket is None and name != "MCOpen":
             return self._lost(name)
         try:
@@ -153,7 +151,7 @@ class PortCalls:
 class VirtualBoard:
     """A board in this process, in virtual time.
 
-    Each call takes `step` seconds, or as long as it waits.
+    Each call takes `step` seconds, or the time that it waits.
     """
 
     def __init__(
@@ -179,7 +177,7 @@ class VirtualBoard:
         self.console.run(max(self._owed, self.now) + seconds)
 
     def call(self, name: str, handle: int, arguments: Sequence[Value | None]) -> Answer:
-        """Carry out a call, and let the machine time pass that it takes."""
+        """Carry out a call, and advance machine time by its duration."""
         console = self.console
         if self._owed > console.now:
             console.run(self._owed)
@@ -192,11 +190,11 @@ class VirtualBoard:
         return (call.code if result is None else result), call.outputs
 
     def close(self) -> None:
-        """Leave the board as it is."""
+        """Do nothing: the board remains as it is."""
 
 
 class Binding:
-    """The base of the class `Mcapi`: calls, and what becomes of their results."""
+    """The base of the class `Mcapi`: makes calls and converts their results."""
 
     def __init__(self, board: Calls | str | None = None) -> None:
         self._calls = PortCalls(board) if board is None or isinstance(board, str) else board
@@ -209,13 +207,13 @@ class Binding:
         """Return a host of a virtual board in this process.
 
         `machine` is a machine, its settings, or a machine file. Machine time passes only in calls: each takes
-        `step` seconds, or as long as it waits. `advance` lets time pass between them.
+        `step` seconds, or the time that it waits. `advance` lets time pass between them.
         """
         return cls(VirtualBoard(machine, step))
 
     @property
     def board(self) -> VirtualBoard:
-        """The virtual board; raises TypeError for a board behind a port."""
+        """The virtual board; raises TypeError if the board is behind a port."""
         if not isinstance(self._calls, VirtualBoard):
             raise TypeError("a board behind a port has its own time")
         return self._calls
@@ -226,7 +224,7 @@ class Binding:
         return self.board.now
 
     def advance(self, seconds: float) -> None:
-        """Let machine time of a virtual board pass."""
+        """Let machine time of a virtual board pass, by seconds."""
         self.board.advance(seconds)
 
     def Handle(self) -> int:  # noqa: N802
@@ -245,7 +243,7 @@ class Binding:
             self._handle = 0
 
     def GetError(self) -> int:  # noqa: N802
-        """Return the last error of the handle and forget it."""
+        """Return the last error of the handle and clear it."""
         return self._calls.call("MCGetError", self._handle, ())[0]
 
     def TranslateErrorEx(self, error: int) -> str:  # noqa: N802
@@ -259,12 +257,12 @@ class Binding:
             file.write(text.encode("latin-1"))
 
     def RestoreAxis(self, axis: int, flags: int, path: str) -> None:  # noqa: N802
-        """Set what SaveAxis has written into a file (MCDLG_RestoreAxis)."""
+        """Restore the settings that SaveAxis has written into a file (MCDLG_RestoreAxis)."""
         with open(path, encoding="latin-1") as file:
             self._do("MCDLG_RestoreAxis", axis, flags, file.read())
 
     def DownloadFile(self, path: str) -> None:  # noqa: N802
-        """Carry out a file of MCCL, a line after the other (MCDLG_DownloadFile)."""
+        """Carry out a file of MCCL, line by line (MCDLG_DownloadFile)."""
         with open(path, encoding="latin-1") as file:
             self._do("MCDLG_DownloadFile", 0, 0, file.read())
 
@@ -289,7 +287,7 @@ class Binding:
         return outputs[0] if outputs else 0
 
     def _value(self, name: str, *arguments: Value | None) -> int:
-        """Carry out a call whose result is a value; 0 may be an error."""
+        """Carry out a call whose result is a value; 0 may also mean an error."""
         value, _ = self._calls.call(name, self._handle, arguments)
         if value == 0:
             self.ProcessException()
@@ -300,15 +298,15 @@ class Binding:
         return self._calls.call(name, self._handle, arguments)[0]
 
     def _fill(self, structure: Structure, name: str, *arguments: Value | None) -> None:
-        """Carry out a call that fills a structure; an error leaves it as it is."""
+        """Carry out a call that fills a structure; an error does not change it."""
         outputs = self._do(name, *arguments)
         if outputs:
             structure.fill(outputs)
 
     def _text(self, buffer: bytearray, name: str, *arguments: Value | None) -> int:
-        """Carry out a call that fills a buffer with text and a zero.
+        """Carry out a call that fills a buffer with text and a terminating zero.
 
-        Return the number of characters.
+        Returns the number of characters.
         """
         count, outputs = self._calls.call(name, self._handle, arguments)
         if outputs:

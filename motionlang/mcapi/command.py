@@ -1,4 +1,4 @@
-"""Commands of MCCL that a call consists of, made without text."""
+"""MCCL commands for calls, built without text."""
 
 from __future__ import annotations
 
@@ -19,10 +19,7 @@ if TYPE_CHECKING:
 
 
 def command(name: str, axis: int = 0, value: float | int | None = None) -> Command:
-    """Return a command that is ready to run.
-
-    Raise Fault if it does not accept the value.
-    """
+    """Return a command that is ready to run; raise Fault if it rejects the value."""
     row = _row(name)
     action = row.actions.do
     assert action is not None
@@ -40,18 +37,18 @@ def _row(name: str) -> Keyword:
 
 
 def own(name: str, action: Action) -> Command:
-    """Return a step of a call that no command of MCCL does, or not in this manner."""
+    """Return a step of a call that no command of MCCL performs, or not in this manner."""
     return Command(name, name, table().get(name), 0, NONE, 0, action, True)
 
 
 def line(commands: Iterable[Command]) -> Line:
-    """Return commands as a line, whose text is theirs."""
+    """Return commands as a line, with their joined text."""
     found = tuple(commands)
     return Line(found, 0, ",".join(each.text for each in found), 0)
 
 
 def number(value: float | int) -> str:
-    """Return a number as MCCL reads it back exactly."""
+    """Return a number as text that MCCL reads back exactly."""
     whole = isinstance(value, int) or (value == int(value) and abs(value) < 1e15)
     return str(int(value)) if whole else repr(value)
 

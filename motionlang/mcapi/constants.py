@@ -1,4 +1,4 @@
-"""The constants of MCAPI, by the names that hosts know."""
+"""The constants of MCAPI, by PMC's names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a call fails, and what a rejected command is in MCAPI."""
+"""Errors of calls: refusals, and the error codes of rejected commands."""
 
 from __future__ import annotations
 

@@ -24,9 +24,9 @@ SESSION = "Session"
 
 
 class McapiPort:
-    """Calls in, answers out, one after the other.
+    """The port of one connection: calls in, answers out, one at a time.
 
-    `refused` is true after a line that is no call.
+    `refused` is True after a line that is not a call.
     """
 
     waiting: Wait | None = None
@@ -46,25 +46,25 @@ class McapiPort:
     working = busy
 
     def feed(self, data: bytes) -> int:
-        """Accept a whole line, or what is left after a refused one."""
+        """Accept a whole line, or discard data after a refused one."""
         if not self.refused:
             self._enter(data.rstrip(b"\r\n").decode("latin-1"))
         return len(data)
 
     def refuse(self, why: str) -> None:
-        """Answer a line that is no call; the connection is then closed."""
+        """Answer a line that is not a call; the connection is then closed."""
         self._out += f"! {why}\n".encode("latin-1", "replace")
         self.refused = True
 
     def accepts(self, data: bytes | bytearray) -> bool:
-        """True if a whole line has come, and the last one has its answer."""
+        """True if a whole line has arrived and the previous one is answered."""
         return LF in data and not self.busy
 
     def drop_abandoned(self, data: bytearray) -> None:
-        """No character of this protocol abandons a line."""
+        """Do nothing: no character of this protocol abandons a line."""
 
     def at_once(self, data: bytes | bytearray) -> bytes:
-        """Nothing is accepted during a call."""
+        """Return nothing: no data is accepted during a call."""
         return b""
 
     def next_entry(self, data: bytes | bytearray) -> tuple[bytes, bool]:
@@ -73,7 +73,7 @@ class McapiPort:
         return bytes(data[: end or None]), bool(end)
 
     def abandon(self) -> None:
-        """Refuse what an internal error has broken."""
+        """Refuse a line whose processing has failed with an internal error."""
         self.refuse("internal error")
 
     def take(self) -> bytes:
@@ -83,7 +83,7 @@ class McapiPort:
         return said
 
     def close(self) -> None:
-        """Disconnect; with the last connection of its process the host is gone."""
+        """Disconnect; the last connection of a process removes its host."""
         self._call = None
         if self._session is not None:
             self._session.leave()
@@ -121,7 +121,7 @@ class McapiPort:
 class McapiHost(Host):
     """A host whose lines are calls.
 
-    The next one is read when the last one has its answer.
+    A line is read when the previous one has been answered.
     """
 
     port: McapiPort
@@ -134,14 +134,11 @@ class McapiHost(Host):
 
     @property
     def done(self) -> bool:
-        """True if the host is gone, or has sent a line that is no call.
-
-        Has its answers.
-        """
+        """True if the host is gone or was refused, and all answers have been sent."""
         return (self.ended is not None or self.port.refused) and self.is_silent
 
     def feed(self, pace: Pace) -> None:
-        """Begin the calls that have come; in lock step one."""
+        """Begin the calls that have arrived; in lock step only one."""
         while self._inbox and not self.port.busy:
             end = self._inbox.find(LF) + 1
             if self.port.refused or (not end and len(self._inbox) > MAX_LINE) or end > MAX_LINE:

@@ -1,12 +1,9 @@
-"""An interface of a board.
-
-Which carries out the calls of its handles one after another.
-
+"""An interface of a board, which carries out the calls of its handles one by one.
 
 A board has two: the binary handles share one and the ASCII handles the other. Each is a task of the board's
 interpreter, so a call takes the time of its commands and sees the machine at that time. An interface has its
-own accumulator and registers 0 to 9, and one block, which a handle begins and whose commands come from all
-handles of the interface.
+own accumulator and registers 0 to 9, and one block, which a handle begins and which collects the commands of
+all handles of the interface.
 
 A call that polls, such as MCIsStopped with a time-out, occupies no interface: it is a task of its own that
 ends when its condition holds.
@@ -43,7 +40,7 @@ MAX_HELD = 65536
 class Interface(CommandTask):
     """The task that carries out calls.
 
-    `port` is that of an ASCII interface, whose registers it shares.
+    `port` belongs to an ASCII interface, which shares its registers.
     """
 
     def __init__(self, board: Board, port: Port | None = None) -> None:
@@ -64,17 +61,17 @@ class Interface(CommandTask):
 
     @property
     def occupied(self) -> bool:
-        """True while a call or a line is carried out."""
+        """True while a call or a line is being carried out."""
         return (
             self.current_call is not None or bool(self._queue) or (self.port is not None and self.port.busy)
         )
 
     def submit(self, call: Call) -> None:
-        """Queue a call that has a line."""
+        """Queue a call that has a line of commands."""
         self._queue.append(call)
 
     def drop(self, call: Call) -> None:
-        """Abandon a call whose host is gone, or that has timed out before it began."""
+        """Abandon a call whose host is gone, or that timed out before it began."""
         call.more.clear()
         if call is self.current_call:
             self.abandon()
@@ -108,7 +105,7 @@ class Interface(CommandTask):
         return bool(self._queue) and self._following() is not None
 
     def _following(self) -> Call | None:
-        """Return the next call: the first, or the first of the owner if there is one."""
+        """Return the next call; while a handle owns the interface, its next call."""
         if self.port is not None and self.port.busy:
             return None
         if self.owner is None:
@@ -129,9 +126,9 @@ class Interface(CommandTask):
     # ----------------------------------------------------------------------------- characters, ASCII only
 
     def put(self, data: bytes) -> int:
-        """Send characters to the board and return how many it takes.
+        """Send characters to the board and return how many it accepts.
 
-        While a call runs they wait.
+        Characters wait while a call runs.
         """
         assert self.port is not None
         if ESC in data:
@@ -143,7 +140,7 @@ class Interface(CommandTask):
         return self.port.feed(data)
 
     def has_text(self, size: int) -> bool:
-        """True if pmcgets of `size` characters need not wait."""
+        """True if pmcgets with a buffer of `size` characters need not wait."""
         assert self.port is not None
         self._pull()
         return self._end_of_text(size) > 0 or not (self.port.working or self.current_call or self._held)
@@ -164,7 +161,7 @@ class Interface(CommandTask):
         return found
 
     def _end_of_text(self, size: int) -> int:
-        """Return the length of the text that pmcgets returns, 0 if it is not complete."""
+        """Return the length of the text that pmcgets returns, 0 if it is incomplete."""
         ends = [self._unread.find(mark) for mark in (b"\r", self.board.prompt.encode("latin-1")) if mark]
         found = min((end + 1 for end in ends if end >= 0), default=0)
         return min(found or (size if len(self._unread) >= size else 0), size)
@@ -180,12 +177,10 @@ class Interface(CommandTask):
 
 
 class Poll(Task):
-    """A call that occupies no interface.
+    """A call that waits for a condition and occupies no interface.
 
-    Until `ready`, or `until` with another outcome.
-
-
-    `due` is when `ready` may be true next; `finish` gets whether it is.
+    It ends when `ready` returns True, or at the time `until`. `due` returns the earliest time at which `ready` may
+    become True. `finish` gets the last result of `ready`.
     """
 
     def __init__(
@@ -215,9 +210,9 @@ class Poll(Task):
 
 
 def expire(call: Call, interface: Interface, now: float) -> None:
-    """End a call that has taken longer than the time-out of its handle.
+    """End a call that has exceeded the time-out of its handle.
 
-    The board continues.
+    The board continues its work.
     """
     if call is not interface.current_call:
         interface.drop(call)

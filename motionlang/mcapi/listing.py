@@ -1,6 +1,6 @@
-"""A log of calls as MCCL, for people.
+"""A log of calls as readable MCCL.
 
-Each line is the commands of a call, with its time behind `;`.
+Each line has the commands of a call, and its time after `;`.
 """
 
 from __future__ import annotations
@@ -28,10 +28,7 @@ COLUMN = 32
 
 
 class Listing:
-    """Lists calls.
-
-    The board is of the model of the log, because its commands may depend on it.
-    """
+    """Lists calls, on a board of the log's model, on which the commands may depend."""
 
     def __init__(self, model: str) -> None:
         board = VirtualBoard(
@@ -43,9 +40,9 @@ class Listing:
         self._interface.block = Block(handle, mc.MC_BLOCK_COMPOUND, (), [])
 
     def line(self, entry: Entry) -> str:
-        """Return the line of a call: commands, its start, and its answer.
+        """Return the line of a call: its commands, start time, and answer.
 
-        Or all of it as a remark.
+        A call without commands is shown as a remark.
         """
         said = encode((entry.result, *entry.outputs))
         remark = f"; {entry.begin:.6f} s"
@@ -70,7 +67,7 @@ class Listing:
 
 
 def _read(mccl: str, given: dict[str, object]) -> str:
-    """Return the commands of the table with axis, channel or register filled in."""
+    """Return the table's commands with axis, channel or register filled in."""
     number = given.get("channel", given.get("reg", ""))
     axis = given.get("axis") or ""
     plain = re.sub(r"\{\w+\}", "", mccl)

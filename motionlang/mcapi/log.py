@@ -4,10 +4,10 @@ r"""Logs of calls, as `--record` and the C library write them.
     0.000000000 0.000012000 1 MCOpen 0 2 - = 1
     0.100000000 0.100031000 1 MCGetPositionEx 1 1 + = 0 3125.0
 
-The first line has the version, and the model if it is known. Every other line is a call: seconds at its start
-and end, the number of the host process, and the line and the answer of the port. The answer of a function
-without a result is `-` in a log of the real library, which does not know the error code. Lines are in the
-order of their ends.
+The first line has the version, and the model if it is known. Every other line is a call: its start and end, s,
+the number of the host process, and the line and the answer of the port. The answer of a function without a
+result is `-` in a log of the real library, which does not know the error code. Lines are in the order of their
+end times.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ HEAD = "mcapi-log 1"
 
 
 class BadLog(ValueError):
-    """A log that cannot be read; `line` is the number of the line."""
+    """A log that cannot be read; `line` is the line number of the error."""
 
     def __init__(self, line: int, message: str) -> None:
         self.line = line
@@ -53,7 +53,7 @@ class Entry:
 
 
 class Recorder:
-    """Writes every call that is done with its machine times."""
+    """Writes every completed call with its machine times."""
 
     def __init__(self, write: Callable[[str], object], model: str) -> None:
         self._write = write
@@ -65,7 +65,7 @@ class Recorder:
 
 
 def read_entry(text: str, number: int) -> Entry:
-    """Return the call of a line; raise BadLog for another line."""
+    """Return the call of a line; raise BadLog if the line is not a call."""
     try:
         begin, end, host, rest = text.split(" ", 3)
         line, _, said = rest.rpartition(" = ")
@@ -82,9 +82,9 @@ def read_entry(text: str, number: int) -> Entry:
 
 
 def model_of(file: BinaryIO) -> str:
-    """Return the model of a log, "" if it does not say.
+    """Return the model of a log, "" if the log does not state it.
 
-    Raise BadLog for a file that is no log.
+    Raises BadLog for a file that is not a log.
     """
     file.seek(0)
     head = file.readline(200).decode("latin-1").rstrip("\r\n")
@@ -96,12 +96,10 @@ def model_of(file: BinaryIO) -> str:
 
 
 def read(file: BinaryIO) -> Iterator[Entry]:
-    """Read the calls in the order of their begins.
+    """Read the calls in the order of their start times.
 
-    Raise BadLog at the first line that is none.
-
-
-    Two passes keep the memory small: the first one finds the lines that end after a call which began later.
+    Raises BadLog at the first line that is not a call. Two passes save memory: the first one finds the lines that
+    come after a call which began later.
     """
     late_begins, late_places, late_numbers = _late(file)
     order = sorted(range(len(late_begins)), key=late_begins.__getitem__)
@@ -129,7 +127,7 @@ def read(file: BinaryIO) -> Iterator[Entry]:
 
 
 def _late(file: BinaryIO) -> tuple[array[float], array[int], array[int]]:
-    """Return begin, offset and number of the lines that are out of order."""
+    """Return start time, offset and number of the lines that are out of order."""
     begins, places, numbers = array("d"), array("q"), array("q")
     model_of(file)
     file.seek(0)

@@ -6,8 +6,8 @@ r"""The lines of MCAPI's port: a call is one line, and its answer is one line.
     0 3125.0
 
 A call is the name of the function, the handle, and the arguments in the order of C, separated by blanks. An
-answer is what the function returns, then its results. A function without a result answers with the error
-code. If a call fails there are no results. The page docs/mcapi-protocol.md has all of it.
+answer is the value that the function returns, then its results. A function without a result answers with the
+error code. A failed call has no results. The full protocol is in docs/mcapi-protocol.md.
 """
 
 from __future__ import annotations
@@ -38,12 +38,12 @@ _NAMES = {"=": "\\x3d", "\n": "\\n", "\r": "\\r", "\t": "\\t", '"': '\\"', "\\":
 
 
 def encode(values: Iterable[Value | None]) -> str:
-    """Return values as words of a line."""
+    """Return values as the words of a line."""
     return " ".join(map(_word, values))
 
 
 def decode(text: str) -> list[Value | None]:
-    """Return the values of the words of a line; raise BadCall for a word that is none."""
+    """Return the values of the words of a line; raise BadCall for an invalid word."""
     if '"' not in text:
         return [_value(word) for word in text.split()]
     found: list[Value | None] = []

@@ -1,4 +1,4 @@
-"""The functions of `calls/`, by the MCAPI function that each carries out."""
+"""The registry of implementations in `calls/`, by MCAPI function name."""
 
 from __future__ import annotations
 

@@ -1,11 +1,11 @@
 """Replay a log on a virtual board, and compare its answers.
 
-Problem. A log was recorded on a real board, or on a virtual one in real time. A position that was read in
-motion depends on the moment, which is known only to lie between begin and end of the call.
+Problem. A log was recorded on a real board, or on a virtual one in real time. A position read in motion depends
+on the moment of reading, which is known only to lie between begin and end of the call.
 
 Idea. Every call is made at its start, in virtual time. Result codes, states and settings must be equal. A
-quantity that was read in motion must lie within the values that it has here from begin - skew to end + skew.
-At rest it must be equal within the tolerance. A call that blocks may take longer or shorter by skew.
+quantity that was read in motion must lie within the range that it covers in the replay from begin - skew to
+end + skew. At rest it must be equal within the tolerance. A blocking call may take longer or shorter by skew.
 
 Data. The track of an axis has its past positions, so a quantity that differs is checked again when machine
 time has passed end + skew. A status word is masked by the bits of motion if the axis moves in that time.
@@ -75,7 +75,7 @@ REST = 1e-3
 
 @record
 class Difference:
-    """A call whose answer differs: the kind is code, state, setting, position or time."""
+    """A call whose answer differs, in a code, state, setting, position or time."""
 
     entry: Entry
     kind: str
@@ -84,7 +84,7 @@ class Difference:
 
 @record
 class _Check:
-    """A difference that counts only if the track up to `due` does not explain it."""
+    """A difference that is reported only if the track up to `due` does not explain it."""
 
     due: float
     entry: Entry
@@ -94,7 +94,10 @@ class _Check:
 
 
 class Replay:
-    """Carries out the calls of a log; `first` and `counts` have the differences."""
+    """Carries out the calls of a log and collects the differences.
+
+    `first` is the first difference in the log, `counts` their number by kind.
+    """
 
     def __init__(self, board: VirtualBoard, skew: float = SKEW, tolerance: float = 0.0) -> None:
         self._board, self._skew, self._tolerance = board, skew, tolerance
@@ -120,7 +123,7 @@ class Replay:
             )
 
     def _reach(self, time: float) -> None:
-        """Let machine time pass, with the checks that are due."""
+        """Advance machine time and make the checks that become due."""
         console = self._board.console
         while self._checks and self._checks[0].due <= time:
             check = self._checks.popleft()
@@ -251,10 +254,7 @@ class Replay:
         return min(values) - margin <= counts <= max(values) + margin
 
     def _track(self, quantity: str, axis: int, begin: float, end: float) -> list[float]:
-        """Return what an axis did in a time that is over.
-
-        Its positions, or its velocities.
-        """
+        """Return the positions or velocities of an axis in a past time span."""
         controller = self._board.console.board.controller
         a = controller.axes[axis]
         begin = max(begin, 0.0)
@@ -279,7 +279,7 @@ def _shown(entry: Entry) -> str:
 
 
 def _difference(entry: Entry, call: Call) -> str:
-    """Return the first value that differs, by its name."""
+    """Return the first value that differs, with its name."""
     names: list[str] = []
     for each in call.function.outputs:
         if each.kind in STRUCTURES:
@@ -305,8 +305,7 @@ def replay_file(
 ) -> Replay:
     """Replay the log of a file.
 
-    The model is that of the log unless the settings have one.
-
+    The model is that of the log unless the settings name one.
 
     Raises BadLog, OSError, and Rejected for a machine that cannot be made.
     """
@@ -320,5 +319,5 @@ def replay_file(
 
 
 def call_of(entry: Entry) -> str:
-    """Return the call of an entry as it is written."""
+    """Return the call of an entry as it appears in the log."""
     return request(entry.name, entry.handle, entry.arguments)

@@ -1,18 +1,15 @@
-"""Hosts of a board.
-
-Their handles, and the way of a call from its arguments to the interface.
-
+"""Hosts of a board: their handles, and how a call reaches the interface.
 
 Problem    A host process has any number of threads, each with a connection, and its handles are valid in all
            of them. A handle of another host is not. A wrong argument must not reach the board.
 Idea       A `Session` is one host process. It checks a call against the table in this order: handle, NULL,
-           finite numbers, axis. Then the function runs that `calls/` has for it, in one of four ways:
+           finite numbers, axis. Then it runs the function that `calls/` has for the call, of one of four kinds:
              commands   a list of MCCL commands, carried out by the interface, or added to an open block
              reading    a function that the interface calls at the machine time of the call
-             at once    what concerns only the handle or the block
+             at once    an action that concerns only the handle or the block
              poll       a condition, which occupies no interface
-Data       `McapiBoard` has what the sessions of a board share: two interfaces and the set of handles.
-Invariants No value of the board is stored here: every reading asks the board.
+Data       `McapiBoard` has the objects that the sessions of a board share: two interfaces and the handles.
+Invariants No value of the board is stored here: every call reads it from the board.
 """
 
 from __future__ import annotations
@@ -64,7 +61,7 @@ NO_AXIS = frozenset({"pmccmdex", "pmccmdrpyex"})
 
 
 class BadCall(ValueError):
-    """A call that does not fit the table: its sender does not speak the protocol."""
+    """A call that does not match the table: its sender does not speak the protocol."""
 
 
 class Handle:
@@ -91,8 +88,8 @@ class Handle:
 class McapiBoard:
     """A board for hosts that speak MCAPI.
 
-    `complain` is called once with the reason for each function that is not supported. `record` is called with
-    every call that is done.
+    `complain` is called once for each unsupported function, with the reason. `record` is called with every
+    completed call.
     """
 
     def __init__(
@@ -129,7 +126,7 @@ class McapiBoard:
         return found
 
     def interface(self, is_ascii: bool) -> Interface:
-        """Return one of the two interfaces, which begins with its first handle."""
+        """Return one of the two interfaces, creating it for its first handle."""
         found = self._interfaces.get(is_ascii)
         if found is None:
             port = None
@@ -142,7 +139,7 @@ class McapiBoard:
         return found
 
     def unsupported(self, name: str, reason: str) -> None:
-        """Report a function that is not supported, once."""
+        """Report an unsupported function, once."""
         if name not in self._complained:
             self._complained.add(name)
             self._complain(f"{name} is not supported: {reason}")
@@ -164,7 +161,7 @@ class Session:
     def leave(self) -> None:
         """Close a connection.
 
-        With the last one the host is gone, and its block and calls with it.
+        Closing the last one removes the host, with its block and calls.
         """
         self.connections -= 1
         if self.connections > 0:
@@ -181,7 +178,7 @@ class Session:
         self.desk.forget(self)
 
     def give_up(self, call: Call) -> None:
-        """End a call that nothing else will end."""
+        """End a call that can no longer complete."""
         poll = self._pending.get(call)
         if poll is not None:
             poll.done = True
@@ -207,7 +204,7 @@ class Session:
         handle.mode, handle.interface = mode, self.desk.interface(kind == mc.MC_OPEN_ASCII)
 
     def close(self, handle: Handle) -> None:
-        """Close a handle; its block is discarded, and what it has reserved is free."""
+        """Close a handle, discard its block, and release its reservation."""
         self._release(handle)
         del self.handles[handle.number]
         self.desk.handles.remove(handle)
@@ -220,7 +217,7 @@ class Session:
             interface.owner = None
 
     def _checked_mode(self, mode: int, own_handle: Handle | None) -> int:
-        """Return the kind of interface that a mode asks for."""
+        """Return the kind of interface that a mode requests."""
         kind = mode & (mc.MC_OPEN_ASCII | mc.MC_OPEN_BINARY)
         if kind not in (mc.MC_OPEN_ASCII, mc.MC_OPEN_BINARY) or mode & ~(
             kind | mc.MC_OPEN_EXCLUSIVE | mc.MC_THREAD
@@ -240,9 +237,9 @@ class Session:
         arguments: Sequence[Value | None],
         finished: Callable[[Call], None] | None = None,
     ) -> Call:
-        """Begin a call with the flat inputs of the table; it may be done at once.
+        """Begin a call with the flattened inputs of the table; it may complete at once.
 
-        `number` is the handle. Raises BadCall if the table has no such function, or not with these arguments.
+        `number` is the handle. Raises BadCall if the table has no function with this name and these arguments.
         """
         function = FUNCTIONS.get(name)
         if function is None:
@@ -336,9 +333,9 @@ class Session:
         self.desk.console.start(poll)
 
     def _read(self, call: Call, given: Given) -> None:
-        """Read at once if the interface is idle, which takes no machine time.
+        """Read at once if the interface is idle, else after its queued calls.
 
-        Or behind its calls.
+        Reading at once takes no machine time.
         """
         reading = READINGS[call.function.name]
         handle = call.handle
@@ -394,9 +391,9 @@ class Session:
 
 
 class Given:
-    """The inputs of a call: flat, and by the name of the argument.
+    """The inputs of a call: flattened, and by argument name.
 
-    `null` is true if one is a NULL pointer.
+    `null` is True if one of them is a NULL pointer.
     """
 
     __slots__ = ("by_name", "flat", "null")
@@ -446,9 +443,9 @@ class Given:
 
 
 def _converted(each: Argument, value: Value | None) -> Value:
-    """Return a value of the type of its argument, wrapped as C does.
+    """Return a value converted to its argument's type, wrapped as in C.
 
-    Raise BadCall if it is none.
+    Raises BadCall if it cannot be converted.
     """
     if each.kind in BITS:
         if not isinstance(value, int):
@@ -467,14 +464,14 @@ def _converted(each: Argument, value: Value | None) -> Value:
 
 
 def wrapped(value: int, bits: int) -> int:
-    """Return an integer as a type of so many bits has it; negative ones are signed."""
+    """Wrap an integer to `-bits` (signed) or `bits` (unsigned) bits."""
     size = abs(bits)
     value &= (1 << size) - 1
     return value - (1 << size) if bits < 0 and value >> (size - 1) else value
 
 
 def single(value: float) -> float:
-    """Return a number as a 32-bit float has it; infinite if it is too large."""
+    """Round a number to a 32-bit float; infinite if it is too large."""
     try:
         found: float = unpack("<f", pack("<f", value))[0]
     except OverflowError:
@@ -500,7 +497,7 @@ def commands_for(interface: Interface, function: Function, given: dict[str, Any]
 
 
 def _by_column(mccl: str, given: dict[str, Any]) -> Command:
-    """Return the one command of a function, by its column in the table."""
+    """Return the one command of a function, from its column in the table."""
     head, _, parameter = mccl.rstrip("}").partition("{")
     axis: int = given["axis"] if head[0] == "a" else 0
     value: float | None = given[parameter] if parameter else None

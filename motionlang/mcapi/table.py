@@ -1,12 +1,9 @@
-"""The functions and structures of MCAPI 4.4.1.
+"""The functions and structures of MCAPI 4.4.1, with arguments, MCCL and remarks.
 
-Names, arguments, MCCL, and what each does on a virtual board.
-
-
-C stubs, Python class and the page of functions are generated from this table (`generate.py`). The dispatcher
-checks the arguments of a call by it. The meaning of a call is in `calls/`, unless the column of MCCL is all
-there is to say, such as `aMA{position}`: `a` is the axis, and the braces hold the argument that is the
-parameter.
+C stubs, the Python class and the page of functions are generated from this table (`tests/mcapi_files.py`). The
+dispatcher checks the arguments of a call against it. The implementation of a call is in `calls/`, unless the
+column of MCCL is sufficient, such as `aMA{position}`: `a` is the axis, and the braces name the argument that is
+the parameter.
 
 Kinds of arguments, after the letters of C: h handle, s short, i int, l long, W unsigned short, D DWORD, u
 unsigned int, d double, str text, w window, file the path of a file of the host, whose text is transported.
@@ -14,7 +11,7 @@ unsigned int, d double, str text, w window, file the path of a file of the host,
 is the argument `type`. `memory` is never transported. A structure has its name as its kind. A pointer with
 `?` may be NULL.
 
-Results of a function: "" none, a kind followed by `=` a value, a kind alone the error code.
+Results of a function: "" for none, a kind followed by `=` for a value, a kind alone for the error code.
 """
 
 from __future__ import annotations
@@ -33,7 +30,7 @@ BITS = {"h": -16, "s": -16, "i": -32, "l": -32, "W": 16, "D": 32, "u": 32, "w": 
 
 @record
 class Field:
-    """A field of a structure: "i", "s", "d" or "D", and how many there are of it."""
+    """A field of a structure: "i", "s", "d" or "D", and its number of elements."""
 
     kind: str
     name: str
@@ -42,7 +39,7 @@ class Field:
 
 @record
 class Structure:
-    """A structure with its fields; `older` has how many fields earlier versions had."""
+    """A structure and its fields; `older` has the field counts of earlier versions."""
 
     name: str
     fields: tuple[Field, ...]
@@ -50,7 +47,7 @@ class Structure:
 
     @property
     def has_size(self) -> bool:
-        """True if the first field is `cbSize`, which no result depends on."""
+        """True if the first field is `cbSize`, which has no influence on results."""
         return self.fields[0].name == "cbSize"
 
     @property
@@ -68,7 +65,7 @@ class Structure:
 class Argument:
     """An argument of a function.
 
-    `size` and `type` name the arguments that they come from.
+    `size` and `type` name the arguments that hold its length and its type.
     """
 
     kind: str
@@ -111,7 +108,7 @@ class Function:
 
     @property
     def handle_index(self) -> int:
-        """The position of the handle among the arguments of C."""
+        """The index of the handle in the C argument list."""
         return 1 if self.name in _WINDOW_FIRST else 0
 
     @property

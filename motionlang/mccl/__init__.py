@@ -1,6 +1,6 @@
 """MCCL, PMC's Motion Control Command Language.
 
-`DIALECT` is its only interface; all else is imported on first use.
+`DIALECT` is its only interface; everything else is imported on first use.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Mccl(Dialect):
-    """The dialect as an implementation of the interface for the layers above."""
+    """MCCL as an implementation of the dialect interface."""
 
     name, title = "mccl", "MCCL"
     # PMC's own tools have one suffix per controller.
@@ -39,7 +39,7 @@ class Mccl(Dialect):
     def compile(
         self, source: Source, settings: dict[str, object] | None = None, ranges: Ranges | None = None
     ) -> Program:
-        """Compile a file without errors.
+        """Compile a file; this never fails.
 
         A command that the board would answer with `?` runs and gets that answer.
         """
@@ -59,9 +59,9 @@ class Mccl(Dialect):
         overrides: Mapping[str, float | str],
         ranges: Ranges | None = None,
     ) -> Listing:
-        """Return the listing; raise ProgramError for invalid commands.
+        """Return the listing; raise ProgramError if there are invalid commands.
 
-        They are errors here, as in `check`, although a run continues after them.
+        Invalid commands are errors here, as in `check`, although a run continues after them.
         """
         from motionlang.errors import ProgramError
         from motionlang.mccl.resolve.listing import listing
@@ -74,7 +74,7 @@ class Mccl(Dialect):
     def parse(self, source: Source) -> Module:
         """Return the lines of a text and their commands.
 
-        Raise ProgramError with all its syntax errors.
+        Raises ProgramError with all syntax errors.
         """
         from motionlang.errors import ProgramError
         from motionlang.mccl.syntax.tree import NotACommand, parse

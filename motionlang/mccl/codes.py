@@ -1,4 +1,4 @@
-"""The `?` codes of the controller, and the error that makes it answer with one."""
+"""The `?` codes of the controller, and the exception that leads to such a reply."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ ASSIGNED_TWICE = -17
 
 
 class Fault(Exception):
-    """The controller answers a command with `?code`.
+    """Raised so that the controller answers a command with `?code`.
 
     `kind` is one of `errors.CODES`. `candidates` are the commands that may have been meant.
     """

@@ -1,7 +1,7 @@
 """The boards: differences between models, as switches for the rest of the dialect.
 
-The facts are those of docs/contributing/assumptions.md. Unless a source says otherwise, an older board behaves like the
-MultiFlex.
+The facts are from docs/contributing/assumptions.md. Unless a source says otherwise, an older board behaves
+like the MultiFlex.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ class Model:
 
     `prompt`, `echo` and `line_end` define its dialogue. `rounds` is true if parameters are rounded to counts
     before a scale is set. `lacks` has the families of commands that are missing. `macros` is the highest
-    macro number, and `registers` their number. `words` is true if TS has its four status words, and
-    `at_target` if status bit 2 means that. `outputs` has the channels that are outputs at power-up.
-    `whole_gains` is true if gains are integers. `update` is the servo period, s. `stepper` has velocity,
-    acceleration and minimum velocity of a stepper at power-up.
+    macro number, and `registers` the number of registers. `words` is true if TS has its four status words,
+    and `at_target` if status bit 2 means "at target". `outputs` has the channels that are outputs at
+    power-up. `whole_gains` is true if gains are integers. `update` is the servo period, s. `stepper` has
+    velocity, acceleration and minimum velocity of a stepper at power-up.
     """
 
     name: str
@@ -51,7 +51,7 @@ class Model:
 
     @property
     def separate_decel(self) -> bool:
-        """True if deceleration is separate; without it the acceleration sets both."""
+        """True if deceleration has its own setting; if not, the acceleration sets both."""
         return "deceleration" not in self.lacks
 
 
@@ -84,7 +84,7 @@ def written_for(name: str) -> str:
 
 
 def missing(model: Model, row: Keyword) -> Fault:
-    """Return the answer of a board to a command that it does not have."""
+    """Return the fault with which a board answers a command that it does not have."""
     have = [each.name for each in _MODELS if row.family not in each.lacks]
     hint = f"{', '.join(have)} {'has' if len(have) == 1 else 'have'} it: controller.model in the machine file"
     return Fault(codes.INVALID, f"the {model.title} has no {row.name}", hint, "model")

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 class Mint(Dialect):
     """The Mint dialect.
 
-    Axes count from 0. Every method imports what it needs, so that a cached run loads no compiler.
+    Axes count from 0. Every method imports what it needs, so a run from the cache does not load the compiler.
     """
 
     name, title = "mint", "Mint"
@@ -62,7 +62,7 @@ class Mint(Dialect):
         values: Mapping[str, float | str],
         ranges: Ranges | None = None,
     ) -> Program:
-        """Compile once for many values of the program's own names."""
+        """Compile once, to run with many values of the program's own names."""
         from motionlang.mint.program import compile_given
 
         return compile_given(source, settings, values, ranges)
@@ -76,7 +76,7 @@ class Mint(Dialect):
     ) -> Listing:
         """Return the Python text of the program.
 
-        It is compiled again, because the cache has no text of compiled units.
+        It is compiled again, because the cache does not store this text.
         """
         from motionlang.mint.compile.listing import listing
         from motionlang.mint.program import compile_source
@@ -94,7 +94,7 @@ class Mint(Dialect):
         settings: Mapping[str, object] | None = None,
         known: dict[object, object] | None = None,
     ) -> list[Diagnostic]:
-        """Return all errors and warnings; `known` stores those of each function."""
+        """Return all errors and warnings; `known` caches the findings in each function."""
         from motionlang.mint.lint import check
 
         return check(source, settings, known)
@@ -179,7 +179,7 @@ class Mint(Dialect):
     def has_code(self, line: str) -> bool:
         """True if a line has code.
 
-        `REM x`, `rem` and `REMConfigure` are comments, as `' x` is. `remaining` and `REMOTEOUT` are names.
+        `REM x`, `rem` and `REMConfigure` are comments, like `' x`. `remaining` and `REMOTEOUT` are names.
         """
         code = line.strip()
         if code[:3].lower() != "rem":

@@ -1,7 +1,7 @@
-"""Mint at a prompt: every line is compiled separately, names persist.
+"""Mint at a prompt: every line is compiled separately, and names persist.
 
 All variables are globals of one namespace. The time is in cells, as in a program. Types, subs and tasks
-declared in one line are known in the next. A name that is declared again has its new meaning from then on.
+declared in one line are known in later lines. A new declaration of a name replaces the old one from then on.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class MintInteractive(Interactive):
-    """The names of one session on one machine."""
+    """The names of an interactive session on one machine."""
 
     def __init__(self, machine: Machine) -> None:
         self.machine = machine
@@ -40,7 +40,7 @@ class MintInteractive(Interactive):
         self.environment.variables = self._variables
 
     def forget(self) -> None:
-        """Forget all names, as before a program is run; the machine stays as it is."""
+        """Discard all names, as before a program is run; the machine does not change."""
         environment = self.environment
         self._scope = Scope(Function("main", "main", "main", [], None), None)
         self._namespace = {"E": environment, "P": environment.say, "T": environment.operations.now}
@@ -53,7 +53,7 @@ class MintInteractive(Interactive):
         return is_complete(text)
 
     def task(self, source: Source) -> Task:
-        """Compile a line that may use the names of earlier ones.
+        """Compile a line that may use the names of earlier lines.
 
         Raises ProgramError for a line with errors, which then declares nothing.
         """
@@ -62,9 +62,9 @@ class MintInteractive(Interactive):
         return self._task_of(module, of_program=False)
 
     def program(self, source: Source, strict: bool = False) -> Task:
-        """Compile a whole program: faults of the machine file may name its lines.
+        """Compile a whole program, whose lines may trigger faults of the machine file.
 
-        Raises ProgramError for errors, and if `strict` for values that `--set` gives to names it has not.
+        Raises ProgramError for errors; if `strict`, also if `--set` names an unknown name.
         """
         module = parse(source)
         (override if strict else override_if_there)(module, self.machine.overrides)
@@ -72,9 +72,9 @@ class MintInteractive(Interactive):
         return self._task_of(module, of_program=True)
 
     def _drop_ended(self) -> None:
-        """Drop the operations of lines that have ended.
+        """Discard the operations of lines that have ended.
 
-        Hosts may type lines for days.
+        This limits memory, because hosts may type lines for days.
         """
         for _, operations, file in [each for each in self._passing if each[0].done]:
             for name in operations:

@@ -1,8 +1,8 @@
-"""The controllers that run Mint, by name, and its two generations.
+"""The controllers that run Mint, by name, and the two generations of Mint.
 
 v4 has dots and labels, MintMT has brackets and tasks. The names are those of the host library. The generation
-of each is from memory (docs/contributing/assumptions.md). Further facts about products come from MN1270, which covers
-v4, and AN00198, which covers the shared memory.
+of each controller is from memory (docs/contributing/assumptions.md). Further facts about products come from MN1270,
+which covers v4, and AN00198, which covers the shared memory.
 """
 
 from __future__ import annotations
@@ -45,9 +45,9 @@ LARGEST: dict[str, tuple[float, tuple[str, ...]]] = {"gearing": (20000.0, _PROGR
 
 
 def named(model: str) -> str | None:
-    """Return the product that a name means, None if it means none.
+    """Return the product that a name refers to, None if there is none.
 
-    Case, blanks and signs do not count.
+    Case, blanks and punctuation are ignored.
     """
     wanted = _plain(model)
     for product in PRODUCTS:
@@ -57,13 +57,13 @@ def named(model: str) -> str | None:
 
 
 def age(model: str) -> str | None:
-    """Return `V4` or `MINTMT` for the name of a controller, None if it is unknown."""
+    """Return `V4` or `MINTMT` for the name of a controller, None for an unknown one."""
     product = named(model)
     return _AGES.get(_plain(model)) if product is None else PRODUCTS[product]
 
 
 def _spellings(plain: str) -> Iterator[str]:
-    """Yield a product's name, and its rest without the family if that is unambiguous."""
+    """Yield a product's name, and the name without its family if that is unambiguous."""
     yield plain
     for family in _FAMILIES:
         rest = plain.removeprefix(family)

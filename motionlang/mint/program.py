@@ -29,10 +29,10 @@ LARGEST = 1e300
 
 
 class MintProgram(Program):
-    """A program with its source: `--set` changes constants, which are in the code.
+    """A program with its source; `--set` changes constants, which are in the code.
 
-    The values of `given` are bound when the program starts instead. It maps each name to True if its value is
-    a string.
+    The values of names in `given` are bound when the program starts instead. It maps each name to True if its value
+    is a string.
     """
 
     def __init__(
@@ -56,7 +56,7 @@ class MintProgram(Program):
 
     @property
     def size(self) -> int:
-        """The amount of compiled code, which grows as the program runs."""
+        """The number of compiled units, which grows while the program runs."""
         return self.code.size
 
     @property
@@ -83,7 +83,7 @@ class MintProgram(Program):
 
     @property
     def outline(self) -> Outline | None:
-        """Return its blocks, and the lines of the source offsets in its code."""
+        """Return the program's blocks, and the line of each source offset in its code."""
         if not self._outline:
             return None
         from marshal import loads
@@ -98,7 +98,7 @@ class MintProgram(Program):
     def start(self, machine: Machine) -> Task:
         """Return the parent task, bound to `machine`.
 
-        Raises ProgramError if an override names nothing.
+        Raises ProgramError if an override names no name of the program.
         """
         overrides = machine.overrides
         if self.given:
@@ -122,7 +122,7 @@ class MintProgram(Program):
         return self.run(machine)
 
     def _with(self, values: Mapping[str, float | str], ranges: Ranges | None) -> MintProgram:
-        """Return the program with values written into it; the last few are cached."""
+        """Return the program compiled with these values; the last few are cached."""
         key = tuple(sorted(values.items()))
         found = self._others.get(key)
         if found is None:
@@ -141,7 +141,7 @@ class MintProgram(Program):
     def _line_of(self, place: int) -> int:
         """Return the line of a source offset.
 
-        The text is parsed again only for an offset that is not in the code.
+        The text is parsed again only for an offset that the code does not contain.
         """
         outline = self.outline
         line = outline[1].get(place) if outline is not None else None
@@ -152,9 +152,9 @@ class MintProgram(Program):
         return parse(self._source).line(place)
 
     def run(self, machine: Machine, values: Mapping[str, float | str] | None = None) -> Task:
-        """Return the parent task of the unchanged program.
+        """Return the parent task of the program as compiled.
 
-        `values` are those of its given names.
+        `values` are the values of its given names.
         """
         environment = Environment(machine)
         environment.prepare()
@@ -192,9 +192,9 @@ def compile_source(
     ranges: Ranges | None = None,
     debug: bool = False,
 ) -> MintProgram:
-    """Compile the program of a text, with `overrides` in place of its own values.
+    """Compile a program, with `overrides` in place of its own values.
 
-    With `debug` it counts its statements. Raises ProgramError with all errors.
+    With `debug` the program counts its statements. Raises ProgramError with all errors.
     """
     from motionlang.mint.compile.compiler import compile_text
 
@@ -209,7 +209,7 @@ def compile_given(
     values: Mapping[str, float | str],
     ranges: Ranges | None = None,
 ) -> MintProgram:
-    """Compile a text to be run with many values of some names, such as `values`.
+    """Compile a text that will run with many values of some names, such as `values`.
 
     Names whose value affects the code, such as the size of an array, are not part of `given`: the text is
     compiled again for each of their values. Raises ProgramError with all errors of the text with `values`.
@@ -235,7 +235,7 @@ def compile_given(
 
 
 def load(payload: bytes) -> MintProgram:
-    """Return the program from which `MintProgram.payload` was made."""
+    """Recreate the program from the result of `MintProgram.payload`."""
     from marshal import loads
 
     code, name, text, settings, warnings, outline, stops = loads(payload)

@@ -1,1 +1,1 @@
-"""Figures that the vendors' notes print, one file per note; no run imports them."""
+"""Figures printed in the vendors' notes, one file per note; no run imports them."""

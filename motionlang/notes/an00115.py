@@ -1,9 +1,9 @@
 """ABB's note AN00115: formulas of a trapezoidal move, and its drawings.
 
-Each figure has its formula, and each drawing its shapes. The note's letters: D the distance, T the time of
-the move, Ta, Ts and Td its parts, Sp the slew speed. The distance is the area under the speed. If Ta = Td,
-the triangle of the deceleration, cut off and turned upside down, fits above the triangle of the acceleration:
-the area is then that of the rectangle Sp · (Ta + Ts).
+`FORMULAS` has a formula for each figure; a function returns the points of each shape in the drawings. The note's
+letters: D is the distance, T the time of the move, Ta, Ts and Td its parts, Sp the slew speed. The distance is the
+area under the speed. If Ta = Td, the triangle of the deceleration, cut off and turned upside down, fits above the
+triangle of the acceleration. The area is then that of the rectangle Sp · (Ta + Ts).
 """
 
 from __future__ import annotations
@@ -65,9 +65,9 @@ _RULED = {
 
 
 def formulas(move: Move, given: Collection[str], rule: str | None) -> dict[str, str]:
-    """Return the formula by which each figure follows from those that are given.
+    """Return the formula for each figure in terms of the given ones.
 
-    A figure has none if it needs the solution of an equation. The distance of `move` is positive.
+    A figure that requires solving an equation has no formula. The distance of `move` is positive.
     """
     known, found = set(given), dict[str, str]()
     by_rule = {name: text for name, text in RULES.get(rule or "", {}).items() if name not in known}
@@ -103,7 +103,7 @@ def _following(move: Move, known: set[str]) -> Iterator[tuple[str, str]]:
 
 
 def trapezoid(move: Move) -> list[Point]:
-    """Return the corners of the speed over time."""
+    """Return the corners of the trapezoid of speed over time."""
     speed, up, slew = move["speed"], move["accel_time"], move["slew_time"]
     return [(0.0, 0.0), (up, speed), (up + slew, speed), (move["time"], 0.0)]
 
@@ -115,11 +115,11 @@ def cut_triangle(move: Move) -> list[Point]:
 
 
 def moved_triangle(move: Move) -> list[Point]:
-    """Return that triangle turned upside down, above the triangle of the acceleration."""
+    """Return the deceleration triangle turned upside down, above the acceleration."""
     return [(0.0, 0.0), (0.0, move["speed"]), (move["accel_time"], move["speed"])]
 
 
 def rectangle(move: Move) -> list[Point]:
-    """Return the rectangle that has the area of the trapezoid if Ta = Td."""
+    """Return the rectangle with the area of the trapezoid, for Ta = Td."""
     end, speed = move["accel_time"] + move["slew_time"], move["speed"]
     return [(0.0, 0.0), (0.0, speed), (end, speed), (end, 0.0)]

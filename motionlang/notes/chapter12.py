@@ -1,7 +1,7 @@
 """The C listing at the end of chapter 12, as one interrupt routine.
 
-It combines the trajectory, PID and direct DAC override. The scan's text is damaged. This is the program that
-its comments describe, with the physics corrected where a test was lost (`NOTES`). All values are integers:
+It combines the trajectory, PID and direct DAC override. The text of the scan is damaged. This is the program that
+its comments describe, with corrected physics where a condition was lost (`NOTES`). All values are integers:
 counts, counts per update, DAC steps.
 """
 
@@ -27,7 +27,7 @@ NOTES = (
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """The constants of the listing, under the names in its comments.
+    """The constants of the listing, named after its comments.
 
     `hold` is RegCnt, `max_steps` MxDAC_Stps (0 for no override), `speed` MxVel and `derivative_every`
     Differ_Smple_Tme. `accel` is the change of velocity every `hold` updates.
@@ -88,7 +88,7 @@ class Listing:
     # -- the trajectory
 
     def _begins_to_stop(self) -> bool:
-        """Set the deceleration flag when it is due; return True only at that moment."""
+        """Set the deceleration flag at its time; return True only for that update."""
         if self.decelerating:
             return False
         s, ahead = self.settings, self.position + self.velocity
@@ -148,7 +148,7 @@ class ListingRun:
 
     @property
     def peak_onset(self) -> float:
-        """The largest acceleration at the moment of a DAC change."""
+        """The largest acceleration just after a DAC change."""
         return max(map(abs, self.onset), default=0.0)
 
     @property
@@ -163,7 +163,7 @@ def run_listing(
 ) -> ListingRun:
     """Run the listing on chapter 12's drive.
 
-    The velocity follows that of the DAC with a first-order lag. `full_speed` is in counts per update at full
+    The motor's velocity follows the DAC's with a first-order lag. `full_speed` is in counts per update at full
     scale, `time_constant` in updates, `period` in seconds per update.
     """
     from math import exp

@@ -1,4 +1,4 @@
-"""Chapter 12's argument in a run: one move with and without a direct DAC override.
+"""Chapter 12's argument as a simulation: a move with and without a DAC override.
 
 The gain is the same in all runs.
 """
@@ -34,7 +34,7 @@ class OverrideRun:
     """One variant of the move.
 
     Accelerations are in the unit of the limit. `onset` is the largest acceleration just after a DAC change,
-    `mean` the largest over a whole update, `error` the largest following error. `slid` is the distance that
+    `mean` the largest mean over an update, `error` the largest following error. `slid` is the distance that
     the load slipped, in the same unit of length.
     """
 
@@ -55,9 +55,9 @@ def demonstrate(
 ) -> list[OverrideRun]:
     """Run a trapezoid at `share` of the `limit` to nearly `speed` in four variants.
 
-    `speed`, in units per second, is the full scale of the DAC. The variants are 12 and 16 bits, each free and
-    with the override. With 12 bits the override holds one step for the five time constants of the chapter.
-    With 16 bits it allows, every update, as many steps as the motor's time constant does.
+    `speed`, in units per second, is the full scale of the DAC. The variants are 12 and 16 bits, each without and
+    with the override. With 12 bits the override holds each step for five time constants, as in the chapter. With
+    16 bits it allows as many steps per update as fit into the motor's time constant.
     """
     if not share < 1.0:
         raise ValueError(f"the demanded fraction of the limit must be below 1, not {share:g}")

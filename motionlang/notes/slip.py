@@ -1,8 +1,8 @@
-"""Check whether a load slips that only friction holds.
+"""Check whether a load that is held only by friction slips.
 
-Such a load follows no acceleration beyond mu g (chapter 12). A profile is checked exactly, piece by piece. A
-servo trace is checked sample by sample and the slip is simulated: the load's own velocity follows the motor's
-no faster than the friction allows.
+Such a load cannot follow an acceleration beyond mu g (chapter 12). A profile is checked exactly, piece by piece. A
+servo trace is checked sample by sample and the slip is simulated: the load's velocity follows the motor's no faster
+than the friction allows.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 class Slip:
     """The accelerations `limit` and `peak`, and the `spans` (s) of slip.
 
-    `distance` is the distance of the slip, if it was simulated.
+    `distance` is the distance that the load slipped, if it was simulated.
     """
 
     limit: float
@@ -76,7 +76,7 @@ def check_track(track: Demanded, friction: float, gravity: float, scale: float =
 
 
 def check_trace(trace: ServoTrace, friction: float, gravity: float, scale: float = 1.0) -> Slip:
-    """Check the motion of a simulated motor, and simulate the slip of the load on it."""
+    """Check the motion of a simulated motor, and simulate the slip of its load."""
     limit = slip_acceleration(friction, gravity)
     check_positive(scale=scale)
     most, period = limit * scale * (1.0 + _EPSILON), trace.loop.period
@@ -130,7 +130,7 @@ def _merged(limit: float, scale: float, parts: Iterable[tuple[float, Profile, fl
 def _sampled(profile: Profile, last: float, most: float) -> tuple[list[tuple[float, float]], float, float]:
     """Return the spans beyond `most`, the peak and its time.
 
-    This is for a profile without pieces. The acceleration is sampled in brackets between the knots.
+    This is for profiles without pieces: the acceleration is sampled between the knots.
     """
     edges = [knot for knot in profile.knots if knot < last] + [last]
     times = [a + (b - a) * k / _BRACKETS for a, b in pairwise(edges) for k in range(_BRACKETS)] + [last]
@@ -169,7 +169,7 @@ def _turns(piece: Piece, span: float) -> list[float]:
 
 
 def _beyond(piece: Piece, span: float, most: float) -> list[tuple[float, float]]:
-    """Return the local spans in which the piece's acceleration exceeds `most` in size."""
+    """Return the local spans in which a piece's acceleration exceeds `most` in size."""
     marks = [0.0, *sorted(x for x in _levels(piece, most) if 0.0 < x < span), span]
     found = []
     for a, b in pairwise(marks):

@@ -1,7 +1,7 @@
 """PMC's technical note TN1069: its comparison of four profiles, for any move.
 
-The figures are exact and as printed. Where the print and the physics disagree, the exact figure is right;
-`ERRATA` explains the error.
+Figures are given exactly and as printed. Where they disagree, the exact figure is right; `ERRATA` explains the
+error in print.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ ERRATA = (
 class Demand:
     """A move for the comparison, in counts and seconds.
 
-    `ramp` is n of the trapezoidal S-curve.
+    `ramp` is the parameter n of the trapezoidal S-curve.
     """
 
     __slots__ = ("acceleration", "deceleration", "distance", "ramp", "velocity")
@@ -94,7 +94,7 @@ class Demand:
 
     @property
     def columns(self) -> tuple[str, str, str, str]:
-        """The names of the profiles; that of the trapezoidal S-curve includes its ramp."""
+        """The names of the profiles; the trapezoidal S-curve's includes its ramp."""
         return (*COLUMNS[:2], f"trapezoidal {self.ramp:g}", COLUMNS[3])
 
 
@@ -130,10 +130,10 @@ def profiles(demand: Demand = NOTE) -> tuple[Profile, Profile, Profile, Profile]
 
 
 def nominal(demand: Demand = NOTE) -> tuple[Row, ...]:
-    """T_A (cycles) and S_A (counts) of the ramp to full velocity.
+    """Return T_A (cycles) and S_A (counts) of the ramp to full velocity.
 
-    They hold even if the move is too short to reach that velocity, because each is taken from a move that is
-    long enough. T_D and S_D follow if they differ.
+    They are taken from a move that is long enough to reach this velocity, even if the demand is not. T_D and S_D follow
+    if they differ.
     """
     slowest = min(demand.acceleration, demand.deceleration)
     room = 8.0 * demand.velocity * demand.velocity / slowest
@@ -148,7 +148,7 @@ def nominal(demand: Demand = NOTE) -> tuple[Row, ...]:
 
 
 def comparison(demand: Demand = NOTE) -> tuple[Row, ...]:
-    """The note's table, exact next to printed, with two more rows.
+    """Return the note's table, exact next to printed figures, with two more rows.
 
     The added rows are the peak and the whole move.
     """

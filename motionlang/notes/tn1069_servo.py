@@ -30,9 +30,9 @@ REST = 0.5
 class Row:
     """One profile and its figures under servo control.
 
-    `settle` is the time in seconds from the end of the profile until the error stays within the window.
-    `jerk` is the largest jerk of the demand, counts/s³ (inf if the acceleration jumps), and `motor_jerk` that
-    of the motor.
+    `settle` is the time in seconds from the end of the profile until the error remains within the window.
+    `jerk` is the largest jerk of the demand, counts/s³ (inf if the acceleration jumps), and `motor_jerk` the largest
+    jerk of the motor.
     """
 
     shape: str
@@ -59,7 +59,7 @@ def compare(
 ) -> list[Row]:
     """Simulate the move in each shape, at equal peak acceleration or equal time.
 
-    The equal time is that of the trapezoid; the other shapes get the acceleration that they need for it.
+    The equal time is the time of the trapezoid; the other shapes get the acceleration that they need for it.
     `window` is in counts.
     """
     if basis not in BASES:

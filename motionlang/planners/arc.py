@@ -15,7 +15,7 @@ _RIGHT = {0.0: (1.0, 0.0), 90.0: (0.0, 1.0), 180.0: (-1.0, 0.0), 270.0: (0.0, -1
 
 
 def line_over(length: float, start: float, end: float) -> Profile:
-    """Return one axis of a straight line, or the rise of a helix.
+    """Return the motion of one axis along a straight line, or the rise of a helix.
 
     The position goes from `start` to `end` over `length`.
     """
@@ -29,8 +29,8 @@ def arc_over(
 ) -> Profile:
     """Return one axis of an arc: centre + radius cos(angle + sweep s / length).
 
-    It is the sine if `cosine` is false. Angles are in radians. Lengths along the path are in one unit,
-    centre, radius and `end` in that of the axis. The pieces are half waves.
+    If `cosine` is false, sin replaces cos. Angles are in radians. `length` is in the unit of the path; `centre`,
+    `radius` and `end` are in the unit of the axis. Each piece is at most a half wave.
     """
     phase = angle + (0.5 * pi if cosine else 0.0)
     if sweep < 0.0:  # sin(x) = sin(pi - x)
@@ -59,5 +59,5 @@ def rotated(x: float, y: float, degrees: float) -> tuple[float, float]:
 
 
 def direction(x: float, y: float) -> float:
-    """Return the angle of a vector, radians from -pi to pi."""
+    """Return the direction of a vector, radians from -pi to pi."""
     return atan2(y, x)

@@ -20,7 +20,7 @@ def rotary_scale(lines: float, per_turn: float, gear: float = 1.0, quadrature: i
 
 
 def linear_scale(resolution: float) -> float:
-    """The counts per unit of a linear encoder with this distance between counts.
+    """Return the counts per unit of a linear encoder with a count every `resolution`.
 
     Quadrature is not applied.
     """

@@ -1,6 +1,6 @@
 """The time at which a profile reaches a position or a velocity.
 
-Each piece is cut at its extrema, then solved.
+Each piece is cut at its extrema; the sections are then solved.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ if TYPE_CHECKING:
 
 
 def position_crossing(profile: Profile, position: float, after: float) -> float | None:
-    """Return the first time >= after at `position`.
+    """Return the first time >= `after` at which the profile is at `position`, or None.
 
-    Beyond its end the profile rests or runs on.
+    Beyond its end the profile rests or continues at its end velocity.
     """
     after = max(after, 0.0)
     found = _first(profile, position, after, (position_in, velocity_in, still_points), profile.end)
@@ -41,9 +41,9 @@ def position_crossing(profile: Profile, position: float, after: float) -> float 
 
 
 def velocity_crossing(profile: Profile, velocity: float, after: float) -> float | None:
-    """Return the first time >= after at `velocity`.
+    """Return the first time >= `after` at which the velocity is `velocity`, or None.
 
-    A jump of velocity (PVT, linear) crosses nothing.
+    A jump of the velocity (PVT, linear) does not count as crossing it.
     """
     after = max(after, 0.0)
     last = profile.end_velocity
@@ -84,9 +84,9 @@ def _first(
 
 
 def _stays_on_one_side(piece: Piece, wanted: float, duration: float, following: float) -> bool:
-    """True if a piece and what follows it are certainly on one side of a position.
+    """True if a piece is certainly on one side of a position, and `following` too.
 
-    It decides most pieces of a long table at a fraction of the cost of a search.
+    This check decides most pieces of a long table at a fraction of the cost of a search.
     """
     c0, c1, c2, c3, amplitude, _, _ = piece
     if amplitude or duration == inf:
@@ -98,7 +98,7 @@ def _stays_on_one_side(piece: Piece, wanted: float, duration: float, following: 
 
 
 def _joined(beginning: float, ending: float, following: float) -> float:
-    """Return the value at the end of a piece: the one the next piece begins with.
+    """Return the value at the end of a piece, equal to the start of the next piece.
 
     So no rounding gap hides a crossing. A gap too large for rounding is a jump, and `ending` is returned.
     """

@@ -1,4 +1,4 @@
-"""Cubic approximation of a formula for drawing, bisected until every piece fits."""
+"""Cubic approximation of a formula for drawing, refined until every piece fits."""
 
 from __future__ import annotations
 
@@ -22,7 +22,10 @@ MOMENT = 1e-100
 
 
 def cubics(profile: Profile) -> Curve:
-    """Knots, pieces and one mark; position and velocity are exact at every knot."""
+    """Return knots, pieces and one phase mark of a cubic approximation.
+
+    Position and velocity are exact at every knot.
+    """
     low, high = profile.extrema()
     size = max(abs(x) for x in (low, high, high - low, 1e-30) if abs(x) < inf)
     knots = [0.0]

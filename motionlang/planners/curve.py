@@ -49,7 +49,7 @@ class State:
 
 @record
 class Phase:
-    """A section of a profile with a common name.
+    """A named section of a profile.
 
     The names are accel, slew, decel, stop, hold and segment.
     """
@@ -67,8 +67,8 @@ class Phase:
 class Profile:
     """Position from `start` to `end` over `duration` seconds, in the caller's unit.
 
-    `shape` names the planner: trapezoid, sinusoidal, scurve, parabolic, pvt, jog or hold. Planners give a
-    recipe of velocity ramps (see `ramps`); the pieces are made from it on first use. `duration` is infinite
+    `shape` names the planner: trapezoid, sinusoidal, scurve, parabolic, pvt, jog or hold. Planners return a
+    recipe of velocity ramps (see `ramps`); its pieces are computed on first use. `duration` is infinite
     for a jog or a hold. A profile is immutable.
     """
 
@@ -98,7 +98,7 @@ class Profile:
 
     @property
     def end_velocity(self) -> float:
-        """Velocity at the end; 0 for a move that comes to rest."""
+        """Velocity at the end; 0 if the profile comes to rest."""
         return self._recipe[-1]
 
     @property
@@ -108,7 +108,7 @@ class Profile:
 
     @property
     def phases(self) -> tuple[Phase, ...]:
-        """The phases that occur, in order."""
+        """The phases of the profile, in order."""
         if len(self._recipe) > 2:
             return tuple(Phase(*ramp) for ramp in named_ramps(self._recipe))
         _, pieces, marks = self.curve
@@ -138,7 +138,7 @@ class Profile:
 
     @property
     def curve(self) -> Curve:
-        """Knots (one more than pieces), pieces, and phase marks, made on first use."""
+        """Knots (one more than pieces), pieces, and phase marks, computed on first use."""
         try:
             return self._curve
         except AttributeError:
@@ -164,7 +164,7 @@ class Profile:
     def at(self, time: float) -> State:
         """Return the state at `time`.
 
-        Before 0 it is at rest; after the end it is at rest or runs on at the end velocity.
+        Before time 0 the profile is at rest; after its end it rests or continues at its end velocity.
         """
         if time >= self.duration:
             return State(self._beyond(time), self.end_velocity, 0.0, 0.0)
@@ -173,19 +173,19 @@ class Profile:
         return self.state(time)
 
     def state(self, time: float) -> State:
-        """The state at a time from 0 up to the duration."""
+        """Return the state at a time from 0 up to the duration."""
         return state_in(*self._locate(time))
 
     def position(self, time: float) -> float:
-        """Position at `time`."""
+        """Return the position at `time`."""
         if time >= self.duration:
             return self._beyond(time)
         return position_in(*self._locate(time)) if time > 0.0 else self.start
 
     def positions(self, times: Iterable[float]) -> list[float]:
-        """Return `position` at each of the rising `times`.
+        """Return `position` at each of the `times`, which must rise.
 
-        The results are the same to the last bit, in a third of the time.
+        The results are equal to the last bit, in a third of the time.
         """
         if not self.pieced:
             return [self.position(time) for time in times]
@@ -207,15 +207,15 @@ class Profile:
         return found
 
     def velocity(self, time: float) -> float:
-        """Velocity at `time`."""
+        """Return the velocity at `time`."""
         if time >= self.duration:
             return self.end_velocity
         return velocity_in(*self._locate(time)) if time > 0.0 else self.start_velocity
 
     def cubic(self, time: float) -> tuple[float, float, tuple[float, float, float, float]] | None:
-        """The cubic at `time`: its start, its end, and its coefficients from the start.
+        """Return start and end of the cubic in force at `time`, and its coefficients.
 
-        None outside the profile, in a half wave of a sine, and for a `Formula`.
+        They count from its start. None outside the profile, in a half wave of a sine, and for a `Formula`.
         """
         if not self.pieced or not 0.0 <= time < self.duration:
             return None
@@ -228,7 +228,7 @@ class Profile:
     def acceleration(self, time: float) -> float:
         """Return the acceleration at `time`.
 
-        At a knot it is that of the piece that begins there; after the end it is 0.
+        At a knot it is the acceleration of the piece that begins there; after the end it is 0.
         """
         if time >= self.duration or time < 0.0:
             return 0.0
@@ -256,7 +256,7 @@ class Profile:
     # -- other profiles made from this one
 
     def cut(self, time: float) -> Profile:
-        """The first `time` seconds, exactly; a phase cut in the middle is shortened."""
+        """Return the first `time` seconds, exactly; the phase at the cut is shortened."""
         if time >= self.duration:
             return self
         if time <= 0.0:
@@ -271,7 +271,7 @@ class Profile:
         )
 
     def ending_at(self, end: float) -> Profile:
-        """Return the same motion with an end that is known exactly."""
+        """Return the same motion with `end`, known exactly, as its end."""
         if end == self.end or not self.pieced:
             return self
         return from_curve(self.shape, self.start, end, self.curve, self.start_velocity, self.end_velocity)
@@ -374,7 +374,7 @@ def state_in(piece: Piece, x: float) -> State:
 def from_curve(
     shape: str, start: float, end: float, curve: Curve, start_velocity: float, end_velocity: float
 ) -> Profile:
-    """A profile of ready-made pieces; its recipe holds the two end velocities only."""
+    """Return a profile of ready-made pieces; its recipe has only the end velocities."""
     made = Profile(shape, start, end, curve[0][-1], (start_velocity, end_velocity))
     made._curve = curve
     return made
@@ -404,7 +404,10 @@ def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:
 
 
 def far_end(position: float, velocity: float) -> float:
-    """Return the end of a profile that runs on for ever at `velocity`."""
+    """Return the end of a profile that continues endlessly at `velocity`.
+
+    It is infinite, or `position` at velocity 0.
+    """
     return copysign(inf, velocity) if velocity else position
 
 

@@ -1,4 +1,4 @@
-"""Direction of a profile: the first time from which it moves either way."""
+"""The first time from which a profile moves in a given direction."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ def sets_off(profile: Profile, sign: int, after: float) -> float | None:
 
 
 def _stretches(profile: Profile, after: float) -> Iterator[tuple[float, float]]:
-    """The beginning and the signed travel of each monotone section from `after` on.
+    """Yield the beginning and the signed travel of each monotone section from `after`.
 
-    The last one may have no end.
+    The last section may have no end.
     """
     yield from _spans(profile, after) if profile.pieced else profile.stretches(after)  # type: ignore[attr-defined]
     velocity = profile.end_velocity

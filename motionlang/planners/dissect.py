@@ -1,8 +1,8 @@
 """Formulas of "Dissecting a Move Profile" (chapter 12).
 
-They give move times, slip, DAC steps and the time these take. Any consistent units will do; the chapter's own
-figures are in feet, minutes and seconds. Where its scan and the physics disagree, the physics is here and
-`ERRATA` records it.
+They give move times, slip of the load, and the size and time of DAC steps. Any consistent units will do; the
+chapter's own figures are in feet, minutes and seconds. Where the scanned chapter contradicts physics, the formula
+follows physics and `ERRATA` records the difference.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ ERRATA = (
 
 @dataclass(frozen=True, slots=True)
 class MoveTimes:
-    """T_a, D_a, T_s and T_move of a move that reaches its speed."""
+    """T_a, D_a, T_s and T_move of a move that reaches its commanded speed."""
 
     accel_time: float
     accel_distance: float
@@ -60,15 +60,15 @@ def trapezoid_times(distance: float, speed: float, accel: float) -> MoveTimes:
 
 
 def s_curve_times(distance: float, speed: float, accel: float) -> MoveTimes:
-    """Return the times of an S-curve of two linear acceleration ramps (figure 12.9).
+    """Return the times of an S-curve whose ramps have triangular acceleration.
 
-    T_a = 2V/A, D_a = V²/A, T_s = D/V - 2V/A.
+    T_a = 2V/A, D_a = V²/A, T_s = D/V - 2V/A (figure 12.9).
     """
     return _times(distance, speed, 2.0 * speed / accel, speed * speed / accel)
 
 
 def equal_time_accel(accel: float) -> float:
-    """Return the peak acceleration of the S-curve as quick as a trapezoid: A_s = 2A."""
+    """Return the peak acceleration of an S-curve as fast as a trapezoid: A_s = 2A."""
     return 2.0 * accel
 
 
@@ -81,10 +81,10 @@ def _times(distance: float, speed: float, accel_time: float, accel_distance: flo
 
 
 def discrete_trapezoid(distance: int, speed: int, accel: int) -> list[tuple[int, int]]:
-    """Return the (velocity, position) after each update of the chapter's progression.
+    """Return the (velocity, position) after each update of the chapter's algorithm.
 
     Each update does velocity += accel; position += velocity (figure 12.7). Units are counts, counts per
-    update and counts per update². It decelerates from the update at which the remaining distance would no
+    update and counts per update². The move decelerates from the update at which the remaining distance would no
     longer suffice to stop, and covers the remainder at a constant creep.
     """
     check_positive(distance=distance, speed=speed, accel=accel)
@@ -103,7 +103,10 @@ def discrete_trapezoid(distance: int, speed: int, accel: int) -> list[tuple[int,
 
 
 def _stopping(velocity: int, accel: int) -> int:
-    """Counts covered by velocity - accel, velocity - 2 accel ... above zero."""
+    """Return the sum of the positive terms velocity - accel, velocity - 2 accel, …
+
+    It is the stopping distance in counts.
+    """
     steps = max(0, -(-velocity // accel) - 1)
     return steps * velocity - accel * steps * (steps + 1) // 2
 
@@ -112,7 +115,7 @@ def _stopping(velocity: int, accel: int) -> int:
 
 
 def slip_acceleration(friction: float, gravity: float) -> float:
-    """The acceleration from which a load held by friction alone slips: a = mu g.
+    """Return the acceleration at which a load held only by friction slips: a = mu g.
 
     It does not depend on the mass.
     """
@@ -121,13 +124,16 @@ def slip_acceleration(friction: float, gravity: float) -> float:
 
 
 def friction_force(weight: float, friction: float) -> float:
-    """The force that the friction can pass on to a load of `weight` (figure 12.4)."""
+    """Return the largest force that friction transmits to a load of `weight`.
+
+    See figure 12.4.
+    """
     check_positive(weight=weight, friction=friction)
     return weight * friction
 
 
 def fastest_time(speed: float, acceleration: float) -> float:
-    """The shortest time in which `speed` is reached without exceeding `acceleration`."""
+    """Return the shortest time to reach `speed` without exceeding `acceleration`."""
     check_positive(speed=speed, acceleration=acceleration)
     return speed / acceleration
 
@@ -137,7 +143,7 @@ def fastest_time(speed: float, acceleration: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class DacTiming:
-    """The velocity of one DAC step, and the times that follow from the limit."""
+    """The velocity of one DAC step, and times derived from the acceleration limit."""
 
     bits: int
     steps: int
@@ -148,10 +154,10 @@ class DacTiming:
 
 
 def dac_timing(full_speed: float, acceleration: float, bits: int = BITS) -> DacTiming:
-    """Return the timing of DAC steps of a range of `full_speed`.
+    """Return the timing of DAC steps if full scale means `full_speed`.
 
-    A step may be taken as fast as `acceleration` allows. The electrical time constant is 2/3 of the time of
-    one step, the hold time five time constants.
+    Steps may follow each other as fast as `acceleration` allows. The electrical time constant is 2/3 of the time of
+    one step, the hold time is five time constants.
     """
     check_positive(full_speed=full_speed, acceleration=acceleration)
     if not 2 <= bits <= 32:
@@ -167,7 +173,7 @@ def dac_timing(full_speed: float, acceleration: float, bits: int = BITS) -> DacT
 class StepSegment:
     """One update of figure 12.6.
 
-    Velocities are in DAC steps, accelerations a fraction of the limit.
+    Velocities are in DAC steps, accelerations are fractions of the limit.
     """
 
     steps: float
@@ -179,11 +185,11 @@ class StepSegment:
 
 
 def step_segments(changes: tuple[int, ...], time_constant: float) -> list[StepSegment]:
-    """The motor's response to DAC changes one update apart (figures 12.5, 12.6).
+    """Return the motor's response to DAC changes one update apart.
 
-    The update is the time in which one step may be taken; `time_constant` is in updates. The velocity
+    The update is the time per step that the acceleration limit allows; `time_constant` is in updates. The velocity
     approaches that of the DAC like the current of an RL circuit. `onset` is the acceleration just after the
-    change, `mean` that of the update.
+    change, `mean` that of the update (figures 12.5, 12.6).
     """
     check_positive(time_constant=time_constant)
     made, dac, velocity = [], 0.0, 0.0
@@ -199,15 +205,15 @@ def step_segments(changes: tuple[int, ...], time_constant: float) -> list[StepSe
 
 
 def buildup(time: float, time_constant: float) -> float:
-    """Return the fraction of a step response after `time`: 63 % in one time constant."""
+    """Return the fraction of a step response after `time`: 63 % at one time constant."""
     return 1.0 - exp(-time / time_constant) if time < inf else 1.0
 
 
 def pid_dac(kp: int, ki: int, kd: int, error: int, total: int, last_error: int, bits: int = BITS) -> int:
     """Return the chapter's PID output, clamped to the DAC's range.
 
-    It is (Kp E + (Ki/256) E_T + Kd (E - E_L))/16. Divisions truncate towards zero, like those of C; 16 bits
-    less the DAC's bits give the last divisor.
+    It is (Kp E + (Ki/256) E_T + Kd (E - E_L))/16 for 12 bits; in general the last divisor is 2 to the power of 16 less
+    the DAC's bits. Divisions truncate towards zero, like those of C.
     """
     value = _divided(kp * error + _divided(ki * total, 256) + kd * (error - last_error), 1 << (16 - bits))
     top = 1 << (bits - 1)

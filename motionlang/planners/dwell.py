@@ -11,8 +11,8 @@ def rest(shape: str, position: float, duration: float) -> Profile:
 
 
 def with_rest(profile: Profile, shape: str) -> Profile:
-    """Return a profile that comes to rest, followed by a rest without end.
+    """Return a profile that comes to rest, followed by an endless rest.
 
-    `shape` names its cause.
+    `shape` names the cause of the rest.
     """
     return relabelled(profile.then(hold(profile.end)), shape)

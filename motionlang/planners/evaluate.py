@@ -1,4 +1,4 @@
-"""Evaluation of a profile, or a column of pieces, at many times, in NumPy arrays."""
+"""NumPy evaluation of a profile, or a column of pieces, at many times."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def evaluate(profile: Profile, times: Array, order: int) -> Array:
 def positions(profile: Profile, times: Array) -> Array:
     """Return `Profile.positions` at rising times, equal to the last bit.
 
-    The operations and their order are equal. Sines are computed one by one, because those of NumPy depend on
+    The operations and their order are the same. Sines are computed one by one, because NumPy's sines depend on
     the processor.
     """
     if not profile.pieced:
@@ -98,7 +98,7 @@ def _pieces(profile: Profile, times: Array, order: int) -> Array:
 
 
 def piece_values(columns: Array, x: Array, order: int) -> Array:
-    """Evaluate derivative `order` of pieces, one column of `columns` for each x.
+    """Evaluate derivative `order` of pieces; each x has its own column of `columns`.
 
     A piece is p(x) = c0 + c1 x + c2 x^2 + c3 x^3 + a sin(w x + f).
     """
@@ -132,8 +132,8 @@ def _composed(profile: Reparametrised, times: Array, order: int) -> Array:
 def _curve(path: Profile, places: Array, order: int) -> Array:
     """Evaluate a curve at distances along it.
 
-    Before its beginning and beyond its end it is a straight line. At an end itself it has the curvature of
-    the curve inside.
+    Before its beginning and beyond its end it is a straight line. Exactly at an end it has the curvature that it has
+    inside.
     """
     length = path.duration
     if order == 2 and length < np.inf:

@@ -11,8 +11,8 @@ from motionlang.planners.formula import Formula
 class Extrapolated(Formula):
     """Position plus `lead` seconds of velocity: p(t) + lead v(t).
 
-    A switch with that delay acts on time when it is driven by this. At constant velocity this is the position
-    `lead` seconds later. A jump of the velocity is a jump here.
+    A switch with that delay acts on time when it is driven by this position. At constant velocity it is the position
+    `lead` seconds later. A jump of the velocity makes this position jump.
     """
 
     __slots__ = ("lead", "profile")
@@ -30,7 +30,7 @@ class Extrapolated(Formula):
         )
 
     def state(self, time: float) -> State:
-        """Return the state with `lead` seconds of its own rate added to each derivative."""
+        """Return the state, each derivative plus `lead` times the next higher one."""
         now, lead = self.profile.at(time), self.lead
         return State(
             now.position + lead * now.velocity,
@@ -41,5 +41,5 @@ class Extrapolated(Formula):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """The knots of the profile."""
+        """The knots of the extrapolated profile."""
         return self.profile.knots

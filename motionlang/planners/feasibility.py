@@ -1,7 +1,7 @@
 """A move to a target from any velocity, independent of the shape of its ramps.
 
 A shape answers three questions about speeds >= 0: how it speeds up, how it slows down (each as duration and
-ramp kind), and the peak speed of a move too short for its slew speed.
+ramp kind), and which peak speed a move has that is too short for its slew speed.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ _COARSE = 1e-11
 class Ramps:
     """One shape with its limits: `up` and `down` between speeds, and its `peak` speed.
 
-    `peak` takes the speed and the distance. `squares` belongs to shapes whose ramps cover k/2 times the
-    difference of the squares of both speeds: the k of speeding up and of slowing down. `bounds` belongs to
-    ramps with limited jerk.
+    `peak` takes the speed and the distance. Some shapes have ramps whose distance is k/2 times the difference of the
+    squares of both speeds: `squares` has the k of speeding up and of slowing down. Ramps with limited jerk have
+    `bounds`.
     """
 
     shape: str
@@ -47,7 +47,7 @@ class Ramps:
 
 
 def stretched(shape: str, accel: float, decel: float, kind: float, stretch: float) -> Ramps:
-    """Return symmetrical ramps that take `stretch` times as long as the trapezoid's.
+    """Return symmetrical ramps that take `stretch` times as long as a trapezoid's.
 
     T = stretch |dv|/A, S = T (v1 + v2)/2.
     """
@@ -65,8 +65,8 @@ def stretched(shape: str, accel: float, decel: float, kind: float, stretch: floa
 def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float) -> Profile:
     """Return the move from `start` at velocity `v0` to rest at `target`.
 
-    If it moves away from the target, it stops first. If it is faster than `speed`, it brakes to `speed`
-    first. If it is too fast to stop at the target, it stops beyond it and returns.
+    If the axis moves away from the target, it stops first. If it is faster than `speed`, it brakes to `speed`
+    first. If it is too fast to stop at the target, it stops beyond the target and returns.
     """
     if -STILL < v0 < STILL:
         v0 = 0.0
@@ -90,7 +90,10 @@ def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float)
 
 
 def is_rounding(beyond: float, stopping: float, start: float, target: float) -> bool:
-    """True if a stop of length `stopping` misses its target by rounding only."""
+    """True if a stop overshoots its target by no more than rounding.
+
+    `stopping` is its length, `beyond` the overshoot.
+    """
     return abs(beyond) <= 1e-12 * stopping + 2.3e-16 * (abs(start) + abs(target)) < inf
 
 
@@ -105,7 +108,7 @@ def from_rest(
 ) -> Profile:
     """Return the move from rest for ramps whose time is proportional to the speed.
 
-    `up` and `down` are (T/V, kind). A ramp's distance is `mean` V T. This is apart from `approach` because
+    `up` and `down` are (T/V, kind). A ramp's distance is `mean` V T. This case is separate from `approach` for speed:
     the running program plans nearly every move from rest.
     """
     distance = target - start
@@ -157,8 +160,8 @@ def _travel(ramps: Ramps, size: float, speed: float, u: float, sign: float) -> R
     last, last_kind = ramps.down(v, 0.0)
     left = size - ramp_distance(u, first, kind, v) - ramp_distance(v, last, last_kind, 0.0)
     if not slewing and abs(left) > _COARSE * size:
-        # If jerk hardly affects a long ramp, the last bit of the peak is worth a distance. Go below it, and
-        # slew.
+        # If jerk hardly affects a long ramp, the last bit of the peak makes a noticeable distance. Choose a
+        # lower peak, and slew.
         while left < 0.0 and v > u:
             v = nextafter(v, 0.0)
             first, kind = ramps.up(u, v)
@@ -171,10 +174,10 @@ def _travel(ramps: Ramps, size: float, speed: float, u: float, sign: float) -> R
 
 
 def _braked(ramps: Ramps, size: float, speed: float, u: float) -> tuple[float, bool]:
-    """Return the speed to brake to, and whether a section at that speed follows.
+    """Return the speed to brake to, and true if a section at that speed follows.
 
-    With limited jerk two ramps down need more distance than one. If that distance is missing, the slew speed
-    is raised above `speed` until it suffices (own arithmetic).
+    With limited jerk, two ramps down need more distance than one. If that distance is missing, the slew speed
+    is raised above `speed` until the distance suffices (own arithmetic).
     """
     if _braking(ramps, u, speed) <= size:
         return speed, True

@@ -1,8 +1,8 @@
 """Profiles that are formulas, not pieces.
 
-They are exact at any time; their crossings are found by bracketing. Not every profile that a path, a cam or
-an offset on a geared axis makes of other profiles is a sequence of cubics. A subclass states where it is
-smooth (`knots`) and gives position, velocity and acceleration; the base class does the rest.
+They are exact at any time; their crossings are found by bracketing. They are needed because paths, cams and offsets
+on geared axes derive profiles from other profiles, and the result is not always a sequence of cubics. A subclass
+states where it is smooth (`knots`) and gives position, velocity and acceleration; the base class does the rest.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Formula(Profile):
     # -- provided by a subclass
 
     def state(self, time: float) -> State:
-        """The state at a time from 0 up to the duration."""
+        """Return the state at a time from 0 up to the duration."""
         raise NotImplementedError
 
     @property
@@ -63,7 +63,7 @@ class Formula(Profile):
 
     @property
     def curve(self) -> Curve:
-        """Cubic pieces close enough to draw; no exact result uses them."""
+        """Cubic pieces close enough for drawing; no exact result uses them."""
         try:
             return self._curve
         except AttributeError:
@@ -95,13 +95,13 @@ class Formula(Profile):
     # -- at a time
 
     def position(self, time: float) -> float:
-        """Position at `time`."""
+        """Return the position at `time`."""
         if time >= self.duration:
             return self._beyond(time)
         return self.state(time).position if time > 0.0 else self.start
 
     def velocity(self, time: float) -> float:
-        """Velocity at `time`."""
+        """Return the velocity at `time`."""
         if time >= self.duration:
             return self.end_velocity
         return self.state(time).velocity if time > 0.0 else self.start_velocity
@@ -136,9 +136,9 @@ class Formula(Profile):
         return min(seen), max(seen)
 
     def stretches(self, after: float) -> Iterator[tuple[float, float]]:
-        """The beginning and the signed travel of each monotone section from `after` on.
+        """Yield the beginning and the signed travel of each monotone section from `after`.
 
-        The last one may have no end.
+        The last section may have no end.
         """
         for begin, finish in self._brackets(after):
             turn = self._turn(self.velocity, self.acceleration, begin, finish)
@@ -190,7 +190,7 @@ class Formula(Profile):
         return None
 
     def _line_crossing(self, position: float, after: float) -> float | None:
-        """Return the time at which the line beyond the last finite knot is at `position`."""
+        """Return when the straight line beyond the last finite knot is at `position`."""
         begin = self.knots[-2] if self.duration == inf else self.duration
         begin = max(begin, after)
         here, velocity = self.position(begin), self.end_velocity
@@ -201,9 +201,9 @@ class Formula(Profile):
         return begin + (position - here) / velocity
 
     def _peak_of(self, value: Callable[[float], float]) -> float:
-        """Return the largest absolute value.
+        """Return the largest absolute value of a function of time.
 
-        The peaks of a grid between each two knots are refined between their neighbours.
+        Between knots it is sampled on a grid; peaks of the grid are refined between their neighbours.
         """
         peak = abs(self.end_velocity) if value == self.velocity else 0.0
         summits: list[tuple[float, float, float]] = []

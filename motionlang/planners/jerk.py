@@ -14,16 +14,16 @@ Idea. A ramp is symmetric: the acceleration rises at constant jerk, stays at its
                                        \____/
     section        1   2   3     4    5   6   7        4 is the slew
 
-A ramp over a change of speed V takes V/A + A/J if it reaches its peak A (V ≥ A²/J), and else 2 √(V/J). Its distance is
-that time times the mean of both speeds. So the whole move follows from its top speed. That is the set speed or, if the
-distance is too short, the speed at which both ramps fill the distance exactly.
+A ramp over a change of speed V takes V/A + A/J if it reaches its peak A (V ≥ A²/J), and 2 √(V/J) if not. Its distance
+is that time times the mean of both speeds. So the whole move follows from its top speed. That is the set speed or, if
+the distance is too short, the speed at which both ramps fill the distance exactly.
 
 The cases, in the order in which they are tried:
-1. At rest, or moving to the target with no acceleration, not above the set speed and with room to stop: two ramps and
-   a slew. The top speed of a short move from rest is the root of a quadratic if both ramps reach their peak, and a cube
-   root if neither does. Newton's method finds any other, and here it converges from one side.
-2. In motion with an acceleration, target ahead (`_directly`). If it speeds up, it is the middle of a ramp that began
-   earlier at a lower speed, and case 1 holds from there. If it slows down, it is taken back first.
+1. At rest, or moving to the target with no acceleration, not above the set speed and with enough distance to stop: two
+   ramps and a slew. The top speed of a short move from rest is the root of a quadratic if both ramps reach their peak,
+   and a cube root if neither does. Newton's method finds it in all other cases, and here it converges from one side.
+2. In motion with an acceleration, target ahead (`_directly`). An acceleration that speeds up is treated as the middle
+   of a ramp that began earlier at a lower speed, and case 1 holds from there. One that slows down is ramped down first.
 3. Away from the target, or too fast to stop there (`_back`): stop, then move back from rest.
 4. Anything else, such as a start above the set speed: `approach`, or `jerk_limited_approach` if there is an
    acceleration. They use the same ramps and search for the top speed where no closed form exists.
@@ -35,12 +35,12 @@ acceleration in the direction of motion.
 
 Invariants.
 - The profile ends at rest at the target. Its acceleration is continuous and its duration finite.
-- Speed, acceleration and jerk keep their limits. A start above a limit returns within it.
+- Speed, acceleration and jerk stay within their limits. A start above a limit returns within it.
 - A reversal is at rest and without acceleration, unless the initial acceleration carries the motion through zero speed.
   A faster reversal would keep its acceleration; see `docs/contributing/decisions.md`.
 - Figures too many orders of magnitude apart raise ValueError.
 
-Cost. A few square roots. Newton's method, where it is needed, takes some five steps; the most in 20 000 random moves
+Cost. A few square roots. Newton's method, where it is needed, takes some five steps; the maximum in 20 000 random moves
 was 15.
 """
 
@@ -85,7 +85,7 @@ def plan_jerk(
 
     Ramp to V: V/A + A/J if V >= A^2/J, else 2 sqrt(V/J); distance V T/2 (own arithmetic, from AN00118's
     definition of the S-ramp). A short move peaks at the speed at which the two ramps fill it exactly. An
-    initial acceleration `a0` continues where it serves the move, and is ramped down where it does not
+    initial acceleration `a0` continues if it serves the move, and is ramped down if it does not
     (`initial_steps`). Raises ValueError like `plan_trapezoid`.
     """
     smooth = SMALLEST <= accel_jerk <= LARGEST and SMALLEST <= decel_jerk <= LARGEST
@@ -137,7 +137,10 @@ def _in_motion(
     v0: float,
     a0: float,
 ) -> Profile:
-    """Plan if two ramps and a slew do not suffice; `rates` are those of `plan_jerk`."""
+    """Plan a move that needs more than two ramps and a slew.
+
+    `rates` are the four limits of `plan_jerk`.
+    """
     far_apart = max(rates) > _FAR_APART * min(rates)
     direct = None if far_apart or not (v0 or a0) else _directly(start, target, speed, rates, v0, a0)
     if direct is not None:
@@ -168,12 +171,12 @@ def _directly(
     v0: float,
     a0: float,
 ) -> Profile | None:
-    """Return the plan from motion if it needs no more than one closed form.
+    """Return the plan from motion by a closed form; None if it needs a search.
 
-    Planning in motion nearly always does. If the target lies ahead, an acceleration that speeds up is the
-    middle of a ramp that began earlier, and one that slows down is ramped down before a ramp up begins. If it
-    does not, the move stops first and starts again (`_back`). None if it is another case, which the search of
-    `jerk_limited_approach` decides.
+    Planning in motion nearly always has a closed form. If the target lies ahead, an acceleration that speeds up is
+    treated as the middle of a ramp that began earlier; one that slows down is ramped down before a ramp up begins. If
+    the target does not lie ahead, the move stops first and starts again (`_back`). All other cases are left to the
+    search of `jerk_limited_approach`.
     """
     accel, decel, accel_jerk, decel_jerk = rates
     sign = 1.0 if v0 > 0.0 or (v0 == 0.0 and a0 > 0.0) else -1.0
@@ -241,7 +244,7 @@ def _back(
 ) -> Profile | None:
     """Return the plan that stops first, or None if no stop is needed.
 
-    It stops because it moves away from the target or cannot stop there. `state` is the velocity, the
+    A stop is needed if the axis moves away from the target or cannot stop there. `state` is the velocity, the
     acceleration in its direction, and that direction.
     """
     _, decel, accel_jerk, decel_jerk = rates
@@ -295,7 +298,7 @@ def _back(
 
 
 def _is_astray(made: Profile) -> bool:
-    """True if the last piece misses the profile's end by over 1e-7 of the distance."""
+    """True if the last piece misses the profile's end by over 1e-7 of its positions."""
     if not made.pieces:
         return False
     reached = position_in(made.pieces[-1], made.knots[-1] - made.knots[-2])
@@ -303,13 +306,13 @@ def _is_astray(made: Profile) -> bool:
 
 
 def _stops_within(size: float, u: float, decel: float, jerk: float, fall: float) -> bool:
-    """True if a stop from speed u ends before `size` by more than rounding."""
+    """True if a stop from speed `u` is shorter than `size` by more than rounding."""
     time = u / decel + fall if u >= decel * fall else 2.0 * sqrt(u / jerk)
     return 0.5 * u * time < size * (1.0 - 1e-9)
 
 
 def ease(start: float, v0: float, a0: float, jerk: float) -> Profile:
-    """Return a ramp of an acceleration to zero at constant jerk.
+    """Return a ramp-down of an acceleration to zero at constant jerk.
 
     T = |a0|/J, dv = a0 T/2.
     """
@@ -340,7 +343,7 @@ def jerk_ramps(accel: float, decel: float, accel_jerk: float, decel_jerk: float)
 
 
 def ramp_to(change: float, accel: float, jerk: float) -> tuple[float, float]:
-    """Return duration and ramp ratio of a change of speed under acceleration and jerk."""
+    """Return duration and ramp ratio of a change of speed within `accel` and `jerk`."""
     rise = accel / jerk
     if change >= accel * rise:
         time = change / accel + rise
@@ -352,8 +355,8 @@ def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float
     """Return the speed at which ramps from u up and down to rest fill `size`.
 
     `up` and `down` are (accel, jerk). There is a closed form if both ramps reach their acceleration. If not,
-    the distance over the root of the gain of speed is convex. Newton's steps from above descend to the root
-    one by one and stop where rounding reverses them.
+    the distance, divided by the root of the gain of speed, is convex. Newton's steps start above the root and
+    descend to it; they stop where rounding reverses them.
     """
     accel, accel_jerk = up
     decel, decel_jerk = down
@@ -395,7 +398,7 @@ def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float
 
 
 def peak_from_rest(size: float, accel: float, decel: float, accel_jerk: float, decel_jerk: float) -> float:
-    """Return `peak_speed` from rest.
+    """Return the peak speed of a move from rest, like `peak_speed`.
 
     There is a closed form if both ramps reach their acceleration, or neither does.
     """

@@ -31,8 +31,8 @@ if TYPE_CHECKING:
 class JerkLimited(Profile):
     """Sections of constant jerk from v0 and a0, then the ramps of a recipe to `end`.
 
-    The pieces are made on first use, as those of a recipe are, because of most plans only the end is read.
-    `name` names the sections as one phase if they are not part of a ramp.
+    The pieces are computed on first use, like those of a recipe, because most plans are only read for their end.
+    `name` makes the sections one phase of that name if they are not part of a ramp.
     """
 
     __slots__ = ("_head", "_name", "_tail")
@@ -78,9 +78,9 @@ def jerk_limited_approach(
     a0: float,
     straight: Callable[[float, float], Profile],
 ) -> Profile | None:
-    """The move from velocity v0 and acceleration a0 (not 0) to rest at `target`.
+    """Return the move from v0 and acceleration a0 (not 0) to rest at `target`.
 
-    `straight` plans from a position and a velocity, without an acceleration, to that target. If the move
+    `straight` plans a move to that target from a position and a velocity, without an acceleration. If the move
     cannot stop at the target, or moves away from it, it stops first and then moves there from rest. None if
     the figures are so many orders of magnitude apart that rounding misses the target.
     """
@@ -138,10 +138,10 @@ def _time(steps: Steps) -> float:
 
 
 def _peak(ramps: Ramps, bounds: Bounds, size: float, u: float, b: float) -> float | None:
-    """Return the peak speed from which the remaining distance just suffices to stop.
+    """Return the highest speed from which the axis can still stop at the target.
 
-    None if it is not reached by speeding up. A ramp that has already begun is the end of one that began
-    earlier without an acceleration.
+    None if the axis must not accelerate. A ramp in progress is treated as the rest of a ramp that began earlier, at
+    zero acceleration.
     """
     jerk = bounds.accel_jerk if b > 0.0 else bounds.decel_jerk
     time = abs(b) / jerk
@@ -160,9 +160,9 @@ def _peak(ramps: Ramps, bounds: Bounds, size: float, u: float, b: float) -> floa
 
 
 def _arriving(start: float, target: float, head: Head, way: float, recipe: Recipe) -> Profile | None:
-    """Return sections of a length followed by the ramps of a recipe to `target`.
+    """Return initial sections, then the ramps of a recipe that end at `target`.
 
-    None if they end elsewhere.
+    `covered` is the distance of the sections. None if the ramps end elsewhere.
     """
     time = total(recipe[1::3])
     if not time < inf:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def scaled(profile: Profile, start: float, factor: float) -> Profile:
-    """An axis profile from `start` that moves `factor` times as far as the path."""
+    """Return the path's profile scaled to an axis, from `start`, by `factor`."""
     return profile.scaled(start, factor)
 
 
@@ -24,7 +24,7 @@ def path_length(starts: Sequence[float], targets: Sequence[float]) -> float:
 def on_line(path: Profile, starts: Sequence[float], targets: Sequence[float]) -> list[Profile]:
     """Return the axis profiles of a straight line; `path` runs from 0 to its length.
 
-    The ends are exact.
+    The end positions are exact.
     """
     length = path.distance
     made = []

@@ -1,6 +1,6 @@
 """Error table of a leadscrew: the actual nut position at equal steps of the motor.
 
-It is also inverted, from nut to motor.
+The inverse, from nut to motor, is here too.
 """
 
 from __future__ import annotations
@@ -10,7 +10,10 @@ from itertools import pairwise
 
 
 class Leadscrew:
-    """Actual positions of the nut for `start`, `start + step`, …; linear between them."""
+    """Actual positions of the nut at motor positions `start`, `start + step`, …
+
+    Between them the nut position is linear.
+    """
 
     def __init__(self, start: float, step: float, actual: list[float]) -> None:
         if not step > 0.0:

@@ -18,7 +18,7 @@ Their squares and quotients then stay in the range of a float.
 def check_positive(**quantities: float) -> None:
     """Check that quantities are between SMALLEST and LARGEST.
 
-    Raises ValueError for the first one that is not, or is not a number.
+    Raises ValueError for the first one that is outside or NaN.
     """
     for name, value in quantities.items():
         word = name.replace("_", " ")
@@ -33,9 +33,9 @@ def check_positive(**quantities: float) -> None:
 
 
 def check_finite(**quantities: float) -> None:
-    """Check that quantities are finite and not beyond LARGEST.
+    """Check that quantities are finite and do not exceed LARGEST.
 
-    Raises ValueError for the first one that is not.
+    Raises ValueError for the first one that fails.
     """
     for name, value in quantities.items():
         word = name.replace("_", " ")

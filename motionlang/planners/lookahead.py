@@ -1,9 +1,9 @@
 """Speed over a sequence of segments with individual limits, to rest at its end.
 
-If the distance of a ramp is proportional to the difference of the squares of its speeds (a trapezoid, PMC's
-two S-curves), one pass backwards and one forwards over the squares at the joins find the fastest possible
-course. Each pass takes from a join only what no course could have there. The other shapes use the same two
-passes over the speeds. At a join the acceleration of every shape but the trapezoid is zero.
+For some shapes the distance of a ramp is proportional to the difference of the squares of its speeds (a trapezoid,
+PMC's two S-curves). For them, one pass backwards and one forwards over the squares at the joins find the fastest
+course: each pass lowers a join only as far as any course must. The other shapes use the same two passes over the
+speeds. At a join the acceleration of every shape but the trapezoid is zero.
 """
 
 from __future__ import annotations
@@ -70,9 +70,9 @@ def plan_course(
     """Plan a run through `stretches` (length and pace of each) to rest at the end.
 
     It begins at position `start`, counted from the beginning of the first segment, at speed v0 >= 0 and
-    acceleration a0, which matters to jerk-limited ramps alone. `joins` are further limits on the speed from
-    one segment to the next. A run that begins too fast brakes as hard as allowed; None if it could not stop
-    at its end. Raises ValueError for numbers no machine can follow.
+    acceleration a0, which only jerk-limited ramps use. `joins` are further limits on the speed from
+    one segment to the next. A run that begins too fast brakes as hard as allowed; None if it cannot stop
+    at its end. Raises ValueError for numbers that no machine can follow.
     """
     check_finite(position=start, start_velocity=v0, start_acceleration=a0)
     for _, pace in stretches:
@@ -98,10 +98,10 @@ def plan_course(
 def _eased(
     profile: Profile, stretches: Sequence[tuple[float, Pace]], joins: Sequence[float], slowed: int
 ) -> Profile:
-    """Plan again from the stretch on which a run that began too fast has slowed.
+    """Plan again from the stretch on which a run that began too fast has slowed down.
 
-    `slowed` stretches are before it. It was run at the slowest of all up to there, and on that stretch no
-    faster; return the sooner one of both.
+    `slowed` stretches are before it. They were run at the slowest pace of all stretches up to it; from there each may
+    have its own pace. Return the new plan if it is shorter in time.
     """
     place = total(length for length, _ in stretches[:slowed])
     time = profile.crossing(place)
@@ -117,7 +117,7 @@ def _eased(
 def _ramps_of(
     lengths: list[float], paces: list[Pace], caps: list[float], v0: float, a0: float
 ) -> tuple[int, Steps, list[Ramp]] | None:
-    """The ramps of a run, and how many stretches from the first are run as one."""
+    """Return the ramps of a run, and how many first stretches are run as one."""
     ramps = [pace.ramps() for pace in paces]
     if all(each.squares is not None for each in ramps):
         speeds = _by_squares(lengths, ramps, caps, v0)
@@ -142,7 +142,7 @@ def _ramps_of(
 
 
 def _by_squares(lengths: list[float], ramps: list[Ramps], caps: list[float], v0: float) -> list[float] | None:
-    """The speeds at both ends and at the joins; None if it cannot stop at the end."""
+    """Return the speeds at both ends and at the joins; None if it cannot stop in time."""
     factors = [each.squares for each in ramps]
     latest = [0.0]
     for length, factor, cap in reversed(list(zip(lengths[1:], factors[1:], caps, strict=True))):
@@ -161,7 +161,7 @@ def _by_squares(lengths: list[float], ramps: list[Ramps], caps: list[float], v0:
 
 
 def _back(lengths: list[float], paces: list[Pace], ramps: list[Ramps], caps: list[float]) -> list[float]:
-    """The highest feasible speed at the beginning of each segment; 0 at the end."""
+    """Return the highest feasible speed at the start of each segment; 0 at the end."""
     latest = [0.0]
     for i in range(len(lengths) - 1, 0, -1):
         latest.append(entry_speed(ramps[i], lengths[i], latest[-1], caps[i - 1]))
@@ -181,7 +181,7 @@ def _between_all(
 
 
 def _slowest(paces: list[Pace]) -> Pace:
-    """Return a pace that observes the limits of all."""
+    """Return a pace that respects the limits of all given paces."""
     if len(paces) == 1:
         return paces[0]
     first = paces[0]
@@ -199,7 +199,7 @@ def _slowest(paces: list[Pace]) -> Pace:
 def _joined(
     shape: str, start: float, end: float, v0: float, a0: float, steps: Steps, ramps: list[Ramp]
 ) -> Profile:
-    """Return the profile of these ramps; ramps that continue each other become one."""
+    """Return the profile of the given steps and ramps; adjoining ramps are merged."""
     rows: list[Ramp] = []
     for ramp in ramps:
         if not ramp[1] > 0.0:

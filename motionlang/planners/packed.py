@@ -1,7 +1,7 @@
 """Profiles as plain tuples, the compact form of the log, and their restoration.
 
-Of ramps the recipe is stored, not the pieces made from it. If a profile was scaled with its pieces, the two
-may differ in the last bit.
+For ramps the recipe is stored, not the pieces made from it. If a profile was scaled together with its pieces, the
+restored pieces may differ in the last bit.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _CURVE = 6
 
 
 def packed(profile: Profile) -> Packed:
-    """Return a profile as a tuple of numbers, texts and tuples of them."""
+    """Return a profile as a tuple of numbers, texts and nested tuples."""
     recipe = profile._recipe
     if len(recipe) > 2:
         return profile.shape, profile.start, profile.end, profile.duration, recipe
@@ -36,7 +36,7 @@ def packed(profile: Profile) -> Packed:
 
 
 def unpacked(row: Packed) -> Profile:
-    """Return the profile of such a tuple."""
+    """Return the profile that `packed` has converted to a tuple."""
     if len(row) == _HOLD:
         return hold(row[0])  # type: ignore[arg-type]
     if len(row) == RAMPS:

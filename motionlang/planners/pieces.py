@@ -10,14 +10,14 @@ if TYPE_CHECKING:
 
 
 def position_in(piece: Piece, x: float) -> float:
-    """Position at local time x."""
+    """Return the position at local time x of a piece."""
     c0, c1, c2, c3, amplitude, omega, phase = piece
     p = ((c3 * x + c2) * x + c1) * x + c0 if x != 0.0 else c0
     return p + amplitude * sin(omega * x + phase) if amplitude else p
 
 
 def velocity_in(piece: Piece, x: float) -> float:
-    """Velocity at local time x."""
+    """Return the velocity at local time x of a piece."""
     _, c1, c2, c3, amplitude, omega, phase = piece
     if amplitude:
         return c1 + amplitude * omega * cos(omega * x + phase)
@@ -25,7 +25,7 @@ def velocity_in(piece: Piece, x: float) -> float:
 
 
 def acceleration_in(piece: Piece, x: float) -> float:
-    """Acceleration at local time x."""
+    """Return the acceleration at local time x of a piece."""
     _, _, c2, c3, amplitude, omega, phase = piece
     if amplitude:
         return -amplitude * omega * omega * sin(omega * x + phase)
@@ -33,7 +33,7 @@ def acceleration_in(piece: Piece, x: float) -> float:
 
 
 def jerk_in(piece: Piece, x: float) -> float:
-    """Jerk at local time x."""
+    """Return the jerk at local time x of a piece."""
     _, _, _, c3, amplitude, omega, phase = piece
     if amplitude:
         return -amplitude * omega * omega * omega * cos(omega * x + phase)
@@ -41,7 +41,10 @@ def jerk_in(piece: Piece, x: float) -> float:
 
 
 def still_points(piece: Piece, duration: float) -> tuple[float, ...]:
-    """Local times inside (0, duration) at which the velocity is zero, in order."""
+    """Return the local times inside (0, duration) at which the velocity is zero.
+
+    They are in order.
+    """
     _, c1, c2, c3, amplitude, omega, phase = piece
     if amplitude:
         cosine = -c1 / (amplitude * omega)
@@ -52,7 +55,7 @@ def still_points(piece: Piece, duration: float) -> tuple[float, ...]:
 
 
 def even_points(piece: Piece, duration: float) -> tuple[float, ...]:
-    """Local times strictly inside (0, duration) at which the acceleration is zero.
+    """Return the local times inside (0, duration) at which the acceleration is zero.
 
     A half wave has none.
     """
@@ -63,7 +66,10 @@ def even_points(piece: Piece, duration: float) -> tuple[float, ...]:
 
 
 def crest_points(piece: Piece, duration: float) -> tuple[float, ...]:
-    """Local times inside (0, duration) of acceleration peaks (sine pieces only)."""
+    """Return the local times inside (0, duration) of acceleration peaks.
+
+    Only sine pieces have any.
+    """
     _, _, _, _, amplitude, omega, phase = piece
     return _inside(duration, (0.5 * pi - phase) / omega) if amplitude else ()
 
@@ -79,10 +85,7 @@ def recentred(piece: Piece, x: float) -> Piece:
 
 
 def transformed(piece: Piece, factor: float, before: float, after: float) -> Piece:
-    """Scale distances from the position `before` by `factor`, counted from `after`.
-
-    The position `before` itself maps exactly.
-    """
+    """Map position `before` to `after` exactly, and scale distances by `factor`."""
     c0, c1, c2, c3, amplitude, omega, phase = piece
     return (
         (c0 - before) * factor + after,
@@ -100,7 +103,7 @@ def _inside(duration: float, *times: float) -> tuple[float, ...]:
 
 
 def _quadratic(a: float, b: float, c: float) -> tuple[float, ...]:
-    """Real roots of a x^2 + b x + c, a != 0, by the form without cancellation."""
+    """Return the real roots of a x^2 + b x + c, a != 0, without cancellation."""
     under = b * b - 4.0 * a * c
     if not 0.0 <= under < inf:
         return ()

@@ -1,7 +1,7 @@
 """Ramp-down of residual acceleration where no jerk is set: PMC's S-curves.
 
-Their acceleration has a shape instead of a jerk limit. It falls to zero as it would at the end of the ramp:
-along its falling flank, which begins at once.
+Their acceleration has a shape instead of a jerk limit. It falls to zero along the falling flank of its ramp, as at
+the end of that ramp, but at once.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _SLACK = 1e-9
 
 
 def shaped(shape: str, accel_jerk: float) -> bool:
-    """True if ramps have a shaped acceleration although no jerk is set."""
+    """True if the acceleration of a shape's ramps is shaped although no jerk is set."""
     return shape == "sinusoidal" or (shape == "scurve" and accel_jerk == inf)
 
 
@@ -54,7 +54,7 @@ def onset(
 ) -> tuple[Profile | None, float, float, float]:
     """Return the ramp-down that a new plan begins with, and the state to plan from.
 
-    The ramp-down is that of a shaped acceleration.
+    The ramp-down is None unless the acceleration is shaped. The state is position, velocity and acceleration.
     """
     if shaped(shape, accel_jerk):
         eased = residual_ramp_down(profile, time)
@@ -67,7 +67,7 @@ def onset(
 def admitted(acceleration: float, velocity: float, accel: float, decel: float) -> float:
     """Return the initial acceleration of a ramp that takes over a motion.
 
-    It is at most `accel` or `decel`, even if the motion exceeds the rates of its axis.
+    It is limited to `accel` or `decel`, even if the motion exceeds the rates of its axis.
     """
     most = accel if acceleration * velocity >= 0.0 else decel
     return max(-most, min(acceleration, most))
@@ -85,8 +85,8 @@ def stop_in_motion(
 ) -> Profile:
     """Come to rest at `decel` from motion, without an acceleration jump in an S-curve.
 
-    Motion that exceeds the rates of the axis has its `accel`: it is stopped from an acceleration within both.
-    A ramp of PMC's that already slows down continues to rest as planned, if that is no farther and never
+    `accel` is given if the motion may exceed the rates of the axis: the stop then begins with an acceleration within
+    both. A ramp of PMC's that already slows down continues to rest as planned, if that is no farther and never
     harder than `decel`. Raises ValueError like `plan_stop`.
     """
     state = profile.at(time)
@@ -120,7 +120,10 @@ def _rest_ahead(profile: Profile, time: float, decel: float) -> Profile | None:
 
 
 def _on_wave(piece: Piece) -> tuple[Piece, float] | None:
-    """Return the same half wave from the point where it has the same height and falls."""
+    """Return a half wave from where it has the same acceleration and falls.
+
+    The second item is the duration of that flank.
+    """
     _, _, _, _, amplitude, omega, phase = piece
     if not 0.0 < phase < pi:
         return None
@@ -132,7 +135,10 @@ def _on_wave(piece: Piece) -> tuple[Piece, float] | None:
 
 
 def _on_slope(profile: Profile, index: int, piece: Piece) -> tuple[Piece, float] | None:
-    """Return the cubic that ramps the acceleration down at the slope of this ramp."""
+    """Return the cubic that ramps the acceleration down at the jerk of this ramp.
+
+    The second item is its duration.
+    """
     position, velocity, half, _, _, _, _ = piece
     if not half:
         return None

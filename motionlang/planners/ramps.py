@@ -1,9 +1,9 @@
 """Velocity ramps, and their expansion into cubic pieces with up to one sine term.
 
 A *recipe* is a flat tuple v0, T1, kind1, v1, T2, kind2, v2 ...: velocities joined by ramps, each with its
-duration and its kind. Planners make nothing else, because planning happens in the running program and drawing
-does not. A kind between 0 and 0.5 is the ramp ratio of a trapezoidal acceleration (0 a constant acceleration,
-0.5 a triangular one); the others are the three constants below.
+duration and its kind. Planners return only recipes, because the running program needs the plan, but not its pieces,
+which are for drawing. A kind between 0 and 0.5 is the ramp ratio of a trapezoidal acceleration (0 a constant
+acceleration, 0.5 a triangular one); the others are the three constants below.
 
 A *piece* is (c0, c1, c2, c3, amplitude, omega, phase) in time x since its knot:
 p(x) = c0 + c1 x + c2 x^2 + c3 x^3 + amplitude sin(omega x + phase). A sine piece has c2 = c3 = 0 and stays
@@ -40,7 +40,7 @@ Ramps this short, or below the clock's resolution, are left out.
 def ramp_distance(v_from: float, duration: float, kind: float, v_to: float) -> float:
     """Return the distance of a ramp.
 
-    Symmetrical kinds use the mean velocity; parabolic ones cover two thirds: TN1069 has S_A = T_A VEL/2, and
+    Symmetrical kinds have the mean of both velocities. Parabolic ones cover two thirds: TN1069 has S_A = T_A VEL/2, and
     2/3 T_A VEL for the parabolic profile.
     """
     if kind == FALLING:
@@ -74,7 +74,10 @@ def expand(start: float, recipe: Recipe) -> Curve:
 
 
 def named_ramps(recipe: Recipe) -> list[tuple[str, float, float, float, float]]:
-    """Name, duration, distance, first and last velocity of each ramp that takes time."""
+    """Return name, duration, distance and end velocities of each ramp.
+
+    Ramps that take no time are omitted.
+    """
     found = []
     final = len(recipe) - 4
     for i in range(0, final + 1, 3):
@@ -118,9 +121,9 @@ def _add_ramp(
 def _add_trapezoidal(
     knots: list[float], pieces: list[Piece], time: float, p: float, ramp: tuple[float, float, float, float]
 ) -> None:
-    """Add a trapezoidal acceleration: up over ratio T, constant, down over ratio T.
+    """Add the pieces of a ramp with trapezoidal acceleration.
 
-    (TN1069, Mint's S-ramp.)
+    It rises for ratio T, is constant, and falls for ratio T (TN1069, Mint's S-ramp).
     """
     v_from, duration, ratio, v_to = ramp
     rise = (

@@ -1,4 +1,4 @@
-"""A velocity as a curve of its own, so that its crossings can be found."""
+"""A velocity as a profile of its own, so that its crossings can be found."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from motionlang.planners.formula import Formula
 
 
 class Rate(Formula):
-    """The velocity of a profile, as a position.
+    """A profile whose position is the velocity of another profile.
 
-    Its velocity is the acceleration of the profile, and so on.
+    Its velocity is the acceleration of that profile, and so on.
     """
 
     __slots__ = ("profile",)
@@ -27,5 +27,5 @@ class Rate(Formula):
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """The knots of the profile."""
+        """The knots of the other profile."""
         return self.profile.knots

@@ -1,4 +1,4 @@
-"""Limits of trapezoidal moves: the peak of a short one, and impossible demands."""
+"""Limits of trapezoidal moves: the peak of a short move, and impossible figures."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from motionlang.planners.solve import NAMES, solve_move
 
 
 def triangle(distance: float, speed: float, accel: float, decel: float) -> dict[str, float] | None:
-    """All eight figures of a move too short to reach `speed`; None if it reaches it."""
+    """Return all eight figures of a move too short to reach `speed`, or None."""
     if needed_distance(speed, accel, decel) <= distance:
         return None
     return solve_move(None, distance=distance, slew_time=0.0, accel=accel, decel=decel)
@@ -20,13 +20,13 @@ def needed_distance(speed: float, accel: float, decel: float) -> float:
 
 
 def remedies(rule: str | None, given: dict[str, float]) -> list[str]:
-    """Return single changes of a figure that make an impossible move possible."""
+    """Return single changes that make an impossible move possible, as texts."""
     found = [f"{_word(name)} {value:.6g}" for name, value in _replaced(rule, given)]
     return found or _ranges(given)
 
 
 def _replaced(rule: str | None, given: dict[str, float]) -> list[tuple[str, float]]:
-    """Return each figure that the others determine, with the value that they give it."""
+    """Return each given figure that follows from the others, with the value required."""
     values = []
     for name in NAMES:
         if name in given:
@@ -39,7 +39,7 @@ def _replaced(rule: str | None, given: dict[str, float]) -> list[tuple[str, floa
 
 
 def _ranges(given: dict[str, float]) -> list[str]:
-    """Return the bounds of the figures that limit each other."""
+    """Return the bounds of the figures that limit each other, as texts."""
     distance, time, speed = (given.get(name, 0.0) for name in ("distance", "time", "speed"))
     if not (distance and time):
         return []
@@ -67,7 +67,7 @@ def _ranges(given: dict[str, float]) -> list[str]:
 
 
 def _rates(given: dict[str, float], factor: float) -> str:
-    """Return the given rates, increased by a factor."""
+    """Return the given rates, multiplied by a factor, as text."""
     return " and ".join(f"{name} {given[name] * factor:.6g}" for name in ("accel", "decel") if name in given)
 
 

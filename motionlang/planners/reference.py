@@ -1,9 +1,9 @@
 """Ramp of a speed reference with separate start and end times of its acceleration.
 
-Drives state a ramp by the time from rest to their highest speed and, separately, by the times in which the
+Drives specify a ramp by the time from rest to their highest speed and, separately, by the times in which the
 acceleration builds up at its beginning and decays at its end. Over those times it changes linearly, and
-between them it equals the rate: T = dv/A + (T_start + T_end)/2. A change too small for the rate peaks where
-both slopes meet: A' = sqrt(2 dv A / (T_start + T_end)) (own arithmetic).
+between them it equals the rate: T = dv/A + (T_start + T_end)/2. If a change is too small to reach the rate, the
+acceleration peaks where both slopes meet: A' = sqrt(2 dv A / (T_start + T_end)) (own arithmetic).
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ if TYPE_CHECKING:
 
 @record
 class Slope:
-    """A rate, and the seconds in which it builds up and decays."""
+    """A rate, and the times, s, in which the acceleration builds up and decays."""
 
     rate: float
     begin: float = 0.0
     end: float = 0.0
 
     def key(self) -> tuple[float, float, float]:
-        """Return the values by which equal slopes are recognised."""
+        """Return a tuple that is equal for equal slopes."""
         return self.rate, self.begin, self.end
 
     def ramp(self, v0: float, v1: float) -> Recipe:
-        """The ramp between two velocities: durations, kinds, velocities between them."""
+        """Return the ramp between two velocities, as durations, kinds and velocities."""
         change = v1 - v0
         size, edges = abs(change), self.begin + self.end
         share = min(1.0, sqrt(2.0 * size / (self.rate * edges))) if edges else 1.0
@@ -46,10 +46,10 @@ class Slope:
 
 
 def plan_reference(start: float, v0: float, v1: float, up: Slope, down: Slope, a0: float = 0.0) -> Profile:
-    """Change from velocity `v0` to `v1` and run on for ever.
+    """Change from velocity `v0` to `v1` and continue endlessly.
 
-    `up` applies away from rest, `down` towards it and through it. An acceleration `a0` decays first, at the
-    slope that it belongs to. Shape and end are those of a jog. Raises ValueError for numbers no machine can
+    `up` applies away from rest, `down` towards rest and through it. An acceleration `a0` decays first, by the
+    slope that it belongs to. Shape and end are those of a jog. Raises ValueError for numbers that no machine can
     follow.
     """
     check_positive(acceleration=up.rate, deceleration=down.rate)

@@ -33,8 +33,8 @@ The curvature of the curve applies that far.
 class Reparametrised(Formula):
     """`curve` travelled with the motion `along`; linear beyond its ends.
 
-    At an end itself, where rounding decides on which side a distance is, the curve has the curvature inside
-    it.
+    At an end itself, rounding decides which side a distance is on. There the curve has the curvature that it has
+    inside.
     """
 
     __slots__ = ("_knots", "along", "lift", "path")
@@ -55,7 +55,7 @@ class Reparametrised(Formula):
         )
 
     def state(self, time: float) -> State:
-        """The motion by the chain rule: v = f' s', a = f'' s'^2 + f' s'', and so on."""
+        """Return the state by the chain rule: v = f' s', a = f'' s'^2 + f' s'', etc."""
         s = self.along.at(time)
         if 0.0 <= s.position < self.path.duration:
             f = self.path.at(s.position)
@@ -77,8 +77,8 @@ class Reparametrised(Formula):
     def knots(self) -> tuple[float, ...]:
         """The knots of the motion, and the times at which it passes knots of the curve.
 
-        Extrema of the curve count as its knots. They are found on first use, because a sequence of profiles
-        that grows with each change of a path asks all its parts again.
+        Extrema of the curve count as its knots. The knots are computed on first use and cached, because a sequence of
+        profiles that grows with each change of a path reads those of all its members again.
         """
         try:
             return self._knots
@@ -106,7 +106,7 @@ class Reparametrised(Formula):
 
     @property
     def peak_speed(self) -> float:
-        """The largest absolute velocity; in closed form at uniform speed along the curve."""
+        """The largest absolute velocity; closed form at uniform speed along the curve."""
         speed = _uniform_speed(self.along)
         if speed is None:
             return super().peak_speed
@@ -167,7 +167,7 @@ class Reparametrised(Formula):
         return Reparametrised(self.along, self.path.scaled(begin, factor), self.shape)
 
     def _travelled_section(self, low: float, high: float) -> Profile | None:
-        """Return the curve between two distances; None if nothing is between them."""
+        """Return the section of the curve between two distances; None if it is empty."""
         length = self.path.duration
         if low >= length or high <= 0.0:
             return None
@@ -177,7 +177,7 @@ class Reparametrised(Formula):
     def _distances_at(self, position: float) -> list[float]:
         """Return all distances at which the curve is at `position`.
 
-        Its straight continuations are included.
+        Distances on its straight continuations are included.
         """
         path, position = self.path, position - self.lift
         found = list(_cached_crossings(path, position))
@@ -194,7 +194,7 @@ class Reparametrised(Formula):
 def travelled(along: Profile, path: Profile, shape: str = "", lift: float = 0.0) -> Profile:
     """Return `path` travelled with the motion `along`, displaced by `lift`.
 
-    The result is plain pieces if the travelled section is straight.
+    If the travelled section is straight, the result consists of plain pieces.
     """
     knots, pieces, _ = path.curve
     if len(pieces) == 1 and not any(pieces[0][2:5]):
@@ -231,9 +231,10 @@ def places(path: Profile) -> list[float]:
 
 
 def crossings(profile: Profile, position: float) -> list[float]:
-    """Every time at which a profile reaches `position`; for a rest, its beginning.
+    """Return all times at which a profile reaches `position`.
 
-    Two crossings nearer than a ten-millionth of the duration, as at an extremum, count as one.
+    For a rest at `position` that is its beginning. Two crossings closer than a ten-millionth of the duration, as at an
+    extremum, count as one.
     """
     found: list[float] = []
     after = 0.0
@@ -258,7 +259,7 @@ def _cached_crossings(path: Profile, position: float) -> tuple[float, ...]:
 
 
 def _bend_at_end(path: Profile, place: float) -> float:
-    """Return the second derivative of the curve at one of its ends, within rounding.
+    """Return the second derivative of the curve at an end, if `distance` is that end.
 
     Farther out it is 0.0.
     """
@@ -269,7 +270,7 @@ def _bend_at_end(path: Profile, place: float) -> float:
 
 
 def _on(path: Profile, place: float) -> tuple[float, float]:
-    """Position and slope of the curve at `place`, with its straight continuations."""
+    """Return position and slope of the curve, or of its straight continuation."""
     if place < 0.0:
         slope = path.start_velocity
         return path.start + slope * place if slope else path.start, slope

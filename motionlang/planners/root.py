@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 def bracketed_root(f: Callable[[float], tuple[float, float]], low: float, high: float, rising: bool) -> float:
     """Return the zero of f in [low, high].
 
-    f returns (value, slope) and is monotone, rising or falling. Newton's step is replaced by bisection if it
+    f returns (value, slope) and is monotone, rising or falling. A Newton step is replaced by bisection if it
     leaves the bracket or fails to halve it, so the worst case is that of bisection.
     """
     x = 0.5 * (low + high)

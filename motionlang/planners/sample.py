@@ -1,9 +1,9 @@
-"""Sampling of profiles into NumPy columns, a few times as slow as filling them.
+"""Sampling of profiles into NumPy columns.
 
-Long pieces are sampled block by block: the piece is re-centred at the start of every block of K points, and
-one matrix product with the powers of the time inside a block makes all blocks at once. Short pieces are
-sampled together on one grid of small blocks; the points between a knot and the next block are then computed
-again.
+It takes a few times as long as filling the columns. Long pieces are sampled block by block: the piece is
+re-centred at the start of every block of K points, and one matrix product with the powers of the time inside
+a block computes all blocks at once. Short pieces are sampled together on one grid of small blocks; the points
+between a knot and the next block are then computed again.
 """
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ def sample_track(
     """Sample a history of moves at n times t0, t0 + dt, …
 
     `quantity` is position, velocity, acceleration or jerk. `starts` (seconds, rising) are the start times of
-    the profiles. Each profile ends at the start of the next, wherever it is by then, and between moves the
-    axis rests where the last one ended. To sample one history more than once make its `PieceTable` once.
+    the profiles. Each profile ends when the next one starts, wherever it is by then, and between moves the
+    axis rests where the last one ended. To sample one history several times, create its `PieceTable` once.
     """
     return PieceTable(starts, profiles).sample(t0, dt, n, ORDERS[quantity])
 
@@ -54,7 +54,7 @@ def sample_track(
 class PieceTable:
     """The pieces of a history as columns: start times and coefficients (7 x pieces).
 
-    Formulas are in it as cubics to draw; they are sampled from the formula.
+    The columns have cubics for drawing in place of formulas; samples come from the formulas.
     """
 
     def __init__(self, starts: Sequence[float], profiles: Sequence[Profile]) -> None:
@@ -120,7 +120,7 @@ class PieceTable:
 def _sample_formula(
     out: Array, profile: Profile, begin: float, finish: float, how: tuple[float, float, int]
 ) -> None:
-    """Sample the points from `begin` up to `finish` of one formula, CHUNK at a time."""
+    """Sample one formula at the points from `begin` up to `finish`, CHUNK at a time."""
     t0, dt, order = how
     rounding = min(1e-9, 1e-15 * (abs(t0) / dt + len(out)))
     edges = np.ceil((np.array([begin, finish]) - t0) / dt - rounding)
@@ -147,7 +147,7 @@ def _runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
 
 
 class _Request(NamedTuple):
-    """The requested points: their output, the first one of each piece, and the pieces."""
+    """The requested points: their output, each piece's first point, and the pieces."""
 
     out: Array
     edges: NDArray[np.int64]
@@ -159,7 +159,7 @@ class _Request(NamedTuple):
 def _sample_cubics(asked: _Request, which: NDArray[np.int64]) -> None:
     """Sample the long cubic pieces.
 
-    All their blocks are re-centred together, then there is one product for each piece.
+    All their blocks are re-centred together; then each piece takes one matrix product.
     """
     if not len(which):
         return
@@ -191,13 +191,13 @@ def _sample_wave(out: Array, piece: Array, x0: float, dt: float) -> None:
 
 
 def _powers(count: int, dt: float) -> Array:
-    """Return 1, t, t^2, t^3 at `count` times, as rows."""
+    """Return the rows 1, t, t^2, t^3 for `count` times t."""
     t = np.arange(count) * dt
     return np.stack((np.ones(count), t, t * t, t * t * t))
 
 
 def _blocks(local: Array, basis: Array, out: Array) -> None:
-    """Write local @ basis to all of `out`, the last block only in part."""
+    """Write local @ basis to all of `out`, which may cut the last block short."""
     size = basis.shape[1]
     full, rest = divmod(len(out), size)
     _multiply(local[:full], basis, out[: full * size].reshape(full, size))
@@ -208,7 +208,7 @@ def _blocks(local: Array, basis: Array, out: Array) -> None:
 def _multiply(local: Array, basis: Array, out: Array) -> None:
     """Write local @ basis to `out`, in slices too small for the BLAS to start threads.
 
-    Threads gain little here, where memory is the limit, and cost thirty times as much on a busy machine.
+    Threads gain little here, where memory is the bottleneck, and cost thirty times as much on a busy machine.
     """
     rows = SLICE // basis.shape[1]
     for i in range(0, len(out), rows):
@@ -243,9 +243,9 @@ def _sample_short(asked: _Request, runs: list[tuple[int, int]]) -> None:
 
 
 def _sample_runs(asked: _Request, runs: list[tuple[int, int]]) -> None:
-    """Sample runs on grids of small blocks, each from the piece of its first point.
+    """Sample runs on grids of small blocks, each by the piece of its first point.
 
-    The points after a knot are then sampled again.
+    The points after a knot inside a block are then sampled again.
     """
     out, edges, origins, columns, dt = asked
     piece = np.concatenate([np.arange(a, b) for a, b in runs])
@@ -270,7 +270,7 @@ def _sample_runs(asked: _Request, runs: list[tuple[int, int]]) -> None:
 
 
 def _recentred(columns: Array, x: Array) -> Array:
-    """Return cubic coefficients (4 x pieces) with each local time counted from x."""
+    """Return cubic coefficients (4 x pieces) with the local times counted from `x`."""
     c0, c1, c2, c3 = columns
     local = np.empty_like(columns)
     np.multiply(c3, x, out=local[2])
@@ -288,7 +288,7 @@ def _points(
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
     """Return the points of many index ranges in one row.
 
-    Also return their counts per range and their local times.
+    Their counts per range and their local times are also returned.
     """
     counts = ends - begins
     total = int(counts.sum())

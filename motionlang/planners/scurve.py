@@ -1,4 +1,4 @@
-"""PMC's two S-curves: sinusoidal (aPS) and with trapezoidal acceleration (aPSn)."""
+"""PMC's two S-curves: sinusoidal (aPS) and trapezoidal (aPSn) acceleration."""
 
 from __future__ import annotations
 
@@ -35,7 +35,8 @@ def plan_ratio(
     """Plan a move whose acceleration rises over `ramp` T_A, stays constant, and falls.
 
     T_A = V/(A (1 - ramp)). This is TN1069's trapezoidal S-curve, 0 < ramp <= 0.5; at 0.5 it is chapter 12's
-    S-curve of two ramps, T_A = 2V/A. (The note prints (1/RAMP) VEL/ACC, which contradicts its own table.)
+    S-curve with triangular acceleration, T_A = 2V/A. (The note prints (1/RAMP) VEL/ACC, which contradicts its own
+    table.)
     """
     if not (
         speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST

@@ -29,14 +29,14 @@ _NEAR = 1e-14
 
 
 def entry_speed(ramps: Ramps, length: float, v1: float, most: float) -> float:
-    """The highest speed, up to `most`, from which v1 is reached within `length`."""
+    """Return the highest speed, up to `most`, that brakes to v1 within `length`."""
     if ramps.squares is not None:
         return min(most, sqrt(v1 * v1 + 2.0 * length / ramps.squares[1]))
     return _farthest(v1, most, lambda u: _ramp_length(ramps, u, v1) - length) if v1 < most else most
 
 
 def exit_speed(ramps: Ramps, length: float, v0: float, a0: float, most: float) -> float | None:
-    """Return the highest speed, up to `most`, that is reached within `length`.
+    """Return the highest speed, up to `most`, that can be reached within `length`.
 
     None if even the initial acceleration cannot be ramped down.
     """
@@ -60,7 +60,7 @@ def between(
 ) -> tuple[Steps, list[Ramp]]:
     """Return the fastest motion from v0 and a0 to v1 <= `speed` over exactly `length`.
 
-    It does not exceed `speed` in between. One ramp must lead from one to the other within `length` (see
+    It does not exceed `speed` in between. One ramp must lead from v0 to v1 within `length` (see
     `reaches`); a difference due to rounding is made to fit.
     """
     top = _top(ramps, length, speed, v0, a0, v1)
@@ -75,7 +75,7 @@ def between(
 
 
 def _top(ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: float) -> float:
-    """Return the speed between the two ramps: `speed` if the length allows."""
+    """Return the speed between the two ramps; it is `speed` if `length` allows."""
     if ramps.squares is not None:
         up, down = ramps.squares
         if v0 > speed:
@@ -99,8 +99,8 @@ def _top(ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: fl
 def _lead(ramps: Ramps, v0: float, a0: float, v: float) -> tuple[Steps, float, float]:
     """Return the motion from v0 and a0 to speed v.
 
-    It consists of the sections that ramp the acceleration down, the speed after them, and the complete
-    distance.
+    It is returned as the sections that ramp the acceleration down, the speed after them, and the distance of the
+    complete motion.
     """
     if not a0 or ramps.bounds is None:
         return (), v0, _ramp_length(ramps, v0, v)
@@ -126,7 +126,7 @@ def _ramp_length(ramps: Ramps, u: float, v: float) -> float:
 
 
 def _fitting(ramp: Ramp, length: float) -> Ramp:
-    """Return the same ramp with the duration that makes it exactly `length` long."""
+    """Return the ramp with its duration adjusted to make it exactly `length` long."""
     long = ramp_distance(*ramp)
     return (ramp[0], ramp[1] * (length / long), *ramp[2:]) if long else ramp
 
@@ -134,9 +134,9 @@ def _fitting(ramp: Ramp, length: float) -> Ramp:
 def _farthest(low: float, high: float, beyond: Callable[[float], float]) -> float:
     """Return the number farthest from `low`, towards `high`, that still fits.
 
-    A number fits if its `beyond` is 0 at most; `low` must fit. Secants between one that fits and one that
-    does not (Illinois: an end that stays twice counts half) run until both are a few bits apart. Bisection
-    finds the last one.
+    A number fits if its `beyond` is 0 or less; `low` must fit. Secants between a number that fits and one that
+    does not (Illinois: the value of an end that stays twice is halved) run until both are a few bits apart. Bisection
+    finds the last bit.
     """
     over = beyond(high)
     if over <= 0.0:

@@ -1,4 +1,4 @@
-"""A sequence of profiles with at least one formula."""
+"""A sequence of profiles that includes at least one formula."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _BOUND = itemgetter(0)
 class ProfileSequence(Formula):
     """A sequence of profiles, each beginning at the end of the one before.
 
-    `name` makes one phase of the sequence.
+    With a `name` the sequence is one phase of that name.
     """
 
     __slots__ = ("begins", "name", "parts")
@@ -51,7 +51,7 @@ class ProfileSequence(Formula):
 
     @property
     def phases(self) -> tuple[Phase, ...]:
-        """The phases of all profiles, or one."""
+        """The phases of all profiles, or one phase if the sequence has a name."""
         if self.name:
             return (Phase(self.name, self.duration, self.distance, self.start_velocity, self.end_velocity),)
         return tuple(phase for part in self.parts for phase in part.phases)
@@ -60,7 +60,7 @@ class ProfileSequence(Formula):
     def peak_speed(self) -> float:
         """The largest absolute velocity.
 
-        A profile is searched only if its bound exceeds the largest found.
+        A profile is searched only if its upper bound exceeds the largest value found so far.
         """
         peak = 0.0
         for bound, part in sorted(
@@ -92,7 +92,7 @@ class ProfileSequence(Formula):
     def _first_in_segments(
         self, crossing: Callable[[Profile, float], float | None], after: float
     ) -> float | None:
-        """Return the first time >= `after` that `crossing` finds, profile by profile.
+        """Return the first time >= `after` that `crossing` finds in any of the profiles.
 
         A time counts only before the next profile begins.
         """
@@ -142,7 +142,7 @@ class ProfileSequence(Formula):
 
 
 def chained(first: Profile, second: Profile) -> Profile:
-    """Return `first` followed by `second`, which must begin where it ends."""
+    """Return `first` followed by `second`, which must begin where `first` ends."""
     gap = abs(second.start - first.end)
     assert gap <= 1e-9 * max(1.0, abs(first.end), abs(first.distance)), f"a jump of {gap} between profiles"
     if first.duration == 0.0:

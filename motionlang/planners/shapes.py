@@ -1,4 +1,4 @@
-"""Position moves by the name of their shape."""
+"""Planning of position moves by the name of their shape."""
 
 from __future__ import annotations
 
@@ -23,10 +23,9 @@ def plan(
 ) -> Profile:
     """Plan a "trapezoid", "sinusoidal", "scurve" or "parabolic" move.
 
-    For "scurve" a finite `accel_jerk` means Mint's S-ramp (`decel_jerk` defaults to it); without one, `ramp`
+    For "scurve" a finite `accel_jerk` selects Mint's S-ramp (`decel_jerk` defaults to it); without one, `ramp`
     is PMC's ramp ratio. Only the S-ramp uses `a0`; the other shapes may begin with a jump of the
-    acceleration. Raises ValueError for another name. Units and further ValueErrors are those of
-    `plan_trapezoid`.
+    acceleration. Raises ValueError for another name, and like `plan_trapezoid`, whose units apply.
     """
     if shape == "trapezoid":
         return plan_trapezoid(start, target, speed, accel, decel, v0)

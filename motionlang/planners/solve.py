@@ -1,7 +1,7 @@
-"""Solver of AN00115: a consistent few of a move's eight figures give the rest.
+"""Solver of AN00115: enough consistent figures of a move determine all eight.
 
 distance = (accel_time/2 + slew_time + decel_time/2) speed, time = accel_time + slew_time + decel_time, speed
-= accel accel_time = decel decel_time. A rule fills what is still free.
+= accel accel_time = decel decel_time. A rule supplies what the figures leave open.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 def solve_move(rule: str | None = None, **given: float | None) -> dict[str, float]:
     """Return all eight figures of a trapezoidal move from rest, from the given ones.
 
-    They are any of `NAMES`; None means unknown. `rule` "third", "quarter" or "equal" splits the time if
+    The given ones are any of `NAMES`; None means unknown. `rule` "third", "quarter" or "equal" splits the time if
     nothing else does. Figures are magnitudes, in any length unit and seconds. Raises ValueError with the
     missing figures, or the two that contradict each other.
     """
@@ -89,7 +89,7 @@ def _apply_rule(known: Figures, rule: str) -> None:
 
 
 def _deduce(known: Figures) -> bool:
-    """Add one figure that follows from the known ones; False if none does."""
+    """Add one figure that follows from the known ones; False if none follows."""
     for name, needs, step in _STEPS:
         if name not in known and all(need in known for need in needs):
             value = step(known)
@@ -100,7 +100,7 @@ def _deduce(known: Figures) -> bool:
 
 
 def _speed_in_time(k: Figures) -> float | None:
-    """Speed from distance and time: v (T - t/2) - h v^2 = D, the lower root."""
+    """Compute the speed from distance and time: v (T - t/2) - h v^2 = D, lower root."""
     h, t = _ramps(k)
     reach = k["time"] - 0.5 * t
     under = reach * reach - 4.0 * h * k["distance"]
@@ -110,14 +110,14 @@ def _speed_in_time(k: Figures) -> float | None:
 
 
 def _speed_with_slew(k: Figures) -> float | None:
-    """Speed from distance and slew time: v (T_s + t/2) + h v^2 = D."""
+    """Compute the speed from distance and slew time: v (T_s + t/2) + h v^2 = D."""
     h, t = _ramps(k)
     held = k["slew_time"] + 0.5 * t
     return 2.0 * k["distance"] / (held + sqrt(held * held + 4.0 * h * k["distance"]))
 
 
 def _speed_of_times(k: Figures) -> float | None:
-    """Speed from the total time and the slew time: T = T_s + t + 2 h v."""
+    """Compute the speed from the total time and the slew time: T = T_s + t + 2 h v."""
     h, t = _ramps(k)
     left = k["time"] - k["slew_time"] - t
     return 0.5 * left / h if h else None
@@ -126,7 +126,7 @@ def _speed_of_times(k: Figures) -> float | None:
 def _ramps(k: Figures) -> tuple[float, float]:
     """Return h and t of the ramps.
 
-    Those given as rates cover h v^2 in the time 2 h v; those given as times last t together.
+    Ramps given by their rates cover h v^2 in the time 2 h v; ramps given by their times last t together.
     """
     h = t = 0.0
     for time, rate in (("accel_time", "accel"), ("decel_time", "decel")):

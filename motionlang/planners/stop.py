@@ -1,4 +1,4 @@
-"""Profiles towards a velocity: stops, and jogs that run for ever."""
+"""Profiles towards a velocity: stops, and endless jogs."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ def plan_stop(
 ) -> Profile:
     """Come to rest from `v0` at `decel` in the ramps of `shape`; the phase is "stop".
 
-    `ramp` > 0 and a finite `decel_jerk` choose between the two S-curves, as in `plan_velocity`. An
+    `ramp` > 0 and a finite `decel_jerk` select between the two S-curves, as in `plan_velocity`. An
     acceleration `a0` that speeds up is ramped down at `accel_jerk` (default: `decel_jerk`). Raises ValueError
-    for numbers no machine can follow.
+    for numbers that no machine can follow.
     """
     taken_back = decel_jerk if accel_jerk == inf else accel_jerk
     made = plan_velocity(shape, start, v0, 0.0, decel, decel, ramp, taken_back, decel_jerk, a0)
@@ -51,12 +51,12 @@ def plan_velocity(
     decel_jerk: float = inf,
     a0: float = 0.0,
 ) -> Profile:
-    """Change from velocity `v0` to `v1` and run on for ever.
+    """Change from velocity `v0` to `v1` and continue endlessly.
 
-    With opposite signs it brakes to zero first. The shape of the result is "jog", its duration infinite, its
-    `end` infinite too (or its rest position). For "scurve" a finite `accel_jerk` means Mint's S-ramp, which
+    If their signs are opposite, it brakes to zero first. The shape of the result is "jog", its duration infinite, its
+    `end` infinite too (or its rest position). For "scurve" a finite `accel_jerk` selects Mint's S-ramp, which
     continues from the acceleration `a0`; without one, `ramp` is PMC's ramp ratio. Raises ValueError for
-    numbers no machine can follow.
+    numbers that no machine can follow.
     """
     check_positive(acceleration=accel, deceleration=decel)
     check_finite(position=start, start_velocity=v0, velocity=v1, start_acceleration=a0)
@@ -72,14 +72,14 @@ def plan_velocity(
 
 
 def running(start: float, velocity: float) -> Profile:
-    """Return a motion at the constant `velocity` (not 0), for ever."""
+    """Return an endless motion at the constant `velocity` (not 0)."""
     return Profile("jog", start, far_end(start, velocity), inf, (velocity, inf, 0.0, velocity))
 
 
 def ramps_of(
     shape: str, accel: float, decel: float, ramp: float, accel_jerk: float, decel_jerk: float
 ) -> Ramps:
-    """Return the ramps of a shape; ValueError for an unknown name."""
+    """Return the ramps of a shape; raise ValueError for an unknown name."""
     if shape == "trapezoid":
         return stretched(shape, accel, decel, 0.0, 1.0)
     if shape == "sinusoidal":
@@ -107,7 +107,7 @@ def _run(start: float, ramps: Ramps, v0: float, v1: float) -> Profile:
 
 
 def _change(ramps: Ramps, v0: float, v1: float) -> Recipe:
-    """Return ramps from v0 to v1 without the two velocities themselves."""
+    """Return ramps from v0 to v1, a recipe without its first and last velocity."""
     if v0 * v1 < 0.0:
         return (*ramps.down(abs(v0), 0.0), 0.0, *ramps.up(0.0, abs(v1)))
     if abs(v1) < abs(v0):

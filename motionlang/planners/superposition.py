@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Superposed(Formula):
-    """The sum of two profiles; the shorter one continues as it ended."""
+    """The sum of two profiles; after its end the shorter one continues as it ended."""
 
     __slots__ = ("first", "second")
 
@@ -34,7 +34,7 @@ class Superposed(Formula):
         )
 
     def state(self, time: float) -> State:
-        """Return the sums of both states."""
+        """Return the sum of the states of both profiles."""
         a, b = self.first.at(time), self.second.at(time)
         return State(
             a.position + b.position,
@@ -69,7 +69,7 @@ class Superposed(Formula):
 def added(first: Profile, second: Profile, shape: str) -> Profile:
     """Return the sum of two profiles.
 
-    It is made of pieces if both are and no two waves overlap; if not, it is a `Superposed`.
+    The sum consists of pieces if both profiles do and no two sine waves overlap; if not, it is a `Superposed`.
     """
     if first.pieced and second.pieced:
         made = _in_pieces(first, second, shape)
@@ -119,7 +119,7 @@ def _both(a: Piece, b: Piece) -> Piece | None:
 
 
 def _end(profile: Profile, time: float) -> float:
-    """Return the position of a profile at the end of the longer one."""
+    """Return the position of a profile at the time when the longer one ends."""
     return profile.end if time == inf and profile.duration == inf else _later(profile, time)
 
 
@@ -131,9 +131,9 @@ def _later(profile: Profile, time: float) -> float:
 
 
 def _from(profile: Profile, time: float) -> Profile:
-    """Return the rest from `time` on.
+    """Return the rest of a profile from `time` on.
 
-    A profile that is over leaves the axis at rest or running on.
+    A profile that is over rests or continues at its end velocity.
     """
     if time <= profile.duration or not profile.end_velocity:
         return profile.after(time)

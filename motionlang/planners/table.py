@@ -1,7 +1,7 @@
 """The pieces of a history of moves as columns, expanded from all recipes at once.
 
-The arithmetic is that of `ramps.expand`, with an array in place of each number. The table of a shift of 20
-000 moves takes less time than its pieces one by one. Axes of the arrays: profile, ramp, third of a ramp.
+The arithmetic is that of `ramps.expand`, with an array in place of each number. For a shift of 20 000 moves this
+takes less time than making the pieces one by one. Axes of the arrays: profile, ramp, third of a ramp.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ MIN_PROFILES = 24
 def piece_columns(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple[Array, Array]:
     """Return the start times and coefficients (7 x pieces) of profiles.
 
-    The profiles begin at `starts`. Each ends where the next begins; one that is over before that is followed
-    by a piece at its end.
+    The profiles begin at `starts`. Each ends where the next begins; if one is over before that, a piece at its end
+    position follows.
     """
     if not profiles:
         return np.empty(0), np.empty((7, 0))
@@ -70,7 +70,7 @@ def _of_recipes(starts: Sequence[float], profiles: Sequence[Profile], rows: list
 def _of_curves(starts: Sequence[float], profiles: Sequence[Profile], rows: list[int]) -> Part:
     """Return the pieces of profiles without a recipe: cut, joined or given as pieces.
 
-    For a few profiles this is quicker.
+    It is also faster for a few profiles.
     """
     owners: list[int] = []
     begins: list[float] = []
@@ -115,7 +115,10 @@ def _matrix(recipes: list[tuple[float, ...]]) -> tuple[Array, Array, Array, Arra
 def _expand(
     start: Array, v_from: Array, time: Array, kind: Array, v_to: Array
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Return local begins, columns (7, ...) and presence of the thirds of every ramp."""
+    """Return start times, columns (7, ...) and a presence mask of the thirds of ramps.
+
+    Times count from the start of the profile.
+    """
     takes_time = time >= MOMENT
     span = np.where(takes_time & np.isfinite(time), time, 1.0)
     change = v_to - v_from
@@ -154,7 +157,7 @@ def _thirds(
 ) -> None:
     """Fill in the thirds of the ramps at index `at`.
 
-    The thirds are acceleration rising, constant and falling.
+    The thirds have rising, constant and falling acceleration.
     """
     span, ratio, v_to = (values[at] for values in ramps)
     first, second, third = ((*at, np.full(len(span), i)) for i in range(3))

@@ -19,10 +19,10 @@ KINDS = ("linear", "cubic")
 def table_curve(
     places: Sequence[float], values: Sequence[float], kind: str = "linear", cyclic: bool = False
 ) -> Profile:
-    """Return the curve with `values` at `places`, which rise from 0.
+    """Return the curve with `values` at `positions`, which rise from 0.
 
-    "cubic" is the spline with continuous slope and curvature; at its ends it is level, or joins itself if it
-    is `cyclic`. Raises ValueError for an invalid table.
+    "cubic" is the spline with continuous slope and curvature. At its ends the slope is zero; if it is `cyclic`, its end
+    continues into its beginning instead. Raises ValueError for an invalid table.
     """
     if len(places) != len(values) or len(places) < 2:
         raise ValueError("a table needs two points or more, and a value for each")
@@ -49,7 +49,9 @@ def table_curve(
 
 
 def spline_slopes(widths: Sequence[float], rises: Sequence[float], cyclic: bool) -> list[float]:
-    """Return the slopes of a cubic spline with continuous curvature, level or cyclic.
+    """Return the slopes of a cubic spline with continuous curvature.
+
+    Its end slopes are zero, or equal if it is `cyclic`.
 
     m[i-1]/h[i-1] + 2 m[i] (1/h[i-1] + 1/h[i]) + m[i+1]/h[i] = 3 (r[i-1]/h[i-1] + r[i]/h[i]).
     """
@@ -66,7 +68,7 @@ def spline_slopes(widths: Sequence[float], rises: Sequence[float], cyclic: bool)
 
 
 def _seam(widths: Sequence[float], rises: Sequence[float], slopes: Sequence[float]) -> float:
-    """Return the jump of the curvature (halved) where the end meets the beginning."""
+    """Return half the jump of the curvature from the end to the beginning."""
     after = (3.0 * rises[0] - 2.0 * slopes[0] - slopes[1]) / widths[0]
     before = (slopes[-2] + 2.0 * slopes[-1] - 3.0 * rises[-1]) / widths[-1]
     return after - before
@@ -75,7 +77,7 @@ def _seam(widths: Sequence[float], rises: Sequence[float], slopes: Sequence[floa
 def _inner(
     widths: Sequence[float], rises: Sequence[float], first: float, last: float, homogeneous: bool
 ) -> list[float]:
-    """Return the slopes between two given ones, by a tridiagonal elimination."""
+    """Return the slopes between two given end slopes, by tridiagonal elimination."""
     diagonal: list[float] = []
     right: list[float] = []
     for i, (h, k) in enumerate(pairwise(widths)):

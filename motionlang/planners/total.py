@@ -25,9 +25,9 @@ def total(values: Iterable[float]) -> float:
 
 
 def exact_terms(values: Iterable[float]) -> list[float]:
-    """Return a few floats that add up to exactly the sum of all values.
+    """Return a few floats whose exact sum is the exact sum of all values.
 
-    They are the sum, its error, the error of that, and so on.
+    They are the rounded sum, its error, the error of that error, and so on.
     """
     rest = list(values)
     terms: list[float] = []

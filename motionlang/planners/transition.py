@@ -1,9 +1,8 @@
 """Transition from any velocity *and acceleration* to another velocity.
 
-It observes limits on acceleration and jerk. An acceleration that serves the new velocity continues as part of
-the ramp that leads there. One that does not is ramped down first, at the jerk of its own side (speeding up or
-slowing down), and a ramp from zero acceleration follows. Own arithmetic. Velocities are in the direction of
-the motion.
+It respects limits on acceleration and jerk. If the present acceleration leads towards the new velocity, it continues
+as part of the ramp. If not, it is ramped down first, at the jerk limit for speeding up or for slowing down as it
+applies, and a ramp from zero acceleration follows. Own arithmetic. Velocities are in the direction of the motion.
 """
 
 from __future__ import annotations
@@ -28,7 +27,7 @@ NOTHING, HARDLY = 1e-12, 0.5
 
 @record
 class Bounds:
-    """Limits of a jerk-limited ramp, for speeding up and for slowing down."""
+    """Acceleration and jerk limits of a ramp, for speeding up and for slowing down."""
 
     accel: float
     decel: float
@@ -37,9 +36,9 @@ class Bounds:
 
 
 def initial_steps(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Steps, float]:
-    """The first steps from v0 >= 0 and a0 towards v1 >= 0, and their final speed.
+    """Return the first steps from v0 >= 0 and a0 towards v1 >= 0, and the final speed.
 
-    If that is not v1, an ordinary ramp has to follow. It is negative if the acceleration cannot be ramped
+    If the final speed is not v1, an ordinary ramp has to follow. It is negative if the acceleration cannot be ramped
     down before the motion reverses.
     """
     if a0 > 0.0:
@@ -58,7 +57,7 @@ def initial_steps(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Step
 
 
 def eased_speed(bounds: Bounds, v0: float, a0: float) -> float:
-    """Return the velocity once an acceleration has been ramped down."""
+    """Return the velocity after an acceleration has been ramped down."""
     return v0 + 0.5 * a0 * abs(a0) / (bounds.accel_jerk if a0 > 0.0 else bounds.decel_jerk)
 
 
@@ -75,7 +74,7 @@ def distance_of_steps(v0: float, a0: float, steps: Steps) -> float:
 def profile_of_steps(
     start: float, v0: float, a0: float, steps: Steps, v1: float, sign: float = 1.0
 ) -> Profile:
-    """Return the profile of steps that end at velocity v1; `sign` -1 reverses them."""
+    """Return the profile of steps that end at velocity v1; `sign` -1 mirrors it."""
     knots, p, v, a = [0.0], start, v0 * sign, a0 * sign
     pieces: list[Piece] = []
     for jerk, time in steps:
@@ -92,7 +91,10 @@ def profile_of_steps(
 
 
 def _ramp(change: float, a0: float, most: float, jerk: float) -> Steps:
-    """Return an increase of velocity by `change`, from acceleration a0 >= 0 to zero."""
+    """Return the steps that increase the velocity by `change`, from acceleration a0.
+
+    a0 is at least 0; the final acceleration is zero.
+    """
     if a0 > most:
         held = max(0.0, (change - 0.5 * (a0 * a0 / jerk)) / most)
         return ((-jerk, (a0 - most) / jerk), (0.0, held), (-jerk, most / jerk))

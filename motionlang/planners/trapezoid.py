@@ -14,7 +14,7 @@ def plan_trapezoid(
     """Plan a trapezoidal move from `start` (moving at `v0`) to rest at `target`.
 
     Units are any length, length/s and length/s². A short move peaks below `speed`. T_A = V/A, S_A = V T_A/2
-    (TN1069, AN00115). Raises ValueError for numbers no machine can follow.
+    (TN1069, AN00115). Raises ValueError for numbers that no machine can follow.
     """
     if v0 == 0.0:
         ramps = from_rest(target - start, speed, accel, decel)
@@ -37,7 +37,7 @@ def from_rest(
 ) -> tuple[float, tuple[float, ...]] | None:
     """Return duration and recipe of a move from rest; None if no machine can follow.
 
-    It is inlined because the running program calls it for nearly every move.
+    The arithmetic is inlined because the running program calls it for nearly every move.
     """
     if not (
         speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST

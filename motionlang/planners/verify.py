@@ -29,7 +29,7 @@ def verify(
     """Return every violation of a profile as one sentence; empty if there is none.
 
     Position and velocity must be continuous (the acceleration too if the shape promises it), the extrema of
-    every piece within limits, and the end reached. `accel` limits speeding up, `decel` slowing down.
+    every piece within limits, and the end exact within tolerance. `accel` limits speeding up, `decel` slowing down.
     Tolerances are relative to the profile's own size. A start faster than `speed` is allowed until it has
     braked.
     """
@@ -60,7 +60,7 @@ class _Span:
         return float(self.poly[order](x)) + wave
 
     def rounding(self, order: int) -> float:
-        """Return the effect of the last bits of the absolute knots on derivative `order`."""
+        """Return how much rounding of the knot times can change derivative `order`."""
         return 4e-16 * (self.begin + self.length) * abs(self.value(order + 1, self.length))
 
     def turns(self, order: int) -> list[float]:

@@ -1,1 +1,1 @@
-"""The prompt: `motionlang repl`."""
+"""The interactive prompt: `motionlang repl`."""

@@ -1,6 +1,6 @@
 """Commands of the prompt itself.
 
-They begin with a dot, which begins no statement of either language.
+They begin with a dot, with which no statement of either language begins.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """A command of the prompt, with its argument as the help shows it.
+    """A command of the prompt, with its argument as shown in the help.
 
     `X` is a required argument, `[X]` an optional one, and an empty text means none.
     """
@@ -51,7 +51,7 @@ def is_command(line: str) -> bool:
 
 
 def without_dot(line: str) -> str:
-    """Return the dotted command that a rejected line most likely means, or ""."""
+    """Return the dot command that a rejected line most likely means, or ""."""
     word, _, argument = line.strip().partition(" ")
     command = COMMANDS.get({"exit": "quit", "bye": "quit", "?": "help"}.get(word.lower(), word.lower()))
     if command is None or (argument and not command.argument):
@@ -60,7 +60,7 @@ def without_dot(line: str) -> str:
 
 
 def obey(session: Session, line: str) -> None:
-    """Carry out a dotted line."""
+    """Carry out a dot command."""
     word, _, argument = line[1:].partition(" ")
     argument = argument.replace("\0", "").strip()  # no system has a file with a NUL in its name
     command = COMMANDS.get(word.lower())
@@ -157,7 +157,7 @@ def _keys(session: Session, text: str) -> None:
 
 
 def _add(session: Session, **given: str) -> None:
-    """Add entries to the world of the machine; their times count from now."""
+    """Add entries to the simulated world of the machine; times are relative to now."""
     try:
         session.machine.add_entries(entries(session.machine.settings, **given))
     except WrongEntry as error:
@@ -208,7 +208,7 @@ def _so_far(session: Session) -> Run:
 
 
 def load_file(session: Session, path: str) -> None:
-    """Run the program in a file; its names and the machine stay."""
+    """Run the program in a file; existing names and the machine are preserved."""
     try:
         source = Source.read(expanduser(path))
     except OSError as error:

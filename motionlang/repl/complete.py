@@ -43,7 +43,7 @@ class WordCompleter(Completer):
         self._paths = PathCompleter(expanduser=True)
 
     def get_completions(self, document: Document, complete_event: CompleteEvent) -> Iterable[Completion]:
-        """Return file names after a command that takes one, and otherwise `candidates`."""
+        """Return file names after a command that takes one, else the `candidates`."""
         word, _, argument = document.current_line_before_cursor.lstrip().partition(" ")
         command = COMMANDS.get(word[1:]) if is_command(word) else None
         if command is not None and "FILE" in command.argument and argument:
@@ -61,7 +61,7 @@ def _fits(row: Keyword, begun: str) -> bool:
 
 
 def _spelt(name: str, begun: str) -> str:
-    """Return a name in the user's case, because both languages accept any case."""
+    """Return a name in the case that the user types; both languages accept any case."""
     return name.lower() if begun.islower() else name
 
 

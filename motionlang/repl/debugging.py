@@ -1,6 +1,6 @@
 """The debugger at the prompt: a program that is stopped between two statements.
 
-It has its own machine: lines typed at the prompt do not touch it.
+It has its own machine: lines typed at the prompt do not affect it.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _GIVEN = re.compile(r"(@?\w+(?:\([\d, ]+\))?)\s*=\s*(.+)")
 
 
 class Debugging:
-    """A program in the debugger of a prompt, and its breakpoints as they were typed."""
+    """A program in the debugger of a prompt, and its breakpoints as typed."""
 
     def __init__(self, session: Session, path: str) -> None:
         self._session, self.path = session, path
@@ -49,7 +49,7 @@ class Debugging:
         return self._session.ask(begun)
 
     def use(self) -> None:
-        """Hand the breakpoints to the debugger; limits, faults and errors always stop it."""
+        """Pass the breakpoints to the debugger; limits, faults and errors always stop it."""
         broken = self._broken.values()
         self.debugger.set_breakpoints([each for each in broken if isinstance(each, Breakpoint)])
         searches = [each for each in broken if not isinstance(each, Breakpoint)]
@@ -58,7 +58,7 @@ class Debugging:
     def add(self, text: str) -> None:
         """Add a breakpoint: `LINE`, `LINE if CONDITION`, or a motion breakpoint.
 
-        Raises ValueError.
+        Raises ValueError if it is invalid.
         """
         match = _LINE.fullmatch(text)
         if match is None:
@@ -76,7 +76,7 @@ class Debugging:
 
     @property
     def broken(self) -> list[str]:
-        """The breakpoints as they were typed."""
+        """The breakpoints as typed."""
         return list(self._broken)
 
     def line(self, stop: Stop | None) -> str:
@@ -93,7 +93,7 @@ class Debugging:
 
 
 def _with(session: Session, work: Callable[[Debugging], str]) -> None:
-    """Do `work` with the program in the debugger, and show its result or the error."""
+    """Call `work` with the program in the debugger, and show its result or the error."""
     debugging = session.debugging
     try:
         if debugging is None:
@@ -113,7 +113,7 @@ def _wrong(session: Session, message: str, hint: str = "") -> None:
 
 
 def debug(session: Session, path: str) -> None:
-    """`.debug FILE`: begin, or run the new text of the program to the same time."""
+    """`.debug FILE`: begin, or run a changed text of the program to the same time."""
     before = session.debugging
 
     try:
@@ -136,7 +136,7 @@ def debug(session: Session, path: str) -> None:
 
 
 def change(session: Session, text: str) -> None:
-    """`.change N TEXT`: replace a line of the text, and run that to the same time."""
+    """`.change N TEXT`: replace line N, and run the new text to the same time."""
     number, _, line = text.partition(" ")
 
     def work(debugging: Debugging) -> str:
@@ -188,12 +188,12 @@ def step(session: Session, _: str) -> None:
 
 
 def over(session: Session, _: str) -> None:
-    """`.over`: go to the next statement, over a sub."""
+    """`.over`: go to the next statement, stepping over subs."""
     _moved(session, Debugger.next)
 
 
 def back(session: Session, _: str) -> None:
-    """`.back`: go to the statement before."""
+    """`.back`: go to the previous statement."""
     _moved(session, Debugger.step_back)
 
 
@@ -203,12 +203,12 @@ def go(session: Session, _: str) -> None:
 
 
 def reverse(session: Session, _: str) -> None:
-    """`.reverse`: go back to the breakpoint before."""
+    """`.reverse`: go back to the previous breakpoint."""
     _moved(session, Debugger.reverse)
 
 
 def goto(session: Session, text: str) -> None:
-    """`.goto S` or `.goto line N`: go to a time, or to the next start of a line."""
+    """`.goto S` or `.goto line N`: go to a time (s), or to the next start of a line."""
     _moved(session, lambda debugger: destination(debugger, text)())
 
 
@@ -225,7 +225,7 @@ def changed(session: Session, text: str) -> None:
 
 
 def vars_(session: Session, text: str) -> None:
-    """`.vars`: show the state at the stop or a value, or give a variable a value."""
+    """`.vars`: show the state at the stop or one value, or assign a variable."""
 
     def work(debugging: Debugging) -> str:
         given = _GIVEN.fullmatch(text)
@@ -250,7 +250,7 @@ def _give(debugger: Debugger, name: str, text: str) -> str:
 
 
 def _everything(debugger: Debugger) -> str:
-    """Return the variables, the axes and channels, and the waits of other tasks."""
+    """Return variables, axes and channels, and what other tasks wait for."""
     state = debugger.state()
     stop = debugger.stop
     lines = []
@@ -278,7 +278,7 @@ def _has_moved(axis: Variable) -> bool:
 
 
 def _axis(axis: Variable) -> list[str]:
-    """Return the line of an axis at the stop, and another one for an earlier moment."""
+    """Return the line of an axis at the stop, and a second line for an earlier moment."""
     now: list[str] = []
     earlier: dict[str, list[str]] = {}
     for each in axis.value:  # type: ignore[attr-defined]

@@ -47,7 +47,7 @@ class WordLexer(Lexer):
         self._dialect = dialect
 
     def lex_document(self, document: Document) -> Callable[[int], StyleAndTextTuples]:
-        """Return styled text by line number; lines past the last one are empty."""
+        """Return a function from line number to styled text; it is empty past the end."""
         lines: list[StyleAndTextTuples] = [[]]
         for style, text, *_ in styled(self._dialect, document.text):
             first, *rest = text.split("\n")

@@ -24,7 +24,7 @@ def history(dialect: str) -> History:
 
 
 class SafeHistory(FileHistory):
-    """A history whose errors do not disturb the session, such as a full disk."""
+    """A history whose errors, such as a full disk, do not disturb the session."""
 
     def store_string(self, string: str) -> None:
         try:
@@ -39,7 +39,7 @@ def _folder() -> str | None:
 
 
 def _is_writable(path: str) -> bool:
-    """True if the file is, or can be created as, private to this user.
+    """True if the file is, or can be created, writable and private to this user.
 
     Typed lines are private.
     """

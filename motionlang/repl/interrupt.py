@@ -11,7 +11,7 @@ from types import FrameType, TracebackType
 
 
 class Interrupts:
-    """`with interrupts:` turns Ctrl-C into `pressed()`.
+    """`with interrupts:` makes the first Ctrl-C call `pressed()`.
 
     A second press raises the ordinary KeyboardInterrupt.
     """

@@ -15,8 +15,8 @@ from motionlang.source import Source
 def read_lines(session: Session) -> int:
     """Execute every line of standard input; return 1 if any had an error.
 
-    An INPUT takes the next line. After Ctrl-C no user is there to continue, so the command is ended cleanly
-    and KeyboardInterrupt follows.
+    An INPUT takes the next line. Ctrl-C ends the command cleanly and then raises KeyboardInterrupt, because no user
+    can continue the session.
     """
     interrupts = Interrupts()
     session.interrupted = interrupts.pressed

@@ -13,21 +13,21 @@ STEP = 0.02
 
 
 class Live:
-    """Keeps the session's machine time at real time, also during a command."""
+    """Keeps the session's machine time equal to real time, also during a command."""
 
     def __init__(self, session: Session) -> None:
         self._session = session
         self._wall = time.monotonic()
 
     def catch_up(self) -> None:
-        """Let as much machine time pass as real time has passed since the last call."""
+        """Advance machine time by the real time that has passed since the last call."""
         wall = time.monotonic()
         passed, self._wall = wall - self._wall, wall
         if self._session.live:
             self._session.runner.pass_time(passed)
 
     def begin(self) -> None:
-        """Begin a command, whose time is then held to real time."""
+        """Begin a command, which then runs in real time."""
         self.catch_up()
         clock = self._session.machine.controller.clock
         zero = clock.now - self._wall

@@ -70,7 +70,7 @@ def converse(session: Session) -> int:
 def _answer(begun: str) -> str | None:
     """Return the line that the user types after a question.
 
-    The program itself shows both, as it shows the text of `[[answer]]`.
+    The program itself prints both, as it prints the text of `[[answer]]`.
     """
     print(end="\r", flush=True)  # the question is overwritten by itself
     try:
@@ -106,7 +106,7 @@ def _asker(session: Session, live: Live) -> PromptSession[str]:
 def _keys(session: Session) -> KeyBindings:
     """Return the key bindings.
 
-    Enter executes a complete text and continues an incomplete one. Alt-Enter always begins a new line.
+    Enter executes a complete text and extends an incomplete one by a line. Alt-Enter always begins a new line.
     """
     keys = KeyBindings()
 

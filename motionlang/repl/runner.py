@@ -1,4 +1,4 @@
-"""Runs one command after another on one machine, and survives their errors."""
+"""Runs commands one after another on one machine, and survives their errors."""
 
 from __future__ import annotations
 
@@ -31,8 +31,7 @@ class Runner:
     """Executes the commands of a session on its machine.
 
     `tell(diagnostics, source)` reports errors. `poll(time)` is called between two steps of a command, when
-    every axis is consistent, with the machine time that is about to be reached. It raises `Interrupted` to
-    end the command.
+    every axis is consistent, with the machine time of the next step. It raises `Interrupted` to end the command.
     """
 
     def __init__(
@@ -52,11 +51,11 @@ class Runner:
 
     @property
     def keeps_columns(self) -> bool:
-        """True if errors of an earlier text are reported with their columns."""
+        """True if errors in an earlier text are reported with their columns."""
         return self._interactive.keeps_columns
 
     def is_complete(self, text: str) -> bool:
-        """True if `text` leaves no block open."""
+        """True if `text` does not leave a block open."""
         return self._interactive.is_complete(text)
 
     def execute(self, source: Source) -> bool:
@@ -81,7 +80,7 @@ class Runner:
         return self._run(_Passing(wait_until(controller, now, now + seconds)), NOWHERE)
 
     def settle(self) -> bool:
-        """Let the motion in progress end.
+        """Let time pass until all motion has ended.
 
         Returns False if it never ends or an error occurs.
         """
@@ -103,7 +102,7 @@ class Runner:
         return self._guard(source, run)
 
     def _let_run(self, task: Task) -> None:
-        """Replace the previous command by a new one."""
+        """Replace the previous command's task by a new one."""
         scheduler = self._scheduler
         before = scheduler.parent
         scheduler.tasks = [task, *(each for each in scheduler.tasks if each is not before and not each.done)]
@@ -117,7 +116,7 @@ class Runner:
             self._tell(complaints, source)
 
     def _guard(self, source: Source, work: Callable[[], bool]) -> bool:
-        """Do `work`; report any error and keep the machine running."""
+        """Call `work`; report any error and keep the machine running."""
         try:
             try:
                 with StackSpace():
@@ -143,7 +142,7 @@ class Runner:
         self._tell([Diagnostic(code, message, *place[:2], length=place[2], hint=hint)], source)
 
     def _drop_if_broken(self, error: Exception) -> None:
-        """Remove the current task if the error passed through it: it cannot continue.
+        """Remove the current task if the error occurred in it, because it cannot continue.
 
         The task is the command or a background task.
         """

@@ -35,11 +35,11 @@ REMARK_ON_MOTION = (
 class Session:
     """An interactive session: `feed(text)` executes lines and returns their output.
 
-    `show` is called with the machine's output and the session's answers as they come, `complain` with errors
-    and remarks (by default `show` gets them too). `interrupted()` is polled while a command runs.
-    `pace(time)` is called with the machine time that is about to be reached. `ask(begun)` returns the line
-    for an INPUT whose prompt is `begun`, or None if there is none; time stops meanwhile. `failed` is true
-    after any error, `over` after the user has asked to leave.
+    `show` is called at once with output of the machine and answers of the session, `complain` with errors
+    and remarks (by default they go to `show`, too). `interrupted()` is polled while a command runs.
+    `pace(time)` is called with the machine time of the next step. `ask(begun)` returns the line for an INPUT whose
+    prompt is `begun`, or None if there is none; machine time stops meanwhile. `failed` is True after any error, `over`
+    after the user has asked to leave.
     """
 
     def __init__(
@@ -86,7 +86,7 @@ class Session:
 
     @property
     def in_block(self) -> bool:
-        """True if a block is open, so that more lines must follow."""
+        """True if a block is open, so that more lines are needed."""
         return bool(self._block)
 
     def is_complete(self, text: str) -> bool:
@@ -136,7 +136,7 @@ class Session:
     def load(self, source: Source) -> bool:
         """Execute a whole program; return False after an error.
 
-        Its names stay defined as far as the dialect allows.
+        Its names remain defined if the dialect allows it.
         """
         fine = self.execute(source)
         # A number up to here may be a line of the program or of the session.
@@ -187,7 +187,7 @@ class Session:
     def _origin(self, diagnostic: Diagnostic, source: Source | None) -> Source | None:
         """Return the source that contains a diagnostic's line.
 
-        This is an earlier text for a move left in a move buffer.
+        For a move left in a move buffer this is an earlier text.
         """
         if source is None or not diagnostic.line:
             return None

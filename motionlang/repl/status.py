@@ -25,7 +25,7 @@ def one_line(machine: Machine) -> str:
 def table(machine: Machine) -> str:
     """Return a table of the axes in user units.
 
-    A line has an axis, its position, velocity, target and activity.
+    A line shows an axis with its position, velocity, target and activity.
     """
     rows = [("axis", "position", "velocity", "target", "")]
     rows += [_row(machine, axis) for axis in _touched(machine)]

@@ -1,6 +1,6 @@
-"""A board that real hosts talk to, over TCP or a serial device, several at once.
+"""A board that serves several real hosts at once, over TCP or a serial device.
 
-An ordinary run imports none of it.
+An ordinary run imports nothing of this package.
 
     with Server(Console(Machine(first_axis=1))) as server:
         server.listen("127.0.0.1", 5010)

@@ -1,4 +1,4 @@
-"""Network addresses to listen at, as written on the command line."""
+"""Network addresses to listen on, as written on the command line."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ def parse(text: str) -> tuple[str, int]:
 
 
 def shown(host: str, port: int) -> str:
-    """Return an address as it is written."""
+    """Return an address in the form in which a user writes it."""
     return f"[{host}]:{port}" if ":" in host else f"{host}:{port}"
 
 
 def is_loopback(host: str) -> bool:
     """True if an address is reachable only from this computer.
 
-    The address is in the form that the system resolved.
+    `host` is the address as resolved by the system.
     """
     try:
         return ipaddress.ip_address(host.partition("%")[0]).is_loopback

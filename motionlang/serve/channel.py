@@ -14,10 +14,10 @@ class Gone(Exception):
 
 
 class Channel(Protocol):
-    """The two directions of a host's connection, without waiting.
+    """Both directions of a host's connection; no call waits.
 
-    `receive` and `send` return b"" and 0 if nothing can be transferred now. `receive` returns None when no
-    more data will come.
+    `receive` and `send` return b"" and 0 if nothing can be transferred now. `receive` returns None after the end of
+    the data.
     """
 
     name: str
@@ -69,7 +69,7 @@ class TcpChannel:
     def close(self) -> None:
         """Close the connection cleanly.
 
-        Unread characters would reset the connection and lose the last data sent.
+        Characters left unread would reset the connection and lose the last data sent.
         """
         try:
             self._socket.shutdown(socket.SHUT_WR)
@@ -82,8 +82,8 @@ class TcpChannel:
 class DeviceChannel:
     """The board's end of a pseudo-terminal; hosts open the other end as a serial port.
 
-    The server also keeps the other end open. The connection never ends, just like a serial line. The board
-    does not notice that one program has closed the device and another has opened it.
+    The server keeps the other end open, too, so the connection never ends, just like a serial line. The board does not
+    notice when one program closes the device and another opens it.
     """
 
     def __init__(self) -> None:

@@ -1,4 +1,4 @@
-"""Protocols of a controller for the server: a console, and a port for each host."""
+"""Protocols between the server and a controller: a console, and a port per host."""
 
 from __future__ import annotations
 
@@ -12,10 +12,11 @@ if TYPE_CHECKING:
 class Port(Protocol):
     """One host's connection to a controller.
 
-    `busy` is true while a line of the host is carried out, `waiting` is the wait of that line. `feed` takes
-    characters and returns how many, `take` returns the output. `accepts` is true if `feed` would take some.
-    `drop_abandoned` removes what a later character abandons. In lock step the server gives a busy port what
-    `at_once` selects, and another one the entry that `next_entry` selects. `abandon` ends the line.
+    `busy` is True while a line of the host is carried out, and `waiting` is the wait of that line. `feed` accepts
+    characters and returns their number, `take` returns the output. `accepts` is True if `feed` would accept any.
+    `drop_abandoned` removes characters that a later character abandons. In lock step the server gives a busy port
+    the characters that `at_once` selects, and an idle port the entry that `next_entry` selects. `abandon` ends the
+    line.
     """
 
     @property
@@ -37,9 +38,9 @@ AnyPort = TypeVar("AnyPort", bound=Port)
 class Console(Protocol[AnyPort]):
     """A controller with its ports.
 
-    `run` lets machine time pass to a time, `settle` until no line is carried out. `next_time` is when
-    something happens without input, 0 at once. `working` is true while a line is carried out without need of
-    its host. `drop_broken` ends what an internal error has broken. `break_key` ends a line, and `no_room` is
+    `run` advances machine time to a given time, `settle` until no line is carried out. `next_time` is the time of
+    the next event without input, 0 for at once. `working` is True while a line is carried out that does not wait for
+    its host. `drop_broken` ends the lines that an internal error has broken. `break_key` ends a line, and `no_room` is
     sent to a host that cannot connect.
     """
 

@@ -41,17 +41,17 @@ class Host:
 
     @property
     def listens(self) -> bool:
-        """True if the buffers have room for more from this host."""
+        """True if the buffers have room for more data from this host."""
         return self.ended is None and len(self._inbox) < self._limits.inbox
 
     @property
     def unsent(self) -> bool:
-        """True if data waits to be sent through the channel."""
+        """True if data is waiting to be sent through the channel."""
         return bool(self._outbox)
 
     @property
     def waits(self) -> bool:
-        """True if data from the host waits to be given to the board."""
+        """True if data from the host is waiting to be passed to the board."""
         return bool(self._inbox)
 
     @property
@@ -67,7 +67,7 @@ class Host:
 
     @property
     def done(self) -> bool:
-        """True if a host that has closed its sending side has all its answers."""
+        """True if a host has closed its sending side and received all its answers."""
         return self.ended is not None and self.is_silent
 
     def waits_in_vain(self) -> str:
@@ -93,7 +93,7 @@ class Host:
         self._inbox += data
 
     def feed(self, pace: Pace) -> None:
-        """Give the board the data that it accepts: all of it, or one line in lock step."""
+        """Pass the data that the board accepts: all of it, or one line in lock step."""
         port, inbox = self.port, self._inbox
         port.drop_abandoned(inbox)
         if pace.by_line and port.busy:

@@ -1,4 +1,4 @@
-"""Limits on what a host may use of the server."""
+"""Limits on the resources of the server that a host may use."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Bounds on hosts, buffers and times.
+    """Limits on hosts, buffers and times.
 
     `hosts` is the number of hosts connected at once. Characters are limited per read from one host (`chunk`),
     until the board accepts them (`inbox`) and until the host reads them (`outbox`). Times are in seconds.

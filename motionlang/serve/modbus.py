@@ -1,13 +1,13 @@
 """Modbus TCP server for the memory that a Mint program shares with its host.
 
-Source: ABB AN00198. Element n of the comms array or of NetData is the holding registers 2n, its low half, and
-2n + 1. Registers of elements that do not exist are answered with "illegal data address". Function codes: 3
+Source: ABB AN00198. Element n of the comms array or of NetData occupies two holding registers: 2n, its low half,
+and 2n + 1. Registers of elements that do not exist are answered with "illegal data address". Function codes: 3
 and 4 read, 6, 16, 22 and 23 write, 43 identifies the device.
 
 The server has its own thread and event loop. The run answers each request between two steps (`outside.py`).
 The requests of a connection are answered in order, one at a time, so a client that sends ahead delays only
 itself. Every frame has the header of Modbus TCP: transaction, protocol (0), length, unit. A server without a
-unit of its own answers all of them; one with a unit answers that one and those that mean the device itself (0
+unit of its own answers all units. A server with one answers that unit and those that mean the device itself (0
 and 255). A frame for another unit or of another protocol is skipped. An invalid length ends the connection,
 because the next frame could not be found.
 """
@@ -57,7 +57,7 @@ THIS_DEVICE = (0, 255)
 class Connection:
     """A client, with a flag for a request in progress and the time of the last one.
 
-    The time is real time.
+    The time is real time, s.
     """
 
     def __init__(self, writer: StreamWriter) -> None:
@@ -68,7 +68,7 @@ class ModbusServer:
     """A server that listens from `start` to `stop`; `port` is the actual port.
 
     At most `limits.hosts` clients are connected. A further client replaces the one that has been silent
-    longest, if that is at least `limits.idle` seconds. If none has, the new one is rejected and `complain` is
+    longest, if that is at least `limits.idle` seconds. Otherwise the new client is rejected and `complain` is
     called. `unit` is the only unit that is answered, None for all. `start` raises OSError if the address is not
     available.
     """
@@ -127,9 +127,9 @@ class ModbusServer:
         await self._end()
 
     async def _end(self) -> None:
-        """Let clients take their answers before closing.
+        """Let clients read their answers before closing.
 
-        This is short, because the run no longer answers.
+        The time is short, because the run no longer answers.
         """
         for connection in self._connections.values():
             if not connection.busy:
@@ -184,7 +184,7 @@ class ModbusServer:
     # -------------------------------------------------------------------------------------------- requests
 
     async def _answer_next(self, reader: StreamReader, connection: Connection) -> bool:
-        """Answer the next request of a client; return False if no other can be found."""
+        """Answer a client's next request; return False if the next frame cannot be found."""
         transaction, protocol, length = unpack(">HHH", await reader.readexactly(HEADER))
         if not MIN_FRAME <= length <= MAX_FRAME:
             return False
@@ -216,7 +216,7 @@ class ModbusServer:
         return request.answer(found)
 
     def _exchange(self, request: Request) -> list[int]:
-        """Write, then read.
+        """Write, then read, and return the registers read.
 
         Raises Rejected, without writing, if a register does not exist.
         """

@@ -1,7 +1,7 @@
 """Register requests of the Modbus application protocol (V1.1b3), and responses.
 
 A request is checked in the order of the specification: the function code (exception 01), the quantities and
-lengths (03), then the addresses (02). A `Request` has passed the first two checks. The memory makes the
+lengths (03), then the addresses (02). A `Request` has passed the first two checks. The memory performs the
 third.
 """
 
@@ -37,7 +37,7 @@ class Rejected(Exception):
 class Request(NamedTuple):
     """Write `values` from register `into` on, then read `quantity` from `start` on.
 
-    `masks` (and, or) change the register `into` instead: it becomes (old and AND) or (OR and not AND).
+    `masks` (and, or) change the register `into` instead, to (old and AND) or (OR and not AND).
     """
 
     function: int
@@ -49,12 +49,12 @@ class Request(NamedTuple):
 
     @property
     def spans(self) -> tuple[tuple[int, int], ...]:
-        """The first register and the number of registers of each area that is needed."""
+        """The areas that are accessed: the first register and the number of registers."""
         written = 1 if self.masks is not None else len(self.values)
         return tuple(span for span in ((self.start, self.quantity), (self.into, written)) if span[1])
 
     def answer(self, registers: list[int]) -> bytes:
-        """Return the response, with the registers that were read."""
+        """Return the response that contains `registers`, the values read."""
         if self.quantity:
             return pack(f">BB{self.quantity}H", self.function, 2 * self.quantity, *registers)
         if self.masks is not None:
@@ -64,7 +64,7 @@ class Request(NamedTuple):
 
 
 class Identity(NamedTuple):
-    """Identification of a device: its maker, its product and its version."""
+    """The identification of a device: its maker, product and version."""
 
     vendor: str
     product: str
@@ -142,7 +142,7 @@ def _words(data: bytes, count: int) -> tuple[int, ...]:
 
 
 def _values(data: bytes, count: int) -> tuple[int, ...]:
-    """Return the register values after their byte count."""
+    """Return the register values that follow their byte count."""
     if not data or data[0] != 2 * count:
         raise Rejected(ILLEGAL_VALUE)
     return _words(data[1:], count)

@@ -1,7 +1,7 @@
 """Access to a running program from outside, in real time or in lock step.
 
 A server for hosts has its own thread. The program and its controller belong to the thread that runs them.
-`Outside.ask` connects the two: the run answers the question between two steps, at its own machine time.
+`Outside.ask` connects the two: the run answers a question between two steps, at its own machine time.
 """
 
 from __future__ import annotations
@@ -64,14 +64,14 @@ class Outside:
         return future
 
     def close(self) -> None:
-        """End the queue: questions that are still waiting fail with `Closed`."""
+        """Close the queue: questions that are still waiting fail with `Closed`."""
         with self._changed:
             self._closed = True
             while self._waiting:
                 self._waiting.popleft()[1].set_exception(Closed())
 
     def may_act(self) -> bool:
-        """True if more questions can come, so that a wait may still end."""
+        """True if more questions may arrive, so that a wait may still end."""
         return True
 
     def advance(self, time: float) -> None:
@@ -91,7 +91,7 @@ class Outside:
         return True
 
     def _sleep(self, seconds: float) -> None:
-        """Wait until a question arrives, but at most `seconds`."""
+        """Wait until a question arrives, at most `seconds`."""
         with self._changed:
             if not self._waiting:
                 self._changed.wait(min(seconds, PATIENCE))
@@ -100,7 +100,7 @@ class Outside:
 class InTurn(Outside):
     """Questions that a server of hosts answers in its iterations.
 
-    `wake` begins one. Add `answer_all` to the server's calls; `entered` is called for each question.
+    `wake` starts an iteration. Add `answer_all` to the server's calls; `entered` is called for each question.
     """
 
     def __init__(self, wake: Callable[[], None], entered: Callable[[], None]) -> None:
@@ -113,7 +113,7 @@ class InTurn(Outside):
         return future
 
     def answer_all(self) -> None:
-        """Answer all questions that wait."""
+        """Answer all waiting questions."""
         while self._answer():
             self._entered()
 
@@ -121,7 +121,7 @@ class InTurn(Outside):
 class RealTime(Outside):
     """Machine time follows real time: `factor` machine seconds per second.
 
-    A run that cannot keep up never catches up.
+    Lost real time is not made up for.
     """
 
     def __init__(self, factor: float = 1.0, wall: Callable[[], float] = monotonic) -> None:
@@ -130,7 +130,7 @@ class RealTime(Outside):
         self._began: float | None = None
 
     def advance(self, time: float) -> None:
-        """Let machine time follow real time and answer meanwhile; an answer ends it early."""
+        """Advance in real time and answer questions meanwhile; an answer ends the call."""
         if self._began is None:
             self._began = self._wall() - self.clock.now / self._factor
         while True:
@@ -153,7 +153,7 @@ class RealTime(Outside):
 
 
 class LockStep(Outside):
-    """Machine time stops until a request comes, and each one advances it by `step` s.
+    """Machine time stops until a request arrives, which advances it by `step` s.
 
     The same requests in the same order find the same machine, regardless of the speed of this computer and of
     the time between the requests.
@@ -165,7 +165,7 @@ class LockStep(Outside):
         self._granted = step
 
     def advance(self, time: float) -> None:
-        """Let machine time pass as far as granted; each further request grants a step."""
+        """Advance machine time as far as granted; each further request grants a step."""
         while True:
             if time <= self._granted:
                 self.clock.advance(time)

@@ -33,11 +33,10 @@ STEP = 1e-3
 
 
 class Pace(Protocol):
-    """How the server advances time; `by_line` is true if lines are read one at a time.
+    """The control of time in a server; `by_line` is True if lines are read one by one.
 
-    In every iteration the server calls `before`, then `entered` for each line from a host, then `work`.
-    `timeout` is the real time, in seconds, during which only a host could cause anything; None means without
-    limit.
+    In every iteration the server calls `before`, then `entered` for each line from a host, then `work`. `timeout`
+    is the real time, in seconds, during which nothing happens unless a host sends something; None means unlimited.
     """
 
     by_line: bool
@@ -51,8 +50,7 @@ class Pace(Protocol):
 class RealTime:
     """Machine time follows real time: `factor` machine seconds per second.
 
-    A board with more work than this computer can do falls behind; `late` counts the seconds of real time
-    lost.
+    A board with more work than this computer can do falls behind; `late` is the real time lost, in seconds.
     """
 
     by_line = False
@@ -80,14 +78,14 @@ class RealTime:
                 return
 
     def entered(self) -> None:
-        """Do nothing: a line takes the time that its commands take."""
+        """Do nothing: a line takes the time of its commands."""
 
     def work(self) -> None:
-        """Answer commands that end within `LEAD` of the machine time due."""
+        """Answer commands that end less than `LEAD` after the machine time due."""
         self._bounded(self._console.settle, self.due + LEAD * self._factor)
 
     def timeout(self) -> float | None:
-        """Return the seconds of real time in which nothing will happen."""
+        """Return the real time until the next event, s; None if there is none."""
         next_time = self._console.next_time()
         if next_time == INFINITY:
             return None
@@ -96,7 +94,7 @@ class RealTime:
         return max(0.0, next_time / self._factor + self._began - self._wall())
 
     def _bounded(self, go: Callable[[float], object], until: float) -> None:
-        """Run one slice of machine time; it shrinks while tasks are busy."""
+        """Run one slice of machine time, which is shorter while tasks are busy."""
         console, began = self._console, self._wall()
         go(min(until, max(console.next_time(), console.now) + self._slice))
         took = self._wall() - began
@@ -117,8 +115,8 @@ class LockStep:
 
     A line takes `step` seconds, or as long as it waits. The same lines in the same order get the same
     answers, regardless of the speed of this computer and of the time between the lines. With `at_once` the time
-    passes before the answer is sent, so that a program that runs meanwhile can react; without it, before
-    the next line.
+    passes before the answer is sent, so that a program running in the meantime can react; without it, before the
+    next line.
     """
 
     by_line = True
@@ -132,7 +130,7 @@ class LockStep:
         """Do nothing: lines from hosts are read before time passes."""
 
     def entered(self) -> None:
-        """End the time of the previous line before a new one comes in."""
+        """End the time of the previous line before a new line is processed."""
         if self._at_once:
             self._owed = max(self._owed, self._console.now) + self._step
             return
@@ -152,5 +150,5 @@ class LockStep:
             console.run(self._owed)
 
     def timeout(self) -> float | None:
-        """Return None if only a host can make something happen, 0 if not."""
+        """Return None if nothing happens until a host sends something, else 0."""
         return None if self._stuck or not self._console.working else 0.0

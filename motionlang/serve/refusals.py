@@ -1,4 +1,4 @@
-"""Reports of hosts that could not connect, at most one line a second."""
+"""Reports of hosts that could not connect, at most one line per second."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ INTERVAL = 1.0
 
 
 class Refusals:
-    """Rate limiter for rejected connections; `complain` is called with a line.
+    """Rate limiter for reports of rejected hosts; `complain` is called with a line.
 
-    The first rejection is reported at once. After that, the latest of each second is reported with the number
-    of others. Call `report` after `left` seconds, and `flush` at the end.
+    The first rejection is reported at once. After that, one line per second reports the latest and the number of other
+    rejections. Call `report` after `left` seconds, and `flush` at the end.
     """
 
     def __init__(self, complain: Callable[[str], None], now: Callable[[], float] = monotonic) -> None:
@@ -31,7 +31,7 @@ class Refusals:
         return max(0.0, self._due - self._now()) if self._count else None
 
     def add(self, text: str) -> None:
-        """Count a host that was rejected for the reason in `text`."""
+        """Count a rejected host; `text` is the reason."""
         self._latest = text
         self._count += 1
         self.report()
@@ -42,7 +42,7 @@ class Refusals:
             self.flush()
 
     def flush(self) -> None:
-        """Write the rejections of the last second."""
+        """Write the rejections that are still pending."""
         if self._count:
             others = self._count - 1
             self._complain(f"{self._latest} ({others} more since the last line)" if others else self._latest)

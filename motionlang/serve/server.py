@@ -1,8 +1,8 @@
 """The server: one thread, one board and many hosts, in bounded iterations.
 
-An iteration reads from every host that has sent something, lets the board work for a bounded time, and sends
-every host its output. No input from a host stops the server. If the interpreter fails on a line, the answer
-is `?3` (MCCL) or an error line (Mint), and the error is logged.
+An iteration reads from every host that has sent data, lets the board work for a bounded time, and sends every host
+its output. No input from a host stops the server. If the interpreter fails on a line, the answer is `?3` (MCCL) or
+an error line (Mint), and the error is logged.
 """
 
 from __future__ import annotations
@@ -44,8 +44,8 @@ MAX_KNOWN = 100
 class Server:
     """Serves `console`; `complain` is called with lines for the person who started it.
 
-    `listen` and `device` add ways to connect. `run` serves until `stop`, which may be called from a signal
-    handler or another thread. `close` disconnects everything.
+    `listen` and `device` open lines for hosts. `run` serves until `stop`, which may be called from a signal handler or
+    another thread. `close` disconnects everything.
     """
 
     def __init__(
@@ -93,8 +93,8 @@ class Server:
     ) -> tuple[str, int]:
         """Let hosts connect over TCP; return the address to connect to.
 
-        `make` makes the host of a connection; without it, the host speaks ASCII MCCL. Raises OSError if that
-        fails.
+        `make` creates the host of a connection; without it, the host speaks ASCII MCCL. Raises OSError if the address
+        cannot be used.
         """
         listener = address.listen(host, port)
         made = make or self._maker(echo)
@@ -125,14 +125,14 @@ class Server:
         self.wake()
 
     def wake(self) -> None:
-        """Begin an iteration now; may be called from any thread."""
+        """Start an iteration now; may be called from any thread."""
         try:
             self._alarm.send(b".")
         except OSError:
             pass
 
     def turn(self, timeout: float | None = 0.0) -> None:
-        """Wait at most `timeout` seconds for something to do, and do it."""
+        """Run one iteration, after waiting at most `timeout` seconds for work."""
         for key, _ in self._selector.select(timeout):
             key.data()
         self._refusals.report()
@@ -150,7 +150,7 @@ class Server:
         self._report_waits()
 
     def close(self) -> None:
-        """Disconnect every host, after a short time to take the board's output."""
+        """Disconnect every host, after a short time in which it can read its output."""
         self._refusals.flush()
         end = time.monotonic() + FAREWELL
         for host in list(self.hosts):
@@ -219,7 +219,7 @@ class Server:
         self._serve(host)
 
     def _leave(self, host: Host, why: str) -> None:
-        """Remove a host: drop its unfinished line and abandon its running one.
+        """Remove a host: drop its unfinished line and abandon its running line.
 
         Motion and background tasks continue.
         """
@@ -267,7 +267,7 @@ class Server:
             host.forget()
 
     def _serve(self, host: Host) -> None:
-        """Send a host the board's output, and set the events to wait for."""
+        """Send the board's output to a host, and set the events to wait for."""
         try:
             host.flush()
         except Gone:
@@ -290,7 +290,7 @@ class Server:
         host.watched = wanted
 
     def _send_rest(self, host: Host, end: float) -> None:
-        """Wait until the host has taken all output, but not beyond `end`."""
+        """Wait until the host has read all output, at most until `end`."""
         try:
             host.flush()
             while host.unsent and (left := end - time.monotonic()) > 0:
@@ -300,7 +300,7 @@ class Server:
             pass
 
     def _report_waits(self) -> None:
-        """Report, once each, that a host waits for something that nothing will cause."""
+        """Report hosts that wait for an event that nothing will cause, once each."""
         if any(host.port.waiting for host in self.hosts) and self.console.next_time() == INFINITY:
             for host in self.hosts:
                 why = host.waits_in_vain()
@@ -313,7 +313,7 @@ class Server:
     # -------------------------------------------------------------------------------------- internal errors
 
     def _guard(self, work: Callable[[], None]) -> None:
-        """Do `work`; an internal error costs only the line in which it happened."""
+        """Call `work`; an internal error loses only the line in which it happens."""
         try:
             work()
         except Exception as error:

@@ -20,7 +20,7 @@ _PROMPT = re.compile(rb"(?:[PC]|\d+)?>")
 class Spy:
     """Writes `1 < 1TP` for data from host 1 and `1 > 01 0` for its answer.
 
-    Other characters are written as Python escapes.
+    Non-printing characters are written as Python escapes.
     """
 
     def __init__(self, write: Callable[[str], None]) -> None:

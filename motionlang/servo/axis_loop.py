@@ -1,7 +1,7 @@
 """The loop of an axis: gains of the program, the machine file, or a suggestion.
 
 A program that sets no gains runs on a controller that was tuned before. If the machine file has no gains
-either, the plant's own suggestion replaces that tuning, and the report says so.
+either, suggested gains for the plant replace that tuning, and the report says so.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def axis_loop(
     model: str = "",
     scale: float = 1.0,
 ) -> Chosen:
-    """The loop of an axis from its machine file section and the program's gains.
+    """Return the loop of an axis from its machine file section and program gains.
 
     The section is `[axis.N.servo]`. `model` is one of `gains.MODELS` for MCCL, empty for Mint; `scale` is
     counts per user unit. Raises ValueError for invalid entries.
@@ -70,15 +70,18 @@ def has_gains(loop: Loop) -> bool:
 
 
 def _acting(loop: Loop, set_by_program: set[str]) -> Loop:
-    """Return the loop with an acting integral, limited by the output, unless set."""
+    """Return the loop with an integral that always acts, within the output limit.
+
+    Fields set by the program stay.
+    """
     fields: dict[str, str | float] = {"integral_mode": "always", "integral_limit": loop.output_limit}
     return replace(loop, **{name: value for name, value in fields.items() if name not in set_by_program})  # type: ignore[arg-type]
 
 
 def _language(section: Mapping[str, object], gains: Gains, model: str, scale: float) -> Loop:
-    """Return the loop of the language alone.
+    """Return the loop from the program's gains alone.
 
-    It has the rate of the section unless the program sets one.
+    It has the servo rate of the section unless the program sets one.
     """
     rate = section.get("servo_rate")
     if model:
@@ -89,9 +92,9 @@ def _language(section: Mapping[str, object], gains: Gains, model: str, scale: fl
 
 
 def _suggested(loop: Loop, plant: Motor | Drive, bandwidth: float) -> Chosen:
-    """Gains for the bandwidth, or a fraction of it that the plant can have.
+    """Return gains for the bandwidth, or for the part of it that the plant can reach.
 
-    The fractions are a half, a quarter and so on. The program's deadband of the output stays.
+    The bandwidth is halved until the plant can reach it. The program's deadband of the output stays.
     """
     from motionlang.servo.tuning import BeyondPlant, linearised, suggested_loop
 

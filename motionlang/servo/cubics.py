@@ -15,10 +15,10 @@ _BEGUN = 5e-324
 
 
 def cubic_behind(generator: Generator, cycle: int, least: int = 1) -> tuple[Cubic | None, int]:
-    """Return the cubic on which the end point of `cycle` lies, and where it ends.
+    """Return the cubic that the end point of `cycle` lies on, and where it ends.
 
-    The cubic counts from the beginning of `cycle`. It ends at the first cycle whose end point is on another
-    one. None if the point is on no cubic, or on one for less than `least` cycles.
+    The cubic counts time from the beginning of `cycle`, in cycles. Its end is the first cycle whose end point is on
+    another one. None if the point is on no cubic, or on one for less than `least` cycles.
     """
     period, track = generator.period, generator.track
     k = generator.in_force(cycle)
@@ -38,7 +38,10 @@ def cubic_behind(generator: Generator, cycle: int, least: int = 1) -> tuple[Cubi
 
 
 def _piece(profile: Profile, time: float) -> tuple[Cubic | None, float, float]:
-    """The cubic of a profile at its own time, in seconds, its start and its end."""
+    """Return the cubic of a profile at a time, and its start and end.
+
+    All times are in s of the profile.
+    """
     if not profile.pieced:
         return None, 0.0, inf
     if time >= profile.duration:
@@ -53,7 +56,7 @@ def _piece(profile: Profile, time: float) -> tuple[Cubic | None, float, float]:
 
 
 def moved(cubic: Cubic, by: float) -> Cubic:
-    """Return the same cubic, counted from a later origin."""
+    """Return the same cubic with its time counted from `by` later."""
     _, c1, c2, c3 = cubic
     return value(cubic, by), (3.0 * c3 * by + 2.0 * c2) * by + c1, 3.0 * c3 * by + c2, c3
 

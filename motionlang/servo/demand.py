@@ -33,7 +33,7 @@ _AT_ONCE = 1e-9
 
 
 class Demanded(Protocol):
-    """A history of motion: `starts[i]` is when `profiles[i]` began; an `Axis` is one."""
+    """A history of motion, such as an `Axis`: `profiles[i]` began at `starts[i]`."""
 
     @property
     def starts(self) -> Sequence[float]:
@@ -41,11 +41,11 @@ class Demanded(Protocol):
 
     @property
     def profiles(self) -> Sequence[Profile]:
-        """The profiles that began then; the last one never ends."""
+        """The profiles that began at `starts`; the last one never ends."""
 
 
 class Track:
-    """A history of motion by itself: `Track([0.0], [profile])`."""
+    """A history of motion that is not an axis: `Track([0.0], [profile])`."""
 
     __slots__ = ("profiles", "starts")
 
@@ -77,11 +77,11 @@ class Generator:
         self._offsets, self._since, self._known = array("d", [0.0]), array("q", [0]), 0
 
     def in_force(self, cycle: int) -> int:
-        """Return the index of the profile that gives the point for the end of `cycle`."""
+        """Return the index of the profile that determines the end point of `cycle`."""
         return self.in_force_at((cycle - _AT_ONCE) * self.period)
 
     def in_force_at(self, time: float) -> int:
-        """Return the index of the profile in force at a time, or of the first one."""
+        """Return the index of the profile in force at a time; 0 before the first one."""
         starts = self.track.starts
         last = len(starts) - 1
         k, step = min(self._at, last), 1
@@ -99,7 +99,7 @@ class Generator:
         return k
 
     def past(self, profile: int) -> int:
-        """Return the first cycle whose point is from a later profile; `FOR_EVER` if none."""
+        """Return the first cycle whose point is from a later profile, or `FOR_EVER`."""
         starts = self.track.starts
         if profile + 1 >= len(starts):
             return FOR_EVER
@@ -140,10 +140,9 @@ class Generator:
         self._known = profile
 
     def shifts(self, first: int, until: int, rate: float) -> list[tuple[int, float]]:
-        """Return the samples at which the offset changes, with the new offset.
+        """Return the offset at sample `first`, and its changes before `until`.
 
-        They are those from `first` to `until` (exclusive). A sample exactly at the time of a change precedes
-        it.
+        Each is a sample and the offset from there on. A sample exactly at the time of a change precedes it.
         """
         starts = self.track.starts
         now = self.in_force_at((first - _AT_ONCE) / rate)
@@ -160,9 +159,9 @@ class Generator:
         return found
 
     def rebase(self, cycle: int, position: float, profile: int | None = None) -> None:
-        """Make `position` the track's own position in `cycle`, where the loop was closed.
+        """Let `position` be the track's position in `cycle`, in which the loop is closed.
 
-        `profile` is the index of the one in force; without it the last one that began before the cycle.
+        `profile` is the index of the profile in force, by default the last one that began before the cycle.
         """
         k = self.in_force(cycle) if profile is None else profile
         self.offset(k)
@@ -176,14 +175,14 @@ class Generator:
         self._known = k
 
     def first(self, cycle: int = 0) -> float:
-        """Return the point at the beginning of `cycle`, before any motion."""
+        """Return the point at the beginning of `cycle`, where a run begins."""
         k = self.in_force(cycle)
         return self.offset(k) + self.track.profiles[k].position(cycle * self.period - self.track.starts[k])
 
     def points(
         self, cycle: int, count: int, known: Sequence[float] = ()
     ) -> Sequence[float] | NDArray[np.float64]:
-        """`known` followed by the points at the ends of `count` cycles from `cycle`.
+        """Return `known` and the points at the ends of `count` cycles from `cycle`.
 
         Many points are returned as an array.
         """
@@ -205,7 +204,7 @@ class Generator:
         return self.track.profiles[k].position(time) + self.offset(k)
 
     def table(self, cycle: int, count: int) -> NDArray[np.float64]:
-        """Return the points computed by NumPy."""
+        """Return the end points of `count` cycles from `cycle`, computed by NumPy."""
         import numpy as np
 
         from motionlang.planners.sample import PieceTable

@@ -1,7 +1,8 @@
 """Exact discretisation of the plant: x' = A x + b u + w with a constant output u.
 
-Friction and backlash make the plant piecewise linear. A `Regime` is one piece: the direction in which the
-motor slides (or that it sticks), and the flank of the backlash in contact. Each has its own exact matrices.
+Friction and backlash make the plant piecewise linear. A `Regime` is one linear piece: it is defined by the
+direction in which the motor slides (or that it sticks), and the flank of the backlash in contact. Each has its own
+exact matrices.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ SLIDING_UP, STUCK, SLIDING_DOWN = 1, 0, -1
 class Regime:
     """Exact matrices over one sample, and the acceleration without friction.
 
-    The latter decides if the motor breaks away.
+    The acceleration decides whether the motor breaks away.
     """
 
     a: Matrix
@@ -100,7 +101,7 @@ def _regime(plant: Motor, names: list[str], friction: int, contact: int, period:
 
 
 def _continuous(plant: Motor, names: list[str], contact: int) -> list[list[float]]:
-    """Return the rows of x-dot over (states, output, 1), without friction.
+    """Return the rows of dx/dt over (states, output, 1), without friction.
 
     Positions are in counts.
     """
@@ -129,7 +130,7 @@ def _continuous(plant: Motor, names: list[str], contact: int) -> list[list[float
 
 
 def _couple(plant: Motor, rows: list[list[float]], place: dict[str, int], contact: int) -> None:
-    """Add the spring between motor and load; in the backlash gap there is none."""
+    """Add the spring between motor and load, unless the backlash gap is open."""
     twist, load = place["twist"], place["load_velocity"]
     rows[twist][1], rows[twist][load] = 1.0, -1.0
     if contact == 0:
@@ -146,7 +147,7 @@ def _couple(plant: Motor, rows: list[list[float]], place: dict[str, int], contac
 
 
 def _current_row(plant: Motor, names: list[str]) -> tuple[float, ...]:
-    """Return the motor current over (states, output, 1)."""
+    """Return the motor current as coefficients of (states, output, 1)."""
     row = [0.0] * (len(names) + 2)
     if plant.has_current_state:
         row[names.index("current")] = 1.0

@@ -1,4 +1,4 @@
-"""Gains of both languages on the one loop, and their units.
+"""Gains of both languages, converted to the one loop, and their units.
 
 Mint computes in DAC steps, 2048 of them for 10 V, and in counts per servo loop (Baldor MN1957, 5.8.1, and the
 worked example of MN1274: KVELFF = 2048 / counts per loop at full speed). MCCL's MultiFlex gains are volts
@@ -73,7 +73,7 @@ def fields(language: str, quantities: Iterable[str]) -> set[str]:
 def mint_loop(gains: Gains) -> Loop:
     """Return the loop of a Mint program's gains; omitted ones have their defaults.
 
-    Raises ValueError naming the keyword.
+    An invalid gain raises ValueError, which names the keyword.
     """
     v = _Complete(gains, MINT)
     rate = 1e6 / v.within("period", 50.0, 100_000.0)
@@ -128,7 +128,7 @@ def _multiflex(v: _Complete, scale: float) -> Loop:
 
 
 def _lm628(v: _Complete) -> Loop:
-    """Return the loop of gains 0 to 32767.
+    """Return the loop of LM628 gains, integers from 0 to 32767.
 
     FR counts further samples between two derivatives (the API's period / 341 us - 1).
     """

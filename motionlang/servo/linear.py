@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 def linear_step(loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> tuple[Array, Array]:
     """Return one step without limits, and the columns at its beginning.
 
-    They are matrices over (state, demand, feed-forward, 1).
+    Both are matrices over (state, demand, feed-forward, 1).
     """
     return Probe(loop, plant, columns).sampled
 
@@ -61,7 +61,7 @@ def _affine(tried: object, nz: int, held: bool) -> tuple[Array, Array]:
 
 
 def remembered_states(loop: Loop, names: tuple[str, ...]) -> list[int]:
-    """Return the indices of the states that the linear system remembers."""
+    """Return the indices of the states that the linear system needs."""
     memory = {
         "total": loop.has_integral,
         "last_error": bool(loop.derivative),

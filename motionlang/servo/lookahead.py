@@ -26,7 +26,7 @@ REST_ERROR, REST_TIME = 1.0, 0.02
 
 
 def seen(plant: Motor | Drive) -> tuple[str, ...]:
-    """Return the columns of a servo run that `SampleBlock` consists of."""
+    """Return the names of the servo run's columns that make up a `SampleBlock`."""
     twists = getattr(plant, "resonance", 0.0) > 0.0
     return tuple(name for name in RUN if name != "integral" and (twists or name != "twist"))
 
@@ -49,8 +49,8 @@ def rests_as_seen(track: Demanded) -> bool:
 class SampleBlock:
     """Consecutive samples from number `first` on, with a row for each of `SEEN`.
 
-    `encoder` is the measured position in the motor's own coordinates, counts; velocity counts/s, error
-    counts, output volts, current A.
+    `encoder` is the measured position in the motor's own coordinates, counts; velocity is in counts/s, error in
+    counts, output in volts, current in A.
     """
 
     __slots__ = ("first", "rows")
@@ -63,7 +63,7 @@ class SampleBlock:
 
     @property
     def end(self) -> int:
-        """The number of the first sample after them."""
+        """The number of the first sample after the block."""
         return self.first + len(self)
 
     @property
@@ -109,8 +109,8 @@ class Window:
     """The window in which a motor must be for `hold` seconds to count as settled.
 
     It is a following error of at most `error` counts and a speed of at most `speed` counts/s; with
-    `at_target` the distance to the target replaces the following error. `since` is the sample from which it
-    has been inside. If it is `announced`, waits are checked when it has settled.
+    `at_target` the distance to the target replaces the following error. `since` is the sample from which the motor
+    has been inside. If the window is `announced`, waits are checked when the motor has settled.
     """
 
     __slots__ = ("announced", "at_target", "error", "hold", "since", "speed")
@@ -133,7 +133,7 @@ class Window:
         return other is not None and all(getattr(self, name) == getattr(other, name) for name in names)
 
     def inside(self, sight: SampleBlock, target: float) -> NDArray[np.bool_]:
-        """Return for every sample if it is inside; `target` is in motor coordinates."""
+        """Return a mask of the samples inside; `target` is in motor coordinates."""
         off = target - sight.encoder if self.at_target else sight.error
         made = np.abs(off) <= self.error
         if self.speed < inf:
@@ -141,7 +141,7 @@ class Window:
         return made
 
     def pass_by(self, sight: SampleBlock, target: float, until: int) -> None:
-        """Advance `since` over the samples before number `until`."""
+        """Update `since` with the samples before number `until`."""
         inside = self.inside(sight, target)[: until - sight.first]
         outside = np.flatnonzero(~inside)
         if len(outside) == len(inside) or (len(outside) and outside[-1] == len(inside) - 1):
@@ -152,9 +152,9 @@ class Window:
             self.since = float(sight.first)
 
     def settled(self, sight: SampleBlock, target: float, now: int, rate: float) -> float:
-        """The first sample from `now` on at which the motor is settled; inf if none.
+        """Return the first sample from `now` on at which the motor is settled, or inf.
 
-        If the samples end inside the window, return the sample at which the time will be reached.
+        If the samples end inside the window, return the sample at which `hold` will be over.
         """
         for onset, end in self.onsets(sight, target, rate):
             if max(onset, now) < end or end == sight.end:
@@ -162,7 +162,7 @@ class Window:
         return inf
 
     def onsets(self, sight: SampleBlock, target: float, rate: float) -> list[tuple[int, int]]:
-        """For each time inside the sample at which it is settled, and the first outside."""
+        """Return, for each stay inside, the sample when settled and the first one outside."""
         found = []
         for begin, end in _runs(self.inside(sight, target)):
             known = begin == 0 and self.since < inf
@@ -172,16 +172,16 @@ class Window:
 
 
 def _runs(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Return begin and end of each run of samples inside."""
+    """Return the start and end of each run of samples inside."""
     padded = np.concatenate(([False], inside, [False]))
     edges = np.flatnonzero(padded[1:] != padded[:-1])
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def crossing(position: Array, level: float) -> int | None:
-    """Return the first later sample that has reached or left `level`, or None.
+    """Return the first later sample that has reached `level`, or None.
 
-    It has left it if the first sample is at the level.
+    If the first sample is at the level, return the first one that has left it.
     """
     margin = _ON + 1e-12 * abs(level)
     off = position - level
@@ -197,7 +197,7 @@ def crossing(position: Array, level: float) -> int | None:
 def next_side(position: Array, level: float, side: int) -> tuple[int | None, int]:
     """Return the first later sample at which the motor changes sides of `level`.
 
-    Also return the new side. `side` is the present one; 0 is not known yet. Reaching the level counts as
+    The new side is also returned. `side` is the present one, 0 if it is not known yet. Reaching the level counts as
     passing it.
     """
     margin = _ON + 1e-12 * abs(level)
@@ -218,7 +218,7 @@ def next_side(position: Array, level: float, side: int) -> tuple[int | None, int
 
 
 def next_other_side(values: Array, level: float) -> int | None:
-    """Return the first sample not clearly on the first one's side of a level."""
+    """Return the first sample that is not clearly on the initial side of a level."""
     off = values - level
     side = np.where(np.abs(off) <= _ON + 1e-9 * abs(level), 0.0, np.sign(off))
     found = np.flatnonzero((side[1:] != side[0]) | (side[1:] == 0.0))

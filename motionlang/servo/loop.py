@@ -37,10 +37,10 @@ FINE_BITS = 16
 
 @dataclass(frozen=True, slots=True)
 class Override:
-    """Chapter 12's direct DAC override.
+    """The direct DAC override of chapter 12.
 
-    The output is at most `steps` DAC steps away from the actual velocity, for `hold` updates. `speed` is the
-    velocity in counts/s of the motor at the full scale of the DAC.
+    The output is at most `steps` DAC steps away from the actual velocity, for `hold` updates. `speed` is the motor's
+    velocity in counts/s at the full scale of the DAC.
     """
 
     steps: int
@@ -57,11 +57,11 @@ class Override:
 class Loop:
     """A position loop; every field has a default, and only a gain is required.
 
-    `arithmetic` "real" computes u = Kp e + Ki sum(e) + Kd (e - e_last) - Kv (y - y_last) + feed-forward in
-    volts. "chapter12" and "lm628" compute in integers and give DAC steps: proportional, integral and
-    derivative are then the integer gains of those forms, `integral_limit` is in their units before the last
+    With `arithmetic` "real" the loop computes u = Kp e + Ki sum(e) + Kd (e - e_last) - Kv (y - y_last) + feed-forward
+    in volts. "chapter12" and "lm628" compute in integers and give DAC steps: proportional, integral and
+    derivative are then the integer gains of those forms, and `integral_limit` is in their units before the last
     division. Feed-forward gains are volts per count/s and per count/s². `integral_limit` bounds the
-    integral's contribution, by stopping the sum ("sum") or by limiting only its contribution ("term": the sum
+    integral's contribution, by stopping the sum ("sum") or by limiting only the contribution ("term": the sum
     continues to wind up).
     """
 
@@ -135,7 +135,7 @@ class Loop:
 
     @property
     def is_linear(self) -> bool:
-        """True if the loop is linear within its limits."""
+        """True if the loop is linear as long as no limit is reached."""
         plain = self.arithmetic == "real" and not self.dac_bits and not self.override
         return plain and self.output_deadband == 0.0
 

@@ -79,7 +79,7 @@ class Motor:
 
     @property
     def has_current_state(self) -> bool:
-        """True if the current takes time: a voltage amplifier on an inductance."""
+        """True if the current lags: a voltage amplifier drives an inductance."""
         return self.amplifier == "voltage" and self.inductance > 0.0
 
     @property
@@ -103,7 +103,7 @@ class Motor:
 
     @property
     def mechanical_time_constant(self) -> float:
-        """Time constant of the speed with an immediate current, seconds (inf: no damping)."""
+        """Time constant of the speed if the current does not lag, s (inf: no damping)."""
         damping = self.viscous
         if self.amplifier == "voltage":
             damping += self.torque_constant**2 / self.resistance
@@ -112,9 +112,10 @@ class Motor:
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """A drive with a velocity loop: velocity is `speed_per_volt` times output, lagged.
+    """A drive with a velocity loop: the velocity follows the output with a lag.
 
-    The lag is first-order, `time_constant` in seconds, `speed_per_volt` in counts/s per volt.
+    The lag is first-order with `time_constant` in seconds; the final velocity is `speed_per_volt`, counts/s per volt,
+    times the output.
     """
 
     speed_per_volt: float = 10_000.0
@@ -127,7 +128,7 @@ class Drive:
 
     @property
     def is_linear(self) -> bool:
-        """True if the encoder is taken as continuous."""
+        """True if the encoder is not quantised."""
         return not self.quantised
 
 

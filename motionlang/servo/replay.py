@@ -24,7 +24,7 @@ BLOCK = 1 << 13
 
 
 def apply(servo: Servo, change: Change) -> None:
-    """Apply a recorded change to a servo at the time of that change."""
+    """Apply a recorded change to a servo that has run up to the change."""
     what = change[1]
     if isinstance(what, float):
         servo.open(what)
@@ -40,7 +40,7 @@ def sample_at(time: float, rate: float) -> int:
 
 
 def run_to(servo: Servo, sample: int) -> ServoTrace | None:
-    """Run to `sample` (inclusive), skip periodic rest, and return the last block."""
+    """Run to `sample` (inclusive) and return the last block; periodic rest is skipped."""
     last = None
     for part in parts(servo, sample):
         last = part
@@ -59,7 +59,7 @@ def parts(servo: Servo, sample: int) -> Iterator[ServoTrace]:
 
 
 def stays_at_rest(servo: Servo, count: int, until: int) -> bool:
-    """True if the command rests for the last `count` samples and on to `until`."""
+    """True if the command rests over the last `count` samples and until `until`."""
     starts, rate = servo.track.starts, servo.loop.servo_rate
     since = (servo.sample - count) / rate - 1.0 / servo.loop.trajectory_rate
     k = servo.in_force_at(since)
@@ -93,7 +93,7 @@ def replay(
 def whole(
     track: Demanded, loop: Loop, plant: Motor | Drive, changes: Sequence[Change], until: float
 ) -> ServoTrace:
-    """Return the run as one trace; a pause without changes is filled in."""
+    """Return the run as one trace, in which skipped rest is filled in."""
     servo = Servo(loop, plant, track, record=True)
     for change in changes:
         if change[0] <= until:

@@ -40,10 +40,11 @@ _TRIED, _AGREED, _CLEAR = 50, 1e-8, 1e-6
 
 @dataclass(frozen=True, slots=True)
 class StepFigures:
-    """Of a step response: times in s, overshoot as a share of it, errors in counts.
+    """Figures of a step response: times in s, errors in counts.
 
-    `rise` is from 10 to 90 %, `settling` into 2 % for good; both are inf if it never happens. `bandwidth`
-    (Hz) is 0.35/rise: a rule of thumb for any loop, nonlinear ones included.
+    The overshoot is a fraction of the step. `rise` is from 10 to 90 %; `settling` is the time after which the response
+    stays within 2 %. Both are inf if that never happens. `bandwidth` (Hz) is 0.35/rise: a rule of thumb for any loop,
+    nonlinear ones included.
     """
 
     size: float
@@ -57,15 +58,15 @@ class StepFigures:
 
     @property
     def bandwidth(self) -> float:
-        """Hz, estimated from the rise time."""
+        """The bandwidth, Hz, estimated from the rise time."""
         return 0.35 / self.rise if 0.0 < self.rise < inf else 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class LoopFigures:
-    """Of the linear loop at the servo rate: frequencies in Hz, margins in degrees.
+    """Figures of the linear loop at the servo rate.
 
-    The gain margin is a factor.
+    Frequencies are in Hz and margins in degrees, except that the gain margin is a factor.
     """
 
     stable: bool
@@ -78,7 +79,7 @@ class LoopFigures:
 
 
 def step_response(loop: Loop, plant: Motor | Drive, size: float, seconds: float) -> ServoTrace:
-    """Run the response to a step of the command from 0 to `size` counts at time 0.
+    """Simulate a step of the command from 0 to `size` counts at time 0.
 
     Feed-forward sees no motion.
     """
@@ -117,7 +118,7 @@ def step_figures(trace: ServoTrace, size: float) -> StepFigures:
 
 
 def _crossing(share: Array, time: Array, level: float) -> float:
-    """Return when the response first reaches `level`, interpolated linearly."""
+    """Return when the response first reaches `level`, by linear interpolation."""
     above = np.flatnonzero(share >= level)
     if not len(above):
         return inf
@@ -135,7 +136,7 @@ def loop_figures(loop: Loop, plant: Motor | Drive) -> LoopFigures:
     """Return bandwidth and margins of a linear loop.
 
     Raises ValueError if the loop or the plant is not linear. The derivative must be sampled at the servo
-    rate; limits, encoder steps and interpolation are left out.
+    rate; limits, encoder steps and interpolation are neglected.
     """
     f, g, c = closed_loop(loop, plant)
     stable = bool(np.abs(np.linalg.eigvals(f)).max() < 1.0)
@@ -173,7 +174,7 @@ def closed_loop(loop: Loop, plant: Motor | Drive) -> tuple[Array, Array, Array]:
 
 
 def is_stable(loop: Loop, plant: Motor | Drive) -> bool:
-    """True if the linear loop settles."""
+    """True if the linear loop is stable."""
     f, _, _ = closed_loop(loop, plant)
     return bool(np.abs(np.linalg.eigvals(f)).max() < 1.0)
 
@@ -184,12 +185,12 @@ def bandwidth(loop: Loop, plant: Motor | Drive) -> float:
 
 
 def reaches(loop: Loop, plant: Motor | Drive, target: float) -> bool:
-    """True if the bandwidth is `target` Hz or more; mostly quicker than its value."""
+    """True if the bandwidth is `target` Hz or more; mostly faster than `bandwidth`."""
     return _bandwidth(loop, plant, target) >= target
 
 
 def _bandwidth(loop: Loop, plant: Motor | Drive, target: float | None) -> float:
-    """Return the bandwidth, or any value on its side of a target."""
+    """Return the bandwidth, or with a `target` any value on the same side of it."""
     f, g, c = closed_loop(loop, plant)
     grid = _grid(loop.servo_rate)
     below = _first_below(f, g, c, loop.period, grid)
@@ -220,8 +221,8 @@ def _grid(rate: float) -> Array:
 def _first_below(f: Array, g: Array, c: Array, period: float, grid: Array) -> int | None:
     """Return the first index of the grid with a gain below -3 dB.
 
-    Its length if there is none; None if it is not certain. It uses the two polynomials of the transfer
-    function over z - 1, which keep their digits at low frequencies. They are trusted if they agree with the
+    If there is none, return the grid's length; None if rounding leaves that open. The transfer function is computed as
+    two polynomials in z - 1, which keep their precision at low frequencies. They are trusted if they agree with the
     matrices at every fiftieth index, and never come too near to the level.
     """
     part = f - np.eye(len(f))
@@ -268,7 +269,7 @@ def _last_fall(grid: Array, gain: Array, level: float, exact: object) -> float:
 
 
 def _gain_margin(grid: Array, ring: Complex, exact: object) -> float:
-    """The gain margin at the first frequency where the phase passes -180 degrees."""
+    """Return the gain margin, at the first frequency with a phase of -180 degrees."""
     assert callable(exact)
     above = (ring.imag[:-1] < 0.0) & (ring.imag[1:] >= 0.0) & (ring.real[:-1] < 0.0)
     margins = []

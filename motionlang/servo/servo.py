@@ -31,9 +31,9 @@ WATCH = 4096
 
 
 class Servo:
-    """One axis under servo, from its track's position at time 0.
+    """The simulated servo of one axis, from its track's position at time 0.
 
-    The readings are those of the last sample, of `columns` only; `record` keeps those of all samples for
+    The readings are those of the last sample, only of `columns`; with `record` those of all samples are stored for
     `trace`.
     """
 
@@ -133,8 +133,8 @@ class Servo:
     def advance(self, to: float, error_limit: float = inf) -> float | None:
         """Run every sample up to the time `to` (seconds, inclusive).
 
-        With an `error_limit` (counts) it stops at the first sample whose following error exceeds it and
-        returns that sample's time. If there is none, it returns None.
+        With an `error_limit` (counts) it stops at the first sample whose following error exceeds the limit, and returns
+        that sample's time. If there is none, it returns None.
         """
         until = floor(to * self.loop.servo_rate + 1e-6) + 1
         span = SPAN if error_limit == inf else WATCH
@@ -157,8 +157,8 @@ class Servo:
     def close(self, profile: int | None = None) -> None:
         """Close the loop at the motor's position, without wind-up.
 
-        The track must already be there: its present position is that of the motor. `profile` is the index of
-        the profile in force, for a track that continues after this time.
+        The track must already be at the motor's position. `profile` is the index of the profile in force, needed if the
+        track continues after the present time.
         """
         place = self._row["measured"]
         self._generator.rebase(-(-self._sample // self.loop.ratio), place, profile)
@@ -179,12 +179,12 @@ class Servo:
 
     @property
     def sample(self) -> int:
-        """The number of the next sample, at that many periods."""
+        """The number of the next sample, whose time is that number of periods."""
         return self._sample
 
     @property
     def track(self) -> Demanded:
-        """The track that it follows."""
+        """The track that the servo follows."""
         return self._generator.track
 
     def in_force_at(self, time: float) -> int:
@@ -198,13 +198,13 @@ class Servo:
 
     @property
     def offset(self) -> float:
-        """Counts from the motor's own coordinates to those of the program, now."""
+        """Counts to add to the motor's own coordinates for those of the program, now."""
         return self._generator.offset(len(self._generator.track.starts) - 1)
 
     def run(self, count: int) -> ServoTrace:
         """Run and return `count` samples, in motor coordinates.
 
-        `demand` and `position` are in those of the program.
+        Only `demand` and `position` are in the program's coordinates.
         """
         from motionlang.servo.trace import joined
 
@@ -213,7 +213,7 @@ class Servo:
         return joined(self.loop, self.plant, self._columns, [self._stretch])
 
     def skip(self, count: int) -> None:
-        """Skip `count` samples without change; the state must be a fixed point."""
+        """Count `count` samples without computing them; the state must be a fixed point."""
         self._sample += count
 
     # -- inside
@@ -224,7 +224,7 @@ class Servo:
         return self._generator.shifts(self._sample - 1, self._sample, self.loop.servo_rate)[-1][1]
 
     def _run(self, until: int) -> None:
-        """Run to sample `until` (exclusive), making the points of each cycle as it begins."""
+        """Run to sample `until` (exclusive), computing each cycle's point as it begins."""
         ratio, first = self.loop.ratio, self._sample
         cycle, part = divmod(first, ratio)
         cycles = -(-until // ratio) - cycle
@@ -262,7 +262,10 @@ class Servo:
 
     @property
     def _in_charge(self) -> Loop:
-        """The loop, or an open one without gains: only an offset, past limits and DAC."""
+        """The loop, or while it is open a loop without gains.
+
+        That one has the open-loop voltage as its output offset; only output limits and DAC act on it.
+        """
         if self._open_output is None:
             return self.loop
         names = ("proportional", "integral", "derivative", "velocity_feedback")

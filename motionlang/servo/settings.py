@@ -1,6 +1,6 @@
 """The machine file's keys for a servo: `[axis.N.plant]` and `[axis.N.servo]`.
 
-Each is a row: key, kind, default, range or choices, help. A plant makes an axis a simulated one; the servo
+Each is a row: key, kind, default, range or choices, help. A plant gives an axis a simulated motor; the servo
 section is needed only for gains that the program does not set.
 """
 
@@ -25,9 +25,9 @@ SMALLEST, LARGEST = 1e-12, 1e12
 
 @dataclass(frozen=True, slots=True)
 class Key:
-    """One key: `kind` is number, count, flag or text.
+    """One key of the machine file; `kind` is number, count, flag or text.
 
-    A number lies in `low` to `high`, a text is one of `choices`.
+    A number must be between `low` and `high`, a text one of `choices`.
     """
 
     kind: str
@@ -140,7 +140,7 @@ KEYS: dict[str, Key] = {
 
 
 def problem(key: Key, value: object) -> str | None:
-    """Return the error of a value, to follow "must be"; None if there is none."""
+    """Return an error text that continues "must be"; None if the value is valid."""
     if key.kind == "flag":
         return None if isinstance(value, bool) else "true or false"
     if key.kind == "text":
@@ -164,9 +164,9 @@ def _range_words(key: Key) -> str:
 
 
 def setting_problem(key: str, generic: str, value: object) -> tuple[str, str] | None:
-    """Return the error of a machine file key, and a hint; None if there is none.
+    """Return the error of a machine file key, and a hint; None if there is no error.
 
-    `generic` has N for its axis.
+    `generic` is the key with N for its axis number.
     """
     row = KEYS.get(generic)
     if row is None:
@@ -196,7 +196,7 @@ def mistakes(settings: Mapping[str, object]) -> list[tuple[str, str, str]]:
 def section(settings: Mapping[str, object], axis: int, name: str) -> dict[str, object]:
     """Return `axis.N.plant.…` or `axis.N.servo.…` of settings with dotted keys.
 
-    The result is what `make_plant` and `make_loop` take.
+    The result is the input of `make_plant` or `make_loop`.
     """
     prefix = f"axis.{axis}.{name}."
     return {key[len(prefix) :]: value for key, value in settings.items() if key.startswith(prefix)}
@@ -218,7 +218,7 @@ def make_plant(values: Mapping[str, object]) -> Motor | Drive:
 
 
 def make_loop(values: Mapping[str, object], base: Loop | None = None) -> Loop:
-    """Return the loop of an `[axis.N.servo]` section on top of `base`.
+    """Return `base` with the entries of an `[axis.N.servo]` section.
 
     Raises ValueError for an invalid entry.
     """

@@ -35,13 +35,16 @@ SHORT = 64
 
 
 class SpeculativeServo(Servo):
-    """One axis under servo, simulated ahead of time."""
+    """The simulated servo of one axis, run ahead of the clock."""
 
     points_of = SpeculativeGenerator
 
     @property
     def short(self) -> int:
-        """Samples of the first block after a change that another may follow."""
+        """Number of samples in the first block after a change.
+
+        Another change may follow soon, so the block is short.
+        """
         return SHORT
 
     # The states at the beginning of each stretch of the last block.
@@ -55,7 +58,7 @@ class SpeculativeServo(Servo):
         return self._marks[0][0]
 
     def back(self, sample: int) -> None:
-        """Roll back to before a sample of the last block; keep gains and track."""
+        """Roll back to the state before a sample of the last block; keep gains and track."""
         mark = next(each for each in reversed(self._marks) if each[1] <= sample)
         self._state, self._sample, self._points, self._row = mark
         if self._stepped is not None and (nearer := self._stepped.mark_before(sample - self._sample)):
@@ -76,7 +79,7 @@ class SpeculativeServo(Servo):
         return made
 
     def _step(self, until: int, out: Array) -> None:
-        """Run plain steps to sample `until` (exclusive)."""
+        """Run single steps to sample `until` (exclusive)."""
         count = until - self._sample
         self._run(until)
         made, stretch = out[:, :count], self._stretch
@@ -95,7 +98,7 @@ class SpeculativeServo(Servo):
 
     @cached_property
     def _encoding(self) -> tuple[bool, bool]:
-        """True if the encoder is at the load; true if it gives integer counts."""
+        """Return true if the encoder is at the load, and true if it gives integer counts."""
         made = discretise(self.plant, self.loop.period)
         return made.load_encoder, made.quantised or self.loop.arithmetic != "real"
 

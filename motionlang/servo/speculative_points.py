@@ -23,14 +23,14 @@ _WORTHWHILE = 100
 
 
 class SpeculativeGenerator(Generator):
-    """A generator whose points do not depend on the number computed at once."""
+    """A generator whose points do not depend on how many are computed together."""
 
     __slots__ = ()
 
     def points(
         self, cycle: int, count: int, known: Sequence[float] = ()
     ) -> Sequence[float] | NDArray[np.float64]:
-        """`known` followed by the points at the ends of `count` cycles from `cycle`."""
+        """Return `known` and the points at the ends of `count` cycles from `cycle`."""
         if count < _WORTHWHILE:
             return super().points(cycle, count, known)
         track, period, past = self.track, self.period, cycle + count

@@ -1,4 +1,4 @@
-"""Detection of a simulated motor at standstill for good, until it is disturbed."""
+"""Detection of a simulated motor that stays at standstill until it is disturbed."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 
 
 def extent(place: NDArray[np.float64], output: NDArray[np.float64]) -> Extent:
-    """Return the range of a motor's position and of its output over samples."""
+    """Return the range of a motor's position and output over some samples."""
     return -float(place.min()), float(place.max()), -float(output.min()), float(output.max())
 
 
 class StandstillDetector:
-    """Detector of undisturbed standstill of a motor.
+    """A detector of a motor at standstill that lasts until a disturbance.
 
     `at_standstill` is also true before any command.
     """
@@ -42,7 +42,10 @@ class StandstillDetector:
         self.at_standstill, self._before, self._widest, self._rested = False, None, None, 0.0
 
     def check(self, extent: Extent | None, seconds: float) -> None:
-        """Add a block with its range of position and output; None if the command moved."""
+        """Add a block of samples to the history and update `at_standstill`.
+
+        `extent` is its range of position and output, or None if the command moved; `seconds` is its duration.
+        """
         before, widest = self._before, self._widest if extent is not None else None
         self._before = extent
         self._rested = self._rested + seconds if extent is not None else 0.0

@@ -1,8 +1,8 @@
 """Generated code of the step loop for one loop and one plant.
 
-It has only the terms that exist, and all values in locals. A general step would spend most of its time on
-tests of what to do. The order of a step: measure, error, integral, derivative, sum, limits, DAC, then the
-plant advances by one sample with constant output. Columns are the values at the time of the measurement.
+The code has only the terms that exist, and all values in local variables. A general step would spend most of its
+time on deciding which terms apply. The order of a step: measure, error, integral, derivative, sum, limits, DAC, then
+the plant advances by one sample with constant output. Columns are the values at the time of the measurement.
 """
 
 from __future__ import annotations
@@ -66,8 +66,8 @@ def stepper(
 def without_constants(text: str) -> tuple[str, tuple[float, ...]]:
     """Return a step loop with parameters for its float constants, and their values.
 
-    A drive whose torque limit follows a reference has another loop in each trajectory cycle, with the same
-    form.
+    If the torque limit of a drive follows a reference, its loop differs in each trajectory cycle, but only in its
+    constants.
     """
     names: dict[str, str] = {}
     form = _CONSTANT.sub(lambda found: names.setdefault(found[0], f"c{len(names)}"), text)
@@ -77,7 +77,7 @@ def without_constants(text: str) -> tuple[str, tuple[float, ...]]:
 
 @lru_cache(maxsize=128)
 def _compiled(form: str) -> CodeType:
-    """Return the code of a step loop without its constants."""
+    """Return the compiled code of a step loop whose constants are parameters."""
     (code,) = (each for each in compile(form, "<servo step>", "exec").co_consts if isinstance(each, CodeType))
     return code
 
@@ -91,13 +91,13 @@ def initial_state(plant: Discrete, position: float) -> State:
 def empty_columns(columns: tuple[str, ...]) -> Columns:
     """Return one empty column for each name.
 
-    A column is a list, because appending takes a quarter of the time of an array.
+    A column is a list, because appending to a list takes a quarter of the time.
     """
     return tuple([] for _ in columns)
 
 
 def put(values: Sequence[float] | Row, row: Row) -> None:
-    """Write a column to as many doubles; for a list three times as fast as NumPy."""
+    """Write a column into `row`, doubles; for a list three times as fast as by NumPy."""
     if isinstance(values, list):
         pack_into(f"{len(values)}d", row, 0, *values)  # type: ignore[arg-type]
     else:
@@ -204,9 +204,10 @@ def _real_sum(loop: Loop, limited: bool) -> list[str]:
 
 
 def _whole_sum(loop: Loop) -> list[str]:
-    """Return the integer sum of chapter 12, or the top bits that the LM628 keeps.
+    """Return code for the integer sum of chapter 12 or of the LM628.
 
-    Chapter 12 has (P + I + D)/16 for 12 bits, in general 16 bits less those of the DAC.
+    Chapter 12 has (P + I + D)/16 for a 12-bit DAC, in general 16 bits less those of the DAC. The LM628 keeps
+    the top bits of the sum.
     """
     terms = [("e", loop.proportional), ("g", loop.derivative)]
     parts = [f"{gain!r} * {name}" for name, gain in terms if gain]
@@ -229,7 +230,7 @@ def _whole_sum(loop: Loop) -> list[str]:
 
 
 def _dac(loop: Loop) -> list[str]:
-    """Return the conversion of DAC steps (in u) to volts, with the override."""
+    """Return code that converts DAC steps (in u) to volts, with the override."""
     full = float(1 << (loop.dac_bits - 1))
     lines: list[str] = []
     if loop.override:
@@ -248,22 +249,22 @@ def _dac(loop: Loop) -> list[str]:
 
 
 def _word(name: str, wrap: bool) -> list[str]:
-    """Limit a product to 16 bits."""
+    """Return code that limits a product to 16 bits."""
     if wrap:
         return [f"{name} = ({name} + 32768.0) % 65536.0 - 32768.0"]
     return _clamp(name, 32767.0, -32768.0)
 
 
 def _floor(name: str, divisor: float) -> str:
-    """Return an integer division by a power of two, rounded down.
+    """Return code for an integer division by a power of two, rounded down.
 
-    Half a divisor less is never a tie.
+    Subtracting half a divisor (less a half) lets rounding to nearest round down, without ties.
     """
     return f"({name} - {(divisor - 1.0) / 2.0!r}) * {1.0 / divisor!r}{_ROUND}"
 
 
 def _truncate(name: str, divisor: float) -> str:
-    """Return an integer division rounded towards zero, like C."""
+    """Return code for an integer division rounded towards zero, like C."""
     up = f"({name} + {(divisor - 1.0) / 2.0!r}) * {1.0 / divisor!r}{_ROUND}"
     return f"{_floor(name, divisor)} if {name} > 0.0 else {up}"
 
@@ -324,9 +325,9 @@ def _move_in_contact(plant: Discrete, contact: int, period: float) -> list[str]:
 
 
 def _slide(plant: Discrete, contact: int, direction: int, period: float) -> list[str]:
-    """Return one sample of sliding.
+    """Return code for one sample of sliding.
 
-    If the motor would reverse in it, it stops, and may stick in the next one.
+    If the motor would reverse within it, it stops, and may stick in the next sample.
     """
     turned = "<" if direction == SLIDING_UP else ">"
     return [

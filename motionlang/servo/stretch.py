@@ -1,4 +1,4 @@
-"""A stretch of servo samples, step by step, from trajectory points to columns."""
+"""A run of servo samples, step by step, from trajectory points to columns."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ _TOTAL = MEMORY.index("total") - len(MEMORY)
 
 
 class Stretch:
-    """A number of samples: the requested columns and the points between them.
+    """Consecutive samples: their requested columns, and the trajectory points used.
 
-    `marks` are states in between, each with the number of samples before it.
+    `marks` are intermediate states, each with the number of samples before it.
     """
 
     __slots__ = ("columns", "marks", "part", "points", "ratio", "shifts")
@@ -64,7 +64,10 @@ class Stretch:
         return flat[self.part : self.part + count]
 
     def mark_before(self, sample: int) -> tuple[int, State, list[float]] | None:
-        """Return the last mark before a sample: number, state, points around it; or None."""
+        """Return the last mark before a sample, or None.
+
+        It is a tuple of the number of samples, the state, and the points around it.
+        """
         for done, state in reversed(self.marks):
             cycle = (self.part + done) // self.ratio
             if done < sample and cycle:
@@ -87,7 +90,7 @@ def run_stretch(
     count: int,
     state: State,
 ) -> tuple[Stretch, State]:
-    """Run `count` samples, the first being number `part` of its trajectory cycle.
+    """Run `count` samples; the first has the number `offset` in its trajectory cycle.
 
     `points` are the trajectory points: the one before the first cycle, its beginning, and the end of every
     cycle.
@@ -117,7 +120,7 @@ def run_steps(
     count: int,
     state: State,
 ) -> tuple[Stretch, State]:
-    """Run samples like `run_stretch`, in lists and with marks."""
+    """Run samples like `run_stretch`, but step by step, in lists and with marks."""
     samples = slice(part, part + count)
     if isinstance(points, list):
         demand, feed = _given(loop, points, samples)
@@ -135,7 +138,7 @@ def run_steps(
 
 
 def _given(loop: Loop, points: Sequence[float], samples: slice) -> tuple[list[float], list[float]]:
-    """Return command and feed-forward of a slice of samples between points.
+    """Return command and feed-forward of a slice of samples, from trajectory points.
 
     The feed-forward is empty if the loop has none.
     """
@@ -152,7 +155,7 @@ def _given(loop: Loop, points: Sequence[float], samples: slice) -> tuple[list[fl
 
 
 def _given_at_once(loop: Loop, points: Array, samples: slice) -> tuple[list[float], list[float]]:
-    """Return the result of `_given` from points in an array, equal to the last bit."""
+    """Return the same as `_given`, to the last bit, from points in an array."""
     import numpy as np
 
     ratio = loop.ratio
@@ -171,7 +174,7 @@ def _given_at_once(loop: Loop, points: Array, samples: slice) -> tuple[list[floa
 def _feed(loop: Loop, points: Sequence[float]) -> list[float]:
     """Return the feed-forward volts of each cycle.
 
-    They depend on the points at its ends and the one before.
+    They depend on the points at both ends of the cycle and the point before.
     """
     rate = loop.trajectory_rate
     steady, accel, decel = loop.velocity_ff * rate, loop.accel_ff * rate * rate, loop.decel_ff * rate * rate
@@ -198,7 +201,7 @@ def _feeds(loop: Loop, speed: Array) -> Array:
 
 
 def _acting(loop: Loop, points: Floats) -> list[bool]:
-    """Return for each cycle, or for all, if the integral acts."""
+    """Return for each cycle if the integral acts; one value if that never changes."""
     mode = loop.integral_mode
     if mode in _STEADFAST:
         return [True]
@@ -207,15 +210,15 @@ def _acting(loop: Loop, points: Floats) -> list[bool]:
 
 
 def _acts(mode: str, before: float, here: float, there: float) -> bool:
-    """True if the integral acts in a cycle, by `loop.INTEGRAL_MODES`."""
+    """True if the integral acts in a cycle, according to `loop.INTEGRAL_MODES`."""
     change = there - 2.0 * here + before if mode == "steady" else there - here
     return abs(change) <= _STILL + 4.0 * _ROUNDING * abs(here)
 
 
 def _spans(loop: Loop, acting: Sequence[bool], part: int, count: int) -> list[tuple[int, int, bool, bool]]:
-    """Return runs of samples with one integral state.
+    """Return the runs of samples in which the integral acts, or does not.
 
-    Each is begin, end, true if the integral acts, true if it is cleared first.
+    Each is begin, end, true if the integral acts, and true if it is cleared first.
     """
     ratio = loop.ratio
     turns = [i for i in range(1, len(acting)) if acting[i] != acting[i - 1]]

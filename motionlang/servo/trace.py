@@ -56,7 +56,7 @@ def _end_to_end(parts: Sequence[Sequence[float] | Array]) -> Array:
 class ServoTrace:
     """Columns of one axis, one row per servo sample from time 0, as the loop sees it.
 
-    `demand` and `position` are in the program's coordinates. It has only the recorded columns, and those of
+    `demand` and `position` are in the program's coordinates. The trace has only the recorded columns, and those of
     `UNITS` that follow from them.
     """
 
@@ -71,12 +71,12 @@ class ServoTrace:
 
     @cached_property
     def commanded(self) -> Array:
-        """The command in the motor's own coordinates."""
+        """The commanded position in the motor's own coordinates, counts."""
         return _end_to_end([each.demand(len(each.columns[0])) for each in self._stretches] or [np.zeros(0)])
 
     @cached_property
     def _offset(self) -> Array:
-        """The displacement of the program's zero at every sample."""
+        """The displacement of the program's zero at every sample, counts."""
         shifts = [shift for each in self._stretches for shift in each.shifts] or [(0, 0.0)]
         first = shifts[0][0]
         edges = [*(sample - first for sample, _ in shifts), len(self)]
@@ -91,7 +91,7 @@ class ServoTrace:
 
     @property
     def time(self) -> Array:
-        """Seconds."""
+        """Times of the samples, seconds."""
         made: Array = np.arange(len(self), dtype=np.float64) * self.loop.period
         return made
 
@@ -113,7 +113,7 @@ class ServoTrace:
 
     @property
     def encoder(self) -> Array:
-        """Measured position in the motor's own coordinates, which no program redefines."""
+        """Measured position in the motor's own coordinates, unaffected by a new zero."""
         position = self._columns["position"]
         made = discretise(self.plant, self.loop.period)
         if made.load_encoder:
@@ -162,7 +162,7 @@ class ServoTrace:
     def onset(self) -> Array:
         """Acceleration just after the output has changed, counts/s².
 
-        It is the immediate effect of a DAC step, without friction.
+        It shows the immediate effect of a DAC step, without friction.
         """
         made = discretise(self.plant, self.loop.period)
         row = next(iter(made.regimes.values())).drive
@@ -178,7 +178,7 @@ class ServoTrace:
 
     @property
     def jerk(self) -> Array:
-        """Change of that acceleration over one sample, counts/s³."""
+        """Rate of change of `acceleration` since the sample before, counts/s³."""
         return np.diff(self.acceleration, prepend=0.0) * self.loop.servo_rate
 
     @property
@@ -201,11 +201,11 @@ class ServoTrace:
 
     @property
     def rms_torque(self) -> float:
-        """Root of the mean square of the torque, N m."""
+        """Root mean square of the torque, N m."""
         return float(np.sqrt(np.mean(self.torque**2))) if len(self) else 0.0
 
     def rms_torque_between(self, begin: float, end: float) -> float:
-        """Return the root mean square of the torque from `begin` to `end` seconds."""
+        """Return the root mean square of the torque, N m, from `begin` to `end` seconds."""
         part = self.torque[(self.time >= begin) & (self.time <= end)]
         return float(np.sqrt(np.mean(part**2))) if len(part) else 0.0
 
@@ -215,9 +215,9 @@ class ServoTrace:
         return float(np.abs(self.output).max(initial=0.0))
 
     def settled_at(self, window: float, after: float = 0.0) -> float:
-        """Return the time from which the error stays within `window` counts; inf if never.
+        """Return since when the error stays within `window` counts; inf if never.
 
-        It is not before `after`.
+        The result is not before `after`.
         """
         outside = np.flatnonzero(np.abs(self.error) > window)
         if len(outside) and outside[-1] == len(self) - 1:
@@ -226,6 +226,6 @@ class ServoTrace:
         return max(settled, after)
 
     def first_beyond(self, limit: float) -> float:
-        """Return the first time of a following error beyond `limit` counts; inf if never."""
+        """Return when the following error first exceeds `limit` counts; inf if never."""
         beyond = np.flatnonzero(np.abs(self.error) > limit)
         return float(self.time[beyond[0]]) if len(beyond) else inf

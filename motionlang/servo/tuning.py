@@ -1,7 +1,7 @@
 """Initial gains for a plant and a bandwidth: a start for tuning, not its result.
 
-The plant is taken as K/(s (tau s + 1)) and three closed-loop poles are put at one frequency. That frequency
-is then moved until the real loop, sampled and with the complete plant, has the requested bandwidth.
+The plant is modelled as K/(s (tau s + 1)) and three closed-loop poles are put at one frequency. That frequency
+is then varied until the real loop, sampled and with the complete plant, has the requested bandwidth.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ class Suggestion:
 
 
 class BeyondPlant(ValueError):
-    """A bandwidth that no gains can reach; `best` is about the highest, Hz.
+    """Raised for a bandwidth that no gains can reach.
 
-    It is 0 if no gains close the loop.
+    `best` is about the highest possible one, Hz; 0 if no gains close the loop stably.
     """
 
     def __init__(self, message: str, best: float = 0.0) -> None:
@@ -50,7 +50,7 @@ def suggest(
 ) -> Suggestion:
     """Return gains for a closed-loop bandwidth of `target` Hz.
 
-    Rates and limits are from `base`. Raises `BeyondPlant` with the possible bandwidth.
+    Rates and limits are those of `base`. Raises `BeyondPlant` with the possible bandwidth.
     """
     linear = linearised(plant)
     loop = suggested_loop(linear, target, base or Loop(), integral)
@@ -61,7 +61,7 @@ def suggest(
 # Every axis with the same motor, whatever its friction, and every run of it in a session, needs the same.
 @lru_cache(maxsize=256)
 def suggested_loop(linear: Motor | Drive, target: float, base: Loop, integral: bool = True) -> Loop:
-    """The suggested loop for a `linearised` plant.
+    """Return the suggested loop for a `linearised` plant.
 
     It has no DAC steps and no deadband of the output.
     """
@@ -76,10 +76,10 @@ def suggested_loop(linear: Motor | Drive, target: float, base: Loop, integral: b
 
 
 def _least(value: Callable[[float], float], low: float, high: float) -> float:
-    """Return where `value` is no longer negative, to a part in 10¹².
+    """Return where `value` becomes non-negative, to a relative accuracy of 10⁻¹².
 
     This is the Illinois method (Dowell and Jarratt). One value costs about a millisecond; bisection needs
-    more than fifty of them, secants some twenty.
+    more than fifty of them, the secant method some twenty.
     """
     below, above = value(low), value(high)
     last = 0
@@ -109,7 +109,7 @@ def linearised(plant: Motor | Drive) -> Motor | Drive:
 
 
 def _shape(plant: Motor | Drive, base: Loop, integral: bool) -> Callable[[float], Loop]:
-    """Return a function from the triple-pole frequency (rad/s) to a loop.
+    """Return a function that maps a triple-pole frequency (rad/s) to a loop.
 
     tau s³ + (1 + K Kd) s² + K Kp s + K Ki = tau (s + w)³ gives K/tau Kd = 3w - 1/tau, K/tau Kp = 3w², K/tau
     Ki = w³. If the plant's own damping is higher, there is no derivative, and (s + w)² of the slower poles
@@ -149,7 +149,7 @@ def _constants(plant: Motor | Drive) -> tuple[float, float]:
 
 
 def _range(plant: Motor | Drive, shaped: Callable[[float], Loop], target: float) -> tuple[float, float]:
-    """Return stable pole frequencies below and above the target."""
+    """Return stable pole frequencies with bandwidths below and above the target."""
     low = 2.0 * pi * target
     # Stability of a loop takes a hundredth of the time of its bandwidth.
     while not is_stable(shaped(low), plant) or reaches(shaped(low), plant, target):

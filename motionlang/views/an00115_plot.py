@@ -1,6 +1,6 @@
 """Drawings of note AN00115 for any move: the trapezoid and its rectangle.
 
-The rectangle has the same area as the trapezoid.
+Both have the same area.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def _trapezoid(axes: Axes, move: Move) -> None:
 
 
 def _rectangle(axes: Axes, move: Move) -> None:
-    """Draw the triangle that is cut off, where it goes, and the rectangle."""
+    """Draw the rectangle, the triangle cut off the trapezoid and its new position."""
     speed, end = move["speed"], move["accel_time"] + move["slew_time"]
     axes.plot(*zip(*trapezoid(move), strict=True), color=BLUE, linewidth=1.6)
     axes.fill(*zip(*cut_triangle(move), strict=True), color=GREY, alpha=0.3, linewidth=0)

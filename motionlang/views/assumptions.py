@@ -19,7 +19,7 @@ LONG = 7
 
 
 def listing(found: Sequence[Assumption], *, width: int = 100, colour: bool = False) -> str:
-    """List strength, name and question of each assumption, with the default below it."""
+    """List evidence, name and question of each assumption, with the default below."""
     if not found:
         return "  depends on no unconfirmed assumption\n"
     count = f"{len(found)} unconfirmed assumption{'s' if len(found) > 1 else ''}"
@@ -34,9 +34,9 @@ def listing(found: Sequence[Assumption], *, width: int = 100, colour: bool = Fal
 
 
 def of_word(found: Sequence[Assumption], axis: int, *, width: int = 100, colour: bool = False) -> str:
-    """Return the open questions on a keyword.
+    """Return the open questions about a keyword.
 
-    Each has the program to type and the meaning of each answer of a controller.
+    Each has the program to type and the meaning of each possible answer of a controller.
     """
     how = "not settled by the sources; motionlang probe NAME writes a test program for a controller"
     lines = [styled(f"  {how}", "dim", colour)]
@@ -72,7 +72,7 @@ def _asked(assumption: Assumption, axis: int, width: int, colour: bool) -> list[
 
 
 def _open(assumption: Assumption) -> str:
-    """Return a question with the chosen answer and the others."""
+    """Return a question with the chosen answer and the alternatives."""
     others = f"; or: {'; or '.join(assumption.alternatives)}" if assumption.alternatives else ""
     return f"{assumption.question}: {assumption.chosen}{others}"
 

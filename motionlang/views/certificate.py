@@ -1,4 +1,4 @@
-"""The limit certificate on a terminal: a table to sign."""
+"""The limit certificate on a terminal: a table with a signature line."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def certificate_lines(
 ) -> list[str]:
     """Return the certificate as lines.
 
-    It has the table, the proof of the motion, the certified inputs and a signature line.
+    It has the table, the proof of the motion, the digests of the certified inputs and a signature line.
     """
     rows = [_row(line) for line in lines]
     styles = ["" if line.verdict == "within" else "error" for line in lines]

@@ -24,14 +24,14 @@ _WIDTH = 100
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A figure: its title and its numbers."""
+    """A figure: its title and its values."""
 
     title: str
     lines: Callable[[], list[str]]
 
 
 def figure_lines(number: str) -> list[str]:
-    """Return the title of a figure and its numbers."""
+    """Return the title of a figure and its values."""
     picture = FIGURES[number]
     return [f"Figure {number}  {picture.title}", "", *picture.lines()]
 

@@ -1,7 +1,8 @@
 """A chart of an axis's velocity over time in braille dots, for a terminal.
 
-A character has two columns of four dots. Every column of dots spans the lowest and the highest velocity of
-its interval. These come from the pieces of the motion, so that no short move is missed in a long run.
+A character has two columns of four dots. Every column of dots spans the range between the lowest and the highest
+velocity in its interval. This range is computed from the pieces of the motion, so a short move in a long run
+remains visible.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ _DOTS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
 def velocity_chart(axis: Axis, end: float, *, width: int, height: int, colour: bool = False) -> list[str]:
     """Return the lines of a chart of `axis` from 0 to `end` seconds.
 
-    `width` is the whole width in characters, `height` the number of rows of dots.
+    `width` is the total width in characters, `height` the number of rows of dots.
     """
     scale = axis.scale.counts or 1.0
     label = 10
@@ -87,7 +88,7 @@ def velocity_spans(axis: Axis, end: float, count: int) -> list[Span]:
 def dots(spans: Sequence[Span], low: float, high: float, height: int) -> list[str]:
     """Return rows of braille characters, two spans per character.
 
-    Each span is drawn from its low to its high and joined to its neighbour.
+    Each span is drawn from its lowest to its highest value and joined to the next one.
     """
     top = 4 * height - 1
     factor = top / (high - low)
@@ -105,7 +106,7 @@ def dots(spans: Sequence[Span], low: float, high: float, height: int) -> list[st
 def _velocities(profile: Profile, begin: float, finish: float) -> list[float]:
     """Return the velocities at both ends of an interval and at the knots inside it.
 
-    Between these the velocity is monotonic.
+    Between these points the velocity is monotonic.
     """
     found = [profile.velocity(begin), profile.velocity(finish)]
     if profile.shape != "hold":
@@ -116,7 +117,7 @@ def _velocities(profile: Profile, begin: float, finish: float) -> list[float]:
 def _turning_velocities(profile: Profile, length: float) -> list[float]:
     """Return the velocities that a profile within one interval reaches.
 
-    This does not make its pieces.
+    The pieces of the profile are not computed.
     """
     if profile.shape == "hold" or length >= profile.duration:
         return [phase.end_velocity for phase in profile.phases]

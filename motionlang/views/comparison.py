@@ -1,4 +1,4 @@
-"""A recording compared with a run, as text.
+"""The comparison of a recording with a run, as text.
 
 It shows the error of each signal, and each move with its lag and overshoot.
 """
@@ -52,7 +52,7 @@ def render_comparison(
 ) -> str:
     """Return the comparison as text that ends with a newline.
 
-    Of very many moves only the worst are shown, unless `everything` is set.
+    If there are very many moves, only the worst are shown, unless `everything` is set.
     """
     run = made.run
     head = f"{styled(printable(run.source.name), 'bold', colour)} · {dialect_name(run.dialect.name)} · {outcome(run)}"

@@ -1,10 +1,9 @@
-"""Fast conversion of columns to CSV text in fixed point, by tables of digits.
+"""Fast conversion of columns to fixed-point CSV text, with tables of digits.
 
 It is many times as fast as `np.savetxt` and gives the same digits. A number becomes words of four bytes. One
-to four words hold the digits before the point, the first including the sign. Two to four words of three
-digits hold those after it, the last including the separator. Unused bytes are NUL, and one `translate`
-deletes them all. Rows with values that do not fit, because they are too large or not a number, are formatted
-one by one.
+to four words hold the digits before the decimal point, the first including the sign. Two to four words of three
+digits hold the decimals, the last including the separator. Unused bytes are NUL, and one `translate` deletes them
+all. Rows with values that do not fit, because they are too large or not a number, are formatted one by one.
 """
 
 from __future__ import annotations
@@ -69,7 +68,7 @@ def decimals_for(resolution: float) -> int:
 
 
 class Formatter:
-    """Turns columns of equal length into CSV lines.
+    """Formats columns of equal length as CSV lines.
 
     `decimals` has one of `DECIMALS` for each column.
     """
@@ -117,7 +116,7 @@ class Formatter:
 
 
 class _Buffer:
-    """Rows of words in memory that is reused."""
+    """Rows of words in reused memory."""
 
     __slots__ = ("_bytes", "_row")
 
@@ -220,7 +219,10 @@ def _write_exactly(
     rows: Sequence[int],
     parts: tuple[Array, Array | None, Array, NDArray[np.bool_] | None],
 ) -> None:
-    """Replace the digits of some rows by Python's own, in the arrays to be written."""
+    """Replace the digits of some rows by those that Python formats.
+
+    `components` are the arrays to change.
+    """
     whole, high, digits, below = parts
     for row in rows:
         shown = f"{abs(column[row]):.{decimals}f}"

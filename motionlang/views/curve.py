@@ -21,7 +21,7 @@ COLUMNS = 600
 
 
 def velocity_curve(axis: Axis, end: float) -> str:
-    """Return the velocity of an axis (uu/s) from 0 to `end` seconds as a drawing.
+    """Return a drawing of an axis's velocity (uu/s) from 0 to `end` seconds.
 
     The result is "" if the axis never moved.
     """

@@ -1,4 +1,4 @@
-"""The time of a run as text: by cause, line, sub and task, and who waits for whom."""
+"""The time of a run as text: by cause, line, sub and task, with mutual waits."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def _kinds(made: TimeProfile, whole: float, width: int, colour: bool) -> list[st
 
 
 def _causes(causes: Mapping[str, float]) -> str:
-    """Return the duration of each phase of a travel."""
+    """Return the duration of each phase of a move."""
     if len(causes) < 2:
         return ""
     return ", ".join(f"{name} {_seconds(causes[name])}" for name in MOVING if name in causes)
@@ -192,7 +192,7 @@ def _task(made: TimeProfile, number: int) -> list[str]:
 
 
 def _listing(made: TimeProfile, whole: float, colour: bool) -> list[str]:
-    """Return the program with the seconds and the share of time before each line."""
+    """Return the program with the time, s, and its share before each line."""
     by_line = {share.line: share.seconds for share in made.lines()}
     lines = made.run.source.text.rstrip("\n").split("\n")
     out = []

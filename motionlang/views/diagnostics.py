@@ -7,7 +7,7 @@
       | ^^^^
       hint: did you mean MOVER?
 
-Plain text is the same everywhere, so that tests compare whole messages; colours are for terminals only.
+Plain text is the same on every system, so that tests can compare whole messages; only terminals get colours.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ def render(
 ) -> str:
     """Return one diagnostic with its excerpt, in lines that end with newlines.
 
-    Without `source` there is no excerpt. `name` is the file as the user named it, if that differs from the
-    name of its source.
+    Without `source` there is no excerpt. `name` is the file as the user named it, if that differs from
+    `source.name`.
     """
     severity = diagnostic.severity
     message = styled(_short(diagnostic.message), "bold", colour)
@@ -70,7 +70,7 @@ def render_all(
 ) -> str:
     """Return the diagnostics, separated by empty lines.
 
-    Of very many only the first are shown, with the number of others.
+    If there are very many, only the first are shown, with the number of the rest.
     """
     found = list(diagnostics)
     texts = [render(each, source, name=name, colour=colour, width=width) for each in found[:MAX_SHOWN]]
@@ -119,9 +119,9 @@ def _excerpt(diagnostic: Diagnostic, line: str, gutter: int, colour: bool, width
 
 
 def _window(line: str, at: int, length: int, room: int) -> tuple[str, int, int]:
-    """Return the excerpt of `line` around `at` that fits into `room` cells.
+    """Return the part of `line` around `at` that fits into `room` cells.
 
-    Returns also the start and the width of the mark in it.
+    Also returns the start and the width of the mark in it.
     """
     at = min(at, len(line))
     # More characters than `room` on either side never fit, so a megabyte costs as little as a line.
@@ -143,7 +143,7 @@ def _window(line: str, at: int, length: int, room: int) -> tuple[str, int, int]:
 def _widened(text: str, start: int = 0) -> str:
     """Return `text` as printable cells, with tabs expanded to spaces.
 
-    The text begins in cell `start`.
+    The first character is in cell `start`.
     """
     if "\t" not in text:
         return printable(text)

@@ -1,6 +1,6 @@
 """The effect of a change as text.
 
-Time comes first, then lines, prints, errors and the rest.
+Time comes first, followed by lines, printed output, errors and the rest.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def diff_lines(
 ) -> list[str]:
     """Return the difference as lines of text; none if there is no difference.
 
-    `charges` attribute a difference in time to lines.
+    `charges` attribute a difference in time to program lines.
     """
     out: list[str] = []
     if found.status is not None:
@@ -70,7 +70,7 @@ def diff_lines(
 
 
 def literal_lines(changed: Sequence[ChangedLiteral], most: int) -> list[str]:
-    """Return a line for each literal with another value."""
+    """Return a line for each literal whose value changed."""
     lines = [
         f"{each.address}: {each.old} → {each.new}" + (f", was {each.old_address}" if each.old_address else "")
         for each in changed
@@ -162,7 +162,7 @@ def _move(move: dict[str, Any]) -> str:
 
 
 def change_lines(found: Difference, change: Change) -> list[str]:
-    """Return the text of one change on its own."""
+    """Return the text of a single change."""
     kind, what = change.kind, change.what
     if kind == "status":
         return diff_lines(found, most=0)[:1]

@@ -1,6 +1,6 @@
 """Trace files, written chunk by chunk in bounded memory.
 
-`--trace OUT` chooses one of `_WRITERS` by suffix.
+`--trace OUT` selects one of `_WRITERS` by file extension.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ TIME_DECIMALS = 9
 
 
 def write_trace(trace: Trace, path: str, rate: float = 1000.0, progress: Report = lambda part: None) -> int:
-    """Sample `trace` at `rate` into `path`; return the number of rows.
+    """Sample `trace` at `rate` (Hz) into `path`; return the number of rows.
 
-    The suffix of `path` selects the format. `progress` is called with the completed fraction. Raises OSError,
+    The extension of `path` selects the format. `progress` is called with the completed fraction. Raises OSError,
     and leaves no incomplete file behind.
     """
     write = _WRITERS[os.path.splitext(path)[1].lower()]
@@ -41,9 +41,9 @@ def write_trace(trace: Trace, path: str, rate: float = 1000.0, progress: Report 
 
 
 def _write_csv(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    """Write a header with names and units, then numbers.
+    """Write a header with names and units, then the values.
 
-    A column resolves at least a thousandth of a count.
+    The decimals of a column show at least a thousandth of a count.
     """
     columns = trace.columns()
     formatter = Formatter([_decimals(trace, column) for column in columns])
@@ -60,7 +60,7 @@ def _decimals(trace: Trace, column: Column) -> int:
 
 
 def _write_npz(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    """Write the output of `np.savez` with one chunk in memory, deterministically."""
+    """Write the same file as `np.savez`, one chunk at a time and deterministically."""
     columns, total = trace.columns(), trace.rows(rate)
     work = total * len(columns)
     done = 0

@@ -26,7 +26,7 @@ SARIF = "https://json.schemastore.org/sarif-2.1.0.json"
 class Found:
     """The diagnostics of one file.
 
-    `place` is the file that they refer to, which may be its machine file. `strict` counts warnings as errors.
+    `path` is the file that they refer to, possibly the machine file. `strict` counts warnings as errors.
     """
 
     __slots__ = ("diagnostics", "file", "is_wrong", "place", "source")

@@ -1,6 +1,6 @@
 """Aligned columns of text.
 
-Widths are rich's. On a narrow terminal the least important columns are dropped.
+Cell widths are computed by rich. On a narrow terminal the least important columns are dropped.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ GAP = 2
 class Column:
     """A column of a grid, with `title` over `unit`; `align` is "<" or ">".
 
-    Columns with the highest `drop` are removed first if there is not enough room; 0 means never. `style`
-    colours the cells.
+    Columns with the highest `drop` are removed first if the table is too wide; 0 means never. `style` colours the
+    cells.
     """
 
     __slots__ = ("align", "drop", "style", "title", "unit")
@@ -57,7 +57,7 @@ def grid(
 def decimals_of(values: Sequence[float], most: int = 4) -> int:
     """Return the fewest decimals that show all of `values`, at most `most`.
 
-    If all values are small, the result may be larger.
+    The result may exceed `most` if all values are small.
     """
     largest = max((abs(value) for value in values), default=0.0)
     while most < 12 and 0.0 < largest < 10.0 ** (2 - most):

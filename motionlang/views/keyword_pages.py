@@ -1,7 +1,7 @@
-"""The keyword pages of a dialect in the documentation, written from its table.
+"""The keyword pages of a dialect in the documentation, generated from its table.
 
 There is one page per group, an index, and a page of the keywords that are known but not simulated. Groups and
-keywords are in alphabetical order, because hundreds of keywords are for reference.
+keywords are in alphabetical order, because readers look up one of hundreds of keywords.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ SIGNS = {code: 0x2400 + code for code in range(32) if code not in (9, 10)}
 
 
 def pages(rows: Sequence[Keyword], dialect: str, shown: Callable[[Keyword], Sequence[str]]) -> dict[str, str]:
-    """Return every page by its path, relative to the folder of the keyword pages.
+    """Return the text of every page, by path relative to the keyword pages' folder.
 
     The index is `mint.md`, and the pages of the groups are below `mint/`. `shown` returns the output of a
     keyword's example.
@@ -59,7 +59,7 @@ def pages(rows: Sequence[Keyword], dialect: str, shown: Callable[[Keyword], Sequ
 
 
 def path(dialect: str, group: str) -> str:
-    """Return the page of a group, relative to the folder of the keyword pages."""
+    """Return the path of a group's page, relative to the folder of the keyword pages."""
     return f"{dialect}/{anchor(_title(group))}.md"
 
 
@@ -131,7 +131,7 @@ def _entry(row: Keyword, dialect: str, shown: Callable[[Keyword], Sequence[str]]
 
 
 def _open(row: Keyword, dialect: str) -> list[str]:
-    """Return the open questions on a keyword, one per line."""
+    """Return the open questions about a keyword, one per line."""
     lines: list[str] = []
     for each in of_word(dialect, row):
         others = f"; or: {'; or '.join(each.alternatives)}" if each.alternatives else ""

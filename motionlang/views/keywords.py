@@ -1,4 +1,4 @@
-"""The keywords of a language as text: all in a list, one as a page."""
+"""The keywords of a language as text: a list of all, or a page about one."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def listing(
 ) -> str:
     """List all rows by group, one keyword per line.
 
-    Keywords that are not simulated come last, several per line. Lines are cut at `width` unless `whole` is
-    set, for output that is searched or read.
+    Keywords that are not simulated come last, several per line. Lines are truncated at `width` unless `whole` is
+    set, for output that is searched or read by a program.
     """
     simulated = [row for row in rows if row.simulated]
     known = [row.name for row in rows if not row.simulated]
@@ -50,7 +50,7 @@ def listing(
 
 
 def page(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: bool = False) -> str:
-    """Return a page with all facts on each keyword in the table."""
+    """Return a page with all the table's facts about each keyword in `rows`."""
     return "\n".join(_page(row, dialect, width, colour) for row in rows)
 
 

@@ -21,7 +21,7 @@ GROUPS = {
 class Lane(NamedTuple):
     """One channel: `values[i]` holds from `times[i]` (seconds) on.
 
-    The first value is the one at 0.
+    The first value holds from time 0.
     """
 
     group: str

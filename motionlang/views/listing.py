@@ -1,4 +1,4 @@
-"""A listing: the lines of a program, each with the generated code below it."""
+"""A listing: the lines of a program, each followed by its generated code."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _STYLES = {"move": "word", "keyword": "word", "not-simulated": "warning", "comme
 def render_listing(dialect: Dialect, source: Source, listing: Listing, *, colour: bool) -> Iterator[str]:
     """Return the lines of a listing.
 
-    Python code with its comments is still runnable.
+    The output for Python code, including the comments, can still be executed.
     """
     for text in listing.head.splitlines():
         yield styled(f"# {text}".rstrip(), "dim", colour) + "\n"
@@ -54,7 +54,7 @@ def _program_line(dialect: Dialect, source: Source, number: int, colour: bool) -
 
 
 def _wrapped(code: str, indent: str) -> str:
-    """Return a line of Python, broken with backslashes if longer than 80 columns.
+    """Return a line of Python, broken with backslashes if it exceeds 80 columns.
 
     It is broken at blanks between tokens.
     """

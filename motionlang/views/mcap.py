@@ -31,7 +31,7 @@ _TEXTS = {"line": "integer", "command": "string", "state": "string", "axis": "in
 
 
 def write_mcap(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    """Write all messages in the order of time.
+    """Write all messages in chronological order.
 
     Needs the package mcap.
     """
@@ -123,7 +123,7 @@ def _events(trace: Trace, topics: _Topics) -> Iterator[Message]:
 def _program(trace: Trace, topics: _Topics) -> Iterator[Message]:
     """Return the activity of each axis over time.
 
-    This is the move and its phase, or the end of a move.
+    A message has the move and its phase, or the end of a move.
     """
     number = topics.add("/program", _TEXTS)
     found: list[tuple[float, int, int, str, str]] = []

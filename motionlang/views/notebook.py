@@ -1,6 +1,6 @@
 """Notebook views of runs, traces, moves and reports.
 
-They have text, tables and the velocity over time.
+They consist of text, tables and velocity curves.
 """
 
 from __future__ import annotations
@@ -67,14 +67,14 @@ def move_html(move: Move, run: Run) -> str:
 
 
 def moves_html(moves: Moves, run: Run) -> str:
-    """Return a table of moves, which names the number that it omits, and the curves."""
+    """Return a table of moves and their curves; a remark states the number omitted."""
     first = moves[:MOST_MOVES]
     shown = _table(first.columns(), len(moves) - len(first))
     return "\n".join([shown, *_curves(run.controller, run.time)])
 
 
 def report_html(report: Report, run: Run | None) -> str:
-    """Return a report as its run, or, if it has none, as its table of moves."""
+    """Return a report's run, or its table of moves if it has no run."""
     if run is not None:
         return html(run)
     rows = report["moves"][:MOST_MOVES]

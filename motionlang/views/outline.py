@@ -1,6 +1,6 @@
-"""The few points of a motion that a picture needs, with every peak and jump.
+"""A reduced set of points of a motion for a picture, with every peak and jump.
 
-The points come from the pieces of the motion. Every piece gives its ends, quarters and middle, and the points
+The points come from the pieces of the motion. Every piece contributes its ends, quarters and middle, and the points
 of an even grid inside it. A knot occurs twice, as the end of one piece and the start of the next, so that a
 jump is drawn vertically. If there are more points than a picture has columns, each column keeps only its
 lowest and its highest.
@@ -43,7 +43,7 @@ def outline(
 
 
 def thinned(times: Array, values: Array, span: tuple[float, float], bins: int = GRID) -> tuple[Array, Array]:
-    """Return the points in `span`; of very many only the extremes of each bin.
+    """Return the points in `span`; if there are many, only the extremes of each bin.
 
     The bins divide the span equally. The last point before the span is included, so that a line enters from
     the left.

@@ -1,4 +1,4 @@
-"""The content of a picture of a run: panels and curves per axis, not yet drawn."""
+"""The content of a picture of a run, before drawing: panels and curves per axis."""
 
 from __future__ import annotations
 
@@ -64,10 +64,10 @@ class Panel(NamedTuple):
 def panels(
     trace: Trace, axis: int, servo: ServoTrace | None = None, span: tuple[float, float] | None = None
 ) -> list[Panel]:
-    """Return the panels of an axis from the top down.
+    """Return the panels of an axis, from top to bottom.
 
-    Jerk is included if the acceleration changes other than by jumps, and servo panels if a motor was
-    simulated. The panels cover the whole run, or a `span` of it (s).
+    Jerk is included unless the acceleration changes only in jumps, and servo panels if a motor was simulated. The
+    panels cover the whole run, or a `span` of it (s).
     """
     span = span or (0.0, trace.end)
     made = [

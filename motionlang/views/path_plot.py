@@ -33,7 +33,7 @@ SIZE = 9.0
 def path_figure(run: Run, axes: tuple[int, ...], window: Window) -> Figure:
     """Return a figure of the path of two or three `axes` in a window of the run.
 
-    Raises ValueError, see Window.
+    Raises ValueError as `Window` does.
     """
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize

@@ -34,7 +34,7 @@ _COLUMNS = (
 def render_paths(
     rows: Sequence[PathRow], *, width: int = 100, colour: bool = False, everything: bool = False
 ) -> str:
-    """The table as text that ends with a newline."""
+    """Return the table as text that ends with a newline."""
     if not rows:
         return "no path was run: no axes begin and end together on one line\n"
     shown = rows if everything else rows[:MAX_ROWS]

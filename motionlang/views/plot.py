@@ -1,6 +1,6 @@
 """The run as a picture: position, velocity and acceleration over time.
 
-Phases are shaded, and moves are labelled with their lines. matplotlib draws it without pyplot and without a
+Phases are shaded, and moves are labelled with their program lines. matplotlib draws it without pyplot and without a
 display. The same run gives the same bytes: there are no dates and no random names. Long runs are drawn from
 their outline, which preserves every peak.
 """
@@ -168,7 +168,7 @@ def _draw_channels(group: Sequence[Axes], picture: _Picture, second: float) -> N
 
 
 def _layout(heights: Sequence[Sequence[float]], head: float) -> tuple[Figure, list[list[Axes]]]:
-    """Return a figure with groups of panels and one time scale.
+    """Return a figure with groups of panels and a common time scale.
 
     Heights are in inches. Only the last panel has labels of the time scale.
     """

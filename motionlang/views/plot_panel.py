@@ -37,7 +37,7 @@ POINTS_PER_INCH = 72.0
 
 
 def draw_panel(axes: Axes, panel: Panel, rows: Rows, span: tuple[float, float], second: float) -> None:
-    """Draw the curves of a panel over the phases of its moves.
+    """Draw the curves of a panel over the shaded phases of its moves.
 
     `rows` are the moves of its axis; `second` is one unit of the time axis in seconds.
     """
@@ -107,7 +107,7 @@ def draw_lanes(axes: Axes, lanes: Sequence[Lane], span: tuple[float, float], sec
 
 
 def is_shaded(rows: Rows) -> bool:
-    """True if the phases of these moves are distinguishable."""
+    """True if the phases of these moves are long enough to be distinguished."""
     return 0 < sum(len(row["phases"]) for row in rows) <= MAX_SHADED
 
 
@@ -130,7 +130,7 @@ def name_moves(axes: Axes, rows: Rows, span: tuple[float, float], second: float)
 
 
 def mark_events(group: Sequence[Axes], rows: Rows, span: tuple[float, float], second: float) -> None:
-    """Mark limits, faults and velocity jumps across the panels of their axis.
+    """Mark limits, faults and velocity jumps across all panels of their axis.
 
     The first panel has the labels.
     """
@@ -191,7 +191,7 @@ def pixel_of(axes: Axes, span: tuple[float, float]) -> float:
 def _shade(axes: Axes, rows: Rows, pixel: float, second: float) -> None:
     """Shade the phases of every move.
 
-    A phase shorter than a pixel is drawn over those after it.
+    A phase shorter than a pixel is drawn on top of later ones.
     """
     for row in rows:
         begin = row["start_time"]
@@ -207,7 +207,7 @@ def _shade(axes: Axes, rows: Rows, pixel: float, second: float) -> None:
 
 
 def _dress(axes: Axes, low: float, high: float) -> None:
-    """Apply a few round ticks, a light grid, and margins above and below."""
+    """Set a few round ticks, a light grid, and margins above and below."""
     from matplotlib.ticker import MaxNLocator
 
     axes.grid(True, color="#8496a8", alpha=0.25, linewidth=0.7)

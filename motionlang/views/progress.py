@@ -1,6 +1,6 @@
-"""A progress line on a terminal; rich keeps it in position.
+"""A progress line on a terminal, positioned by rich.
 
-Nothing is imported or written before the work has taken a while, or if no person reads the stream.
+Nothing is imported or written before the work has taken a while, or if the stream is not a terminal.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ RUN_PATIENCE, RUN_PERIOD = 1.0, 0.2
 
 
 class Progress:
-    """A progress line, called with the completed fraction, 0 to 1."""
+    """A progress line; call it with the completed fraction, 0 to 1."""
 
     __slots__ = ("_bar", "_label", "_next", "_stream")
 
@@ -74,8 +74,8 @@ def _bar(stream: TextIO, label: str) -> Bar:
 class Watcher:
     """Shows the line that `describe` returns, from a separate thread.
 
-    The thread only reads: it changes no data. All other output to the terminal is written by `above`; the
-    line returns as soon as the previous one is complete.
+    The thread only reads: it changes no data. All other output to the terminal is written through `above`. The
+    line reappears when that output ends with a complete line.
     """
 
     __slots__ = ("_begun", "_describe", "_ended", "_line", "_live", "_stop", "_stream")
@@ -102,14 +102,14 @@ class Watcher:
         self._ended.acquire()
 
     def above(self, write: Callable[[str], object], text: str) -> None:
-        """Remove the line and let `write` write `text` in its position."""
+        """Remove the progress line and let `write` write `text` in its position."""
         with self._line:
             self._erase()
             write(text)
             self._begun = not text.endswith("\n") if text else self._begun
 
     def show(self) -> None:
-        """Write or update the line, unless another one is unfinished."""
+        """Write or update the progress line, unless the program's last line is unfinished."""
         with self._line:
             if self._begun:
                 return
@@ -179,7 +179,7 @@ def is_shown(stream: TextIO) -> bool:
 def run_line(time: float, elapsed: float, moves: int, *, is_computing: bool = False) -> str:
     """Return the progress of a run: machine time, speed relative to real time, moves.
 
-    `is_computing` means that the machine time has not changed since the last line, because a loop adds up its time
+    `is_computing` means that the machine time has not changed since the last line, because a loop advances the clock
     only when it waits.
     """
     factor = time / elapsed if elapsed > 0.0 else 0.0

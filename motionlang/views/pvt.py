@@ -1,4 +1,4 @@
-"""PVT moves as text: segments, choices of velocities and results of a stream."""
+"""PVT moves as text: segments, methods for velocities and results of a stream."""
 
 from __future__ import annotations
 
@@ -69,9 +69,9 @@ def _summary(profile: Profile, marks: Sequence[Knot], scale: float) -> str:
 def comparison_lines(
     rows: Sequence[tuple[str, Sequence[float], float]], accelerations: Sequence[float], width: int = WIDTH
 ) -> list[str]:
-    """Compare the choices of velocities by their largest acceleration jump.
+    """Compare the methods for velocities by their largest acceleration jump.
 
-    Short moves include the velocities.
+    For short moves the velocities are listed.
     """
     scale = max(map(abs, accelerations), default=0.0)
     inner = len(rows[0][1]) - 2
@@ -85,7 +85,7 @@ def comparison_lines(
 
 
 def quiet(value: float, scale: float) -> float:
-    """Return the value, or 0 if it is only a rounding error at size `scale`."""
+    """Return the value, or 0 if it is only a rounding error relative to `scale`."""
     return value if abs(value) > NOISE * scale else 0.0
 
 

@@ -1,4 +1,4 @@
-"""PVT moves drawn like the note: position, velocity, acceleration.
+"""PVT moves drawn as in the note: position, velocity, acceleration.
 
 The given points are red asterisks.
 """
@@ -78,7 +78,7 @@ def _draw(panels: list[Axes], profile: Profile, title: str, *, leftmost: bool) -
 
 
 def _curve(profile: Profile, order: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return each piece as its own points, with both ends, so that jumps are vertical."""
+    """Return the points of each piece, with both ends, so that jumps are vertical."""
     per_piece = max(2, min(60, POINTS // max(1, len(profile.pieces))))
     xs, ys = [], []
     for piece, (begin, finish) in zip(profile.pieces, pairwise(profile.knots), strict=True):

@@ -1,6 +1,6 @@
 """Pygments lexers of Mint and MCCL, also for Sphinx, `pygmentize` and `rich`.
 
-Entry points name the two lexers.
+The package registers both as entry points.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _TOKENS: dict[str, Any] = {
 
 
 class _DialectLexer(Lexer):
-    """Base of both lexers; `dialect_name` is the name of the language here."""
+    """Base of both lexers; `dialect_name` is the name of the language in motionlang."""
 
     dialect_name: ClassVar[str]
 

@@ -1,6 +1,6 @@
 """INPUT answered from standard input.
 
-A person at a terminal is asked immediately, a pipe has a line for each INPUT.
+A person at a terminal is prompted at once; a pipe provides one line for each INPUT.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def ask(machine: Machine) -> str | None:
-    """Return the next line of standard input for an INPUT, None at its end."""
+    """Return the next line of standard input for an INPUT, None at end of file."""
     terminal, stdin = machine.terminal, sys.stdin
     if stdin is None:
         return None
@@ -34,9 +34,9 @@ def ask(machine: Machine) -> str | None:
 
 
 def _show_question(terminal: Terminal) -> None:
-    """Show the question to the person at the terminal.
+    """Show the question on the terminal.
 
-    They may not see the program's output.
+    The program's output may go elsewhere.
     """
     if terminal.show is None or not sys.stdout.isatty():
         sys.stderr.write(terminal.begun or "? ")
@@ -47,9 +47,9 @@ def _show_question(terminal: Terminal) -> None:
 
 
 def _show_once(terminal: Terminal, typed: str) -> None:
-    """Leave out `typed` when the program shows it.
+    """Do not repeat `typed` when the program echoes it.
 
-    The terminal has shown it while it was typed.
+    The terminal has already shown it.
     """
     show = terminal.show
 

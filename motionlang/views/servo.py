@@ -33,7 +33,7 @@ SHAPE_NAMES = {
 
 
 def slip_lines(args: argparse.Namespace, figures: Mapping[str, float]) -> list[str]:
-    """Return the chapter's example: the force of friction and its consequences."""
+    """Return the chapter's example: the friction force and its consequences."""
     unit, speed = args.unit, f"{figure(args.speed)} {args.unit}/{'min' if args.per == 'minute' else 's'}"
     friction, gravity = figure(args.friction), figure(args.gravity)
     rows = [
@@ -53,7 +53,7 @@ def slip_lines(args: argparse.Namespace, figures: Mapping[str, float]) -> list[s
 
 
 def slip_check_lines(name: str, found: Slip, unit: str) -> list[str]:
-    """Return the verdict on the slip of a load in one move, with the times and margin."""
+    """Return whether a load slips in one move, with the times and the margin."""
     title = SHAPE_NAMES.get(name, name)
     peak = f"peak {figure(found.peak)} of {figure(found.limit)} {unit}/s² at {figure(found.peak_time)} s"
     if not found.slips:
@@ -67,7 +67,7 @@ def slip_check_lines(name: str, found: Slip, unit: str) -> list[str]:
 
 
 def dac_lines(timings: Sequence[DacTiming], args: argparse.Namespace) -> list[str]:
-    """Return one DAC step for each number of bits: its speed, and the resulting times."""
+    """Return one DAC step for each number of bits: its speed and the resulting times."""
     per = "min" if args.per == "minute" else "s"
     seconds = 60.0 if args.per == "minute" else 1.0
     columns = (
@@ -93,7 +93,7 @@ def dac_lines(timings: Sequence[DacTiming], args: argparse.Namespace) -> list[st
 
 
 def override_lines(runs: Sequence[OverrideRun], unit: str) -> list[str]:
-    """Compare a move with and without override, by multiples of the limit."""
+    """Compare a move with and without override, in multiples of the slip limit."""
     columns = (
         Column("DAC", align="<"),
         Column("override", align="<"),
@@ -122,7 +122,7 @@ def override_lines(runs: Sequence[OverrideRun], unit: str) -> list[str]:
 
 
 def plant_line(plant: Motor | Drive) -> str:
-    """Return the motor of a command, by the values that differ from the default plant."""
+    """Describe a motor by the values that differ from the default plant."""
     kind = type(plant)
     values = [
         (field.name, getattr(plant, field.name), getattr(kind(), field.name)) for field in fields(plant)
@@ -135,7 +135,7 @@ def plant_line(plant: Motor | Drive) -> str:
 
 
 def plant_lines(plants: Mapping[int, Motor | Drive]) -> list[str]:
-    """Return the motors of a run by axis, each once."""
+    """Describe the motors of a run by axis, each once."""
     lines: dict[str, list[str]] = {}
     for axis, plant in plants.items():
         lines.setdefault(plant_line(plant), []).append(str(axis))
@@ -205,7 +205,7 @@ def _linear_rows(linear: LoopFigures | None) -> list[tuple[str, str, str]]:
 def tune_lines(
     made: Suggestion, figures: StepFigures, mint: Mapping[str, float], mccl: Mapping[str, float]
 ) -> list[str]:
-    """Return the gains in volts and in both languages, and the resulting step."""
+    """Return the gains in volts and in both languages, and the step response."""
     loop = made.loop
     rows = [
         ("proportional", f"{loop.proportional:.6g}", "V per count"),
@@ -321,7 +321,7 @@ def _seconds(value: float) -> str:
 
 
 def _quiet(value: float) -> float:
-    """Return the value, or 0.0 if it is rounding noise, which would have a minus sign."""
+    """Return the value, or 0.0 if it is rounding noise, so that no minus sign appears."""
     return 0.0 if abs(value) < 5e-4 else value
 
 

@@ -1,6 +1,6 @@
-"""Servo plots: motor motion against demand.
+"""Servo plots: motion of the motor against the demand.
 
-matplotlib is imported only when one is drawn.
+matplotlib is imported only when a plot is drawn.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ TAKE_OFF = 0.06
 
 @contextmanager
 def drawing(path: str, width: float, height: float) -> Iterator[Figure]:
-    """Return a figure that is written to `path` (.png or .svg) at the end.
+    """Yield a figure that is written to `path` (.png or .svg) at the end.
 
     The same picture gives the same bytes. Raises OSError, and MissingExtra if matplotlib is missing.
     """
@@ -56,7 +56,7 @@ def drawing(path: str, width: float, height: float) -> Iterator[Figure]:
 
 
 def dress(panel: Axes, label: str, unit: str = "") -> None:
-    """Apply labels and a light grid, and remove the frame."""
+    """Set labels and a light grid, and remove the frame."""
     panel.set_ylabel(f"{label}\n({unit})" if unit else label, fontsize=8.5)
     panel.grid(True, color="#8496a8", alpha=0.25, linewidth=0.7)
     panel.set_axisbelow(True)
@@ -68,7 +68,7 @@ def dress(panel: Axes, label: str, unit: str = "") -> None:
 def plot_trace(trace: ServoTrace, title: str, path: str) -> None:
     """Plot position, velocity, following error, output and torque of one axis.
 
-    Position is drawn over demand, and output with the integral.
+    Position is drawn over the demand, and output together with its integral term.
     """
     span = float(trace.time[0]), float(trace.time[-1])
     rows: list[tuple[str, str, list[tuple[str, str, str]]]] = [

@@ -1,7 +1,7 @@
-"""Time spans for pictures, in which spans and gaps are at least a pixel wide.
+"""Time spans for pictures, in which spans and gaps are at least one pixel wide.
 
-This holds as far as there is room. `visibleSpans` of the scope page (`scope/model.js`) does the same for the
-visible window.
+This holds as long as there is enough space. `visibleSpans` of the scope page (`scope/model.js`) does the same for
+the visible window.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ Span = tuple[float, float]
 def visible(spans: Iterable[Span], window: Span, pixel: float) -> list[Span]:
     """Return the `spans` in the `window`, in order, each at least `pixel` long.
 
-    A gap shorter than a pixel is widened at the cost of the span before it, or else of the span after it. If
-    neither is long enough, overlapping spans are merged.
+    A gap shorter than a pixel is widened at the cost of the span before it, or of the span after it if that is
+    too short. If both are too short, overlapping spans are merged.
     """
     first, last = window
     made: list[Span] = []

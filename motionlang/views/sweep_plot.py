@@ -27,10 +27,10 @@ def plot_lines(
     units: Mapping[str, str],
     best: Mapping[str, Point] | None = None,
 ) -> None:
-    """Draw a panel for each figure over the varied name `x`.
+    """Draw a panel for each result over the varied name `x`.
 
-    A panel has a line for each combination of the other names. `curves` has the points of each line by figure
-    and label; `best` has a point to be marked, by figure.
+    A panel has a line for each combination of the other names. `curves` has the points of each line by result
+    and label; `best` has a point to mark, by result.
     """
     with drawing(path, WIDTH, max(HEIGHT, PANEL * len(curves) + 0.6)) as figure:
         panels = figure.subplots(len(curves), 1, sharex=True, squeeze=False)[:, 0]
@@ -85,7 +85,7 @@ def plot_front(
     front: Sequence[Point],
     units: Mapping[str, str],
 ) -> None:
-    """Plot all variants by two figures, with those of the Pareto front joined."""
+    """Plot all variants over two results, and connect the points of the Pareto front."""
     x, y = names
     with drawing(path, WIDTH, HEIGHT) as figure:
         panel = figure.subplots()

@@ -36,7 +36,7 @@ def sweep_table(
 
 
 def cell(value: object) -> str:
-    """Format a value of a row: a number to six digits, a text cut to one line."""
+    """Format a value of a row: a number to six digits, a text truncated to one line."""
     if value is None:
         return ""
     if isinstance(value, bool):

@@ -1,7 +1,7 @@
 """The report as text: outcome, moves with phases, final axes, a small chart.
 
-A few moves are shown phase by phase, more of them one per line, and very many as totals per line of the
-program.
+A small number of moves is shown phase by phase, a larger one with one line per move, and a very large one as totals
+per program line.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ def render(
 ) -> str:
     """Return the whole report as text that ends with a newline.
 
-    `charts` adds the velocity of the axes that moved; `everything` leaves no move, phase or line out.
+    `charts` adds the velocity of the axes that moved; `everything` shows every move, phase and line.
     """
     moves = _Gathered(moves_of(run, None if everything else MAX_ROWS), everything)
     parts = [_head(run, moves.count, colour)]
@@ -146,7 +146,7 @@ class _Total:
 class _Gathered:
     """The data of the moves for the table.
 
-    Only the rows to be shown are stored, because there may be a million.
+    Only the rows to be shown are stored, because a run can have a million moves.
     """
 
     def __init__(self, rows: Iterator[Row], everything: bool) -> None:
@@ -210,7 +210,7 @@ def _is_short(row: Row) -> bool:
 class _Events:
     """The data of the events for the table.
 
-    These are the first events, the first important ones, and the number of each kind.
+    It has the first events, the first important ones, and the number of each kind.
     """
 
     def __init__(self, rows: Iterator[Row], everything: bool) -> None:
@@ -232,7 +232,7 @@ class _Events:
 def _happened(events: _Events, width: int, colour: bool) -> list[str]:
     """Return one line per event.
 
-    Of many, only the first important ones are shown, with the number of each kind.
+    If there are many, only the first important ones are shown, with the number of each kind.
     """
     texts = [
         [
@@ -255,7 +255,7 @@ def _happened(events: _Events, width: int, colour: bool) -> list[str]:
 
 
 class _Form:
-    """Moves and phases as cells of `_MOVES`, with enough decimals for each column."""
+    """Formats moves and phases as cells of `_MOVES`, with decimals by column."""
 
     def __init__(self, rows: list[Row], phased: bool) -> None:
         phases = [phase for row in rows for phase in row["phases"]] if phased else []
@@ -329,7 +329,7 @@ def _charts(run: Run, moves: _Gathered, width: int, colour: bool) -> list[list[s
 def _motors(rows: list[Row], width: int, colour: bool, everything: bool) -> list[str]:
     """Return the figures of simulated motors, one line per move.
 
-    Of many moves, those with the largest errors are shown.
+    If there are many moves, those with the largest errors are shown.
     """
     worst = sorted(rows, key=lambda row: -row["motor"]["peak_following_error"])
     shown = rows if everything or len(rows) <= MAX_ROWS else worst[:SHOWN]
@@ -373,5 +373,5 @@ def _state(axis: Row) -> str:
 
 
 def _grouped(count: int) -> str:
-    """Format an integer with thin gaps: 20 000."""
+    """Format an integer in groups of three digits: 20 000."""
     return f"{count:,}".replace(",", " ")

@@ -1,4 +1,4 @@
-"""Capabilities of an output stream: colours, width, and cells of a text."""
+"""Capabilities of an output stream: colours, width, and the cells of a text."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def draws(stream: TextIO) -> bool:
 
 
 def width_of(stream: TextIO) -> int:
-    """Return the columns of the terminal behind `stream`.
+    """Return the number of columns of the terminal behind `stream`.
 
     Without a terminal this is `COLUMNS`, or 100.
     """
@@ -68,9 +68,9 @@ def width_of(stream: TextIO) -> int:
 
 
 def table_width(stream: TextIO) -> int:
-    """Return the columns for a table.
+    """Return the number of columns for a table.
 
-    This is the width of the terminal; a pipe gets enough that no column is dropped.
+    This is the width of the terminal, and in a pipe enough for all columns.
     """
     return width_of(stream) if is_terminal(stream) else PIPED_WIDTH
 
@@ -115,7 +115,7 @@ def shower(stream: TextIO) -> Callable[[str], object]:
 def harmless(text: str) -> str:
     """Return a program's output with unsafe escape sequences replaced by pictures.
 
-    The sequences of Mint's CLS and LOCATE stay, and so are the bell, backspace, tab and carriage return.
+    The sequences of Mint's CLS and LOCATE are preserved, and so are bell, backspace, tab and carriage return.
     """
     if text.isascii() and text.isprintable():
         return text

@@ -14,7 +14,7 @@ _INDENT = "  "
 
 
 def render_tree(tree: object) -> str:
-    """Return the tree with a node a line, each node below the field that has it."""
+    """Return the tree with one node per line, each below the field that contains it."""
     with StackSpace():
         return "".join(f"{line}\n" for line in _node(tree, "", ""))
 

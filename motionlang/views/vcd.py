@@ -37,7 +37,7 @@ _BASE = 94
 
 
 def write_vcd(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    """Write the header, the values at 0, then every change in the order of time."""
+    """Write the header, the values at 0, then every change in chronological order."""
     columns, channels = trace.columns()[1:], lanes(trace.controller)
     names = [_identifier(i) for i in range(len(columns) + len(channels))]
     events = trace.controller.log.events
@@ -60,7 +60,7 @@ def write_vcd(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> N
 def _header(columns: Sequence[Column], channels: Sequence[Lane], names: Sequence[str], happened: str) -> str:
     """Return the header, with a scope for each axis and kind of channel.
 
-    There is one for the events if there are any.
+    Events, if there are any, have a scope of their own.
     """
     lines = [f"$version motionlang {__version__} $end", "$timescale 1 ns $end"]
     scopes: dict[str, list[str]] = {}
@@ -95,7 +95,7 @@ def _told(event: Event) -> str:
 
 
 def _switchings(channels: Sequence[Lane], names: Sequence[str]) -> Iterator[Change]:
-    """Return the changes of the channels in the order of time."""
+    """Return the changes of the channels in chronological order."""
     changes = [
         (round(time * PER_SECOND), f"{int(value != 0.0)}{name}\n" if lane.is_digital else _real(value, name))
         for lane, name in zip(channels, names, strict=True)
@@ -135,7 +135,7 @@ def _movements(
 
 
 def _plain(values: NDArray[np.float64]) -> list[float]:
-    """Return the values, with -0.0 as 0.0."""
+    """Return the values, with -0.0 replaced by 0.0."""
     plain: list[float] = (values + 0.0).tolist()
     return plain
 

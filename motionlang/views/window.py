@@ -1,4 +1,4 @@
-"""The selection of a run that a picture shows: time, axes, and curves or path."""
+"""The part of a run that a picture shows: time, axes, and curves or path."""
 
 from __future__ import annotations
 
@@ -12,9 +12,8 @@ if TYPE_CHECKING:
 class Window(NamedTuple):
     """A selection of times (s) and axes.
 
-    `end` is None for the end of the run, `axes` for all that moved.
-
-    `path` has two or three axes whose path is to be drawn instead of curves over time.
+    `end` is None for the end of the run, `axes` None for all that moved. `path` has two or three axes whose path is
+    drawn instead of curves over time.
     """
 
     begin: float = 0.0
@@ -23,7 +22,7 @@ class Window(NamedTuple):
     path: tuple[int, ...] | None = None
 
     def span(self, last: float) -> tuple[float, float]:
-        """Return begin and end, in a run that ended at `last`.
+        """Return begin and end (s) in a run that ended at `last`.
 
         Raises ValueError if the window is empty.
         """
@@ -33,7 +32,7 @@ class Window(NamedTuple):
         return self.begin, end
 
     def of(self, axes: Sequence[int]) -> tuple[int, ...]:
-        """Return those of `axes` that are shown.
+        """Return those of `axes` that are selected.
 
         Raises ValueError if a requested axis is not among them.
         """

@@ -32,7 +32,7 @@ def dialect_name(name: str) -> str:
 
 
 def clock_time(seconds: float) -> str:
-    """Format a machine time, with minutes and hours as needed and no needless digits."""
+    """Format a machine time, with minutes and hours if needed and no needless digits."""
     if seconds < 60.0:
         return f"{_plain(seconds, 6)} s"
     minutes, rest = divmod(round(seconds, 3 if seconds < 3600.0 else 0), 60.0)
@@ -44,7 +44,7 @@ def clock_time(seconds: float) -> str:
 def figure(value: float, decimals: int = 3) -> str:
     """Format a number of a column with `decimals`.
 
-    Powers of ten are used if it would be too long, or show only zeros.
+    Powers of ten are used if the text would be too long or show only zeros.
     """
     size = abs(value)
     if size >= 1e9 or 0.0 < size < 0.5 * 10.0**-decimals:
@@ -53,7 +53,7 @@ def figure(value: float, decimals: int = 3) -> str:
 
 
 def peak_of(value: float) -> str:
-    """Format a single figure next to a curve to six digits."""
+    """Format the figure next to a curve to six digits."""
     return f"{value:.6g}"
 
 

@@ -1,4 +1,4 @@
-"""The program's writes to other devices, as a table of the report.
+"""The table of the program's writes to other devices, for the report.
 
 The devices are servers and remote nodes.
 """

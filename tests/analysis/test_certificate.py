@@ -1,4 +1,4 @@
-"""The extremes of a motion against hand arithmetic and samples; the certificate."""
+"""The extremes of a motion, by hand arithmetic and by samples; the certificate."""
 
 from __future__ import annotations
 

@@ -82,7 +82,7 @@ def test_what_is_expected_is_met_or_told(entry: str, told: str) -> None:
 
 
 def test_an_event_is_expected_of_an_axis_and_within_times() -> None:
-    """At 50 from rest with an instant ramp the switch at 20 is reached at some 0.4 s."""
+    """At 50 uu/s, reached without a ramp, the switch at 20 is reached at about 0.4 s."""
     text = "LIMITMODE(0) = 4 : SPEED(0) = 50 : ACCEL(0) = 1e6 : DECEL(0) = 1e6\nMOVER(0) = 60 : GO(0) : PAUSE IDLE(0)\n"
     made = run(Source("limit.mnt", text), machine={"axis.0.travel": [-100.0, 20.0]}, cache=False)
 
@@ -162,7 +162,7 @@ def test_a_name_that_the_machine_file_lacks(below: str, hint: str) -> None:
 
 
 def test_a_scenario_with_a_named_input(tmp_path: Path) -> None:
-    """The part comes at 3 s instead of 0.5 s; the stroke of 100 takes 0.6 s."""
+    """The part arrives at 3 s instead of 0.5 s; the stroke of 100 takes 0.6 s."""
     program = tmp_path / "feed.mnt"
     program.write_text(STROKE.replace("INX(1)", "INX(7)"))
     (tmp_path / "feed.machine.toml").write_text(NAMED)

@@ -1,1 +1,1 @@
-"""Assumptions: their entries, page and use, and the probes that settle them."""
+"""The assumptions: entries, page, use, and the probes that settle them."""

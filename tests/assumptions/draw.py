@@ -1,8 +1,8 @@
-"""Draw rows and facts to check against their sources.
+"""Draw random rows and facts to check against their sources.
 
-Run `python -m tests.assumptions.draw 2026-11-21`. The date is the seed, so that anybody can repeat a draw. A
-row is a keyword with the evidence of its meaning; a fact is another fact of a keyword, such as its default.
-Compare each with the source that it names, and note what claims more.
+Run `python -m tests.assumptions.draw 2026-11-21`. The date is the seed, so anyone can repeat a draw. A row is a
+keyword with the evidence of its meaning; a fact is another fact of a keyword, such as its default. Compare
+each with the source that it names, and note those that claim more than the source.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ ROWS, FACTS = 60, 40
 
 
 def drawn(seed: str) -> tuple[list[tuple[str, Keyword, str]], list[tuple[str, Keyword, str]]]:
-    """Return the rows and the facts of a seed: language, row and the name of the fact."""
+    """Return the drawn rows and facts: language, row and the name of the fact."""
     every = [(language, row) for language in dialects() for row in dialect(language).table()]
     facts = [
         (language, row, fact)
@@ -35,7 +35,7 @@ def drawn(seed: str) -> tuple[list[tuple[str, Keyword, str]], list[tuple[str, Ke
 
 
 def line(language: str, row: Keyword, fact: str) -> str:
-    """Return one drawn fact with its value and its evidence."""
+    """Return the line of a drawn fact, with its value and its evidence."""
     value = {
         "meaning": row.help,
         "short": row.short,

@@ -1,4 +1,4 @@
-"""Open assumptions have alternatives and probes; the number without may only fall."""
+"""Open assumptions have alternatives and probes; the exceptions may only decrease."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def open_ones() -> list[Assumption]:
 
 
 def by_name() -> list[Assumption]:
-    """Return the assumptions with a probe of their own."""
+    """Return the assumptions that have a probe of their own."""
     return [each for each in assumptions().values() if each.probe is not None and each.probe.alone]
 
 
@@ -45,7 +45,7 @@ def text_of(assumption: Assumption) -> Source:
 
 
 def machine_of(assumption: Assumption) -> dict[str, object]:
-    """The machine that a probe needs, from its entry for the virtual controller."""
+    """Return the machine settings that a probe needs, from its entry."""
     assert assumption.probe is not None
     return read_machine(Source("probe.machine.toml", assumption.probe.machine))
 
@@ -111,7 +111,7 @@ def test_a_question_fits_any_distance_that_is_allowed(each: Assumption, distance
 
 
 def switched() -> list[tuple[Assumption, object]]:
-    """Return assumptions with their own probe and a switch, with each other value."""
+    """Return assumptions with a probe and a switch, each with its alternative values."""
     return [
         (each, choice)
         for each in by_name()

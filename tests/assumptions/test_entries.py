@@ -1,4 +1,4 @@
-"""The files of evidence: complete, and never read by a run."""
+"""The files of evidence are complete, and a run never reads them."""
 
 from __future__ import annotations
 
@@ -83,9 +83,9 @@ def test_what_can_be_set_is_a_reading_with_as_many_alternatives() -> None:
 
 
 def test_the_entries_of_a_keyword_are_those_that_name_it() -> None:
-    """`keywords WORD` parses only these entries.
+    """`keywords WORD` parses only the entries that name the keyword.
 
-    Each keyword of both languages has the same ones.
+    They are the same as with all files, for each keyword of both languages.
     """
     for language in ("mint", "mccl"):
         for row in dialect(language).table():

@@ -1,4 +1,4 @@
-"""No fact claims more than its source: what a source can say, by its kind."""
+"""No fact claims more than a source of its kind can state."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_only_a_meaning_is_known_by_name_only() -> None:
 
 
 def test_a_keyword_known_by_name_only_has_no_meaning() -> None:
-    """Its text is the group, a note that the host has it, or the words of its name."""
+    """Its text is the group, a note that the host has it, or its name spelt out."""
     group = re.compile(r"group$|^host|^listed by the type library without a meaning$|obsolete")
     more = [
         row.name
@@ -57,7 +57,7 @@ def test_every_meaning_has_a_source() -> None:
 
 
 def test_the_page_shows_the_three_strengths_of_memory() -> None:
-    """Confidence as recorded with the recollections: TM medium, AV low, MC high."""
+    """Recollections have a recorded confidence: TM medium, AV low, MC high."""
     table = dialect("mccl").table()
     for word, strength in (("MC", "high"), ("TM", "medium"), ("AV", "low")):
         row = table.get(word)

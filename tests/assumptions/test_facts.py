@@ -1,4 +1,4 @@
-"""The evidence of facts of keywords: none claims more than its source prints."""
+"""The evidence of keyword facts: none claims more than its source prints."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def test_a_fact_that_is_listed_is_one_of_its_word(language: str) -> None:
 
 @pytest.mark.parametrize("language", dialects())
 def test_every_fact_of_every_word_has_its_evidence(language: str) -> None:
-    """An arbitrary choice needs evidence, too; other facts do not exist."""
+    """Even an arbitrary choice needs evidence; no other facts exist."""
     known = listed(language)
     asked = {(row.name, fact) for row in dialect(language).table() for fact in facts_of(row)}
     assert sorted(asked - known.keys()) == []
@@ -77,7 +77,7 @@ def test_the_row_of_a_word_says_nothing_of_its_evidence() -> None:
 
 
 def test_a_default_and_a_range_are_choices_unless_a_source_has_them() -> None:
-    """The keyword may be printed, and its value at power-up not."""
+    """A source may print the keyword, but not its value at power-up."""
     row = dialect("mint").table().get("ACCEL")
     assert row is not None
     found = of_word("mint", row)

@@ -1,4 +1,4 @@
-"""Probes: their questions, and detection of other assumptions from the answers."""
+"""Probes: their questions, and detecting other behaviour from the answers."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def answers(
 
 
 def another(name: str, switch: Switch, draw: random.Random) -> object:
-    """Return a random value of an assumption."""
+    """Return a random allowed value of the switch of an assumption."""
     if switch.choices:
         return draw.choice(switch.choices)
     if name == "mint.float-decimals":
@@ -54,7 +54,10 @@ def another(name: str, switch: Switch, draw: random.Random) -> object:
 
 
 def noise(lines: list[str], draw: random.Random) -> str:
-    """Return answers as on a terminal: line ends, stamps, colours, prompts, a listing."""
+    """Return answers as captured from a terminal.
+
+    They have line ends, time stamps, colours, prompts and a listing.
+    """
     end = draw.choice(["\n", "\r\n", "\r"])
     shown = ["\x1b[2J", "Connected.", *lines, "Goodbye."]
     stamp = draw.choice(["", "[12:01:02.345] ", "2026-01-02 12:01:02 "])
@@ -132,7 +135,7 @@ def test_questions_are_marked_apart() -> None:
 
 
 def log(change: Callable[[list[str]], list[str]], language: str = "mint") -> Answers:
-    """Return the answers of the virtual controller, changed and read again."""
+    """Return the virtual controller's answers, changed and then read again."""
     return read("\n".join(change(answers(language, {}))))
 
 

@@ -1,4 +1,4 @@
-"""Generated questions on a fact: default, range, type, scale, short form, number."""
+"""Generated questions on facts: default, range, type, scale, short form, number."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ def word(language: str, name: str) -> Keyword:
 
 
 def of(language: str, name: str) -> dict[str, Assumption]:
-    """Return the facts of a keyword with a question, by the suffix of their name."""
+    """Return the facts of a keyword that have a question, by their names' suffix."""
     begin = f"{language}.{name.lower()}-"
     return {each.name.removeprefix(begin): each for each in unsettled_facts(language, word(language, name))}
 
 
 def answered(assumption: Assumption, machine: dict[str, object] | None = None) -> str:
-    """Return a controller's output for one question."""
+    """Return the output of a controller for one question."""
     assert assumption.probe is not None
     name, axis = NAMES[assumption.probe.language]
     result = run(Source(name, alone(assumption, axis)), machine=machine or {}, cache=False)
@@ -46,7 +46,7 @@ def answered(assumption: Assumption, machine: dict[str, object] | None = None) -
 
 @pytest.mark.parametrize("language", NAMES)
 def test_each_question_is_answered_as_the_fact_that_was_taken(language: str) -> None:
-    """The program compiles, runs, and prints the stated answer."""
+    """The program compiles, runs and prints the assumed fact."""
     asked = [each for row in dialect(language).table() for each in unsettled_facts(language, row)]
     assert len(asked) > 50
     for each in asked:

@@ -1,4 +1,4 @@
-"""The open assumptions of a program: in its report, and before a run."""
+"""The open assumptions of a program, listed in its report and before a run."""
 
 from __future__ import annotations
 

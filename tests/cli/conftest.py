@@ -1,4 +1,4 @@
-"""A separate folder for every test of the command line, with the only cache."""
+"""A separate folder for each test of the command line, with a cache of its own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The pages on PMC's and ABB's notes: `python -m tests.cli.notes` rewrites output."""
+"""The pages on PMC's and ABB's notes: `python -m tests.cli.notes` updates output."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ NAMES = {"pi": pi, "sin": sin, "cos": cos, "sqrt": sqrt, "integral": integral}
 
 
 def numbers(text: str) -> Iterator[tuple[str, str]]:
-    """Yield each formula with the note's figures, and its number."""
+    """Yield each formula, with the note's figures inserted, and its printed result."""
     yield from NUMBER.findall(text)
 
 
@@ -49,7 +49,7 @@ def answer(command: str) -> str:
 
 
 def rewritten(text: str) -> str:
-    """Return the page with every output as it is now."""
+    """Return the page with all outputs replaced by the present ones."""
 
     def fresh(match: re.Match[str]) -> str:
         ((pairs),) = blocks(match[0])

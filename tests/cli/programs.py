@@ -1,4 +1,4 @@
-"""Programs for the tests of the command line, which is called in this process."""
+"""Programs for the tests of the command line, which runs in this process."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ JOG = "1MN,1VM,1SV100,1GO\n"
 
 
 class Outcome:
-    """A command's output and how it ended."""
+    """The output of a command, and its exit status."""
 
     def __init__(self, status: int, out: str, err: str) -> None:
         self.status, self.out, self.err = status, out, err

@@ -1,4 +1,4 @@
-"""`motionlang run --certify`: a table to sign, as JSON, of a folder, in a sweep."""
+"""`motionlang run --certify`: a table to sign, JSON, a folder, and a sweep."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`motionlang check`: every error of every file."""
+"""`motionlang check` reports all errors of all files."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def test_a_model_by_the_name_of_its_product(cell: Cell) -> None:
 
 
 def test_standard_input_has_one_name(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """It is used in the line of a check, its messages, its document and that of a run."""
+    """Checks and runs call it `<stdin>`, in text as well as in JSON."""
     for arguments, where in [
         (("check", "-", "--dialect", "mint"), "out"),
         (("check", "-", "--dialect", "mint"), "out"),

@@ -1,4 +1,4 @@
-"""One convention for all commands: --format, -o, -q, -j, -V, help in 80 columns."""
+"""Conventions of all commands: --format, -o, -q, -j, -V, and help in 80 columns."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def test_without_a_path_this_folder_is_meant(
 
 
 def test_rows_of_a_sweep_as_json(program: Cell) -> None:
-    """A move of 5 at 1 and 2 uu/s takes 5 s and 2.5 s, and the ramps add v/a."""
+    """A move of 5 uu at 1 and 2 uu/s takes 5 s and 2.5 s; the ramps add v/a."""
     ran = program("sweep", *PRINTING["sweep"], "--format", "json")
     rows = json.loads(ran.out)["rows"]
     assert [(row["variant"], row["rate"], row["problem"]) for row in rows] == [(0, 1, None), (1, 2, None)]

@@ -1,4 +1,4 @@
-"""`motionlang diff`: programs, reports, golden files and variants, compared."""
+"""`motionlang diff`: comparison of programs, reports, golden files and variants."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def test_two_variants_of_a_sweep(cell: Cell) -> None:
 
 
 def test_a_changed_literal_is_named(cell: Cell) -> None:
-    """A line was inserted, so the literals have moved down."""
+    """A line was inserted, so the literals are one line further down."""
     cell.write("old.mnt", "SPEED(0) = 100\nMOVEA(0) = 90 : GO(0)\nPAUSE POS(0) > 30\nOUT(1) = 1\n")
     cell.write("new.mnt", "' new\nSPEED(0) = 120\nMOVEA(0) = 90 : GO(0)\nPAUSE POS(0) > 40\nOUT(1) = 1\n")
     shown = cell("diff", "old.mnt", "new.mnt").out.splitlines()

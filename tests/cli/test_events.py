@@ -98,9 +98,9 @@ def test_what_happened(case: str) -> None:
 
 
 def test_a_limit_that_a_homing_meets_is_no_matter(cell: Cell) -> None:
-    """The switch is beyond the travel: the homing ends at the limit.
+    """The switch is beyond the travel limit, so the homing ends at the limit.
 
-    Other motion into it has status 1.
+    Any other motion into the limit causes status 1.
     """
     cell.write("home.machine.toml", "[axis.0]\ntravel = [-10.0, 100.0]\nhome_switch = [-22.0, -20.0]\n")
     for word, text, status in (
@@ -182,7 +182,7 @@ def test_the_log_takes_as_much_of_the_disk_as_it_may(cell: Cell, monkeypatch: py
 
 
 def test_an_event_before_the_first_statement_has_no_line(cell: Cell) -> None:
-    """The enable input is off at power-up, when no statement has run."""
+    """The enable input is off at power-up, before any statement has run."""
     cell.write("a.machine.toml", "[axis.0]\nenable_input = 2\n[[input]]\nchannel = 2\nat = 0.5\nvalue = 1\n")
     cell.write("a.mnt", "PAUSE INX(2)\nDRIVEENABLE(0) = 1\nMOVER(0) = 5 : GO(0)\n")
     ran = cell("run", "a.mnt", "--format", "none")

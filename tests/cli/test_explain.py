@@ -1,4 +1,4 @@
-"""`motionlang explain`: each example gets its diagnostic, and its fix gets none."""
+"""`motionlang explain`: each example has its diagnostic, and its fix has none."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _CODE = re.compile(r'(?:error|warning)\[([\w-]+)\]|"code": "([\w-]+)"')
 
 
 def codes(cell: Cell, example: Example) -> set[str]:
-    """Return the codes that the command of an example prints."""
+    """Return the codes that an example's command prints."""
     for name, text in example.files.items():
         cell.write(name, text)
     verb, *rest = example.command.split()

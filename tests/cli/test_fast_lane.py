@@ -1,4 +1,4 @@
-"""Plain `run` lines are parsed without argparse, with equal results."""
+"""Simple `run` command lines are parsed without argparse, with equal results."""
 
 from __future__ import annotations
 
@@ -81,10 +81,10 @@ CAUGHT = "PRINT 1 / NVLONG(0)\nEvent ONERROR\n  PRINT ERRLINE\n  ERRORCLEAR(_egA
 def test_a_plain_run_imports_nothing_slow(
     tmp_path: Path, name: str, text: str, options: tuple[str, ...], needed: list[str]
 ) -> None:
-    """The first run may compile; the second imports nothing that costs milliseconds.
+    """The first run may compile; the second imports no module that takes milliseconds.
 
-    The patterns of MCCL are an exception. A profile has lines and blocks from the compiled program, and
-    parses nothing.
+    MCCL's patterns are an exception. A profile takes lines and blocks from the compiled program, and parses
+    nothing.
     """
     program = tmp_path / name
     program.write_text(text)

@@ -1,6 +1,6 @@
-"""`check --fix`: certain corrections are written.
+"""`check --fix` writes only certain corrections.
 
-Line ends and the rest do not change.
+Line ends and all other text stay unchanged.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ BLOCKS = {
 
 @pytest.mark.parametrize("name", BLOCKS)
 def test_a_block_is_fixed_as_a_whole(name: str, cell: Cell) -> None:
-    """The program compiles on MintMT, and nothing is left to fix."""
+    """The fixed program compiles for MintMT, and nothing is left to fix."""
     old, new = BLOCKS[name]
     head = "Dim a, b As Integer\n".replace("\n", "\r\n" if "\r" in old else "\n")
     path = cell.write("old.prg", head + old)
@@ -170,7 +170,7 @@ def test_typographic_characters_become_plain_ones(name: str, cell: Cell) -> None
 
 
 def test_a_message_names_the_plain_character(cell: Cell) -> None:
-    """A pair of single quotes may be a text or a comment: it is named, not replaced."""
+    """A pair of single quotes may be a text or a comment, so it is only reported."""
     cell.write("a.mnt", 'PRINT "open”\nPRINT ‘x’\n')
     ran = cell("check", "a.mnt")
     assert '” is a typographic quote, not a plain "' in ran.out

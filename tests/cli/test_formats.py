@@ -1,6 +1,6 @@
 """`--format` of `check` and `verify`.
 
-Many files at once give the same as one by one.
+Several files at once give the same output as one by one.
 """
 
 from __future__ import annotations

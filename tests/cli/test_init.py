@@ -1,4 +1,4 @@
-"""`motionlang init`: a first machine file, with every guess marked."""
+"""`motionlang init` writes a first machine file, in which each guess is marked."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.cli.programs import Cell
 
 
 def guesses(cell: Cell, text: str, name: str = "old.prg") -> dict[str, object]:
-    """The settings of the machine file that init writes for a program."""
+    """Return the settings of the machine file that init writes for a program."""
     cell.write(name, text)
     assert cell("init", name, "--format", "none").status == 0
     return read_machine(Source.read(str(cell.folder / "old.machine.toml")))
@@ -174,9 +174,9 @@ def test_a_folder(cell: Cell) -> None:
 
 
 def test_a_person_is_asked(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Enter accepts a guess, and a wrong line is asked again.
+    """Enter accepts a guess; after an invalid line the question is repeated.
 
-    The remaining guesses are accepted at the end of input.
+    At the end of input the remaining guesses are accepted.
     """
 
     class Terminal(io.StringIO):

@@ -1,4 +1,4 @@
-"""JSON documents of the commands have the names that docs/report.md lists."""
+"""The commands' JSON documents use the names that docs/report.md lists."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ COMMANDS = {
 
 
 def document(cell: Cell, name: str) -> Any:
-    """Return the output of a command that prints a document of the schema."""
+    """Return the output of a command that prints a document with a schema."""
     cell.write("a.mnt", PROGRAM)
     cell.write("b.mnt", OTHER)
     positions = (f"{time / 100},{min(time, 95)}\n" for time in range(120))

@@ -1,4 +1,4 @@
-"""An operator at the keyboard of a real-time run, simulated on a pseudo-terminal."""
+"""An operator at the keyboard of a real-time run, simulated by a pseudo-terminal."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`motionlang keywords` with words of a description."""
+"""`motionlang keywords` finds keywords by words of their descriptions."""
 
 from __future__ import annotations
 

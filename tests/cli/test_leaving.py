@@ -1,4 +1,4 @@
-"""The end of a process: an immediate exit loses nothing, and exit handlers run."""
+"""The end of a process: an immediate exit loses no output; exit handlers run."""
 
 from __future__ import annotations
 

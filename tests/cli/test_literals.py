@@ -1,4 +1,4 @@
-"""Literals by address, on the command line."""
+"""Literals addressed by line on the command line."""
 
 from __future__ import annotations
 

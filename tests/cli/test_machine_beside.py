@@ -1,4 +1,4 @@
-"""`pick.machine.toml` next to `pick.mnt` is the program's machine everywhere."""
+"""`pick.machine.toml` next to `pick.mnt` is the program's machine in all commands."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_the_prompt_takes_it(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 def test_the_scenario_has_an_end(cell: Cell) -> None:
-    """Waiting for the next order at the end of the scenario is no error."""
+    """With `run.until`, a program that still waits for an order is no error."""
     cell.write("orders.mnt", ORDERS)
     cell.write("orders.machine.toml", PULSE)
     ran = cell("run", "orders.mnt", "--format", "none")

@@ -1,4 +1,4 @@
-"""The first minutes: `motionlang` alone, and `motionlang new`."""
+"""A user's first commands: `motionlang` alone, and `motionlang new`."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def test_a_folder_with_programs_gets_their_names(
 def test_a_new_program_runs_and_is_clean(cell: Cell, name: str, file: str) -> None:
     """One cycle takes 2.6 s.
 
-    Button at 0.5 s, 200 mm at 250 mm/s and 1250 mm/s² in 1 s, 0.1 s gripper, 1 s back.
+    Button after 0.5 s, 200 mm at 250 mm/s and 1250 mm/s² in 1 s, gripper 0.1 s, 1 s back.
     """
     made = cell("new", name)
     assert made.status == 0

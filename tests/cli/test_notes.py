@@ -1,4 +1,4 @@
-"""docs/tn1069.md and docs/an00115.md: every command and every formula is right."""
+"""docs/tn1069.md and docs/an00115.md: all commands and formulas are correct."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_a_command_prints_what_it_shows(
 
 @cases(("formula", "number"), FORMULAS)
 def test_a_formula_gives_its_number(formula: str, number: str) -> None:
-    """The tolerance is half a step of the last printed digit, plus input rounding."""
+    """The tolerance is half a step of the last printed digit, plus rounding of inputs."""
     places = len(number.partition(".")[2])
     value = float(number)
     assert worked_out(formula) == pytest.approx(value, rel=2e-9, abs=0.51 * 10.0**-places)

@@ -1,9 +1,8 @@
-"""Eight programs written for machines run with `init` and at most three edits.
+"""Eight programs written for machines run after `init` and at most three edits.
 
-The edits are in the machine file that `init` writes. The programs in examples/old were written before `init`,
-and are not changed. An edit is one line of the machine file. The cycle that each prints, or the time between
-two of its lines, is worked out here by hand, without the 10 µs that a statement takes and the steps in which
-a loop polls.
+The programs in examples/old were written before `init` existed, and are unchanged. An edit changes one line of
+the machine file that `init` writes. The duration of a cycle, or of the time between two printed lines, is
+calculated here by hand, without the 10 µs that each statement takes and without the steps of a polling loop.
 """
 
 from __future__ import annotations
@@ -22,7 +21,7 @@ MAX_EDITS = 3
 
 
 def ramp(distance: float, speed: float, rate: float) -> float:
-    """How long a trapezoidal or triangular move takes, s."""
+    """Return the duration of a trapezoidal or triangular move, s."""
     if distance * rate < speed * speed:
         return float(2 * (distance / rate) ** 0.5)
     return distance / speed + speed / rate
@@ -73,7 +72,7 @@ def table() -> float:
 
 
 def saw_feed() -> float:
-    """The six pieces of the third order."""
+    """Return the duration of the third order, which has six pieces, s."""
     saw = ramp(30e3, 6e3, 200e3) + ramp(30e3, 40e3, 200e3)
     piece = 4 * 0.3 + 2 * (ramp(12_500, 100e3, 300e3) + 0.05) + saw
     return 6 * piece + 0.5
@@ -148,9 +147,10 @@ def test_it_runs_from_nothing(cell: Cell, name: str) -> None:
 
 
 def cycle(run: Run, found: str) -> float:
-    """The cycle of a production loop, s.
+    """Return the duration of one cycle of a production loop, s.
 
-    It is what the program prints last, or the time between its last two such lines.
+    If `found` is "ms" it is the last printed number, otherwise the time between the last two printed lines that
+    begin with `found`.
     """
     printed = [*run.machine.log.prints, *(p for each in run.machine.terminals.values() for p in each.prints)]
     if found == "ms":

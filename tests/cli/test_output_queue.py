@@ -1,4 +1,4 @@
-"""Output of a server without a blocking write: excess text is dropped and counted."""
+"""Output of a server never blocks: excess text is dropped and counted."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LINE = "x" * 99 + "\n"
 
 
 class Pipe:
-    """A pipe with a queue in front of it, and its reading end."""
+    """A pipe with an output queue in front of it, and its reading end."""
 
     def __init__(self) -> None:
         read, write = os.pipe()
@@ -26,7 +26,7 @@ class Pipe:
         self.queue = OutputQueue(self.writer, "standard error")
 
     def fill(self) -> int:
-        """Write numbered lines until one is dropped; return how many were written before."""
+        """Write numbered lines until one is dropped; return the number written before."""
         for number in range(10 * CAPACITY):
             self.queue.write(f"{number}\n")
             if self.queue.dropped:
@@ -53,9 +53,9 @@ def test_lines_come_in_order(pipe: Pipe) -> None:
 
 
 def test_a_gap_is_reported_where_it_is(pipe: Pipe) -> None:
-    """Without a reader at most `CAPACITY` and the pipe's buffer are stored.
+    """Without a reader, only `CAPACITY` and the pipe's buffer are stored.
 
-    Then a reader takes it all.
+    A reader that begins later gets all of that.
     """
     written = pipe.fill()
     for number in range(7):  # there may be space for some by now, but the gap continues until it is reported
@@ -101,7 +101,7 @@ def test_a_reader_that_has_gone_is_no_error(pipe: Pipe) -> None:
 
 
 def test_files_are_written_to_directly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pipe: Pipe) -> None:
-    """Every line of a regular file is wanted, and a write to one does not block."""
+    """No line for a regular file may be lost, and writing to a file does not block."""
     with open(tmp_path / "out.txt", "w", encoding="utf-8") as file:
         monkeypatch.setattr("sys.stdout", file)
         monkeypatch.setattr("sys.stderr", pipe.writer)

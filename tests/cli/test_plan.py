@@ -1,4 +1,4 @@
-"""`motionlang plan`: the missing figures of a move, and a program that makes it."""
+"""`motionlang plan`: the missing figures of a move, and a program for it."""
 
 from __future__ import annotations
 
@@ -111,9 +111,9 @@ def test_figures_that_make_no_move(cell: Cell, line: tuple[str, ...], message: s
 
 
 def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> None:
-    """10 at 300 with 2000: it peaks at sqrt(10 * 2000) = 141.4 after 0.0707 s.
+    """10 at 300 with 2000 reaches at most sqrt(10 * 2000) = 141.4, after 0.0707 s.
 
-    300 needs 300^2/2000 = 45.
+    A peak of 300 needs a distance of 300^2/2000 = 45.
     """
     document = json.loads(
         cell("plan", *["--distance", "10", "--speed", "300", "--accel", "2000", "--format", "json"]).out

@@ -1,4 +1,4 @@
-"""`motionlang probe`: its programs, evaluated answers, and command line errors."""
+"""`motionlang probe`: its programs, its evaluation of answers, and usage errors."""
 
 from __future__ import annotations
 

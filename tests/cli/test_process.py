@@ -1,4 +1,4 @@
-"""Behaviour of separate processes: a closed pipe, Ctrl-C, the module as a program."""
+"""Behaviour as a process: a closed pipe, Ctrl-C, and `python -m motionlang`."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def test_a_full_disk_under_standard_output_is_said_once() -> None:
 
 
 def test_ctrl_c_while_it_waits_for_the_machine(tmp_path: Path) -> None:
-    """The position is printed before the pace sleeps, so the run is in progress."""
+    """Once the position is printed, the run is in progress and sleeps."""
     program = tmp_path / "ballscrew.mcl"
     program.write_text("1MN,1TP\n" + BALLSCREW.replace("SV250", "SV0.5"))
     command = [*COMMAND, "run", str(program), "--realtime"]
@@ -105,7 +105,7 @@ def test_ctrl_c_while_it_waits_for_the_machine(tmp_path: Path) -> None:
 
 
 def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
-    """It starts after the first second; Ctrl-C then removes the line and reports."""
+    """The progress line appears after a second; Ctrl-C replaces it by a message."""
     pty = pytest.importorskip("pty")
     program = tmp_path / "shuttle.mcl"
     program.write_text("1MN,1PM,1SV1000,1SA10000,1DS10000\n1MR10,1WS,1MR-10,1WS,RP\n")

@@ -1,4 +1,4 @@
-"""`motionlang profiles`: TN1069's comparison, exact and as printed."""
+"""`motionlang profiles`: the comparison of TN1069, exact and as printed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""docs/cli.md has every command and the options of the parsers."""
+"""docs/cli.md lists all commands and all options of the parsers."""
 
 from __future__ import annotations
 

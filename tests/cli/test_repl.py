@@ -1,4 +1,4 @@
-"""`motionlang repl`: the selection of the language."""
+"""`motionlang repl`: selecting the language."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`motionlang run` as used by a person or a program."""
+"""`motionlang run`, used by a person or by a program."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ error[disabled-axis]: axis 2 is off
 
 
 def without_hints(text: str) -> str:
-    """Return a text without hints, which belong to the language."""
+    """Return a text without its hints, which depend on the language."""
     return "".join(line for line in text.splitlines(keepends=True) if "hint: " not in line)
 
 
@@ -300,7 +300,7 @@ def test_a_full_disk_ends_in_a_diagnostic(cell: Cell) -> None:
 
 
 def test_realtime_waits_as_long_as_the_machine_takes(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Only sleeping advances the clock: 1 s at twice the speed sleeps half a second."""
+    """Only sleeping advances the clock; 1 s at twice real time is a sleep of 0.5 s."""
     import time
 
     clock = [100.0]

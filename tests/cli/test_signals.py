@@ -1,4 +1,4 @@
-"""Signals at every stage of a run, and crashes: complete reports and files.
+"""Signals at any stage of a run, and crashes: complete reports and files.
 
 No traceback is shown.
 """
@@ -36,7 +36,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 
 @pytest.fixture(autouse=True)
 def no_signal_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """Enable SIGHUP, which may be off in the tests, and freeze the time by default."""
+    """Enable SIGHUP, which the test runner may ignore, and freeze the clock."""
     before = signal.signal(signal.SIGHUP, signal.SIG_DFL)
     monkeypatch.setattr(signals, "monotonic", lambda: 0.0)
     yield
@@ -44,7 +44,7 @@ def no_signal_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 
 def sending(number: int, call: Callable[..., object]) -> Callable[..., object]:
-    """Return the same call, at whose begin the signal arrives twice."""
+    """Return the function, preceded by two deliveries of the signal at each call."""
 
     def do(*given: object, **named: object) -> object:
         signal.raise_signal(number)
@@ -136,7 +136,7 @@ def test_a_second_wish_ends_the_report_too(cell: Cell, monkeypatch: pytest.Monke
 
 
 def test_what_is_switched_off_stays_off(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """An example is nohup."""
+    """A signal that the parent process ignores stays ignored, as with nohup."""
     signal.signal(signal.SIGHUP, signal.SIG_IGN)
     cell.write("a.mnt", MOVE)
     monkeypatch.setattr(Scheduler, "run", sending(signal.SIGHUP, Scheduler.run))
@@ -152,9 +152,9 @@ def test_handlers_are_put_back(cell: Cell) -> None:
 
 
 def test_a_signal_that_python_drops_comes_again() -> None:
-    """An exception in a callback of the garbage collector is shown and dropped.
+    """Python prints and drops an exception that is raised in a `__del__`.
 
-    Our hook detects it.
+    Our hook for such exceptions raises the signal again.
     """
 
     class Falls:
@@ -189,7 +189,7 @@ def test_a_process_that_is_told_to_end(number: int, who: str, status: int, tmp_p
 
 @pytest.mark.parametrize("unbuffered", ["", "1"])
 def test_a_report_is_whole_that_is_being_written_as_a_signal_comes(unbuffered: str, tmp_path: Path) -> None:
-    """Its reader is slow, so that a signal interrupts a write in the middle."""
+    """The reader is slow, so that the signal arrives in the middle of a write."""
     fcntl, termios = pytest.importorskip("fcntl"), pytest.importorskip("termios")
     program = tmp_path / "many.mnt"
     text = "Dim i As Integer\nFor i = 1 To 500\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\n"
@@ -211,7 +211,7 @@ def test_a_report_is_whole_that_is_being_written_as_a_signal_comes(unbuffered: s
 
 
 def test_a_signal_while_the_command_line_is_read(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """With options that need argparse the report comes, too."""
+    """Options that need argparse do not prevent the report."""
     from motionlang.cli import commands
 
     cell.write("a.mnt", MOVE)

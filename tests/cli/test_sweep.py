@@ -1,4 +1,4 @@
-"""`motionlang sweep`: rows, the best, failures separately, and resuming."""
+"""`motionlang sweep`: rows, the best variants, failures, and resuming."""
 
 from __future__ import annotations
 

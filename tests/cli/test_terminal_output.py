@@ -1,4 +1,4 @@
-"""A program's output on a terminal and in a pipe: escape sequences are harmless."""
+"""A program's output on a terminal and in a pipe: escape sequences have no effect."""
 
 from __future__ import annotations
 

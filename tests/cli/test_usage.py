@@ -1,4 +1,4 @@
-"""Command lines without a command, or with an incomplete one."""
+"""Command lines without a command, and incomplete command lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Commands by purpose: `profile`, `prove`, `certify`, `plot`, `trace`, `notes`."""
+"""Commands for one purpose: `profile`, `prove`, `certify`, `plot`, `trace`, …."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def test_a_verb_with_a_file_is_run_with_its_option(pick: Cell, verb: str, out: s
 
 
 def test_a_verb_takes_the_options_of_run(pick: Cell) -> None:
-    """At 100 uu/s and the default rates the row at 1 s is on the slew: 100 uu/s."""
+    """At 100 uu/s and the default rates, the axis is at full speed in the row at 1 s."""
     assert pick("trace", "pick.mnt", "a.csv", "--rate", "1", "--columns", "velocity").status == 0
     assert (pick.folder / "a.csv").read_text().splitlines()[2] == "1.000000000,100.000000"
 

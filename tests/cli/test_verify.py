@@ -1,4 +1,4 @@
-"""`motionlang verify`: programs and their golden files."""
+"""`motionlang verify`: comparison of programs with their golden files."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def golden(cell: Cell, name: str) -> str:
 
 @pytest.fixture
 def changed(cell: Cell) -> Cell:
-    """Return three programs that are slower and print more than their golden files."""
+    """Return a folder of three programs that are slower and print more than expected."""
     for name in ("wrong.mcl", "jog.mcl", "ballscrew.mcl"):
         (cell.folder / name).unlink()
     for name in ("a.mnt", "b.mnt", "c.mnt"):
@@ -90,7 +90,7 @@ def changed(cell: Cell) -> Cell:
 
 
 def test_changes_are_accepted_one_by_one(changed: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The move of the first program, the line of the second, both of the third."""
+    """Accepted are the first program's move, the second one's line, the third's both."""
     before = golden(changed, "c")
     answers(monkeypatch, "y\nn\nn\nx\nn\ny\ny\na\n")
     ran = changed("verify", ".", "--review", "--jobs", "1")

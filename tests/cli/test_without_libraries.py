@@ -1,4 +1,4 @@
-"""Commands on a Python that has no library, such as a browser's."""
+"""Commands on a Python without any libraries, such as one in a browser."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Commands with worker processes: no worker outlives its command."""
+"""Commands with worker processes: no worker survives its command."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="pools fork on L
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """Return a program to vary, and two endless pipes: reading them blocks a worker."""
+    """Return a folder with a program, and two pipes at which a worker blocks."""
     (tmp_path / "stroke.mnt").write_text(
         "Const rate = 1000\nACCEL(0) = rate\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n"
     )
@@ -47,7 +47,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def started(script: str, verb: str, folder: Path) -> subprocess.Popen[str]:
-    """Start a command with `JOBS` worker processes, all in a separate process group."""
+    """Start a command with `JOBS` worker processes in a separate process group."""
     command = [sys.executable, "-c", script, *COMMANDS[verb], "--jobs", str(JOBS)]
     return subprocess.Popen(
         command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, process_group=0

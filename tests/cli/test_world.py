@@ -1,6 +1,6 @@
-"""Inputs, answers and keys on the command line.
+"""Inputs, answers and keys given on the command line.
 
-They are events around a program that was written for a machine.
+They are the events around a program that was written for a real machine.
 """
 
 from __future__ import annotations
@@ -115,9 +115,9 @@ def test_a_difference_of_worlds(cell: Cell) -> None:
 
 
 def test_the_prompt(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Times count from the moment at which the line is typed.
+    """Times count from the moment when the line is typed.
 
-    Machine time does not advance meanwhile.
+    Machine time does not advance while a user types.
     """
     typed = (
         ".run 1\n.input 3=1@0.5\nPAUSE INX(3)\nPRINT TIME\n.answer 7\nINPUT n\n"

@@ -1,4 +1,4 @@
-"""One client, four connections: in process, TCP, serial device, pyserial address."""
+"""One client, four connections: in process, TCP, serial device, pyserial URL."""
 
 from __future__ import annotations
 
@@ -104,9 +104,9 @@ def test_what_was_answered_before_the_code_is_not_lost(board: Client) -> None:
 
 @pytest.mark.parametrize("way", ["virtual", "tcp"])
 def test_a_wait_that_takes_too_long_is_abandoned(console: Console, way: str) -> None:
-    """Time-outs are machine seconds in this process, real time elsewhere.
+    """A time-out is in machine seconds in process, and in real time elsewhere.
 
-    The motion continues, and so does the client.
+    The motion continues, and the client stays usable.
     """
     with Server(console, RealTime(console)) as server:
         address = server.listen("127.0.0.1", 0)
@@ -132,7 +132,7 @@ def test_a_wait_that_nothing_can_end(board: Client) -> None:
 
 
 def test_an_axis_that_runs_into_its_limit(board: Client) -> None:
-    """A wait for it reports why it has stopped."""
+    """A wait for the axis reports why it has stopped."""
     board.send("1LM2,1LN3,1MN,1MR200000")
     with pytest.raises(AxisFault, match="axis 1: hard plus tripped") as error:
         board.wait_for_stop(1, timeout=60)
@@ -159,9 +159,9 @@ def test_what_background_tasks_say_between_lines_is_kept_apart(console: Console)
 
 @pytest.mark.parametrize("model", ["multiflex", "dcx-at200"])
 def test_a_board_that_never_keeps_silent(model: str) -> None:
-    """A background task reports continuously: answers are found between its lines.
+    """A background task prints all the time; answers are found between its lines.
 
-    This applies to real time, too.
+    This works in real time, too.
     """
     console = Console(Machine({"controller.model": model}, first_axis=1))
     with Server(console, RealTime(console, 20.0)) as server:
@@ -213,7 +213,7 @@ def test_two_clients_at_one_virtual_board(console: Console) -> None:
 
 @pytest.mark.parametrize("model", ["dcx-pc100", "dcx-at200", "dcx-pci100", "dcx-pci300", "multiflex"])
 def test_every_model(model: str) -> None:
-    """It works with and without a prompt, and for any line end."""
+    """It works with and without a prompt, and with any line ends."""
     with Client.virtual({"controller.model": model}) as board:
         assert board.prompts is (model != "dcx-pc100")
         assert board.send("1MN,1MR400") == []
@@ -294,7 +294,7 @@ def test_settings_of_a_virtual_board_that_make_no_sense(settings: dict[str, obje
 
 @pytest.fixture
 def loop() -> Iterator[SerialWire]:
-    """Yield a line whose two ends are one."""
+    """Yield a serial line on which everything that is sent comes back."""
     pytest.importorskip("serial")
     wire = SerialWire("loop://", 115200, 5.0)
     yield wire
@@ -321,7 +321,7 @@ def test_a_serial_line_that_is_gone(loop: SerialWire) -> None:
 
 
 def test_a_com_port_is_a_serial_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    """pyserial gets the request; there is none here, as the message states."""
+    """The path goes to pyserial; there is no such port here, as the message states."""
     serial = pytest.importorskip("serial")
     asked: list[tuple[str, int]] = []
     real = serial.serial_for_url

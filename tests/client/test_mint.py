@@ -1,4 +1,4 @@
-"""A client of a Mint controller: in process, over TCP and over a serial device."""
+"""The client of a Mint controller: in process, over TCP and over a serial device."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def said_until(line: MintClient, mark: str) -> str:
 
 
 def test_a_program_moves_by_what_a_host_writes(line: MintClient) -> None:
-    """At 1000/s and 10 ms for each frame the axis needs 25 frames for 250."""
+    """At 1000/s and 10 ms per frame, the axis needs 25 frames for a distance of 250."""
     line.write(1, 250)
     frames = 0
     while line.read(2) < 250.0:

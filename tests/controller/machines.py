@@ -6,7 +6,10 @@ from motionlang.controller.controller import Controller
 
 
 def machine(axes: int = 2, **settings: float | str) -> Controller:
-    """Return `axes` axes at 10 counts/s and 100 counts/s², or with `settings`."""
+    """Return a controller whose axes have 10 counts/s and 100 counts/s².
+
+    `settings` change the settings of every axis.
+    """
     controller = Controller(axes)
     for axis in controller.axes:
         for name, value in {"speed": 10.0, "accel": 100.0, "decel": 100.0, **settings}.items():
@@ -15,6 +18,6 @@ def machine(axes: int = 2, **settings: float | str) -> Controller:
 
 
 def until(controller: Controller, time: float) -> Controller:
-    """Return the controller at `time`."""
+    """Advance the controller to `time`, s, and return it."""
     controller.clock.advance(time)
     return controller

@@ -1,4 +1,4 @@
-"""Any verbs in any order: no jump of position; time advances; only Rejected rises."""
+"""Any verbs in any order: no position jumps, time advances, only Rejected rises."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def perform(c: Controller, step: tuple[Any, ...]) -> None:
 
 
 def run_on(c: Controller, time: float) -> None:
-    """Advance; a rejection in an event ends only its motion."""
+    """Advance the controller to `time`; a motion that an event rejects just ends."""
     while c.clock.now < time:
         try:
             until(c, time)

@@ -1,4 +1,4 @@
-"""The virtual controller by its verbs, in counts and seconds, without a language."""
+"""The virtual controller through its verbs, in counts and seconds; no language."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Notifications: kinds, order, and unsubscribing during one."""
+"""Notifications: kinds, order, and unsubscribing during a notification."""
 
 from __future__ import annotations
 

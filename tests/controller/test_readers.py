@@ -84,7 +84,7 @@ def test_a_rate_that_is_written_ends_the_time_for_it_and_acts_on_a_move() -> Non
 
 
 class Subscriber:
-    """A subscriber to readings by `note` while `notes` is not None."""
+    """A subscriber that receives readings through `note` while `notes` is not None."""
 
     def __init__(self) -> None:
         self.dependencies, self.wraps = self, dict[int, float]()

@@ -1,4 +1,4 @@
-"""Edge cases of readings: jogs, slaves at rest, the last of several motions."""
+"""Edge cases of readings: jogs, slaves at rest, the last one of several motions."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_a_slave_whose_master_rests_passes_nothing_not_even_where_it_is() -> Non
 
 
 def test_while_a_velocity_is_what_it_is_it_changes_when_that_ends() -> None:
-    """30 at 50 with rates of 100: up to 50 in 0.5 s, constant for 0.1 s, and down."""
+    """30 at 50 with rates of 100: 0.5 s up to 50, 0.1 s constant, 0.5 s down."""
     c = controller()
     c.move_to(0, 30.0)
     c.clock.advance(0.2)
@@ -55,7 +55,7 @@ def test_while_a_velocity_is_what_it_is_it_changes_when_that_ends() -> None:
 
 
 def test_what_remains_of_a_motion_is_that_of_the_last_one() -> None:
-    """An entry of the buffer without a plan of its own has this one."""
+    """A buffer entry without a plan of its own has the plan of the motion's rest."""
     c = controller()
     c.move_to(0, 10.0)
     c.clock.advance(5.0)

@@ -1,6 +1,6 @@
-"""The console blocks of a page: read, run, and rewritten.
+"""The console blocks of a page: read, run and replaced.
 
-`python -m tests.copley.docs` rewrites them. Only `motionlang pvt` is run; `cat FILE` makes the file that it
+`python -m tests.copley.docs` replaces them. Only `motionlang pvt` is run; `cat FILE` creates the file that it
 shows.
 """
 
@@ -25,7 +25,7 @@ BLOCK = re.compile(r"^```console\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 
 def blocks(text: str) -> Iterator[list[tuple[str, str]]]:
-    """Yield each block as commands with their output on the page."""
+    """Yield each block as pairs: a command, and its output on the page."""
     for match in BLOCK.finditer(text):
         parts = re.split(r"^\$ (.*)\n", match[1], flags=re.MULTILINE)
         yield list(zip(parts[1::2], parts[2::2], strict=True))
@@ -34,7 +34,7 @@ def blocks(text: str) -> Iterator[list[tuple[str, str]]]:
 def answer(command: str, shown: str) -> str:
     """Return the output of a command, standard error after standard output.
 
-    `cat` makes its file of the shown text.
+    `cat` creates its file from the shown text.
     """
     program, *words = shlex.split(command)
     if program == "cat":
@@ -47,7 +47,7 @@ def answer(command: str, shown: str) -> str:
 
 
 def rewritten(text: str) -> str:
-    """Return the page with every output as it is now."""
+    """Return the page with all outputs replaced by the present ones."""
 
     def fresh(match: re.Match[str]) -> str:
         ((pairs),) = blocks(match[0])

@@ -1,4 +1,4 @@
-"""`motionlang pvt`: its output, its rejections, and its exit."""
+"""`motionlang pvt`: its output, its error messages, and its exit status."""
 
 from __future__ import annotations
 
@@ -217,7 +217,7 @@ SCRIPTS = Path(__file__).parents[2] / "scripts"
 
 
 def test_a_program_is_fitted() -> None:
-    """AN00115's exercise: a trapezoid, which cubics follow exactly."""
+    """AN00115's exercise is a trapezoid, which cubics follow exactly."""
     answer = pvt("export", str(SCRIPTS / "mint" / "ballscrew.mnt"))
     assert answer.out.splitlines() == [
         "# ballscrew.mnt, axis 0: 5 segments, 1.000 s, no error",
@@ -232,7 +232,7 @@ def test_a_program_is_fitted() -> None:
 
 
 def test_points_are_exported_with_the_error_of_their_rounding(tmp_path: Path) -> None:
-    """The drive takes whole counts: at the second point 10 for 10.4."""
+    """The drive takes whole counts: the second point is 10 instead of 10.4."""
     file = tmp_path / "there.csv"
     file.write_text("position,velocity,time\n0,0,100\n10.4,0,100\n0,0,0\n")
     answer = pvt("export", str(file))

@@ -1,4 +1,4 @@
-"""Every command of `docs/copley.md` prints as shown; its tables match the code."""
+"""Every command of `docs/copley.md` prints what is shown; tables match the code."""
 
 from __future__ import annotations
 

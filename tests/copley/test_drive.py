@@ -1,4 +1,4 @@
-"""The drive: its motion by the points in its buffer, in virtual time."""
+"""The motion of the drive along the points in its buffer, in virtual time."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ wire_points = st.builds(
 
 @given(st.lists(wire_points, min_size=1, max_size=20), wire_points, st.integers(-100, 100))
 def test_the_motion_is_that_of_the_points(points: list[WirePoint], last: WirePoint, position: int) -> None:
-    """Cubic and linear, absolute and relative in one move, against the closed form."""
+    """Cubic and linear, absolute and relative points in one move; exact positions."""
     move = [*points, WirePoint(last.position, last.velocity, 0, last.relative)]
     drive = loaded(move, float(position))
     drive.start()
@@ -115,7 +115,7 @@ def test_an_empty_buffer_in_mid_move_is_an_underflow_and_brakes() -> None:
 
 
 def test_a_long_stop_ends_at_its_time_to_the_microsecond() -> None:
-    """10 000 counts/s at 5000 counts/s²: 2 s after 0.1 s."""
+    """10 000 counts/s at 5000 counts/s² take 2 s, from 0.1 s on."""
     drive = loaded([WirePoint(0, 0, 100), WirePoint(500, 100_000, 100)])
     drive.abort_deceleration = 5_000.0
     drive.start()
@@ -159,7 +159,7 @@ def test_clear_aborts_the_move() -> None:
 
 
 def test_a_second_stop_does_not_cut_the_first_one_short() -> None:
-    """From 5000 counts/s at 1 000 000 counts/s²: 5 ms, 12.5 counts."""
+    """From 5000 counts/s at 1 000 000 counts/s² the stop takes 5 ms and 12.5 counts."""
     drive = loaded(SCURVE)
     drive.start()
     drive.run_until(200_000)
@@ -190,7 +190,7 @@ def test_an_initial_position_takes_a_place_but_no_time() -> None:
 
 
 class TestSubMode0:
-    """Linear, starts after three new points, steers its times by one servo period."""
+    """Linear; starts after three new points; adjusts its times by one servo period."""
 
     def steering(self) -> Drive:
         drive = Drive()

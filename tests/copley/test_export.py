@@ -1,4 +1,4 @@
-"""Exports: frames that move a drive."""
+"""Exported frames, sent to a drive."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def test_what_is_written_reads_back_as_the_same_points(form: str) -> None:
 @pytest.mark.parametrize("form", ["pdo", "sdo", "record"])
 @pytest.mark.parametrize("node", [1, 42])
 def test_the_frames_move_a_drive(form: str, node: int) -> None:
-    """Every frame of the export is sent on the bus, and the drive makes the S-curve."""
+    """Every exported frame is sent on the bus, and the drive executes the S-curve."""
     drive = Drive()
     with LockstepBus(drive, node) as bus:
         for line in export(SCURVE, form, node).lines:

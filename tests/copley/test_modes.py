@@ -1,7 +1,7 @@
-"""Profile position, profile velocity and homing without a bus, by hand.
+"""Profile position, profile velocity and homing without a bus; figures by hand.
 
-Speeds are written in 0.1 counts/s and rates in 10 counts/s²: 10 000 counts/s and 100 000 counts/s² at power-up, so a
-ramp takes 0.1 s and 500 counts.
+Speeds are written in 0.1 counts/s and rates in 10 counts/s². At power-up they are 10 000 counts/s and
+100 000 counts/s², so a ramp takes 0.1 s and 500 counts.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ PP, PV, HM = 1, 3, 6
 
 
 class Axis:
-    """A drive with operation enabled in a mode."""
+    """A drive in some mode, with its operation enabled."""
 
     def __init__(self, mode: int, switches: Switches | None = None) -> None:
         self.drive = Drive()
@@ -42,7 +42,7 @@ class Axis:
         return [bool(self.objects.read(STATUS, 0) & bit) for bit in bits]
 
     def move(self, target: int, control: int = 0x1F) -> None:
-        """Write a set-point with its handshake."""
+        """Write a set-point and complete its handshake."""
         self.write(TARGET, target)
         self.write(CONTROL, control)
         self.write(CONTROL, 0x0F)
@@ -52,7 +52,7 @@ class Axis:
 
 
 def test_the_position_over_the_bus_is_that_of_the_trapezoid() -> None:
-    """5000 counts: 0.1 s up, 0.4 s at speed, 0.1 s down."""
+    """5000 counts take 0.1 s up, 0.4 s at speed and 0.1 s down."""
     axis = Axis(PP)
     axis.move(5000)
     assert [axis.at(t) for t in (0.05, 0.1, 0.3, 0.5, 0.55, 0.6)] == [125, 500, 2500, 4500, 4875, 5000]
@@ -72,7 +72,7 @@ def test_the_handshake_of_a_set_point() -> None:
 
 
 def test_a_second_set_point_waits_and_keeps_the_acknowledge_until_it_begins() -> None:
-    """Both take 0.6 s; a third one is not taken while the second waits."""
+    """Both moves take 0.6 s; a third set-point is ignored while the second one waits."""
     axis = Axis(PP)
     axis.move(5000)
     axis.move(0)
@@ -87,7 +87,7 @@ def test_a_second_set_point_waits_and_keeps_the_acknowledge_until_it_begins() ->
 
 
 def test_bit_5_changes_the_target_at_once() -> None:
-    """At 0.3 s and 2500 it runs at 10 000/s: 6500 more take 0.6 s and 0.1 s down."""
+    """At 0.3 s it is at 2500 with 10 000/s; the other 6500 take 0.6 s and 0.1 s down."""
     axis = Axis(PP)
     axis.move(5000)
     axis.at(0.3)
@@ -105,7 +105,7 @@ def test_bit_6_makes_a_target_relative_to_the_one_before() -> None:
 
 
 def test_halt_brakes_and_its_end_continues_to_the_target() -> None:
-    """Halted at 2500 with 10 000/s: rest at 3000 after 0.1 s."""
+    """Halted at 2500 with 10 000 counts/s, it is at rest at 3000 after 0.1 s."""
     axis = Axis(PP)
     axis.move(5000)
     axis.at(0.3)
@@ -118,7 +118,7 @@ def test_halt_brakes_and_its_end_continues_to_the_target() -> None:
 
 
 def test_speed_and_rates_of_a_set_point_are_those_written_before_it() -> None:
-    """500 counts with 1000/s²: the peak is sqrt(500 000), after half of them."""
+    """500 counts at 1000/s² have their peak, sqrt(500 000)/s, after 250 counts."""
     axis = Axis(PP)
     axis.write(SPEED, 10_000)
     axis.write(ACCEL, 100)
@@ -132,7 +132,7 @@ def test_speed_and_rates_of_a_set_point_are_those_written_before_it() -> None:
 
 
 def test_a_limit_switch_ends_the_motion_towards_it_only() -> None:
-    """At 1000 the axis runs at 10 000/s and brakes with 1 000 000/s²: 50 counts more."""
+    """At the switch, 1000, it has 10 000/s; at 1 000 000/s² it stops 50 counts later."""
     axis = Axis(PP, Switches(positive=1000.0))
     axis.move(5000)
     assert axis.at(1.0) == 1050
@@ -159,7 +159,7 @@ def test_a_set_point_where_the_axis_stands_is_no_motion_towards_a_limit_switch()
 
 
 def test_a_velocity_is_followed_as_soon_as_it_is_written() -> None:
-    """To 5000/s in 0.05 s and 125 counts; to -5000/s in 0.1 s, back where it began."""
+    """5000/s is reached in 0.05 s and 125 counts, -5000/s in 0.1 s without net travel."""
     axis = Axis(PV)
     assert axis.has(REACHED, BIT_12) == [True, True]
     axis.write(TARGET_VELOCITY, 50_000)
@@ -210,7 +210,7 @@ MACHINE = Switches(negative=-2000.0, positive=3000.0, home=800.0, index=300.0)
     ],
 )
 def test_each_method_ends_at_its_position(method: int, place: int) -> None:
-    """Index marks are 300 counts apart: off the limit switches -1800 and 2700."""
+    """Index marks are 300 counts apart; those next to the limits are -1800 and 2700."""
     axis = Axis(HM, MACHINE)
     axis.write(METHOD, method)
     axis.write(CONTROL, 0x1F)
@@ -231,7 +231,7 @@ def test_homing_from_an_active_switch_leaves_it() -> None:
 
 
 def test_the_time_of_a_search() -> None:
-    """Method 33 at 500/s and 100 000/s²: 300 counts take 0.6 s and 2.5 ms."""
+    """With method 33 at 500/s and 100 000/s², 300 counts take 0.6 s and 2.5 ms."""
     axis = Axis(HM, MACHINE)
     axis.write(METHOD, 33)
     axis.write(CONTROL, 0x1F)
@@ -276,7 +276,7 @@ def test_a_switch_that_does_not_come_is_a_homing_error(switches: Switches) -> No
 
 
 def test_a_quick_stop_brakes_and_disables() -> None:
-    """From 10 000/s at 1 000 000/s²: 10 ms."""
+    """A stop from 10 000/s at 1 000 000/s² takes 10 ms."""
     axis = Axis(PP)
     axis.move(50_000)
     axis.at(1.0)

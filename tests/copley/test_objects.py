@@ -1,4 +1,4 @@
-"""The CANopen objects without a bus: accepted values, rejections, and effects."""
+"""CANopen objects without a bus: accepted and rejected values, and their effects."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ VALUE_RANGE, DEVICE_STATE, READ_ONLY, WRITE_ONLY = 0x06090030, 0x08000022, 0x060
 
 @pytest.fixture
 def server() -> ObjectServer:
-    """A drive switched on, in interpolated position mode, sub-mode -3."""
+    """A drive that is switched on, in interpolated position mode, sub-mode -3."""
     made = ObjectServer(Drive())
     for index, value in ((0x6060, 7), (0x60C0, -3), (0x6040, 6), (0x6040, 7), (0x6040, 15)):
         made.write(index, 0, value)
@@ -102,7 +102,7 @@ def test_bit_4_of_the_control_word_starts_and_ends(server: ObjectServer) -> None
 
 @pytest.mark.parametrize("control", [0x00, 0x06, 0x07, 0x0B, 0x010F, 0x011F])
 def test_what_takes_the_drive_out_of_the_move(server: ObjectServer, control: int) -> None:
-    """Disable voltage, shutdown, disable operation, quick stop, halt."""
+    """Disable voltage, shutdown, disable operation, quick stop and halt do."""
     send(server, 0, WirePoint(0, 0, 255))
     send(server, 1, WirePoint(500, 50_000, 255))
     server.write(0x6040, 0, 0x1F)

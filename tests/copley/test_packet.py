@@ -1,4 +1,4 @@
-"""Objects 0x2010 and 0x2012, byte by byte."""
+"""The objects 0x2010 and 0x2012, byte by byte."""
 
 from __future__ import annotations
 

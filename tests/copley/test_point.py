@@ -1,4 +1,4 @@
-"""Bad points, named by index, with what a drive would do."""
+"""Bad points, reported with their index and the reaction of a drive."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Serial parameter 0x115: every bit of the note's two tables, both ways."""
+"""Serial parameter 0x115: all bits of the note's two tables, in both directions."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ def port() -> SerialPort:
 
 
 def test_the_procedure_of_the_note() -> None:
-    """Configure, write the exported points, start, and the drive makes the S-curve."""
+    """Configure, write the exported points, start: the drive executes the S-curve."""
     line, points = port(), to_wire(scurve(1000.0, 0.1))
     for text in export(points, "serial").lines:
         if not text.startswith("#"):

@@ -1,6 +1,6 @@
-"""Drives on a bus, with a foreign master: canopen's BaseNode402, and frames.
+"""Drives on a bus with third-party masters: canopen's BaseNode402, and raw frames.
 
-Time is that of the test: a clock that it sets itself, except in the tests of `BaseNode402`, which has its own.
+The tests set the time of the drives, except those with `BaseNode402`, which uses real time.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ FROM_DRIVES: Any = [{"can_id": 0x080, "can_mask": 0x080}, {"can_id": 0x700, "can
 
 
 class Bus:
-    """Two drives and the other end of their bus; `time` is that of the drives."""
+    """Two drives and the other end of their bus; `time` is the drives' time, s."""
 
     def __init__(self) -> None:
         self.time = 0.0
@@ -46,7 +46,7 @@ class Bus:
         self.server.turn()
 
     def until(self, seconds: float) -> list[tuple[int, bytes]]:
-        """Let time pass in steps of a millisecond; return the frames of the drives."""
+        """Advance the time in steps of a millisecond; return the frames of the drives."""
         while self.time < seconds - 1e-9:
             self.time = min(self.time + 1e-3, seconds)
             self.server.turn()
@@ -59,7 +59,7 @@ class Bus:
         return found
 
     def ask(self, node: int, *request: int) -> bytes:
-        """Return the answer to an SDO request."""
+        """Return a drive's answer to an SDO request."""
         self.frames()
         self.send(0x600 + node, *request, *bytes(8 - len(request)))
         (answer,) = [data for can_id, data in self.frames() if can_id == 0x580 + node]
@@ -81,7 +81,7 @@ def test_boot_up_and_reset(bus: Bus) -> None:
 
 
 def test_the_heartbeat_has_its_period_and_the_state(bus: Bus) -> None:
-    """50 ms from the write on: pre-operational is 127, operational 5."""
+    """Its period is 50 ms from the write on; 127 is pre-operational, 5 operational."""
     bus.until(0.01)
     bus.ask(1, 0x2B, 0x17, 0x10, 0, 50)
     assert bus.until(0.111) == [(0x701, b"\x7f")] * 2
@@ -126,7 +126,7 @@ def test_a_stopped_node_answers_nothing(bus: Bus) -> None:
 
 
 def test_a_pdo_that_is_too_short_is_an_emergency(bus: Bus) -> None:
-    """Error 8210, and bits 0 and 4 of the error register."""
+    """The error is 8210; bits 0 and 4 of the error register are set."""
     bus.send(0, 1, 1)
     bus.frames()
     bus.send(0x201, 6)
@@ -135,7 +135,7 @@ def test_a_pdo_that_is_too_short_is_an_emergency(bus: Bus) -> None:
 
 
 def test_a_master_that_dies_trips_the_drive(bus: Bus) -> None:
-    """Object 0x1016:1: the heartbeat of node 0x7F, at least every 100 ms."""
+    """Object 0x1016:1 requires a heartbeat of node 0x7F at least every 100 ms."""
     bus.send(0, 1, 1)
     bus.ask(1, 0x23, 0x16, 0x10, 1, 100, 0, 0x7F, 0)
     assert bus.until(0.3) != []
@@ -160,7 +160,7 @@ def test_the_mapping_of_a_pdo_is_checked(bus: Bus) -> None:
 
 
 def test_a_synchronous_pdo_shows_the_position_at_the_sync(bus: Bus) -> None:
-    """PDO 3: status word and position, on every SYNC, while the axis runs at 10 000/s."""
+    """PDO 3 has status word and position on every SYNC; the axis runs at 10 000/s."""
     bus.ask(1, 0x2F, 0x02, 0x18, 2, 1)
     bus.ask(1, 0x23, 0x02, 0x18, 1, 0x81, 0x03, 0, 0)
     bus.send(0, 1, 1)
@@ -193,7 +193,7 @@ def test_frames_without_sense_change_nothing(bus: Bus) -> None:
 
 
 def channel_of(interface: str, monkeypatch: pytest.MonkeyPatch) -> str:
-    """Return a channel that no other test uses."""
+    """Return a channel of the interface that no other test uses."""
     if interface == "virtual":
         return f"served-{next(_CHANNELS)}"
     pytest.importorskip("msgpack")
@@ -205,7 +205,7 @@ def channel_of(interface: str, monkeypatch: pytest.MonkeyPatch) -> str:
 
 @pytest.fixture(params=["virtual", "udp_multicast"])
 def node(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
-    """A foreign master of drive 1, with the EDS file, in operation enabled."""
+    """A third-party master of drive 1, with the EDS file; the drive is enabled."""
     interface, channel = request.param, channel_of(request.param, monkeypatch)
     machine = [Switches(negative=-2000.0, positive=1e6, home=800.0, index=300.0)]
     try:
@@ -239,7 +239,7 @@ def node(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.Mon
 
 
 def wait(condition: Callable[[], bool]) -> None:
-    """Poll the drive, which answers each time."""
+    """Poll the drive until a condition is true; each poll is answered."""
     while not condition():
         pass
 
@@ -303,7 +303,7 @@ def test_a_foreign_master_homes(node: Any) -> None:
 
 
 def test_a_foreign_master_interpolates(node: Any) -> None:
-    """Sub-mode -2: 500 and 1000 counts after 50 ms each."""
+    """In sub-mode -2 it reaches 500 and 1000 counts, after 50 ms each."""
     node.op_mode = "INTERPOLATED POSITION"
     node.sdo[0x60C0].raw = -2
     for place, milliseconds in ((0, 50), (500, 50), (1000, 0)):
@@ -322,7 +322,7 @@ def test_what_the_drive_does_not_do_is_refused(node: Any) -> None:
 
 
 def test_the_eds_has_what_the_drive_has(node: Any) -> None:
-    """Each readable object has the size of the drive's answer."""
+    """Each readable object in the file has the size of the drive's answer."""
     for entry in node.object_dictionary.values():
         is_variable = isinstance(entry, canopen.objectdictionary.ODVariable)
         for variable in [entry] if is_variable else list(entry.values()):
@@ -346,7 +346,7 @@ DEFAULT_MAPPINGS = {
 
 
 def number(bus: Bus, index: int, sub: int) -> int:
-    """Return the value of an object, read by SDO from drive 2."""
+    """Return the value of an object of drive 2, read by SDO."""
     answer = bus.ask(2, 0x40, index & 0xFF, index >> 8, sub)
     assert answer[0] & 0xE0 == 0x40
     return int.from_bytes(answer[4:], "little")
@@ -370,7 +370,7 @@ def test_a_mapping_of_more_than_eight_objects_is_too_long(bus: Bus) -> None:
 
 
 def test_a_pdo_that_stays_as_it_was_is_not_sent_again(bus: Bus) -> None:
-    """PDO 1 is sent as the drive becomes operational, and when its status changes."""
+    """PDO 1 is sent when the drive becomes operational, and when its status changes."""
     bus.send(0, 1, 1)
     assert 0x181 in dict(bus.until(0.05))
     bus.ask(1, 0x2F, 0x01, 0x18, 2, 255)  # the transmission type of PDO 2

@@ -1,4 +1,4 @@
-"""A master streams to the simulated drive over a CANopen stack, in lockstep.
+"""A master streams to a simulated drive through a CANopen stack, in lockstep.
 
 The bus is virtual.
 """
@@ -27,14 +27,17 @@ if TYPE_CHECKING:
 
 
 def winding(count: int, milliseconds: int = 2) -> list[WirePoint]:
-    """A move of many turns: positions from two sines, exact velocities, rounded."""
+    """Return a move with many reversals: a product of sines in whole counts.
+
+    The velocities are those of the spline through the points.
+    """
     places = [float(round(20_000 * math.sin(0.01 * i) * math.cos(0.0013 * i))) for i in range(count)]
     velocities = smooth_velocities(places, milliseconds / 1000)
     return to_wire(points_from(places, velocities, milliseconds / 1000))
 
 
 def departure(drive: Drive, points: Sequence[Point]) -> float:
-    """Return the largest difference between the drive's motion and the points, counts."""
+    """Return the largest deviation of the drive's motion from the points, counts."""
     begin = next(time for time, what in drive.log if what.startswith("move started"))
     return track_error([begin], [plan_points(points)], drive.starts, drive.profiles, begin, drive.now)
 
@@ -79,9 +82,9 @@ def test_linear_moves(way: str) -> None:
 
 
 def test_a_master_at_its_own_pace_in_sub_mode_0() -> None:
-    """One position each 10.1 ms for segments of 10 ms: the drive stretches its times.
+    """A position every 10.1 ms for segments of 10 ms: the drive stretches its times.
 
-    It never underruns.
+    The buffer never underruns.
     """
     points, drive = winding(300, 10), Drive()
     with LockstepBus(drive, step=10_100) as bus:
@@ -95,9 +98,9 @@ def test_a_master_at_its_own_pace_in_sub_mode_0() -> None:
 @pytest.mark.parametrize("way", ["0", "-1"])
 @pytest.mark.parametrize("places", [(0, 100, 0), (0, 10, 40, 10, 0, -30, 0), (5, 5, 5)])
 def test_a_move_that_ends_where_it_began_is_made_to_its_end(way: str, places: tuple[int, ...]) -> None:
-    """In the sub-modes without an end of their own the master polls the progress.
+    """In the sub-modes that do not signal the end, the master polls the progress.
 
-    The position of the drive would not suffice.
+    The position of the drive would not be sufficient.
     """
     points = [WirePoint(place, None, 10) for place in places[:-1]] + [WirePoint(places[-1], None, 0)]
     drive = Drive(places[0])
@@ -132,7 +135,7 @@ def test_positions_beyond_24_bits() -> None:
 
 @pytest.mark.parametrize("lost", [{3}, {40}, {40, 41, 47}, {99}, set(range(60, 70))])
 def test_lost_frames_are_sent_again(lost: set[int]) -> None:
-    """The running number shows the drive a missing segment, and the master which one."""
+    """By its running number a missing segment is detected, and sent again."""
     points, drive = winding(100), Drive()
     with LockstepBus(drive) as bus:
         send, count = bus.network.send_message, [0]
@@ -193,7 +196,7 @@ def test_what_a_way_cannot_carry_is_refused(points: list[WirePoint], way: str, m
 
 
 def test_the_node_answers_as_a_canopen_device() -> None:
-    """Reads, refusals and their abort codes, as any master sees them."""
+    """Reads and rejections with their abort codes are those that any master expects."""
     drive = Drive()
     with LockstepBus(drive, node_id=5) as bus:
         node = Master(bus, 5).node
@@ -215,7 +218,7 @@ def test_the_node_answers_as_a_canopen_device() -> None:
 
 
 def test_the_record_can_come_by_pdo_too() -> None:
-    """Position and time in one PDO, the velocity in another, mapped by the master.
+    """The master maps position and time to one PDO, and the velocity to another.
 
     They are object 0x60C1, sub-mode -3.
     """
@@ -249,9 +252,9 @@ def test_the_status_comes_on_every_event() -> None:
 
 
 class FencedBus(RealBus):
-    """The real master's bus with its drive in this process.
+    """The real master's bus, with its drive in this process.
 
-    Each wait advances virtual time and lets the frames settle.
+    Each wait advances virtual time, and then waits until all frames have arrived.
     """
 
     drive: Drive
@@ -264,7 +267,7 @@ class FencedBus(RealBus):
 
 
 def test_the_master_of_a_real_bus() -> None:
-    """Threads of python-can on both ends, like with hardware.
+    """Both ends have threads of python-can, as with hardware.
 
     Only the time is virtual.
     """

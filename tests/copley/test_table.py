@@ -1,4 +1,4 @@
-"""Points in CSV files: read, written, and every error reported with its line."""
+"""Points in CSV files: reading, writing, and all errors with their lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A client of the adapter in one process, which checks every message it gets."""
+"""A client of the adapter in this process, which checks every message it gets."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ PATIENCE = 60.0
 
 
 class Client:
-    """A session with an adapter; `events` are those that have come, in order."""
+    """A session with an adapter; `events` are those received, in order."""
 
     def __init__(self) -> None:
         self._messages: SimpleQueue[dict[str, Any]] = SimpleQueue()
@@ -43,13 +43,13 @@ class Client:
             self.events.append(message)
 
     def ask(self, command: str, **arguments: object) -> Any:
-        """Send a request that succeeds, and return the body of its response."""
+        """Send a request that must succeed, and return the body of its response."""
         response = self.request(command, **arguments)
         assert response["success"], response
         return response.get("body")
 
     def refused(self, command: str, **arguments: object) -> str:
-        """Send a request that fails, and return the message for the user."""
+        """Send a request that must fail, and return the message for the user."""
         response = self.request(command, **arguments)
         assert not response["success"], response
         text: str = response["body"]["error"]["format"]
@@ -73,18 +73,18 @@ class Client:
     # ------------------------------------------------------------------------------------------------ sessions
 
     def launch(self, program: Path, **arguments: object) -> None:
-        """Initialise and launch, up to the configuration."""
+        """Initialise and launch, up to the start of the configuration."""
         self.ask("initialize", adapterID="motionlang", linesStartAt1=True, columnsStartAt1=True)
         self.ask("launch", program=str(program), **arguments)
         self.wait("initialized")
 
     def begin(self) -> dict[str, Any]:
-        """End the configuration and return the first stop, or the end."""
+        """Complete the configuration and return the first stop, or the end."""
         self.ask("configurationDone")
         return self.wait("stopped", "terminated")
 
     def go(self, command: str, **arguments: object) -> dict[str, Any]:
-        """Let the program go and return where it stops."""
+        """Continue the program by a command, and return the next stop or the end."""
         self.ask(command, **arguments)
         return self.wait("stopped", "terminated")
 

@@ -2,7 +2,7 @@
 
     python -m tests.dap.remote
 
-is that process.
+runs this process.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from tests.dap.client import PATIENCE, Client
 
 
 class Remote(Client):
-    """A client of a process; `process` is the front."""
+    """A client of a process; `process` is the front end."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -32,7 +32,7 @@ class Remote(Client):
         self._reader.start()
 
     def handle(self, message: dict[str, Any]) -> None:
-        """Send a message to the process, as to an adapter."""
+        """Send a message to the process, like to an adapter."""
         assert self.process.stdin is not None
         self.process.stdin.write(written(message))
         self.process.stdin.flush()
@@ -43,12 +43,12 @@ class Remote(Client):
             self._receive(message)
 
     def close(self) -> None:
-        """Disconnect; the process ends without an error."""
+        """Disconnect; the process must end without an error."""
         super().close()
         assert self.finish() == (0, b"")
 
     def finish(self) -> tuple[int, bytes]:
-        """Close the stream to the process; return its status and its errors."""
+        """Close the stream to the process; return its exit status and error output."""
         process = self.process
         assert process.stdin is not None
         assert process.stdout is not None

@@ -17,7 +17,7 @@ _TYPES: dict[str, Any] = {
 
 
 def is_installed() -> bool:
-    """True if debugpy is installed, with its description of the protocol."""
+    """True if debugpy, which contains the description of the protocol, is installed."""
     return _path() is not None
 
 
@@ -38,7 +38,7 @@ def _definitions() -> dict[str, Any]:
 
 
 def problems(message: dict[str, Any]) -> list[str]:
-    """Return the differences of a message of the adapter from the protocol."""
+    """Return how a message of the adapter violates the protocol; empty if it does not."""
     kind = message["type"]
     if kind == "event":
         name = f"{message['event'][:1].upper()}{message['event'][1:]}Event"

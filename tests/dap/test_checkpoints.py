@@ -1,4 +1,4 @@
-"""Going back by copies of the process shows the same as running again."""
+"""Stepping back by copies of the process shows the same as running again."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def write(folder: Path, text: str) -> Path:
 
 
 def walk(client: Client, program: Path, seed: int, steps: int) -> list[Any]:
-    """Return the stops, states and output of a random session."""
+    """Return the stops, the states and the output of a random session."""
     draw, seen = Random(seed), []
     client.launch(program, stopAtEnd=True)
     lines = [{"line": draw.randrange(1, 18)} for _ in range(draw.randrange(3))]
@@ -100,7 +100,7 @@ def walk(client: Client, program: Path, seed: int, steps: int) -> list[Any]:
 @pytest.mark.parametrize("text", [POLLS, MOTOR], ids=["polls", "motor"])
 @pytest.mark.parametrize("seed", range(2))
 def test_copies_change_nothing(text: str, seed: int, tmp_path: Path) -> None:
-    """Copies are at other statements in each run; clients see no difference."""
+    """Each run makes its copies at other statements; clients see no difference."""
     program = write(tmp_path, text)
     found = []
     for client in (Client(), Remote()):
@@ -113,7 +113,7 @@ def test_copies_change_nothing(text: str, seed: int, tmp_path: Path) -> None:
 
 
 def children(process: int) -> set[int]:
-    """Return the processes that a process has forked, and those that these have."""
+    """Return all descendants of a process."""
     tasks = Path(f"/proc/{process}/task")
     try:
         found = {int(child) for task in tasks.iterdir() for child in (task / "children").read_text().split()}
@@ -123,7 +123,7 @@ def children(process: int) -> set[int]:
 
 
 def copied(client: Remote, tmp_path: Path) -> tuple[int, set[int]]:
-    """Start a program that never ends; return its engine and at least one copy."""
+    """Start an endless program; return its engine, and at least one copy of it."""
     client.launch(write(tmp_path, "Dim n As Integer\nLoop\n  n = n + 1\n  If n > 99 Then n = 0\nEnd Loop\n"))
     client.ask("configurationDone")
     (engine,) = (
@@ -137,7 +137,7 @@ def copied(client: Remote, tmp_path: Path) -> tuple[int, set[int]]:
 
 
 def ends(process: int) -> bool:
-    """Wait for the end of a process."""
+    """Wait for the end of a process; return False if it still runs after `PATIENCE`."""
     try:
         handle = os.pidfd_open(process)
     except ProcessLookupError:
@@ -178,7 +178,7 @@ def test_a_client_that_leaves_ends_all_copies(tmp_path: Path) -> None:
 def test_a_slow_replay_reports_its_progress_and_is_cancelled(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A step back from the end runs again; if it is cancelled, it stops before that."""
+    """A step back from the end runs the program again; if cancelled, it stops earlier."""
     monkeypatch.setattr("motionlang.debug.checkpoints.INTERVAL", 0.001)
     monkeypatch.setattr("motionlang.debug.checkpoints.SLOW", 1)
     client = Client()
@@ -217,7 +217,7 @@ def test_a_search_that_is_cancelled_leaves_the_program_where_it_is(
 
 
 def test_programs_that_are_fast_make_no_copies(tmp_path: Path) -> None:
-    """The first copy is made after 0.3 s of a run."""
+    """The first copy is made 0.3 s after the start of a run."""
     from tests.dap.test_processes import requests, send, start, until
 
     with start() as front:

@@ -1,4 +1,4 @@
-"""Random and reordered messages in each phase get a response each, no traceback.
+"""Random messages in any order, in each phase: one response each, no traceback.
 
 python -m tests.dap.test_disorder 10000
 """
@@ -41,7 +41,7 @@ NAMES = (
 
 
 def session(seed: int, folder: Path) -> int:
-    """Send a session of random messages; return how many got a response."""
+    """Run a session of random messages; return how many got a response."""
     draw, client = Random(seed), Client()
     name = draw.choice(sorted(PROGRAMS))
     path = folder / name

@@ -1,6 +1,6 @@
-"""A client that is not ours: DebugClient of @vscode/debugadapter-testsupport.
+"""A third-party client: DebugClient of @vscode/debugadapter-testsupport.
 
-`npm install @vscode/debugadapter-testsupport` in a folder, and NODE_PATH=FOLDER/node_modules.
+It requires `npm install @vscode/debugadapter-testsupport` in a folder, and NODE_PATH=FOLDER/node_modules.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ PACKAGE = "@vscode/debugadapter-testsupport"
 
 
 def test_a_session_of_debug_client(tmp_path: Path) -> None:
-    """The breakpoint holds for n = 2; then over, out, into n = 3, and back.
+    """The breakpoint stops at n = 2; then step over, out, into n = 3, and back.
 
-    A restart goes to the first statement at the time of the stop, which is the call.
+    A restart continues to the first statement at the time of the stop, which is the call.
     """
     node = shutil.which("node")
     if node is None:

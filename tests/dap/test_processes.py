@@ -1,4 +1,4 @@
-"""`motionlang dap` as a process: stdio and TCP, and ends without warning."""
+"""`motionlang dap` as a process: stdio, TCP, and a client that disappears."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def requests(program: Path, *more: str) -> list[dict[str, Any]]:
 
 
 def until(stream: IO[bytes], name: str) -> list[dict[str, Any]]:
-    """Read messages up to an event or a response of this name."""
+    """Return the messages up to an event or a response with this name."""
     found: list[dict[str, Any]] = []
     while not found or name not in (found[-1].get("event"), found[-1].get("command")):
         message = read(stream)
@@ -98,7 +98,7 @@ def test_a_session_over_tcp(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("text", [ENDLESS, "Dim n As Integer\nINPUT n\n", "JOG(0) = 1\nPAUSE INX(1)\n"])
 def test_the_adapter_ends_with_its_client(stdio: subprocess.Popen[bytes], tmp_path: Path, text: str) -> None:
-    """A client that is killed leaves only the end of the stream behind."""
+    """The adapter sees only the end of the stream when its client is killed."""
     assert stdio.stdin is not None
     assert stdio.stdout is not None
     send(stdio.stdin, requests(program(tmp_path, text)))

@@ -56,7 +56,7 @@ def test_breakpoints_stack_scopes_and_steps_both_ways(client: Client, program: P
 def test_references_of_an_earlier_stop_are_refused_without_a_message_box(
     client: Client, program: Path
 ) -> None:
-    """VS Code asks for the scopes of a frame while the next step already runs."""
+    """VS Code requests the scopes of a frame while the next step already runs."""
     client.launch(program, stopOnEntry=True)
     stop = client.begin()
     thread = stop["body"]["threadId"]
@@ -149,7 +149,7 @@ ABORTED = MOVE.replace("PAUSE", "WAIT(500)\nABORT\nPAUSE")
 def test_each_filter_stops_with_an_exception(
     client: Client, tmp_path: Path, name: str, text: str, machine: str, found: str
 ) -> None:
-    """The travel ends at 60 uu, 1.25 s after GO; the abort comes after 0.5 s."""
+    """The limit at 60 uu is reached 1.25 s after GO; the abort comes after 0.5 s."""
     program = tmp_path / "move.mnt"
     program.write_text(text)
     (tmp_path / "move.machine.toml").write_text(machine)
@@ -223,7 +223,7 @@ def test_the_console_completes_names_and_commands(client: Client, program: Path)
 
 
 def test_an_axis_is_watched_and_its_last_change_is_found(client: Client, tmp_path: Path) -> None:
-    """Line 3 gives the target, and GO in line 4 begins the move."""
+    """Line 3 loads the target, and GO in line 4 begins the move."""
     program = tmp_path / "move.mnt"
     program.write_text(MOVE)
     client.launch(program, stopOnEntry=True)

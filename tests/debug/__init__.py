@@ -1,1 +1,1 @@
-"""Debug builds, the engine of the debugger, and its commands at the prompt."""
+"""Debug builds, the debugger's engine, and its commands at the prompt."""

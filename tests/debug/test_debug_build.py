@@ -1,4 +1,4 @@
-"""A debug build counts its statements, and does the same as the plain program."""
+"""A debug build counts its statements and behaves like the plain program."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Print total
 
 
 def _nothing(*_: object) -> None:
-    """Let the program run on."""
+    """Let the program continue."""
 
 
 @pytest.mark.parametrize(
@@ -50,7 +50,7 @@ def test_a_debug_build_of_several_tasks_does_the_same() -> None:
 
 
 def test_statements_are_counted_in_mint() -> None:
-    """For, three times the sum, Print."""
+    """One For, three times the sum, and one Print."""
     hook = Hook(_nothing)
     run(Source("a.mnt", SQUARES), cache=False, hook=hook)
     assert hook.count == 5
@@ -64,7 +64,7 @@ def test_commands_are_counted_in_mccl() -> None:
 
 
 def test_the_hook_is_called_before_a_statement_with_its_time() -> None:
-    """Statements take 10 µs: For, and then the sum and Next in each iteration."""
+    """Each statement takes 10 µs: For, then the sum and Next in each iteration."""
     found: list[tuple[int, float]] = []
     source = Source("a.mnt", SQUARES)
     hook = Hook(lambda task, time, place: found.append((dialect.locate(source, place)[0], time)), limit=0)
@@ -89,7 +89,7 @@ def test_functions_without_statements_are_debug_builds_too(text: str) -> None:
 
 @pytest.mark.parametrize("branch", ["done = done + 1", "Print TIME"])
 def test_a_call_in_a_condition_begins_at_the_same_time(branch: str) -> None:
-    """`If` takes its time after the call, or before it if its branch reads the time."""
+    """`If` takes its 10 µs after the call, or before it if its branch reads the time."""
     text = f"""\
 Dim done As Integer
 Repeat

@@ -1,4 +1,4 @@
-"""The debugger: forward and back, breakpoints, moments, changes by hand."""
+"""The debugger: forward and backward, breakpoints, moments, manual changes."""
 
 from __future__ import annotations
 
@@ -195,7 +195,7 @@ def test_a_condition_that_is_none_is_rejected(text: str) -> None:
 
 
 def test_a_position_is_found_in_the_middle_of_a_wait() -> None:
-    """20 uu are 2.5 of the ramp in 0.1 s and 17.5 at 50 uu/s: 0.45 s after GO."""
+    """20 uu are a ramp of 2.5 uu in 0.1 s and 17.5 uu at 50 uu/s: 0.45 s after GO."""
     debugger = mint(MOVE)
     debugger.searches = [search("position(0) > 20")]
     stop = debugger.start(False)
@@ -208,7 +208,7 @@ def test_a_position_is_found_in_the_middle_of_a_wait() -> None:
 
 
 def test_the_stop_is_the_first_statement_after_a_moment_of_several() -> None:
-    """Position 20 is reached 0.45 s after the first GO, in the first wait of 2.1 s."""
+    """Position 20 is reached 0.45 s after the first GO, in its wait of 2.1 s."""
     debugger = mint(MOVE + "n = 1\nMOVEA(0) = 0\nGO(0)\nPAUSE IDLE(0)\nn = 2\n")
     debugger.searches = [search("position(0) > 20")]
     stop = debugger.start(False)
@@ -222,7 +222,7 @@ def test_the_stop_is_the_first_statement_after_a_moment_of_several() -> None:
 
 
 def test_motion_and_channels_are_moments() -> None:
-    """The move begins with GO and takes 2.1 s."""
+    """The move begins at GO and takes 2.1 s."""
     settings: dict[str, object] = {"input": [{"channel": 5, "at": 1.0, "value": 1}]}
     debugger = mint(MOVE, settings)
     debugger.searches = [
@@ -274,7 +274,7 @@ def test_a_change_of_a_variable_stops_after_it() -> None:
     ("name", "line"), [("output 2", 2), ("axis 0", 4), ("input 5", None), ("OUTPUT  2", 2)]
 )
 def test_the_last_change_of_a_channel_or_an_axis(name: str, line: int | None) -> None:
-    """OUTX sets the output, and GO begins the move; nothing has changed the input."""
+    """OUTX sets the output and GO begins the move; nothing has changed the input."""
     debugger = mint(MOVE)
     debugger.start()
     debugger.set_breakpoints([at(debugger, 5)])
@@ -401,7 +401,7 @@ def test_a_restart_keeps_time_and_journal() -> None:
 
 
 def test_a_restart_makes_the_changes_of_the_journal_again() -> None:
-    """100 is given before the loop, which then adds 3, 6 and 9 instead of 2, 4 and 6."""
+    """The user sets 100 before the loop, which then adds 3, 6, 9 instead of 2, 4, 6."""
     output: list[str] = []
     debugger = mint(CALLS, show=output.append)
     debugger.start()
@@ -452,7 +452,7 @@ def test_tasks_show_what_they_wait_for() -> None:
 
 
 def test_an_axis_is_shown_at_the_time_of_the_stop() -> None:
-    """GO is the sixth statement of 10 µs; after the ramp the axis runs at 50 uu/s."""
+    """GO is the sixth statement of 10 µs each; after the ramp the axis has 50 uu/s."""
     debugger = mint(MOVE.replace("PAUSE IDLE(0)", "While IDLE(0) = 0 : TIME = 0 : End While"))
     debugger.start()
     debugger.go_to_time(1.0)

@@ -1,4 +1,4 @@
-"""Random walks of the debugger change nothing and replay every state: a sample.
+"""A sample of random debugger walks: no result changes, every state is replayed.
 
 `python -m tests.debug.walks 500` is the long form.
 """

@@ -1,8 +1,8 @@
-"""Random walks with the debugger change no result, and replay every state.
+"""Random walks with the debugger change no result and replay every state.
 
     python -m tests.debug.walks 500 --seed 1
 
-walks through the gallery and through that many generated programs of both languages.
+walks through the gallery and through 500 generated programs of both languages.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ STEPS = 12
 
 
 def snapshot(debugger: Debugger) -> object:
-    """Return everything that a debugger shows at a stop.
+    """Return everything that the debugger shows at a stop, except values "at …".
 
-    The motion at an earlier moment depends on why the program stopped there.
+    These are motion at an earlier moment, which depends on why the program stopped.
     """
     state = debugger.state()
     tasks = state.tasks()
@@ -56,7 +56,7 @@ def snapshot(debugger: Debugger) -> object:
 def differences(
     source: Source, settings: Mapping[str, object], seed: int, until: float | None = None
 ) -> Iterator[str]:
-    """Yield what a walk through a program changes; nothing if the debugger is right."""
+    """Yield each difference that a walk through a program causes."""
     shown_text: list[str] = []
     plain = run(source, machine=settings, until=until, cache=False)
     if plain.program is None:
@@ -91,7 +91,7 @@ def differences(
 
 
 def _move(debugger: Debugger, draw: Random, stop: Stop | None, output: list[str]) -> Stop | None:
-    """Make a random command."""
+    """Execute a random debugger command and return the stop."""
     commands = ["reverse", "step_back", "restart", "time", "breakpoint", "moment"]
     if stop is not None:
         commands += ["step_in", "next", "step_out", "go_on", "step_in", "next", "change"]
@@ -128,7 +128,7 @@ def of_gallery(seed: int) -> Iterator[str]:
 def of_generated(seed: int) -> list[str]:
     """Return the differences of a walk through a generated program.
 
-    One in three has several tasks, the others are motion in Mint and in MCCL.
+    One program in three has several tasks; the others are motion programs in Mint and in MCCL.
     """
     if seed % 3 == 0:
         text, settings = tasks_of(seed)

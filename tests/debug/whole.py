@@ -1,4 +1,4 @@
-"""Everything that a run leaves behind, for comparison with another run."""
+"""Everything that a run produces, for comparison with another run."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ STREAMS = (
 
 
 def whole(run: Run) -> tuple[str, list[list[list[object]]]]:
-    """Return the report of a run and its log, in which nothing may differ.
+    """Return the report and the log of a run, which must be equal in both runs.
 
-    The report has the figures of its loops.
+    The report includes the figures of its loops.
     """
     log = run.machine.log
     return text(run), [[list(each) for each in getattr(log, name)] for name in STREAMS]

@@ -1,4 +1,4 @@
-"""A text with a mark for the cursor, as a page."""
+"""Pages of texts with a mark for the cursor."""
 
 from __future__ import annotations
 
@@ -13,6 +13,6 @@ def page(text: str, language: str = "mint") -> Page:
 
 
 def at_cursor(text: str, language: str = "mint") -> tuple[Page, int]:
-    """Return the page of a text without its `|`, and the offset at which that was."""
+    """Return the page of a text without its `|`, and the offset of that mark."""
     offset = text.index("|")
     return page(text[:offset] + text[offset + 1 :], language), offset

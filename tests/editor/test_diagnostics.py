@@ -1,4 +1,4 @@
-"""Diagnostics and quick fixes: the same as those of `motionlang check`."""
+"""Diagnostics and quick fixes are the same as those of `motionlang check`."""
 
 from __future__ import annotations
 

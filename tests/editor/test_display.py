@@ -75,7 +75,7 @@ def test_blocks_are_indented(text: str, wanted: str) -> None:
 
 @cases("path", PROGRAMS, ids=lambda path: path.name)
 def test_the_layout_changes_no_token_and_is_stable(path: Path) -> None:
-    """Blanks before lines are removed first, so that each line is laid out."""
+    """The blanks before each line are removed first, so that every line is laid out."""
     text = Source.read(path).text
     flat = "\n".join(line.lstrip(" \t") for line in text.split("\n"))
     done = laid_out(flat)
@@ -106,7 +106,7 @@ MOVER(0) = 10 : GO(0)
 
 
 def test_each_line_has_its_simulated_time() -> None:
-    """Twelve moves of 0.2 s, and twelve waits of 25 ms; the fault ends the run."""
+    """Twelve moves of 0.2 s and twelve waits of 25 ms, until a fault ends the run."""
     found = times(page(CYCLE))
     assert [(each.line, str(each)) for each in found.lines] == [
         (4, "2.4 s (12×)"), (5, "waits 2.4 s"), (6, "waits 0.3 s"),
@@ -116,7 +116,7 @@ def test_each_line_has_its_simulated_time() -> None:
 
 
 def test_a_loop_that_polls_waits_at_its_line() -> None:
-    """A move of 10 at 100/s, with ramps of 1000/s², takes 0.2 s; no iteration runs."""
+    """A move of 10 at 100/s with ramps of 1000/s² takes 0.2 s; the loop is skipped."""
     text = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVER(0) = 10 : GO(0)\nWhile Not IDLE(0)\nEnd While\n"
     assert [(each.line, str(each)) for each in times(page(text)).lines] == [
         (2, "0.2 s (1×)"),
@@ -125,7 +125,7 @@ def test_a_loop_that_polls_waits_at_its_line() -> None:
 
 
 def test_a_program_without_an_end_is_cut_short() -> None:
-    """An iteration takes 0.5 s and three statements of 10 µs: 59 of them in 30 s."""
+    """An iteration takes 0.5 s and three statements of 10 µs, so 59 fit into 30 s."""
     found = times(
         Page(
             Source("a.mnt", "Loop\n  WAIT = 500\n  Print 1\nEnd Loop\n"), dialect("mint"), {"run.until": 30.0}

@@ -1,4 +1,4 @@
-"""Completion and hover in a machine file say what docs/machine-file.md says."""
+"""Completion and hover in a machine file agree with docs/machine-file.md."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from motionlang.source import Source
 
 
 def completed(text: str) -> list[str]:
-    """Return the texts that would replace what is typed, at the end of a text."""
+    """Return the texts that completion offers at the end of a text."""
     return [each.text for each in complete_machine_file(Source("a.machine.toml", text), len(text))]
 
 

@@ -1,4 +1,4 @@
-"""Hover, definition, references, new names, symbols and folding."""
+"""Hover, definition, references, rename, symbols and folding."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Travel(limit)
 
 
 def with_cursor(line: str) -> str:
-    """Return `PROGRAM` with the cursor that `line` has, a line of it with a `|`."""
+    """Return `PROGRAM` with the cursor `|` of `line`, which is one of its lines."""
     return PROGRAM.replace(line.replace("|", ""), line, 1)
 
 
@@ -119,7 +119,7 @@ def test_blocks_and_comments_fold() -> None:
 
 
 def test_offsets_are_found_when_a_position_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A pause in typing looks up names; most of their positions are never read."""
+    """A pause in typing looks names up, but most of their positions are never needed."""
     texts: list[str] = []
     matches = TABLES.matches
 

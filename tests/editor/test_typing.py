@@ -1,4 +1,4 @@
-"""Completion and signatures: what may follow the text before the cursor."""
+"""Completion and signatures: the texts that may follow at the cursor."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Names that may have been meant, as data.
+"""Names that the user may have meant, as data.
 
-An editor offers them, and `check --fix` does not apply them.
+An editor offers them; `check --fix` does not apply them.
 """
 
 from __future__ import annotations

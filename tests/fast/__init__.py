@@ -1,1 +1,1 @@
-"""Accelerators: each equals the engine."""
+"""Accelerators: each gives the same result as the engine without it."""

@@ -1,4 +1,4 @@
-"""An axis with a linear motor: closed form and plain steps agree in any case."""
+"""An axis with a linear motor: the closed form agrees with plain steps."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The closed form of a linear loop equals plain steps, and hand arithmetic."""
+"""The closed form of a linear loop agrees with plain steps and hand arithmetic."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def track() -> Track:
 
 
 def looked(servo: SpeculativeServo, blocks: list[int]) -> dict[str, Array]:
-    """Return the samples of a servo, block by block."""
+    """Run a servo in blocks of these lengths; return its samples by quantity."""
     rows = np.concatenate([servo.run_block(count) for count in blocks], axis=1)
     return dict(zip(SEEN, rows, strict=True))
 
@@ -104,9 +104,9 @@ def test_blocks_of_any_length_are_the_plain_loop(name: str, plant: str, blocks: 
 
 
 def test_a_drive_without_a_loop_comes_to_its_speed_as_an_exponential() -> None:
-    """2 V on 5000 counts/s per volt, with a lag of 20 ms: v = 10 000 (1 - e^(-t/T)).
+    """2 V at 5000 counts/s per volt, with a lag T of 20 ms: v = 10 000 (1 - e^(-t/T)).
 
-    p is its integral.
+    The position p is the integral of v.
     """
     servo = ClosedFormServo(Loop(servo_rate=1000.0), Drive(5000.0, 0.02), Track([0.0], [hold(0.0)]))
     servo.open(2.0)
@@ -120,9 +120,9 @@ def test_a_drive_without_a_loop_comes_to_its_speed_as_an_exponential() -> None:
 
 
 def test_a_loop_of_gain_alone_follows_a_ramp_at_a_distance() -> None:
-    """0.01 V per count must give 5000 counts/s at 5000 counts/s per volt.
+    """A drive of 5000 counts/s per volt needs 1 V for 5000 counts/s.
 
-    So the error is 100 counts.
+    The gain is 0.01 V per count, so the following error is 100 counts.
     """
     ramp = plan_trapezoid(0.0, 1e6, 5000.0, 1e6, 1e6)
     seen = looked(ClosedFormServo(Loop(0.01), Drive(5000.0, 2e-3), Track([0.0], [ramp])), [8000])
@@ -131,7 +131,7 @@ def test_a_loop_of_gain_alone_follows_a_ramp_at_a_distance() -> None:
 
 
 def test_a_constant_torque_is_a_parabola() -> None:
-    """0.1 A on 0.05 N m/A accelerate 2e-5 kg m² at 250 rad/s²: after a second 125 rad.
+    """0.1 A at 0.05 N m/A accelerate 2e-5 kg m² at 250 rad/s²: 125 rad in one second.
 
     A radian has 4000/2π counts.
     """
@@ -148,7 +148,7 @@ def test_a_constant_torque_is_a_parabola() -> None:
 
 @given(st.integers(1, 3000), st.sampled_from(sorted(FORMS)))
 def test_a_sample_is_the_same_to_the_last_bit_wherever_a_block_ends(count: int, name: str) -> None:
-    """A motor that is taken over is exactly where it was read: samples repeat exactly."""
+    """Samples repeat exactly: a motor that is taken over is exactly where it was read."""
     servo, twin = (ClosedFormServo(FORMS[name], LINEAR["gravity"], track()) for _ in range(2))
     servo.run_block(150)
     twin.run_block(150)
@@ -161,7 +161,7 @@ def test_a_sample_is_the_same_to_the_last_bit_wherever_a_block_ends(count: int, 
 @pytest.mark.parametrize("first", [1, 2, 3, 4])
 @pytest.mark.parametrize("name", ["feed-forward alike", "feed-forward at Mint's rate"])
 def test_a_loop_that_was_closed_remembers_where(name: str, first: int) -> None:
-    """A motor at speed is taken over: its command stays there, for all later points."""
+    """The loop closes on a moving motor, and its command stays at that position."""
 
     def taken_over(blocks: list[int]) -> Array:
         growing = Track([0.0], [hold(0.0)])
@@ -178,7 +178,7 @@ def test_a_loop_that_was_closed_remembers_where(name: str, first: int) -> None:
 
 
 def test_a_motor_comes_to_rest_to_the_last_bit() -> None:
-    """The rest of a motion decays to zero: a long rest is periodic, and costs nothing."""
+    """The residual motion decays to exactly zero, so a long rest costs nothing."""
     loop = Loop(0.04, 4e-4, 0.9, integral_limit=5.0)
     free, held = (ClosedFormServo(loop, LINEAR[name], track()) for name in ("motor", "gravity"))
     for servo in free, held:

@@ -1,4 +1,4 @@
-"""Polling MCCL loops that count registers are skipped with an equal result."""
+"""Polling MCCL loops that count in registers are skipped with an equal result."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ PARTS = (
 
 
 def outcome(text: str, fast: bool, until: float = 0.6) -> dict[str, Any]:
-    """Return everything that a run shows."""
+    """Return everything that the run of a program shows."""
     result = execution.run(Source("a.mcl", text), machine=MACHINE, cache=False, fast=fast, until=until)
     report: Any = result.report
     switched = [(each.time, each.channel, each.value) for each in result.machine.log.outputs]
@@ -44,7 +44,7 @@ def outcome(text: str, fast: bool, until: float = 0.6) -> dict[str, Any]:
     ),
 )
 def test_a_counting_loop_is_skipped(loop: str, counted: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A move of 1000 takes 1.05 s: thousands of iterations of ten commands."""
+    """A move of 1000 takes 1.05 s, which is thousands of iterations of ten commands."""
     text = f"{HEAD}MD6,{loop}\n{MOVES}\n1MR1000,MC6,TR40,TR43\n"
     assert outcome(text, True, 5.0) == outcome(text, False, 5.0)
     calls = 0
@@ -62,7 +62,7 @@ def test_a_counting_loop_is_skipped(loop: str, counted: int, monkeypatch: pytest
 
 
 def program(seed: int) -> str:
-    """Return a program with a loop of some parts, in the background or not."""
+    """Return a program with a loop of some fragments, in the background or foreground."""
     random = Random(seed)
     parts = [random.choice(PARTS[:3]), *(random.choice(PARTS) for _ in range(random.randint(0, 3)))]
     random.shuffle(parts)
@@ -83,7 +83,7 @@ def program(seed: int) -> str:
 
 
 def is_equal(seed: int) -> bool:
-    """True if a program runs equally with accelerators and without."""
+    """True if a program has the same result with accelerators and without."""
     return outcome(program(seed), True) == outcome(program(seed), False)
 
 

@@ -1,4 +1,4 @@
-"""Rounds of several MCCL tasks are skipped with an equal result."""
+"""Iterations of several MCCL tasks are skipped together, with an equal result."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ PARTS = (
 
 
 def random_program(seed: int) -> str:
-    """Return two to four random watches alongside moves."""
+    """Return a program of two to four random polling loops alongside moves."""
     random = Random(seed)
     count = random.randint(2, 4)
     lines = ['LU"STATUS",AR21,LU"POSITION",AR22,LU"VELOCITY",AR23', "MD25,IN5,CN45,NO", "MD26,IF6,CF45,NO"]
@@ -80,7 +80,7 @@ def test_skipping_rounds_of_random_watches_changes_nothing(seed: int) -> None:
 
 
 def test_an_hour_of_two_watches_is_over_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """1 count/s takes an hour and a ramp of 1 s for 3600 counts."""
+    """3600 counts at 1 count/s take an hour, and the ramps 1 s more."""
     resumed, resume = 0, CommandTask.resume
 
     def counted(task: CommandTask, now: float, horizon: float) -> object:

@@ -46,7 +46,7 @@ def program(seed: int) -> tuple[str, dict[str, object]]:
 
 
 def is_equal(seed: int) -> bool:
-    """True if a program runs equally with accelerators and without."""
+    """True if a program has the same result with accelerators and without."""
     given = program(seed)
     return document(*given, True) == document(*given, False)
 
@@ -57,7 +57,7 @@ def test_generated_loops_are_equal() -> None:
 
 
 def test_pulses_of_a_loop_are_all_in_the_log() -> None:
-    """An iteration takes three statements of 10 µs; the output is on for one."""
+    """An iteration has three statements of 10 µs; the output is on for one of them."""
     text = "While TIME < 5000\n  OUTX(1) = 1\n  OUTX(1) = 0\nEnd While\nPRINT TIME\n"
     found = run(Source("a.mnt", text), cache=False, fast=True)
     changes = found.machine.log.outputs
@@ -87,7 +87,7 @@ def test_the_iterations_are_not_executed(monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 def test_an_output_that_alternates_has_a_change_for_each_iteration() -> None:
-    """An iteration takes two statements of 10 µs."""
+    """An iteration has two statements of 10 µs."""
     text = "While TIME < 5000\n  OUTX(1) = Not OUTX(1)\nEnd While\n"
     changes = run(Source("a.mnt", text), cache=False, fast=True).machine.log.outputs
     assert len(changes) == 250_000

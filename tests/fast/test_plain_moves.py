@@ -1,4 +1,4 @@
-"""Plain moves: a run equals one with objects for all moves, to the last bit."""
+"""Fast-path moves: a run is equal if all moves are objects, to the last bit."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def all_of(result: Run) -> list[object]:
 
 
 def orders(result: Run) -> list[object]:
-    """Return the records for the proof."""
+    """Return the records that a run makes for the proof."""
     kept = result.orders
     assert kept is not None
     found = [
@@ -107,7 +107,7 @@ def orders(result: Run) -> list[object]:
 def held_apart(
     text: str, monkeypatch: pytest.MonkeyPatch, machine: dict[str, object] | None, file: str = "a.mnt"
 ) -> list[Run]:
-    """Run the program with plain moves and without."""
+    """Return the runs of a program with fast-path moves and without them."""
     source = Source(file, text)
     first = run(source, cache=False, until=6.0, machine=machine, prove=True)
     with monkeypatch.context() as patch:

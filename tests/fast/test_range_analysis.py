@@ -1,4 +1,4 @@
-"""Checks omitted by the range analysis never make a difference."""
+"""Omitting the checks that range analysis excludes makes no difference."""
 
 from __future__ import annotations
 
@@ -23,7 +23,10 @@ ENDS = re.compile(r"^ *(Next|End While|Until .*|End If)$", re.MULTILINE)
 
 
 def compare(text: str, written: str = "") -> None:
-    """Check that the compiled program, or `written`, acts like the plain one."""
+    """Check that the compiled program, or `written`, acts like the reference.
+
+    The reference interprets `text` with all checks.
+    """
     source = Source("random.mnt", written or text)
     if DIALECT.check(source):
         return  # an error before the program runs
@@ -124,7 +127,7 @@ def test_brackets_stand_where_python_would_group_otherwise(written: str, python:
 
 
 def test_what_fails_under_onerror_leaves_what_was() -> None:
-    """The If fails in its condition, so neither branch is executed."""
+    """The condition of the If fails, so neither branch is executed."""
     text = """
     Dim a(3) As Integer, x As Integer, z As Integer, i As Integer
     For i = 1 To 2

@@ -1,4 +1,4 @@
-"""Periods of several tasks are skipped only if their joint states are equal."""
+"""Periods of several tasks are skipped only if their joint state recurs."""
 
 from __future__ import annotations
 
@@ -126,15 +126,18 @@ def ran(text: str, until: float | None = None, cost: float = 1e-5) -> Run:
 
 
 def test_a_counter_that_the_polling_loop_does_not_name_counts() -> None:
-    """Other begins at 1.03 ms and sets `a` every 100.03 ms, the 20th at 2 001.6 ms.
+    """Other begins at 1.03 ms and sets `a` every 100.03 ms, lastly at 2 001.6 ms.
 
-    After that 50 ms pass.
+    That is the 20th time. Another 50 ms pass after it.
     """
     assert ran(COUNTED).output == ["20 2051"]
 
 
 def test_a_time_that_is_read_outside_the_polling_loop_passes() -> None:
-    """`a` is set 1.03 ms after each multiple of 100.03 ms, so first at 1 101.36."""
+    """`a` is set 1.03 ms after each multiple of 100.03 ms.
+
+    The first of these times after 1050 ms is 1 101.36 ms.
+    """
     assert ran(TIMED).output == ["1101"]
 
 
@@ -160,7 +163,7 @@ def test_it_is_as_every_iteration_has_it(text: str, cost: float) -> None:
 
 
 def test_tasks_that_hand_a_variable_to_and_fro_for_ever_are_skipped() -> None:
-    """Each task changes the variable that the other polls, in a joint period."""
+    """Each task changes the variable that the other one polls, in a joint period."""
     text = COUNTED.replace("  n = n + 1\n", "")
     result = ran(text)
     assert result.time == pytest.approx(28_800.0)

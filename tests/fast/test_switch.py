@@ -1,4 +1,4 @@
-"""The switch: a run without accelerators is equal, and loads none of them."""
+"""The switch for accelerators: without them a run is equal and loads none of them."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_the_environment_sets_it_and_an_argument_overrides_that(monkeypatch: pyt
 def test_a_compiled_program_is_cached_for_each_setting(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Code of one setting differs from the other: it contains the ranges of variables."""
+    """The code of the two settings differs: one contains the ranges of variables."""
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
     monkeypatch.delenv("MOTIONLANG_NO_CACHE", raising=False)
     source = Source("a.mnt", PROGRAMS[0])

@@ -1,4 +1,4 @@
-"""Tasks that wait resume one after the other, equal to a check of every task."""
+"""Waiting tasks resume one after the other, as if every task were checked."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ INPUTS: dict[str, object] = {"input": [{"channel": 1, "at": 0.2, "for": 0.7, "ev
 
 
 def program(random: Random) -> str:
-    """Return three tasks, each a loop of some steps."""
+    """Return a program of three tasks, each a loop of some steps."""
     found = SETTINGS + "".join(f"Run axis{n}\n" for n in range(3)) + "WAIT(6000)\nEnd\n"
     for n in range(3):
         steps = [random.choice(STEPS) for _ in range(random.randint(2, 6))]

@@ -1,4 +1,4 @@
-"""A task whose wait ends first continues without a switch, with an equal result."""
+"""The task whose wait ends first continues without a task switch, equally."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def left(result: Run) -> tuple[object, ...]:
 
 
 def both(source: Source, machine: dict[str, object], until: float | None = None) -> tuple[Run, Run]:
-    """Return the run, and one with an observed clock, in which every wait yields."""
+    """Return a run, and one with an observed clock, in which every wait yields."""
     return (
         execution.run(source, machine=machine, cache=False, until=until),
         execution.run(source, machine=machine, cache=False, until=until, pace=lambda now: None),
@@ -121,7 +121,7 @@ def both(source: Source, machine: dict[str, object], until: float | None = None)
 
 @pytest.fixture
 def passed(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """Return the ends of the waits that pass without a switch."""
+    """Return a list that gets the end of each wait that passes without a switch."""
     ends: list[float] = []
     passes = TimeSlices.passes_among_others
 
@@ -164,7 +164,7 @@ def test_a_task_among_others_goes_on_where_it_stands(name: str, passed: list[flo
 
 @pytest.mark.parametrize("until", [0.2, 0.40002, 0.404, 0.41, 1.7777])
 def test_a_run_ends_in_the_middle_of_a_wait(until: float) -> None:
-    """It ends at 0.4 s in the move, 0.007 s in the WAIT, and at the ends of both."""
+    """The run ends at 0.4 s in the move, 0.007 s in the WAIT, or at the end of either."""
     program, machine = MEETS["nothing"]
     source = Source("waits.mnt", SETTINGS + program.replace("{move}", MOVE) + "\n")
     where_it_stands, gives_way = both(source, machine, until)
@@ -173,7 +173,7 @@ def test_a_run_ends_in_the_middle_of_a_wait(until: float) -> None:
 
 
 def test_a_wait_ends_no_later_than_another_task_is_due(passed: list[float]) -> None:
-    """A wait that ends with that of another task, or after it, yields."""
+    """A wait yields if it ends when another task's wait ends, or later."""
     program = (
         "Run Worker\nWAIT(100)\nPRINT TIME\nEnd\nTask Worker\n  While 1\n    WAIT(40)\n  Wend\nEnd Task\n"
     )
@@ -183,7 +183,7 @@ def test_a_wait_ends_no_later_than_another_task_is_due(passed: list[float]) -> N
 
 
 def interrupting(after: int) -> Callable[[TimeSlices, float, float, bool], float]:
-    """Return a replacement that interrupts a run at a wait without a switch."""
+    """Return a replacement that interrupts the run at the wait number `after`."""
     passes, left = TimeSlices.passes_among_others, after
 
     def ends(scheduler: TimeSlices, since: float, end: float, by_bell: bool) -> float:

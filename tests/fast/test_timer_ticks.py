@@ -1,4 +1,4 @@
-"""Ticks of TIMER that do the same are skipped, and the log has all of them."""
+"""Ticks of TIMER with equal effects are skipped, and the log has all of them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FEW = 12
 
 @pytest.fixture
 def ticks(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """The times of the ticks whose handlers are executed."""
+    """Return a list that gets the time of each tick whose handler is executed."""
     found: list[float] = []
     tick = TimerTicks._tick
 
@@ -49,7 +49,7 @@ def printed(found: Run) -> list[int]:
 
 
 def test_a_counter_has_counted_every_tick(ticks: list[float]) -> None:
-    """The timer starts at 30 µs, and the wait of 10 s ends after its tick 10 000."""
+    """The timer starts at 30 µs, and the wait of 10 s ends after its 10 000th tick."""
     found = ran("n = n + 1")
     assert printed(found)[0] == 10_000
     assert len(found.machine.log.events) == 10_000
@@ -64,7 +64,7 @@ def test_the_log_has_a_handler_at_each_tick(ticks: list[float]) -> None:
 
 
 def test_a_toggled_output_has_a_record_for_each_change() -> None:
-    """The handler's first statement is at the time of its tick."""
+    """The handler's first statement is executed at the time of its tick."""
     outputs = ran("OUTX(3) = Not OUTX(3)", period=10).machine.log.outputs
     start = 3 * 1e-5
     assert [(each.channel, each.value) for each in outputs] == [(3, k % 2) for k in range(1, 1001)]
@@ -99,7 +99,7 @@ def test_a_handler_that_decides_does_so_at_the_right_tick(handler: str, n: int, 
 
 
 def test_a_handler_that_watches_a_move_sees_the_level_pass(ticks: list[float]) -> None:
-    """From 0.1 s and 5 uu on the axis moves 0.1 uu a tick; it passes 50 after 0.55 s."""
+    """After 0.1 s and 5 uu the axis moves 0.1 uu per tick; it passes 50 after 0.55 s."""
     found = ran("If n = 0 And POS(0) > 50 Then n = TIME", "MOVEA(0) = 90 : GO(0)\nPAUSE IDLE(0)")
     assert printed(found)[0] == pytest.approx(551, abs=1)
     assert len(ticks) < 100

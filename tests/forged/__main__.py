@@ -1,6 +1,6 @@
-"""`python -m tests.forged [COUNT]`: forged planners that the proof accepts.
+"""`python -m tests.forged [COUNT]` lists forged planners that pass the proof.
 
-It counts those that change the motion. `--only TEXT` selects those whose names have the text.
+It counts those that change the motion. `--only TEXT` selects changes whose names contain the text.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from tests.forged.verdicts import honest, verdict
 
 
 def main(count: int, only: str) -> int:
-    """Print a line per planner; 1 if one changes the motion and passes."""
+    """Print a line per planner; return 1 if one changes the motion and passes."""
     motions = honest()
     every = [each for each in changes() if only in str(each)] if only else chosen(count)
     kinds: Counter[str] = Counter()

@@ -1,7 +1,7 @@
-"""Single changes to the arithmetic of planners: their list, use and removal.
+"""Single changes to the arithmetic of planners: list, apply and remove them.
 
-A change is of one expression of one function. The text of its module is compiled with the change, and the
-function gets the new code; nothing is imported again, so thousands can be tried in one process.
+Each changes one expression of one function. The text of its module is compiled with the change, and the
+function gets the new code. Nothing is imported again, so thousands can be tried in one process.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _WORKED: dict[type[ast.operator], type[ast.operator]] = {
 
 
 class Change(NamedTuple):
-    """One change: module, qualified function name, expression number, both texts."""
+    """One change: module, function, number of the expression, old and new text."""
 
     module: str
     function: str
@@ -53,7 +53,7 @@ class Change(NamedTuple):
 
 
 def changes(path: str = "") -> list[Change]:
-    """Return all changes of a file or of all files, in the order of their text."""
+    """Return all changes of a file, or of all files, in the order of the source text."""
     return [each for name in FILES if path in ("", name) for each in _of_file(name)]
 
 
@@ -65,7 +65,7 @@ def chosen(count: int) -> list[Change]:
 
 @contextmanager
 def forged(change: Change) -> Iterator[None]:
-    """Put the change in force."""
+    """Apply a change for the duration of a `with` block."""
     function = _function(change)
     honest = function.__code__
     function.__code__ = _code(change)
@@ -133,7 +133,7 @@ def _function(change: Change) -> FunctionType:
 
 
 def _code(change: Change) -> CodeType:
-    """Return the code of the function with the change."""
+    """Return the code of the changed function."""
     path = PACKAGE.parent / (change.module.replace(".", "/") + ".py")
     tree = ast.parse(path.read_bytes())
     node = next(node for name, node in _functions(tree, "") if name == change.function)

@@ -1,7 +1,7 @@
 """Forged logs: single changes of a run's log, which the proof must reject.
 
-A change is of one entry, in place, so that an entry in progress stays the one of its axis. The report is made
-from the forged log, so it agrees and cannot reveal the change.
+An entry is changed in place, so that an entry in progress remains that of its axis. The report is made
+from the forged log, so the two agree and the report cannot reveal the change.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ Entries = list[Move]
 
 
 class Forged(NamedTuple):
-    """One forged log: the program, the kind of change, and the number of the entry."""
+    """One forged log: the program, the kind of change, and the number of its entry."""
 
     program: str
     kind: str
@@ -31,7 +31,7 @@ class Forged(NamedTuple):
 
 
 class Log(list[Move]):
-    """A list of entries in place of the log of a controller."""
+    """A list of entries that replaces the log of a controller."""
 
     packed = 0
 
@@ -48,7 +48,7 @@ def _profile(move: Move) -> Profile:
 
 
 def _end(move: Move) -> float:
-    """Return the duration of an entry, or a second for an endless one."""
+    """Return the duration of an entry; 1 s if it is endless."""
     return min(_profile(move).duration, 1.0)
 
 
@@ -78,7 +78,7 @@ def _twice(entries: Entries, k: int) -> None:
 
 
 def _swapped(entries: Entries, k: int) -> None:
-    """Exchange the profiles of an entry and of another one with a different motion."""
+    """Exchange the profiles of two entries with different motion."""
     others = [each for each in entries if _shape(each) != _shape(entries[k])]
     if others:
         entries[k].profile, others[0].profile = others[0].profile, entries[k].profile
@@ -90,7 +90,7 @@ def _shape(move: Move) -> tuple[float, float, float]:
 
 
 def _split(entries: Entries, k: int) -> None:
-    """Replace one entry by two that claim to be complete."""
+    """Replace one entry by two that both claim to be complete."""
     first, second, half = entries[k], _copy(entries[k]), 0.5 * _end(entries[k])
     profile = _profile(first)
     first.profile, second.profile = profile.cut(half), profile.after(half)
@@ -99,7 +99,7 @@ def _split(entries: Entries, k: int) -> None:
 
 
 def _merged(entries: Entries, k: int) -> None:
-    """Merge an entry and the next one of its axis."""
+    """Merge an entry with the next one of its axis."""
     following = next((each for each in entries[k + 1 :] if each.axis == entries[k].axis), None)
     if following is None:
         return
@@ -136,9 +136,9 @@ KINDS: dict[str, Callable[[Entries, int], None]] = {
 
 
 def candidates() -> Iterator[Forged]:
-    """Yield all forged logs: each kind of change, program, and some entries.
+    """Yield all forged logs: each kind of change for some entries of each program.
 
-    The entries are the first, the last and one in between.
+    They are the first entry, the last one and one in between.
     """
     for program in PROGRAMS:
         count = len(ran(program).controller.log.moves)
@@ -148,13 +148,13 @@ def candidates() -> Iterator[Forged]:
 
 
 def chosen(count: int) -> list[Forged]:
-    """Return `count` of all, evenly spaced."""
+    """Return `count` of all candidates, evenly spaced."""
     found = list(candidates())
     return [found[k * len(found) // count] for k in range(min(count, len(found)))]
 
 
 def forge(each: Forged) -> tuple[Run, bool]:
-    """Return the run with its forged log, and true if its motion differs."""
+    """Return the run with its forged log, and True if its reported motion differs."""
     result = ran(each.program)
     entries = Log(result.controller.log.moves)
     result.controller.log.moves = entries  # type: ignore[assignment]

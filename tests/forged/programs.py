@@ -1,4 +1,4 @@
-"""The programs for forged planners: each kind of motion, begun, changed and ended."""
+"""Programs for forged planners: each kind of motion, begun, changed and ended."""
 
 from __future__ import annotations
 

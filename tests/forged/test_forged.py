@@ -1,4 +1,4 @@
-"""A sample of the forged planners with the program that exposes each.
+"""A sample of the forged planners, each with the program that exposes it.
 
 `-m long` runs all of them.
 """
@@ -81,7 +81,7 @@ def test_the_programs_of_the_honest_planners_are_proved() -> None:
 
 @pytest.mark.long
 def test_no_forged_planner_that_changes_the_motion_passes() -> None:
-    """300 of all changes, evenly spaced; a longer path is listed in `docs/proof.md`."""
+    """300 changes, evenly spaced; `docs/proof.md` lists slower paths as an exception."""
     motions = honest()
     passed = []
     for change in chosen(300):

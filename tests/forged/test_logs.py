@@ -1,6 +1,6 @@
-"""Forged logs: 100 single changes, each rejected by the proof.
+"""Forged logs: the proof rejects each of 100 single changes.
 
-`-m long` takes all.
+`-m long` takes all of them.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from tests.forged.logs import Forged, candidates, chosen, forge
 
 
 def accepted(logs: list[Forged]) -> list[str]:
-    """Return those with another motion that are not rejected."""
+    """Return the forged logs whose motion differs, but which the proof accepts."""
     found = []
     for each in logs:
         result, differs = forge(each)

@@ -1,4 +1,4 @@
-"""Verdicts on programs under a forged planner: same, rejected, failed, passed."""
+"""Verdicts on forged planners: same, rejected, failed, slower or passed."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ MAX_SECONDS = 5.0
 
 
 class Entry(NamedTuple):
-    """An entry of the log: axis, start, duration, end, and true for a path.
+    """An entry of the log: axis, start, duration, end, and True for a path.
 
-    A motion in progress at the end of the run has no duration: it is inf.
+    The duration is inf for a motion in progress at the end of the run.
     """
 
     axis: int
@@ -37,21 +37,21 @@ class Entry(NamedTuple):
     on_path: bool
 
     def is_like(self, other: Entry) -> bool:
-        """True if both have equal durations and ends, within rounding."""
+        """True if both entries have equal axes, durations and ends, within rounding."""
         return self.ends_like(other) and (
             self.duration == other.duration
             or abs(self.duration - other.duration) <= ALIKE * max(1.0, min(self.duration, other.duration))
         )
 
     def ends_like(self, other: Entry) -> bool:
-        """True if both are of one axis and end at the same position, within rounding."""
+        """True if both entries have equal axes and ends, within rounding."""
         return self.axis == other.axis and abs(self.end - other.end) <= ALIKE * max(1.0, abs(self.end))
 
 
 class Motion(NamedTuple):
-    """Positions and speeds of the axes at some times and at the end, and log entries.
+    """Positions and speeds of all axes at some times and at the end, and log entries.
 
-    `time` is when the run ended; `called` are the functions that it called.
+    `time` is the end of the run; `called` are the functions that the run called.
     """
 
     time: float
@@ -61,20 +61,20 @@ class Motion(NamedTuple):
     called: frozenset[str] = frozenset()
 
     def is_slower_path(self, other: Motion) -> bool:
-        """True if only the paths differ: equal ends, and no shorter time."""
+        """True if both differ only in paths that end alike and are not shorter in time."""
         return len(self.entries) == len(other.entries) and all(
             a.ends_like(b) and a.duration >= b.duration * (1.0 - ALIKE) if a.on_path else a.is_like(b)
             for a, b in zip(self.entries, other.entries, strict=True)
         )
 
     def ends_like(self, other: Motion) -> bool:
-        """True if both end at the same position, within rounding."""
+        """True if all axes end at the same positions, within rounding."""
         return len(self.ends) == len(other.ends) and all(
             abs(a - b) <= ALIKE * max(1.0, abs(a)) for a, b in zip(self.ends, other.ends, strict=True)
         )
 
     def differs(self, other: Motion) -> bool:
-        """True if another motion differs by more than rounding and longer waits."""
+        """True if the other motion differs by more than rounding and longer waits."""
         if not self.ends_like(other) or len(self.states) != len(other.states):
             return True
         if len(self.entries) != len(other.entries):
@@ -90,10 +90,10 @@ class Motion(NamedTuple):
 
 
 class Verdict(NamedTuple):
-    """`kind` is "same", "rejected", "failed", "slower" or "passed".
+    """A verdict: "same", "rejected", "failed", "slower" or "passed".
 
-    `program` and `message` are the program concerned, and the reason. A "slower" path observes its bounds and
-    its end: `docs/proof.md` lists that its shortest time is not proved.
+    `program` and `message` are the program that led to it, and the reason. A "slower" path observes its bounds and
+    its end: as `docs/proof.md` states, the proof does not cover that a path takes the shortest time.
     """
 
     kind: str
@@ -102,11 +102,11 @@ class Verdict(NamedTuple):
 
 
 class Endless(Exception):
-    """A program takes too long."""
+    """Raised if a program takes too long."""
 
 
 def ran(name: str) -> Run:
-    """Run a program to be proved."""
+    """Return the run of a program, prepared for a proof."""
     machine = {"controller.instruction_time": 1e-9}
     return run(Source(name, PROGRAMS[name]), machine=machine, cache=False, prove=True, until=60.0)
 
@@ -125,7 +125,7 @@ def motion(result: Run, times: list[float]) -> Motion:
 
 
 def honest(names: Iterable[str] = PROGRAMS) -> dict[str, Motion]:
-    """Return the motion of programs under the real planners."""
+    """Return the motion of programs with the real planners."""
     found = {}
     for name in names:
         called: set[str] = set()
@@ -145,10 +145,10 @@ def honest(names: Iterable[str] = PROGRAMS) -> dict[str, Motion]:
 
 
 def verdict(motions: dict[str, Motion], function: str = "") -> Verdict:
-    """The verdict on the planner in force, for programs with given real motions.
+    """Return the verdict on the present planner, given the real motion of programs.
 
-    Only those that call a function run. It is rejected with the first program that is; it passes if it
-    changes the motion of one and none is rejected.
+    Only programs that call `function` run. The first rejected program decides. Otherwise the planner passes if it
+    changes the motion of any program.
     """
     told = Verdict("same")
     for name, before in motions.items():
@@ -186,7 +186,7 @@ def _times(end: float) -> list[float]:
 
 @contextmanager
 def _limited() -> Iterator[None]:
-    """Raise an exception after a time limit."""
+    """Raise `Endless` if the block exceeds the time limit."""
 
     def give_up(number: int, frame: FrameType | None) -> None:
         raise Endless

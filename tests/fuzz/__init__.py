@@ -1,5 +1,5 @@
-"""No input ends in a traceback: generated programs, and mutated ones.
+"""No input ends in a traceback: generated and mutated programs.
 
-`python -m tests.fuzz mint 1000000` runs that many and prints those that crash the interpreter; the tests run
-a sample.
+`python -m tests.fuzz mint 1000000` runs a million and prints those that crash the interpreter; the tests run a
+sample.
 """

@@ -1,6 +1,6 @@
-"""`python -m tests.fuzz mint 1000000 [SEED]`: run inputs, 0 for every keyword.
+"""`python -m tests.fuzz mint 1000000 [SEED]` runs a million inputs.
 
-It prints each kind of failure once.
+A count of 0 runs every keyword. Each kind of failure is printed once.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from tests.fuzz.inputs import WORDS, inputs
 
 
 def main(name: str, count: int, seed: int) -> int:
-    """Run the inputs; the exit status is 1 if one fails."""
+    """Run the inputs; return 1 if one of them fails."""
     seen: dict[str, str] = {}
     begun, done = monotonic(), 0
     for text in WORDS[name]() if count == 0 else inputs(name, count, seed):

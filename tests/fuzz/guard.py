@@ -1,4 +1,4 @@
-"""Detection of crashes of the interpreter, and of time limits, in process."""
+"""Detection of interpreter crashes and of exceeded time limits, in this process."""
 
 from __future__ import annotations
 
@@ -19,15 +19,14 @@ UNTIL, MAX_SECONDS = 0.5, 20.0
 
 
 class TooLong(Exception):
-    """An input exceeds the time limit."""
+    """Raised if an input exceeds the time limit."""
 
 
 @contextmanager
 def bounded(seconds: float) -> Iterator[None]:
-    """Raise `TooLong` in the main thread after some seconds of the process.
+    """Raise `TooLong` in the main thread after some seconds of processor time.
 
-    It is raised again every second, because the first one may come where Python ignores exceptions: in a
-    `__del__`.
+    It is raised again every second, because Python ignores the first one if it comes in a `__del__`.
     """
 
     def end(number: int, frame: FrameType | None) -> None:
@@ -43,7 +42,7 @@ def bounded(seconds: float) -> Iterator[None]:
 
 
 def trouble(name: str, text: str) -> str:
-    """Return the end of the traceback of a program's check or run; "" for none."""
+    """Return the error of a program's check or run and its location; "" if none."""
     source = Source(f"fuzz{SUFFIX[name]}", text)
     try:
         with bounded(MAX_SECONDS):

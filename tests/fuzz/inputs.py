@@ -1,4 +1,4 @@
-"""The inputs: every keyword in every form and loop, and mutations of the gallery."""
+"""The inputs: every keyword in every form and loop, and mutated gallery programs."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ _LINES = (
 
 
 def mccl_words() -> Iterator[str]:
-    """Yield every command, with and without an axis, with four parameters and lines."""
+    """Yield every command with and without an axis, with four parameters and in lines."""
     for row in dialect("mccl").table():
         for axis in ("1", ""):
             for parameter in _PARAMETERS:
@@ -98,7 +98,7 @@ _NUMBERS = (
 
 @cache
 def gallery(name: str) -> tuple[list[str], ...]:
-    """Return the tokens of every program of a language's gallery and manual."""
+    """Return the tokens of each program of a language in the gallery and the manual."""
     suffix, language = SUFFIX[name], dialect(name)
     paths = sorted([*ROOT.glob(f"scripts/{name}/*{suffix}"), *ROOT.glob(f"tests/spec/{name}/**/*{suffix}")])
     texts = [Source.read(path).text for path in paths]
@@ -107,7 +107,7 @@ def gallery(name: str) -> tuple[list[str], ...]:
 
 @cache
 def vocabulary(name: str) -> list[str]:
-    """Return every token of the gallery, once, and every keyword of the language."""
+    """Return each token of the gallery once, and every keyword of the language."""
     pieces = {piece for tokens in gallery(name) for piece in tokens if piece.strip()}
     return sorted(pieces | {row.name for row in dialect(name).table()})
 
@@ -153,7 +153,10 @@ def _bytes_changed(text: str, random: Random) -> str:
 
 
 def inputs(name: str, count: int, seed: int) -> Iterator[str]:
-    """Yield `count` programs of a language: mutations, a tenth with a keyword form."""
+    """Yield `count` programs of a language.
+
+    Nine in ten are mutations; one in ten is a form of a keyword.
+    """
     random = Random(f"{name} {seed}")
     words = list(WORDS[name]())
     for _ in range(count):

@@ -1,6 +1,6 @@
-"""No program ends in a traceback or takes for ever: a seeded sample.
+"""No program ends in a traceback or runs for ever: a sample by seed.
 
-The long runs use all keywords and more.
+The long runs use all keywords and more programs.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
 """`python -m tests.generated [COUNT] [--seed N] [--jobs N] [--into FOLDER]`.
 
-It runs generated programs with their checks. It takes the seeds N, N + 1 and so on, and prints each finding
-with its seed. `--family words` runs programs of every keyword of both languages instead of those of motion.
-`--into` writes the programs with a finding to a folder, each with its machine file.
+Run COUNT generated programs with their checks, for the seeds N, N + 1 and so on. Each finding is printed with
+its seed. `--family words` runs programs of every keyword of both languages instead of motion programs.
+`--into` writes each program with a finding to a folder, together with its machine file.
 
-`--show SEED` prints one program and its machine file instead, `--shrink SEED` the smallest one that still has
-its finding, and `--words` how often the programs of the seeds have each simulated keyword, and why some have
-not.
+Three options print something instead. `--show SEED` prints one program and its machine file. `--shrink SEED`
+prints the smallest program that still has the finding. `--words` prints how many of the programs have each
+simulated keyword, and why some keywords are missing.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ def _checked(seeds: range, family: str) -> list[tuple[int, list[str]]]:
 
 
 def report_keywords_without_effect(seeds: range, family: str) -> int:
-    """Print how many programs have each simulated keyword; 1 if one is missing.
+    """Print how many programs have each simulated keyword; return 1 if one is missing.
 
-    A given reason excuses it.
+    A missing keyword that has a listed reason does not count.
     """
     drawn: dict[str, Counter[str]] = {language: Counter() for language in NEVER}
     for seed in seeds:
@@ -51,7 +51,7 @@ def report_keywords_without_effect(seeds: range, family: str) -> int:
 
 
 def main(arguments: list[str]) -> int:
-    """Run the programs; exit with 1 if one has a finding."""
+    """Run the programs; return 1 if one has a finding."""
     parser = argparse.ArgumentParser(prog="tests.generated")
     parser.add_argument("count", nargs="?", type=int, default=300)
     parser.add_argument("--seed", type=int, default=1)

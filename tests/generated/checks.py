@@ -1,7 +1,8 @@
-"""The checks of every generated program, whatever it does.
+"""The checks of every generated program, independent of its content.
 
-Each program is run once and checked for general properties of runs. Then it is run in a second manner that
-must not change anything, or only to an earlier time; the seed selects it, as each costs another run.
+Each program is run once and checked for general properties of runs. Then it is run a second time under a
+condition that must not change the result, or only to an earlier time. The seed selects the condition, since
+each one costs another run.
 """
 
 from __future__ import annotations
@@ -75,13 +76,13 @@ def _report(result: Run) -> str:
 
 
 def _again(program: Generated, first: Run, report: str) -> Iterator[str]:
-    """Check that an earlier run leaves no state."""
+    """Check that a run leaves no state: a second run gives the same report."""
     if report != _report(_run(program)):
         yield "again: a second run has another report"
 
 
 def _cached(program: Generated, first: Run, report: str) -> Iterator[str]:
-    """Check a program from the cache, with everything that the first run has compiled."""
+    """Check that the program loaded from the compile cache gives the same report."""
     compiled = first.program
     payload = compiled.payload() if compiled is not None else None
     if payload is None:
@@ -91,9 +92,9 @@ def _cached(program: Generated, first: Run, report: str) -> Iterator[str]:
 
 
 def _cut(program: Generated, first: Run, report: str) -> Iterator[str]:
-    """Check runs to an earlier time: to any, or the middle of a move.
+    """Check runs up to an earlier time, either any time or within a move.
 
-    Every eighth program has several.
+    For every sixteenth seed, check three such times.
     """
     draw = Draw(program.seed)
     moves = [move for move in first.controller.log.moves if move.profile is not None]

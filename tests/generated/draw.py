@@ -1,4 +1,4 @@
-"""Random choices for both languages: settings by their rows, and values by unit."""
+"""Random choices for both languages: settings by keyword row, and values by unit."""
 
 from __future__ import annotations
 
@@ -73,19 +73,19 @@ def axis_settings(language: str) -> tuple[Keyword, ...]:
 
 
 class Draw(Random):
-    """A `Random` with the choices of motion generators."""
+    """A random generator with the choices that motion programs need."""
 
     def real(self, low: float, high: float) -> float:
-        """Return a value in a range, mostly a round one, as people write them."""
+        """Return a value in a range, mostly a round one, as users write them."""
         value = self.uniform(low, high)
         return round(value) if self.random() < 0.6 and high - low >= 10.0 else round(value, 3)
 
     def chance(self, share: float) -> bool:
-        """Return True with this probability."""
+        """Return True with the probability `share`."""
         return self.random() < share
 
     def value(self, row: Keyword) -> str:
-        """Return a value that the row accepts, and that causes plausible motion."""
+        """Return a random value that the row accepts and that causes plausible motion."""
         if row.name in _NAMED:
             value = float(self.choice(_NAMED[row.name]))
         elif row.unit in _UNITS:
@@ -98,5 +98,5 @@ class Draw(Random):
         return f"{low if row.high is None else min(float(row.high), low):.10g}"
 
     def pick(self, weighted: dict[str, int]) -> str:
-        """Return a key with the probability of its weight."""
+        """Return a random key; each value is the weight of its key."""
         return self.choices(tuple(weighted), tuple(weighted.values()))[0]

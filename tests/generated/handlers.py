@@ -1,9 +1,9 @@
 """Random programs with TIMER handlers alongside moves and tasks.
 
-Each is run with the accelerators and without. The reports and all records of the log must be equal.
+Each runs with the accelerators and without them. The reports and all records of the log must be equal.
 
-`python -m tests.generated.handlers 3000 --seed 1` compares that many programs and prints the seeds of those that
-differ.
+`python -m tests.generated.handlers 3000 --seed 1` compares that many programs and prints the seeds of those
+that differ.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ def document(text: str, machine: dict[str, object], fast: bool) -> str:
 
 
 def is_equal(seed: int) -> bool:
-    """True if a program runs equally with accelerators and without."""
+    """True if a program has the same result with accelerators and without."""
     given = program(seed)
     return document(*given, True) == document(*given, False)
 

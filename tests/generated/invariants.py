@@ -1,4 +1,4 @@
-"""Properties of every run: each check returns sentences about violations."""
+"""Properties of every run: each check yields a sentence for each violation."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def in_order(result: Run) -> Iterator[str]:
 
 
 def entries_end(result: Run) -> Iterator[str]:
-    """Check that completed entries ended within the run, the last at its axis's end."""
+    """Check that completed entries end within the run, the last one where its axis is."""
     assert result.orders is not None
     axes, data = result.controller.axes, result.orders.data
     last: dict[int, Move] = {}
@@ -112,7 +112,7 @@ def keeps_to_the_schema(report: dict[str, Any]) -> Iterator[str]:
 def table_agrees(result: Run, report: dict[str, Any]) -> Iterator[str]:
     """Check that the printed table has the report's moves, events, axes and figures.
 
-    Each figure must agree to its last digit.
+    The figures must agree to the last digit that is printed.
     """
     blocks = render(result, width=WIDE, everything=True).rstrip().split("\n\n")
     moves = [row for row in _rows(blocks, "axis  command") if "├" not in row and "└" not in row]
@@ -136,7 +136,7 @@ def table_agrees(result: Run, report: dict[str, Any]) -> Iterator[str]:
 
 
 def _rows(blocks: list[str], head: str) -> list[str]:
-    """Return the lines below the rule of the table with this heading."""
+    """Return the rows of the table with the heading `head`."""
     block = next((each for each in blocks if re.sub(" {2,}", "  ", each).lstrip().startswith(head)), "")
     lines = block.split("\n")
     rule = next((k for k, line in enumerate(lines) if line.startswith("─")), len(lines))

@@ -1,7 +1,7 @@
-"""Random loops of Mint over Integers near their ends, with and without analysis.
+"""Random loops of Mint over Integers near overflow, with and without analysis.
 
 The compiler omits the check for overflow if range analysis proves that a result fits an Integer. A wrong
-proof prints a number that no Integer holds, so the limits, steps and factors drawn here bring many results
+proof prints a number that no Integer holds. So the limits, steps and factors drawn here bring many results
 near 2³¹.
 """
 
@@ -24,7 +24,7 @@ DEPTH = 3
 
 
 class Draw:
-    """One program from a seed."""
+    """A random program from a seed."""
 
     def __init__(self, seed: int) -> None:
         self.random = Random(seed)
@@ -67,7 +67,7 @@ class Draw:
         return [f"  {line}" for _ in range(self.random.randint(1, 3)) for line in self.statement(depth + 1)]
 
     def loop(self, depth: int) -> list[str]:
-        """Return a For with few iterations, or a While or Repeat that counts."""
+        """Return a For with few iterations, or a While or Repeat with a counter."""
         free = [name for name in INTEGERS if name not in self.counters]
         if len(free) < 2:
             return [f"{self.target()} = {self.value(2)}"]
@@ -96,7 +96,7 @@ class Draw:
         return self.random.choice(free)
 
     def number(self) -> int:
-        """Return an integer, often near an end of Integer or of the range of its square."""
+        """Return an integer, often near the limits of Integer or of their square roots."""
         sign = -1 if self.random.random() < 0.3 else 1
         return sign * (self.random.choice(NEAR) if self.random.random() < 0.7 else self.random.randint(0, 20))
 
@@ -116,7 +116,7 @@ class Draw:
         return f"({left} {operator} {right})"
 
     def condition(self) -> str:
-        """Return a comparison, or two."""
+        """Return one comparison, or two combined."""
         first = self.comparison()
         if self.random.random() < 0.25:
             return f"{first} {self.random.choice(('And', 'Or'))} {self.comparison()}"
@@ -129,7 +129,7 @@ class Draw:
 
 
 def outcome(text: str, analysed: bool = True) -> dict[str, Any]:
-    """Return a program's output, and how and where it ends."""
+    """Return a program's output, and how and where it ended."""
     result = run(Source("loop.mnt", text), machine={}, until=MAX_TIME, cache=False, fast=analysed)
     return {
         "output": result.output,

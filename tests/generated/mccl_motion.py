@@ -14,7 +14,7 @@ ACTIONS = {
 
 
 class McclProgram:
-    """One program, drawn action by action; a line of it is a list of commands."""
+    """A random program, drawn action by action; one line is a list of commands."""
 
     actions = ACTIONS
 
@@ -36,7 +36,7 @@ class McclProgram:
 
     @property
     def text(self) -> str:
-        """The complete program."""
+        """Return the complete program."""
         return "\n".join(self.lines) + "\n"
 
     def _action(self) -> list[str]:
@@ -150,7 +150,7 @@ class McclProgram:
         return [f"{self._axis()}{self._shape_of()}"]
 
     def _one_line(self) -> list[str]:
-        """Return several changes and a start of motion within one line."""
+        """Return several changes and starts of motion in one line."""
         parts = [self._of("speed", "shape", "move", "velocity", "stop", "override") for _ in range(3)]
         return [command for part in parts for command in part]
 
@@ -220,5 +220,5 @@ class McclProgram:
 
 
 def draw_slave(draw: Draw) -> int:
-    """Return an axis that has others before it."""
+    """Return a random axis that has a lower axis, so that it can be a slave."""
     return draw.choice((2, 2, 3))

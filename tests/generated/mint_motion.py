@@ -1,4 +1,4 @@
-"""Mint programs: moves, paths, slaves, tables, references, and changes of them."""
+"""Mint programs with moves, paths, slaves, tables, references, and their changes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _LIMITS = ("SOFTLIMITFORWARD", "SOFTLIMITREVERSE", "SOFTLIMITMODE", "LIMITMODE",
 
 
 class MintProgram:
-    """One program, drawn action by action."""
+    """A random program, drawn action by action."""
 
     actions = ACTIONS
 
@@ -40,7 +40,7 @@ class MintProgram:
 
     @property
     def text(self) -> str:
-        """The complete program."""
+        """Return the complete program."""
         return "\n".join(self.lines) + "\n"
 
     # ------------------------------------------------------------------------------------------------ frame
@@ -94,9 +94,9 @@ class MintProgram:
             self.lines += ["Event TIMER", *self._indented(self._speed()), "End Event"]
 
     def _handled(self) -> list[str]:
-        """Return an action of ONERROR, which may raise the next error at once.
+        """Return an action for the ONERROR handler.
 
-        The program ends that by itself.
+        The action may raise the next error at once, so the handler acts on the first 20 errors only.
         """
         action = ["faults = faults + 1", *self._action()]
         return ["  If faults < 20 Then", *self._indented(self._indented(action)), "  End If"]
@@ -121,9 +121,9 @@ class MintProgram:
         return f"{name}({axis}) = {self._near(axis, value) if name == 'POSREF' else value}"
 
     def _near(self, axis: int, steps: object) -> str:
-        """A position within thousandths.
+        """Return a position that is a few thousandths of a unit from the present one.
 
-        A POSREF is reached within 1 ms, so a finer one could be run at 60,000 uu/s.
+        A POSREF is reached within 1 ms, so a position far away would need up to 60,000 uu/s.
         """
         return f"POSDEMAND({axis}) + {steps} / 1000"
 

@@ -1,4 +1,4 @@
-"""Programs of both languages that move, each from one number.
+"""Motion programs of both languages, each from a seed.
 
 `generate(seed)` draws the language, the program and its machine. The program follows the grammar and the
 keyword rows, but an axis may still reject a statement at run time, as in any program.
@@ -34,12 +34,12 @@ class Generated(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Its file name."""
+        """Return the file name."""
         return f"{self.family}-{self.seed}{SUFFIX[self.language]}"
 
     @property
     def machine_file(self) -> str:
-        """The settings as a machine file."""
+        """Return the settings as the text of a machine file."""
         return "".join(f"{key} = {_toml(value)}\n" for key, value in self.machine.items())
 
 
@@ -52,7 +52,7 @@ def _toml(value: object) -> str:
 
 
 def generate(seed: int, family: str = "motion") -> Generated:
-    """Return the program of a seed, of one of `FAMILIES`: two in three are Mint."""
+    """Return the program of a seed from one of `FAMILIES`; two thirds are Mint."""
     draw = Draw(seed)
     language = "mccl" if draw.chance(1 / 3) else "mint"
     machine: dict[str, object] = {}

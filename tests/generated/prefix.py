@@ -1,4 +1,4 @@
-"""A run to a time equals the beginning of a run to a later one."""
+"""Check that a run up to a time equals the beginning of a longer run."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LOOKS = 8
 
 
 def differences(whole: Run, part: Run, until: float) -> Iterator[str]:
-    """Yield the differences between a run to `until` and the complete one."""
+    """Yield the differences between a run up to `until` and the complete run."""
     end = max(until - LAST, 0.0)
     if whole.time > until and not until <= part.time <= until + STATEMENTS * part.machine.instruction_time:
         yield f"prefix: to {until!r} s: it ends at {part.time!r} s"
@@ -58,10 +58,10 @@ def _waits(result: Run, end: float) -> Iterator[object]:
 
 
 def _moves(result: Run, end: float) -> Iterator[object]:
-    """Yield the entries as they began, to a millionth of a count.
+    """Yield the entries that start before `end`, in the state in which they began.
 
-    A path that continues rewrites its own. One that is blended into the entry before it begins where that
-    ends, which may come sooner than planned.
+    Positions are rounded to a millionth of a count. An entry that is blended into the one before it has no
+    position here: it begins where that one ends, which may be earlier than planned.
     """
     over: dict[int, float] = {}
     for move in result.controller.log.moves:

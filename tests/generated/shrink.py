@@ -15,14 +15,14 @@ _FIGURE = re.compile(r"-?\d[\d.e+-]*")
 
 
 def kind_of(finding: str) -> str:
-    """Return a finding without its figures, which change as the program shrinks."""
+    """Return a finding without its figures, since they change as the program shrinks."""
     return _FIGURE.sub("", finding)
 
 
 def shrunk(program: Generated) -> Generated:
-    """Return the program with lines, settings and statements removed, one by one.
+    """Return the smallest program found by removing lines, statements and settings.
 
-    The settings are those of the machine. It is the program itself if it has no finding.
+    The settings are those of the machine. A program without a finding is returned unchanged.
     """
     kinds = {kind_of(each) for each in findings(program)}
     if not kinds:
@@ -52,7 +52,7 @@ def shrunk(program: Generated) -> Generated:
 
 
 def _least(parts: list[str], is_enough: Callable[[list[str]], bool]) -> list[str]:
-    """Return a minimal list: halves are removed first, then quarters and so on."""
+    """Return a minimal list that `is_enough`: remove halves, then quarters and so on."""
     size = len(parts)
     while size := size // 2:
         first = 0

@@ -1,8 +1,8 @@
 """Random programs of two to four tasks that poll, wait and exchange variables.
 
-Each has a machine. Each is run twice, with its loops skipped and with every iteration executed, and the
-reports must be equal byte for byte. A program ends by itself or at `UNTIL`. The machine's last input comes
-after that, so that neither run can know that no further event would come.
+Each program has a machine, and runs twice: once with its loops skipped, and once with every iteration
+executed. The reports must be equal byte for byte. A program ends by itself or at `UNTIL`. The machine's last
+input comes later, so in neither run is it known that no further event will come.
 
 `python -m tests.generated.tasks 2000 --seed 1` compares that many programs and prints the seeds of those that
 differ.
@@ -59,7 +59,7 @@ _CONDITIONS = (
 
 
 class _Task:
-    """The statements of one task; `k` is its number, which is in its variables' names."""
+    """The statements of one task, whose number `k` is in the names of its variables."""
 
     def __init__(self, random: Random, k: int) -> None:
         self._random, self._k = random, k
@@ -77,7 +77,7 @@ class _Task:
         ]
 
     def exchange(self, role: int, flags: list[str]) -> list[str]:
-        """Return the body of a task that takes or gives values; counters count them."""
+        """Return the body of a task that takes or gives values and counts them."""
         random, k = self._random, self._k
         flag, other = random.choice(flags), random.choice(flags)
         wait = f"WAIT({random.choice((1, 5, 10, 50, 100, random.randint(1, 70)))})"
@@ -212,7 +212,7 @@ def document(text: str, machine: dict[str, object]) -> str:
 
 @contextmanager
 def every_iteration() -> Iterator[None]:
-    """Compile programs without loop skipping in a block."""
+    """Compile programs without loop skipping within the context."""
     found = polling.left_behind
     polling.left_behind = lambda *_: None
     try:
@@ -222,7 +222,7 @@ def every_iteration() -> Iterator[None]:
 
 
 def is_equal(seed: int) -> bool:
-    """True if a program runs equally with its loops skipped and without."""
+    """True if a program has the same report with its loops skipped and without."""
     skipped = document(*program(seed))
     with every_iteration():
         return document(*program(seed)) == skipped

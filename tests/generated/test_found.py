@@ -1,6 +1,7 @@
-"""Findings of generated programs: the smallest of each kind, with hand arithmetic.
+"""Findings of generated programs: the smallest program of each kind, proved.
 
-Each is proved.
+Each test has its hand arithmetic in its docstring. Figures without a unit are in uu, uu/s, uu/s² and uu/s³,
+in MCCL in counts instead of uu.
 """
 
 from __future__ import annotations
@@ -26,9 +27,9 @@ def proved(
     statement: float = 1e-9,
     inputs: Sequence[dict[str, float]] = (),
 ) -> Run:
-    """Return a run without a diagnostic, whose proof passes.
+    """Return a run that has no diagnostic and whose proof passes.
 
-    A `statement` takes that many seconds; `inputs` are those of the machine.
+    `statement` is the duration of a statement, s; `inputs` are the machine's inputs.
     """
     machine = {"controller.instruction_time": statement, "input": list(inputs)}
     result = run(Source(f"found.{suffix}", program), machine=machine, cache=False, prove=True, until=until)
@@ -42,7 +43,7 @@ def places(result: Run, *axes: int) -> list[float]:
 
 
 def test_a_path_begins_at_the_moment_at_which_a_move_without_a_distance_ends() -> None:
-    """30 by 40 is 50 at 20 with 100: 50/20 + 20/100 s."""
+    """The path of 30 by 40 is 50 long; at speed 20 and rates of 100: 50/20 + 20/100 s."""
     result = proved(RATES + "MOVEA(0) = 0 : VECTORA(0, 1) = 30, 40 : GO(0)\nPAUSE IDLE(0)\n")
     assert places(result, 0, 1) == [30.0, 40.0]
     assert result.time == pytest.approx(2.7)
@@ -52,13 +53,13 @@ SPLINE = "Dim way(5) As Float = 4, 10, 20, 10, 0\nSPLINETABLE(0, way, NULL, NULL
 
 
 def test_a_spline_goes_on_by_the_same_distances_from_a_position_that_is_written() -> None:
-    """After 100 ms it is at 10, which becomes 5: 30 of its 40 remain."""
+    """After 100 ms the position is 10 and is set to 5; 30 of the spline's 40 remain."""
     result = proved(f"{SPLINE}SPLINE(0) = 0 : GO(0)\nWAIT = 100\nPOS(0) = 5\nPAUSE IDLE(0)\n")
     assert places(result, 0) == pytest.approx([35.0])
 
 
 def test_a_spline_that_is_suspended_is_given_another_position_and_suspended_again() -> None:
-    """It comes to rest 20 of its 40 after the written position."""
+    """k is the position that is set to 0, so k + POS is 40 at the end of the spline."""
     suspend = "SPLINESUSPENDTIME(0) = 40\nSPLINE(0) = 0 : GO(0)\nWAIT = 200\nSUSPEND(0) = 1\nWAIT = 20\n"
     twice = (
         "k = POS(0)\nPOS(0) = 0\nSUSPEND(0) = 0\nSUSPEND(0) = 1\nWAIT = 100\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n"
@@ -68,9 +69,9 @@ def test_a_spline_that_is_suspended_is_given_another_position_and_suspended_agai
 
 
 def test_an_offset_that_was_cancelled_adds_no_more_to_what_follows() -> None:
-    """At 0.6 s the slave is at 10 and the 0.5 of its offset.
+    """At 0.6 s the slave has covered 10 by following and 0.5 of its offset.
 
-    From 0.7 s on it follows for 0.3 s at 20.
+    CANCEL ends both there. From 0.7 s on the slave follows for 0.3 s at 20: 6 more.
     """
     program = (
         f"{RATES}MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1 : JOG(0) = 20\nWAIT = 500\n"
@@ -85,8 +86,8 @@ def test_an_offset_that_was_cancelled_adds_no_more_to_what_follows() -> None:
 def test_an_axis_that_turns_beyond_a_limit_that_was_lowered_brakes_for_it() -> None:
     """At 40 on a radius of 20 the centripetal acceleration is 80.
 
-    A MAXDECEL of 30 has sqrt(1/2) of it each for the centripetal and the tangential one. So it brakes at
-    21.21 to a speed of sqrt(21.21 * 20), and both add up to at most sqrt(80² + 21.21²) until then.
+    Of a MAXDECEL of 30, the centripetal and the tangential acceleration may each have sqrt(1/2). So the path
+    brakes at 21.21 to a speed of sqrt(21.21 * 20). Until then the sum of both is at most sqrt(80² + 21.21²).
     """
     arc = "CIRCLER(0, 1) = 20, 0, 360 : GO(0)\nWAIT = 1000\nMAXDECEL(1) = 30\nWAIT = 1000\nPRINT VELDEMANDPATH(0)\n"
     result = proved(f"SPEED(0) = 40 : ACCEL(0) = 100 : DECEL(0) = 100\n{arc}PAUSE IDLE(0)\n")
@@ -99,7 +100,10 @@ def test_an_axis_that_turns_beyond_a_limit_that_was_lowered_brakes_for_it() -> N
 
 
 def test_a_spline_that_is_resumed_takes_the_suspend_time_to_its_next_point() -> None:
-    """The rest of the first segment takes the suspend time, 100 ms, like the others."""
+    """The rest of the first segment takes the suspend time of 100 ms.
+
+    So do the other segments.
+    """
     suspend = "SPLINE(0) = 0 : GO(0)\nWAIT = 40\nSUSPEND(0) = 1\nWAIT = 200\nSUSPEND(0) = 0\n"
     result = proved(f"{SPLINE}{suspend}PAUSE IDLE(0)\n")
     assert places(result, 0) == [40.0]
@@ -107,9 +111,9 @@ def test_a_spline_that_is_resumed_takes_the_suspend_time_to_its_next_point() -> 
 
 
 def test_a_path_keeps_the_units_that_it_was_loaded_with() -> None:
-    """After 1 s, 18 of its 50, the speed becomes 0.1 of a new unit of 100 counts.
+    """After 1 s and 18 of 50 uu, the speed becomes 0.1 of a new unit of 100 counts.
 
-    That is 10 of the old ones. Braking to that takes 0.1 s and 1.5, the last ramp 0.1 s and 0.5, and the 30
+    That is 10 of the old unit. Braking to it takes 0.1 s over 1.5, the last ramp 0.1 s over 0.5, and the 30
     between them 3 s.
     """
     line = (
@@ -121,7 +125,7 @@ def test_a_path_keeps_the_units_that_it_was_loaded_with() -> None:
 
 
 def stop_of(program: str) -> tuple[float, float]:
-    """Return start and duration of the stop of axis 1, in a proved run."""
+    """Return start and duration, s, of the stop of axis 1 in a proved run."""
     result = proved(program, "mcl")
     axis = result.controller.axes[1]
     place = max(
@@ -131,11 +135,11 @@ def stop_of(program: str) -> tuple[float, float]:
 
 
 def test_a_stop_out_of_the_first_flank_of_an_s_curve_takes_that_flank_and_its_own_ramp() -> None:
-    """The ramp to 1000 takes 1000/(1000 * 0.6) s, its flank 0.4 of that.
+    """The ramp to 1000 takes 1000/(1000 * 0.6) s, and its flank 0.4 of that.
 
-    So the acceleration grows by 1000 in 2/3 s. After 0.3 s it is 450 and falls in another 0.3 s, to twice the
-    67.5 counts/s of that time. From 135 the axis stops in 135/(5000 * 0.6) s. An SV written together with the
-    ST changes nothing of that.
+    So the acceleration rises by 1000 in 2/3 s. After 0.3 s it is 450, and falls to zero in another 0.3 s.
+    Meanwhile the speed rises to 135 counts/s, twice the 67.5 at 0.3 s. From 135 the axis stops in 135/(5000 *
+    0.6) s. An SV written together with the ST has no effect on that.
     """
     program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1SV100,1ST\n1WS\n"
     begin, duration = stop_of(program)
@@ -144,7 +148,7 @@ def test_a_stop_out_of_the_first_flank_of_an_s_curve_takes_that_flank_and_its_ow
 
 
 def test_a_stop_that_is_given_another_zero_stays_the_stop_it_is() -> None:
-    """DH directly after ST: the flank of the stop and the rest are as planned."""
+    """A DH directly after ST changes neither the flank nor the rest of the stop."""
     program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1ST,WA0.1,1DH0\n1WS\n"
     begin, duration = stop_of(program)
     assert begin == pytest.approx(0.4, abs=1e-6)
@@ -152,9 +156,9 @@ def test_a_stop_that_is_given_another_zero_stays_the_stop_it_is() -> None:
 
 
 def test_one_axis_of_a_contour_is_given_another_zero_in_its_s_curve() -> None:
-    """It ends 300 from its start, which is 1000 higher from then on.
+    """Axis 1 ends 300 from its start, in the coordinates that DH shifts to 1000.
 
-    The other is at 400.
+    Axis 2 ends at 400.
     """
     program = "MN,1CM1,2CM1,1PS0.3,1VV100,1VA100,1VD100\n1CP1,1MA300,2MA400,WA0.5,1TP,1DH1000,1WS\n"
     result = proved(program, "mcl")
@@ -163,7 +167,7 @@ def test_one_axis_of_a_contour_is_given_another_zero_in_its_s_curve() -> None:
 
 
 def test_paths_that_are_joined_stay_so_if_contourmode_is_switched_off_on_the_first() -> None:
-    """200 at 20 with 100, without a stop at the corner: 200/20 + 20/100 s."""
+    """200 at speed 20 and rates of 100, with no stop at the corner: 200/20 + 20/100 s."""
     lines = "MOVEBUFFERSIZE(0) = 9 : MOVEBUFFERSIZE(1) = 9\nCONTOURMODE(0) = 1 : CONTOURANGLE(0) = 90\n"
     paths = "VECTORR(0, 1) = 100, 0\nVECTORR(0, 1) = 0, 100\nGO(0)\nWAIT = 100\nCONTOURMODE(0) = 0\nPAUSE IDLE(0)\n"
     result = proved(RATES + lines + paths)
@@ -174,17 +178,18 @@ def test_paths_that_are_joined_stay_so_if_contourmode_is_switched_off_on_the_fir
 def test_an_s_curve_takes_over_from_a_parabola_at_the_speed_that_it_leads_to() -> None:
     """The parabola to 2000 takes 2 * 2000/500 = 8 s.
 
-    Left at 0.3 s, its flank still ends at 2000 and leaves no ramp.
+    An S-curve takes over at 0.3 s. Its flank from that acceleration to zero already ends at 2000, so no ramp
+    is left.
     """
     result = proved("1MN,1SV2000,1SA500,1DS500,1PP\n1VM,1GO,WA0.313,1PS0.45,1GO,WA8,1TV\n1AB\n", "mcl")
     assert result.output == ["01 2000"]
 
 
 def test_a_cyclic_cam_goes_into_the_cycle_before_at_its_beginning() -> None:
-    """Backwards from the beginning the last segment covers 40 in 10 of the master.
+    """Backwards from the beginning, the last segment covers 40 in 10 of the master.
 
-    The one before it covers 15 in the other 5. The slope changes from 2 to 4 there, which became a step if
-    the master was a fraction of a cycle farther back.
+    The segment before it covers 15 in the other 5. The slope changes from 2 to 4 at the beginning. That
+    change once became a step if the master was a fraction of a cycle farther back.
     """
     cam = "SCALEFACTOR(1) = 100 : MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\n"
     table = "Dim rise(4) As Float = 3, 20, 30, 40\nCAMTABLE(1, rise, NULL) : MASTERDISTANCE(1) = 10\n"
@@ -203,9 +208,10 @@ STEEP += "SPLINETABLE(0, way, slow, NULL) : SPLINETIME(0) = 20\nSPLINE(0) = 0 : 
 def test_a_jog_takes_over_from_a_spline_at_no_more_than_the_rate_of_the_axis(stop: str) -> None:
     """The cubic of 10 in 20 ms from rest to rest has a high acceleration at 2 ms.
 
-    It is 6 * 10/0.02² * (1 - 2 * 0.1) = 120 000, which a jerk of 1000 reduces to zero in two minutes, on the
-    way to a velocity of 7 million. The jog takes over the 100 of ACCEL, which take 0.1 s and add 5 to the
-    velocity. A spline that has just been stopped has the same acceleration, at another zero, too.
+    It is 6 * 10/0.02² * (1 - 2 * 0.1) = 120 000. A jerk of 1000 would reduce that to zero in two minutes, on
+    the way to a velocity of 7 million. So the jog begins with the 100 of ACCEL, which falls to zero in 0.1 s
+    and adds 5 to the velocity. A spline that has just been stopped has the same acceleration, and so has one
+    with another zero.
     """
     result = proved(f"{RATES}{S_RAMPS}{STEEP}{stop}JOG(0) = 0\nPAUSE IDLE(0)\n")
     jog = next(each for each in result.controller.axes[0].profiles if each.shape == "jog")
@@ -219,9 +225,10 @@ SLOPES += "SPEEDREFENABLE(0) = 1\n"
 
 @pytest.mark.parametrize("stop", ["", "STOP(0)\n"])
 def test_a_speed_reference_takes_over_from_a_spline_at_no_more_than_its_rate(stop: str) -> None:
-    """At 2 ms the spline is at 6 * 10/0.02 * 0.1 * 0.9 = 270 with 120 000.
+    """At 2 ms the spline's velocity is 6 * 10/0.02 * 0.1 * 0.9 = 270.
 
-    The slope's 1000/0.5 s decay in 10 ms and lead to 280. The other 20 take 20/2000 s and half of the edge.
+    Its acceleration is 120 000. The reference begins with its own slope of 1000/0.5 s, which falls to zero in
+    10 ms and leads to 280. The other 20 take 20/2000 s and half of the edge.
     """
     program = f"{SLOPES}{STEEP}{stop}SPEEDREF(0) = 300\nWAIT = 200\nCANCEL(0)\n"
     result = proved(program)
@@ -231,9 +238,9 @@ def test_a_speed_reference_takes_over_from_a_spline_at_no_more_than_its_rate(sto
 
 
 def test_a_speed_reference_goes_on_by_its_slope_at_another_zero() -> None:
-    """To 100 at 2000 with an edge of 10 ms takes 0.05 + 0.005 s.
+    """Up to 100 at a slope of 2000 with an edge of 10 ms takes 0.05 + 0.005 s.
 
-    After 20 ms the position is set, and 35 ms remain.
+    The position is set after 20 ms, when 35 ms remain.
     """
     program = f"{SLOPES}SPEEDREF(0) = 100\nWAIT = 20\nPOS(0) = 5\nWAIT = 200\nCANCEL(0)\n"
     *_, rest, _ = proved(program).controller.axes[0].profiles
@@ -241,9 +248,10 @@ def test_a_speed_reference_goes_on_by_its_slope_at_another_zero() -> None:
 
 
 def test_a_speed_reference_whose_slope_is_lowered_passes_its_velocity() -> None:
-    """After 20 ms at 2000 it is at 40, of 45.
+    """After 20 ms at a slope of 2000 the velocity is 40; the reference is 45.
 
-    At a slope of 500 the 2000 decay in 40 ms and add 40. The 35 beyond 45 come back at DECELTIME 1000.
+    At a slope of 500 the acceleration of 2000 falls to zero in 40 ms and adds 40. The velocity is then 35
+    above 45, and returns at DECELTIME 1000.
     """
     lower = (
         "SPEEDREFACCELTIME(0) = 2000 : SPEEDREFDECELTIME(0) = 1000\nSPEEDREF(0) = 45\nWAIT = 200\nCANCEL(0)\n"
@@ -261,16 +269,16 @@ def test_a_jog_the_other_way_slows_down_by_an_s_ramp_at_once() -> None:
 
 
 def test_a_move_with_the_room_of_a_stop_may_have_the_time_of_the_rounding_of_its_positions() -> None:
-    """5e-6 at another zero of 491: their difference is known to 6e-14.
+    """The move is 5e-6 long at 491, where a difference of positions is known to 6e-14.
 
-    That takes 1.5e-8 s from rest at 1000.
+    From rest at 1000 the rounding takes 1.5e-8 s.
     """
     learn = "1MN,1SV500,1SA10000,1DS1000,1PT\n1LP1,1MR-3,1MP1\n1DH491\n1WS0.05\n"
     proved(learn, "mcl")
 
 
 def test_a_stop_as_soon_as_a_ramp_of_pmc_has_begun_has_pieces_of_no_time() -> None:
-    """After 3 ns the velocity is 3e-12.
+    """After 3 ns the velocity is 3e-12 counts/s.
 
     The flanks of the ramp to rest take less than the resolution of the clock.
     """
@@ -303,10 +311,10 @@ def test_a_jog_goes_on_where_the_end_of_a_stop_leads_the_other_way() -> None:
 
 
 def test_a_cam_whose_table_was_rewritten_goes_back_by_the_cycle_that_it_is_in() -> None:
-    """A cycle of 20 by the first table, half of one of 30 by the second one.
+    """The slave covers a cycle of 20 by the first table, then half of one of 30.
 
-    Then it goes back by 15, and 15 of another 30. The master is then at 10 + 5 - 10; the slave is 20 + 15 -
-    30 from its start.
+    Then it goes back by the second table: by 15, and by 15 of the cycle of 30 before. At the end the master
+    is at 10 + 5 - 10, and the slave is 20 + 15 - 30 from its start.
     """
     cam = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : MASTERDISTANCE(1) = 10\n"
     tables = "Dim low(2) As Float = 1, 20\nDim high(2) As Float = 1, 30\nCAMTABLE(1, low, NULL)\n"
@@ -316,9 +324,9 @@ def test_a_cam_whose_table_was_rewritten_goes_back_by_the_cycle_that_it_is_in() 
 
 
 def test_a_blended_path_does_not_go_on_into_itself_once_contours_are_switched_on() -> None:
-    """CONTOURMODE is set while the first path runs: the second one is still 100 long.
+    """CONTOURMODE is set while the first path runs; the second one is still 100 long.
 
-    It is not 200 with itself ahead.
+    Joined to itself it would be 200 long.
     """
     modes = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
     paths = "VECTORR(0, 1) = 100, 0\nVECTORR(0, 1) = 0, 100\nGO(0)\nWAIT = 100\n"
@@ -329,7 +337,7 @@ def test_a_blended_path_does_not_go_on_into_itself_once_contours_are_switched_on
 
 
 def test_a_position_that_is_written_and_taken_back_leaves_the_log_where_it_was() -> None:
-    """The shifts of 43 and -43 cancel; in between the zeros of track and log differ."""
+    """The shifts of 43 and -43 cancel; in between, the zeros of track and log differ."""
     shear = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : MASTERDISTANCE(1) = 40\nFLY(1) = 20 : GO(1)\n"
     result = proved(f"{RATES}{shear}POS(1) = 43\nWAIT = 20\nPOS(1) = 0\nWAIT = 20\n")
     assert places(result, 1) == [0.0]
@@ -339,7 +347,7 @@ CONTOUR = "MOVEBUFFERSIZE(0, 1) = 9; : CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 18
 
 
 def test_a_path_that_was_planned_ahead_keeps_the_shape_that_it_was_planned_with() -> None:
-    """Two lines of 50 at 20 with 100, as one: 100/20 + 20/100 s.
+    """Two lines of 50 run as one: 100/20 + 20/100 s at 20 with 100.
 
     S-ramps that are set after 0.5 s have no effect.
     """
@@ -350,9 +358,9 @@ def test_a_path_that_was_planned_ahead_keeps_the_shape_that_it_was_planned_with(
 
 
 def test_a_deceleration_that_comes_too_late_for_a_path_acts_on_those_ahead_of_it_no_more() -> None:
-    """At 20 and 100 it needs the last 2; with 2.5 left, 50 would need 4.
+    """From 20 at 100 the path brakes over its last 2; at 50 it would need 4.
 
-    It ends after 52/20 + 20/100 s.
+    The new DECEL comes with 2.5 left, so the path ends after 52/20 + 20/100 s as planned.
     """
     lines = "VECTORR(0, 1) = 51, 0\nVECTORR(0, 1) = 1, 0\nGO(0)\nPAUSE POS(0) > 49.5\nDECEL(0) = 50\n"
     result = proved(f"{RATES}{CONTOUR}{lines}PAUSE IDLE(0)\n")
@@ -361,7 +369,10 @@ def test_a_deceleration_that_comes_too_late_for_a_path_acts_on_those_ahead_of_it
 
 
 def test_a_stop_may_be_that_of_the_entry_before_one_that_begins_at_that_moment() -> None:
-    """FOLLOW 0 ends the following at rest, and the next move begins: 23/20 + 20/100 s."""
+    """FOLLOW 0 ends the following at rest, and the next move begins at the same time.
+
+    It takes 23/20 + 20/100 s.
+    """
     program = "FOLLOW(1) = 3\nMOVEA(1) = -23\nGO(1)\nFOLLOW(1) = 0\nPAUSE IDLE(1)\n"
     result = proved(f"{RATES}{program}")
     assert [each.ended for each in result.controller.log.moves] == ["stop", ""]
@@ -369,9 +380,9 @@ def test_a_stop_may_be_that_of_the_entry_before_one_that_begins_at_that_moment()
 
 
 def test_a_fault_may_be_that_of_the_entry_after_one_that_ends_at_that_moment() -> None:
-    """The second segment of the shear exceeds the limit of 0 with the master at 3.
+    """The second segment of the shear exceeds the limit of 0 from its beginning.
 
-    That is after 0.2 + 1/20 s.
+    There the master is at 3, after 0.2 + 1/20 s.
     """
     shear = "MASTERDISTANCE(1) = 3 : FLY(1) = 0\nFLY(1) = 10 : GO(1)\n"
     drive = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nMOVER(0) = 30 : GO(0)\n"
@@ -383,10 +394,10 @@ def test_a_fault_may_be_that_of_the_entry_after_one_that_ends_at_that_moment() -
 
 
 def test_a_ramp_whose_acceleration_peaks_in_its_middle_begins_without_one() -> None:
-    """SRAMP 100: the acceleration grows for 8/586.683 s to 586.683 and falls as long.
+    """SRAMP 100: the acceleration rises to 586.683 in 8/586.683 s and falls as long.
 
-    So the ramps take 4 of these. Rounding put the peak a last digit after the middle, which gave a constant
-    acceleration of half of it.
+    So both ramps together take 4 of these times. Rounding once put the peak a last digit after the middle,
+    which gave a constant acceleration of half of it.
     """
     ramps = "SPEED(0) = 8 : ACCEL(0) = 586.683 : DECEL(0) = 586.683 : SRAMP(0) = 100\n"
     result = proved(f"{ramps}MOVEA(0) = -12 : GO(0)\nPAUSE IDLE(0)\n")
@@ -399,10 +410,10 @@ def test_a_ramp_whose_acceleration_peaks_in_its_middle_begins_without_one() -> N
 
 
 def test_a_corner_of_a_contour_may_be_taken_while_the_path_before_it_is_blended() -> None:
-    """The first 50 have 5 left after 0.2 + 43/20 s; the others take 12/20 + 20/100 s.
+    """The first path of 50 has 5 left after 0.2 + 43/20 s; the other two then begin.
 
-    They are 2 and 10, as one. The corner comes after 0.2 s, when the first path has 0.15 s to go: the
-    velocities of both add up there.
+    They are 2 and 10 long and run as one, in 12/20 + 20/100 s. Their corner comes 0.2 s later, when the first
+    path has 0.15 s to go. There the velocities of both add up.
     """
     modes = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
     paths = "VECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 0, 2\nVECTORR(0, 1) = 10, 0\nGO(0)\n"
@@ -414,9 +425,10 @@ def test_a_corner_of_a_contour_may_be_taken_while_the_path_before_it_is_blended(
 
 
 def test_a_flank_that_leads_to_the_speed_is_followed_by_no_ramp() -> None:
-    """The parabola to 100 at 10 000 takes 20 ms, so 9500 are left after 1 ms.
+    """The parabola to 100 takes 20 ms from 10 000; after 1 ms 9500 of that are left.
 
-    Its flank ends at 100 within rounding. A sinusoidal ramp over that rounding had the complete 10 000.
+    The flank from there ends at 100 within rounding. A sinusoidal ramp over the rounding once had the
+    complete 10 000.
     """
     result = proved("1MN,1SV100,1SA10000,1DS5000,1PP\n1VM,1GO,WA0.001,1PS0,1GO,WA1,1TV\n1AB\n", "mcl")
     assert result.output == ["01 100"]
@@ -426,9 +438,10 @@ def test_a_flank_that_leads_to_the_speed_is_followed_by_no_ramp() -> None:
 
 
 def test_a_slave_that_ramps_to_its_ratio_goes_on_so_at_another_zero() -> None:
-    """It ramps to 60 at 100. At 2, after 0.2 s, it is given the position 3.
+    """The slave ramps to 60 at 100. After 0.2 s its position of 2 is set to 3.
 
-    An ACCEL written just before has no effect. One second after FOLLOW it has covered 60²/200 and 60 * 0.4.
+    An ACCEL written just before has no effect. One second after FOLLOW the slave has covered 60²/200 + 60 *
+    0.4.
     """
     tie = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nFOLLOWMODE(1) = 1\nJOG(0) = 20\nWAIT = 500\n"
     shift = "FOLLOW(1) = 3\nWAIT = 200\nACCEL(1) = 50\nPOS(1) = 3\nWAIT = 800\nPRINT POS(1)\nCANCEL(0)\n"
@@ -449,10 +462,10 @@ def test_a_jog_may_be_faster_the_other_way_before_its_acceleration_is_taken_back
 
 
 def test_a_move_goes_on_from_where_an_acceleration_that_is_taken_back_turns_it_round() -> None:
-    """45 ms before its end a stop at a jerk of 1000 has -1.0125 to go.
+    """45 ms before its end, a stop at a jerk of 1000 has a velocity of -1.0125.
 
-    At a jerk of 100 it comes to 9.1125 in 0.45 s. The move, at -12 + 45³/6e6 then, continues from that
-    velocity: it does not stop in between.
+    At a jerk of 100 its acceleration falls to zero in 0.45 s, at a velocity of 9.1125. The move, which is at
+    -12 + 45³/6e6 when the jerk changes, continues from that velocity without a stop.
     """
     there = "MOVER(0) = -50 : GO(0)\nWAIT = 600\nINCA(0) = 30\nWAIT = 255\nDECELJERK(0) = 100\nINCA(0) = 31\n"
     result = proved(f"{RATES}{S_RAMPS}{there}PAUSE IDLE(0)\n")
@@ -465,7 +478,10 @@ def test_a_move_goes_on_from_where_an_acceleration_that_is_taken_back_turns_it_r
 
 
 def test_an_offset_that_waits_for_the_end_of_a_suspension_has_not_ended() -> None:
-    """It speeds up for 100 ms, stops in as long, 1 in all, and still waits at the end."""
+    """The offset speeds up for 100 ms and stops in 100 ms, after a distance of 1.
+
+    At the end of the run it is still suspended.
+    """
     tie = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : FOLLOW(1) = 1\n"
     result = proved(
         f"{RATES}{tie}OFFSET(1) = 29 : GO(1)\nWAIT = 100\nSUSPEND(1) = 1\nWAIT = 500\n", until=0.7
@@ -477,9 +493,9 @@ def test_an_offset_that_waits_for_the_end_of_a_suspension_has_not_ended() -> Non
 
 
 def test_a_path_that_a_change_comes_too_late_for_ends_as_it_was_planned() -> None:
-    """51 at 20 with 100; with 2.5 left a stop at 50 would need 4.
+    """The path of 51 at 20 with 100 has 2.5 left; a stop at 50 would need 4.
 
-    S-ramps with a jerk of 1000 would need 3.
+    A stop by S-ramps with a jerk of 1000 would need 3.
     """
     lines = "VECTORR(0, 1) = 51, 0\nGO(0)\nPAUSE POS(0) > 48.5\n"
     for late in (
@@ -494,9 +510,9 @@ def test_a_path_that_a_change_comes_too_late_for_ends_as_it_was_planned() -> Non
 
 
 def test_a_hard_stop_of_a_path_keeps_the_limits_of_its_axes_unless_it_is_a_fault() -> None:
-    """From 20 at a MAXDECEL of 200 for 4/5 of the path it takes 20/250 s.
+    """MAXDECEL 200 for 4/5 of the path allows 250, so the stop from 20 takes 20/250 s.
 
-    A fault stops at ERRORDECEL in 20²/2000.
+    A fault stops at ERRORDECEL, over 20²/2000.
     """
     path = "ERRORDECEL(0) = 1000 : MAXDECEL(1) = 200 : STOPMODE(0) = 1\nVECTORR(0, 1) = 30, 40 : GO(0)\n"
     stopped = proved(f"{RATES}{path}WAIT = 1000\nSTOP(0)\nPAUSE IDLE(0)\n")
@@ -508,9 +524,9 @@ def test_a_hard_stop_of_a_path_keeps_the_limits_of_its_axes_unless_it_is_a_fault
 
 
 def test_two_blended_paths_may_both_stop_at_a_deceleration_that_was_just_lowered() -> None:
-    """The first 50 have 5 left after 0.2 + 43/20 s.
+    """The first path of 50 has 5 left after 0.2 + 43/20 s.
 
-    10 ms later it stops from 20 at 50, which takes 4 of the 4.8.
+    10 ms later it has 4.8 left and stops from 20 at 50, which takes 4.
     """
     modes = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
     paths = "VECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 0, 50\nGO(0)\nWAIT = 2360\nDECEL(0) = 50\nSTOP(0)\n"
@@ -520,9 +536,9 @@ def test_two_blended_paths_may_both_stop_at_a_deceleration_that_was_just_lowered
 
 
 def test_a_stop_that_takes_less_than_the_clock_can_tell_has_ended_at_once() -> None:
-    """After 10 µs of a jerk the master is at 1e-13 of the 4 of the shear.
+    """After 10 µs of a jerk the master has covered 1e-13 of the 4 of the shear.
 
-    Its slave stops from 4e-20 in 4e-23 s.
+    Its slave stops from a speed of 4e-20 in 4e-23 s.
     """
     master = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 434\nMASTERDISTANCE(1) = 4 : FLY(1) = 8\n"
     result = proved(f"{master}JOG(0) = 40\nGO(1)\nVELREF(1) = 0\nWAIT = 100\nCANCEL(0)\n", statement=1e-5)
@@ -532,9 +548,9 @@ def test_a_stop_that_takes_less_than_the_clock_can_tell_has_ended_at_once() -> N
 
 
 def test_a_jog_may_take_over_a_last_digit_before_a_move_ends() -> None:
-    """MR leads to -5e-8 in 10 µs; MP reverses it in another 10 and reaches 0 in 20.
+    """MR leads to -5e-8 counts in 10 µs; MP reverses in another 10 and is at 0 in 20.
 
-    GO takes over then. The jog begins with the clock's rounding of the rest of that move.
+    GO takes over at that moment. The rest of the move that is left for the jog is the rounding of the clock.
     """
     program = "WA0.1\n1MN\n1SA1000,1DS1000\nWA0.1\nNO\n1LP1,1MR-1,1MP1\n1VM,1DI1,1GO,WA1\n1AB\n"
     _, back, jog, *_ = proved(program, "mcl", statement=1e-5).controller.log.moves
@@ -543,7 +559,7 @@ def test_a_jog_may_take_over_a_last_digit_before_a_move_ends() -> None:
 
 
 def test_a_path_of_no_length_is_under_way_for_as_long_as_it_is_suspended() -> None:
-    """The ABORT ends it after 50 ms; its entries were reported without a duration."""
+    """ABORT ends the path after 50 ms; its entries once had no duration in the report."""
     result = proved("SUSPEND(0) = 1\nVECTORR(0, 1) = 0, 0 : GO(0)\nWAIT = 50\nABORT\n")
     for entry in result.controller.log.moves:
         assert entry.ended == "fault"
@@ -552,9 +568,9 @@ def test_a_path_of_no_length_is_under_way_for_as_long_as_it_is_suspended() -> No
 
 
 def test_a_stop_goes_on_as_it_was_planned_after_a_suspension_and_a_new_speed() -> None:
-    """DECELTIME 200 at a SPEED of 20 is a rate of 100: the stop from 20 takes 0.2 s.
+    """DECELTIME 200 at SPEED 20 is a rate of 100, so the stop from 20 takes 0.2 s.
 
-    A later SPEED has no effect.
+    A SPEED written later has no effect.
     """
     stop = "DECELTIME(0) = 200\nJOG(0) = 20\nWAIT = 500\nSTOP(0)\nWAIT = 100\nSPEED(0) = 73\n"
     result = proved(f"{RATES}{stop}SUSPEND(0) = 1\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n")
@@ -563,7 +579,10 @@ def test_a_stop_goes_on_as_it_was_planned_after_a_suspension_and_a_new_speed() -
 
 
 def test_a_slave_that_a_move_follows_at_the_end_of_its_master_is_replaced() -> None:
-    """A tie is endless: the other task's MA takes over at the master's rest, 1 + 1 s."""
+    """Following has no end of its own: it ends with the other task's MA.
+
+    The MA takes over when the master comes to rest, after 1 + 1 s.
+    """
     rates = "1MN,2MN,1SV1000,1SA1000,1DS1000,2SV1000,2SA1000,2DS1000\n"
     result = proved(f"MD1,WA0.2,2MA-4\n{rates}1MR1000,GT1,2MR100,WA0.25,2SS-1,2SM1\n", "mcl")
     _, _, slave, _ = result.controller.log.moves
@@ -574,10 +593,10 @@ def test_a_slave_that_a_move_follows_at_the_end_of_its_master_is_replaced() -> N
 
 
 def test_an_offset_goes_on_from_the_velocity_at_which_a_suspension_ends() -> None:
-    """It speeds up to 10 in 100 ms and slows down to 5 in 50: 0.5 and 0.375, of 29.
+    """The offset speeds up to 10 in 100 ms, and slows down to 5 in 50 ms.
 
-    The rest continues from 5 at once. It takes 0.15 s and 1.875 up to 20, 0.2 s and 2 to rest, and between
-    them the remaining distance at 20.
+    That covers 0.5 and 0.375 of its 29. It continues from 5 at once: it takes 0.15 s and 1.875 up to 20, then
+    20 over the remaining distance, and 0.2 s and 2 to rest.
     """
     tie = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : FOLLOW(1) = 1\n"
     pause = "OFFSET(1) = 29 : GO(1)\nWAIT = 100\nSUSPEND(1) = 1\nWAIT = 50\nSUSPEND(1) = 0\nWAIT = 2000\n"
@@ -590,7 +609,10 @@ def test_an_offset_goes_on_from_the_velocity_at_which_a_suspension_ends() -> Non
 
 
 def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A controller with the first DECEL stops at 100 instead of 50, 41 before the end."""
+    """DECEL is lowered to 50 with 41 of the path left.
+
+    A controller that ignores it brakes at 100, and the proof reports that.
+    """
     monkeypatch.setattr(feedrate, "_new_rates", lambda controller, axis: None)
     lines = "VECTORR(0, 1) = 51, 0\nVECTORR(0, 1) = 1, 0\nGO(0)\nWAIT = 600\nDECEL(0) = 50\nPAUSE IDLE(0)\n"
     program = Source("found.mnt", f"{RATES}{CONTOUR}{lines}")
@@ -599,9 +621,9 @@ def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch
 
 
 def test_the_play_of_an_axis_is_looked_up_once_for_a_rest(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A jog at 1 is suspended and rests after 10 µs.
+    """A jog at 1 is suspended and comes to rest after 10 µs.
 
-    A second later that is three stretches, not one every nanosecond.
+    One second later the play has been looked up for three stretches of time, not for every nanosecond.
     """
     stretches, find = list[float](), Takeup._stretch
 
@@ -620,7 +642,7 @@ BUFFERS = "MOVEBUFFERSIZE(0, 1) = 9; :\n"
 
 
 def test_a_move_behind_a_refused_path_starts() -> None:
-    """The path is rejected for the SPEED of axis 1; axis 0 takes 8/20 + 20/100 s."""
+    """The path is rejected for the SPEED of axis 1; axis 0 moves 8 in 8/20 + 20/100 s."""
     entries = "VECTORR(1, 0) = 5, 5 : MOVER(0) = 8 : SPEED(1) = 0\nGO(0, 1)\nPAUSE IDLE(0)\n"
     result = proved(f"{RATES}{entries}{HANDLER}")
     assert places(result, 0, 1) == [8.0, 0.0]
@@ -630,7 +652,7 @@ def test_a_move_behind_a_refused_path_starts() -> None:
 def test_a_move_that_is_refused_as_a_path_ends_calls_onerror() -> None:
     """The path takes hypot(30, 40)/20 + 0.2 s.
 
-    Axis 0 stays there, axis 1 continues by 8 in 8/20 + 20/100 s.
+    Axis 0 stays there. Axis 1 moves on by 8, in 8/20 + 20/100 s.
     """
     entries = "VECTORR(0, 1) = 30, 40 : MOVER(0) = 1 : MOVER(1) = 8 : GO(0, 1)\nWAIT = 100\nSPEED(0) = 0\n"
     result = proved(f"{RATES}{BUFFERS}{entries}PAUSE IDLE(0) And IDLE(1)\n{HANDLER}")
@@ -640,9 +662,9 @@ def test_a_move_that_is_refused_as_a_path_ends_calls_onerror() -> None:
 
 
 def test_a_path_that_cannot_be_blended_into_is_left_out_and_calls_onerror() -> None:
-    """The one before it takes 30/20 + 0.2 s; the blend would begin at 25.
+    """The path before it takes 30/20 + 0.2 s; the blend would begin at 25 of its 30.
 
-    That is after 0.1 + 25/20 s. Axis 1 continues by 8.
+    That is after 0.1 + 25/20 s. Axis 1 moves on by 8 after the path.
     """
     blend = "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
     entries = (
@@ -655,9 +677,9 @@ def test_a_path_that_cannot_be_blended_into_is_left_out_and_calls_onerror() -> N
 
 
 def test_joined_paths_keep_their_speed_while_speed_is_0() -> None:
-    """SPEED 0 is rejected in motion, like any later value.
+    """SPEED 0 is rejected in motion, and so is the override written after it.
 
-    60 at 20 with 100 take 60/20 + 20/100 s.
+    The joined paths of 60 at 20 with 100 take 60/20 + 20/100 s.
     """
     paths = "VECTORR(0, 1) = 30, 0 : VECTORR(0, 1) = 0, 30 : GO(0)\nWAIT = 500\nSPEED(0) = 0\n"
     program = f"{RATES}{CONTOUR}{paths}FEEDRATEOVERRIDE(0) = 50\nPAUSE IDLE(0)\n{HANDLER}"
@@ -667,7 +689,7 @@ def test_joined_paths_keep_their_speed_while_speed_is_0() -> None:
 
 
 def test_an_error_ends_the_run_before_what_waits_behind_a_refused_move() -> None:
-    """Nothing moves, and for the proof the end has come before the second move."""
+    """Nothing moves, and the proof takes the run as ended before the second move."""
     program = "SPEED(0) = 0\nMOVER(0) = 1 : MOVER(0) = 2\nGO(0)\n"
     result = run(Source("found.mnt", program), machine={}, cache=False, prove=True)
     assert [each.code for each in result.diagnostics] == ["zero-speed"]
@@ -679,7 +701,10 @@ BLEND = "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
 
 @pytest.mark.parametrize("between", ["MOVER(1) = 0", "VECTORR(1, 2) = 0, 0"])
 def test_paths_are_not_blended_over_an_entry_of_one_of_their_axes(between: str) -> None:
-    """Each is 30 at 20 with 100: 30/20 + 20/100 s; the entry between takes no time."""
+    """Each path of 30 at 20 with 100 takes 30/20 + 20/100 s.
+
+    The entry between them takes no time.
+    """
     paths = f"VECTORR(0, 1) = 30, 0\n{between}\nVECTORR(0, 1) = 0, 30\nGO(0, 1)\nPAUSE IDLE(0)\n"
     result = proved(RATES + BLEND + paths)
     assert places(result, 0, 1) == [30.0, 30.0]
@@ -687,7 +712,7 @@ def test_paths_are_not_blended_over_an_entry_of_one_of_their_axes(between: str) 
 
 
 def test_paths_that_are_joined_are_not_blended_if_blendmode_is_switched_on_meanwhile() -> None:
-    """All three were planned as one when they began: 90 at 20 with 100."""
+    """All three were planned as one path of 90 at 20 with 100 when they began."""
     paths = "VECTORR(0, 1) = 30, 0\nVECTORR(0, 1) = 0, 30\nVECTORR(0, 1) = 30, 0\nGO(0)\nWAIT = 100\n"
     change = "CONTOURMODE(0) = 0 : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\nPAUSE IDLE(0)\n"
     result = proved(RATES + CONTOUR + paths + change)
@@ -696,7 +721,10 @@ def test_paths_that_are_joined_are_not_blended_if_blendmode_is_switched_on_meanw
 
 
 def test_a_path_that_keeps_its_speed_keeps_its_rates() -> None:
-    """Bit 0 of FEEDRATEMODE: DECELTIME applies to later moves; 50 at 20 with 100."""
+    """With bit 0 of FEEDRATEMODE, DECELTIME only applies to later moves.
+
+    The path is 50 at 20 with 100.
+    """
     path = "FEEDRATEMODE(0) = 1\nVECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 100\nDECELTIME(0) = 2000\nPAUSE IDLE(0)\n"
     result = proved(RATES + path)
     assert result.time == pytest.approx(50.0 / 20.0 + 0.2)
@@ -704,10 +732,11 @@ def test_a_path_that_keeps_its_speed_keeps_its_rates() -> None:
 
 @pytest.mark.parametrize("ways", [(1.0,), (0.95, 0.05)])
 def test_a_path_without_room_for_a_lower_speed_slows_down_to_a_higher_one(ways: tuple[float, ...]) -> None:
-    """At a jerk of 400 a ramp from 20 to 16 takes 0.2 s and 3.6.
+    """At a jerk of 400, a ramp from speed 20 to 16 takes 0.2 s over a distance of 3.6.
 
-    One from 16 to rest takes 0.4 s and 3.2, one from 20 4.4721. With 6.8 left at 20, after 2.4 s, SPEED 15
-    would need 3.913 and 2.905. One path or two that are joined: 3 s.
+    A ramp from 16 to rest takes 0.4 s over 3.2, and one from 20 to rest needs 4.4721. After 2.4 s the speed
+    is 20 with 6.8 left. SPEED 15 would need 3.913 and 2.905, so the path slows down to 16. One path, or two
+    that are joined, takes 3 s.
     """
     length = 20.0 * 2.4 - 20.0 * sqrt(20.0 / 400.0) + 6.8
     smooth = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
@@ -721,10 +750,11 @@ def test_a_path_without_room_for_a_lower_speed_slows_down_to_a_higher_one(ways: 
 
 @pytest.mark.parametrize("decel", [50.0, 70.0, 76.0])
 def test_a_path_that_new_rates_could_not_stop_in_time_keeps_the_stop_of_its_suspension(decel: float) -> None:
-    """With 2.6 left it stops from 20 with 100, in 0.2 s and 2.
+    """With 2.6 left the path stops from 20 at 100, in 0.2 s over 2.
 
-    A DECEL of 50 needs 4, one of 76 2.63. The other 0.6 from rest, with 100 and D, reach v² / 200 + v² / 2D
-    = 0.6, and take v / 100 + v / D. Both together take longer than a stop with 70 or 76.
+    A DECEL of 50 would need 4, one of 76 would need 2.63. Resumed from rest, the other 0.6 takes v / 100 + v
+    / D, with the new DECEL D and a peak speed v of v² / 200 + v² / 2D = 0.6. Both together take longer than a
+    stop with 70 or 76.
     """
     path = (
         f"VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 2470\nSUSPEND(0) = 1\nDECEL(0) = {decel}\nSUSPEND(0) = 0\n"
@@ -736,10 +766,10 @@ def test_a_path_that_new_rates_could_not_stop_in_time_keeps_the_stop_of_its_susp
 
 
 def test_a_move_that_is_given_another_zero_before_its_end_takes_the_rest_of_its_time() -> None:
-    """1000 at 20 with a jerk of 400 take 1000/20 + 2 * sqrt(20/400) s.
+    """1000 at 20 with a jerk of 400 takes 1000/20 + 2 * sqrt(20/400) s.
 
-    So 0.2 ms and 6e-10 are left after 50.447 s. The remaining distance is rounded like the 1000, which
-    changes the time of a motion of its own by 2 ns.
+    So after 50.447 s there are 0.2 ms and 6e-10 left. That distance is rounded like the 1000. If it were
+    planned as a new motion, the rounding would change its time by 2 ns.
     """
     smooth = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
     move = "MOVER(0) = 1000 : GO(0)\nWAIT = 50447\nPOS(0) = 0\nPAUSE IDLE(0)\n"
@@ -751,7 +781,7 @@ def test_a_move_that_is_given_another_zero_before_its_end_takes_the_rest_of_its_
 def test_a_jog_out_of_the_last_flank_of_a_move_begins_at_rest() -> None:
     """The flank brings the axis to rest within rounding, without a further ramp.
 
-    1951/(10000 * 0.55) s follow.
+    The jog then accelerates for 1951/(10000 * 0.55) s.
     """
     settings = "1MN,2MN,3MN\n1SV1951,1SA10000,1DS5267\n1PS0.45\n"
     source = Source("found.mcl", f"MD1,2PP,1MA-5\n{settings}MC1\n2ST,2WS0.05\n1VM,1DI0,1GO\n")
@@ -790,7 +820,7 @@ def test_contour_mode_ends_torque_mode() -> None:
 
 
 def test_incr_counts_from_where_a_motor_under_a_torque_is() -> None:
-    """The loop is closed there, and the target is 5 further on."""
+    """The loop is closed at the motor's position, and the target is 5 further."""
     program = "TORQUEREF(0) = 2\nWAIT = 100\nINCR(0) = 5\nPRINT POSTARGET(0)\n"
     result = with_motor(program, "mnt", 0)
     (move,) = result.controller.log.moves
@@ -801,7 +831,7 @@ def test_incr_counts_from_where_a_motor_under_a_torque_is() -> None:
 
 @pytest.mark.parametrize("tie", ["FLY(2) = 20 : GO(2)", "CAM(2) = 0 : GO(2)", "FOLLOW(2) = 0.125"])
 def test_a_slave_stays_where_the_demand_of_its_master_is_taken_to_the_motor(tie: str) -> None:
-    """At 10 of 40 a linear ratio has led to 10² / 80.
+    """With its master at 10 of 40, a ratio that rises linearly has led to 10² / 80.
 
     A cam of one segment or a gear of 1/8 has led as far.
     """
@@ -815,9 +845,9 @@ def test_a_slave_stays_where_the_demand_of_its_master_is_taken_to_the_motor(tie:
 
 
 def test_a_path_away_from_zero_is_resumed_before_it_rests() -> None:
-    """It brakes from 20 to 15 and back in 0.05 s each.
+    """The path brakes from 20 to 15 and speeds up again, in 0.05 s each.
 
-    That is 0.25 behind a path that is not suspended, which takes 0.7 s.
+    That puts it 0.25 behind a path without a suspension, which takes 0.7 s.
     """
     suspend = "WAIT = 300\nSUSPEND(0) = 1\nWAIT = 50\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n"
     result = proved(f"{RATES}POS(0) = 500\nVECTORR(0, 1) = 6, 8 : GO(0)\n{suspend}")
@@ -827,9 +857,9 @@ def test_a_path_away_from_zero_is_resumed_before_it_rests() -> None:
 
 @pytest.mark.parametrize("wait", [66, 79, 92])
 def test_a_run_that_ends_as_a_master_comes_to_its_reference(wait: int) -> None:
-    """The slave, at rest then, is twice as far on the other side.
+    """At rest, the slave is twice as far away as its master, on the other side.
 
-    The clock rounds each of these times differently.
+    The clock rounds each of the times at which the run ends differently.
     """
     tie = "MASTERSOURCE(2) = _msPOS : MASTERCHANNEL(2) = 0\nFOLLOW(2) = -2\n"
     move = f"SPEED(0) = 15\nMOVER(0) = 40 : GO(0)\nWAIT = {wait}\nPOSREF(0) = -29\n"
@@ -841,9 +871,9 @@ BLENDS = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : BLENDMODE(0) = 1 : B
 
 
 def test_a_path_that_begins_suspended_is_not_late_for_a_blend() -> None:
-    """The first path, 0.05 s before its end, can stop no sooner.
+    """The first path is suspended 0.05 s before its end and cannot stop sooner.
 
-    The next takes 0.1 + 0.35 + 0.2 s once resumed.
+    Once resumed, the next path takes 0.1 + 0.35 + 0.2 s.
     """
     suspend = "WAIT = 2050\nDECEL(0) = 50 : SUSPEND(0) = 1\nWAIT = 500\nSUSPEND(0) = 0\n"
     paths = "VECTORR(0, 1) = 20, 0\nVECTORR(0, 1) = 0, 5\nGO(0)\n"
@@ -852,9 +882,10 @@ def test_a_path_that_begins_suspended_is_not_late_for_a_blend() -> None:
 
 
 def test_a_path_near_its_peak_keeps_its_speed_when_that_of_an_axis_is_lowered() -> None:
-    """A jerk of 1000 leads to its peak v over a half of 2.1, within v / 100 + 0.1 s.
+    """The first half of the 2.1 leads to a peak v, in v / 100 + 0.1 s.
 
-    There is no room to brake before. So (v / 100 + 0.1) * v is 2.1. The lower speed would be 3 / 0.6.
+    Its jerk is 1000, so (v / 100 + 0.1) * v is 2.1. There is no room to brake before the end to the lower
+    speed of 3 / 0.6.
     """
     settings = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100 : PROFILEMODE(0) = 1\n"
     jerks = "ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
@@ -865,10 +896,11 @@ def test_a_path_near_its_peak_keeps_its_speed_when_that_of_an_axis_is_lowered() 
 
 
 def test_a_rate_that_came_too_late_stays_so_when_another_setting_is_written() -> None:
-    """At 0.1 s it speeds up at 100 with a jerk of 1000.
+    """At 0.1 s the axis accelerates at 100 with a jerk of 1000.
 
-    At a jerk of 10 it would be past 20 before that is taken back. Its speed of 10 takes 0.2 s and 1.0 on
-    either side. The override is not for a move in FEEDRATEMODE 0.
+    At a jerk of 10 it would exceed 20 before that acceleration is zero, so the new jerk does not apply. The
+    ramps to and from the speed of 10 take 0.2 s and 1.0 each. The override does not apply to a move in
+    FEEDRATEMODE 0.
     """
     settings = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : PROFILEMODE(0) = 1\n"
     jerks = "ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\nMOVER(0) = 20 : GO(0)\n"
@@ -878,7 +910,7 @@ def test_a_rate_that_came_too_late_stays_so_when_another_setting_is_written() ->
 
 
 def test_a_jog_that_is_stopped_after_a_nanosecond() -> None:
-    """Its S-curve has hardly begun.
+    """The S-curve of the jog has hardly begun.
 
     The ramps of the stop are shorter than the rounding of the clock.
     """
@@ -888,9 +920,10 @@ def test_a_jog_that_is_stopped_after_a_nanosecond() -> None:
 
 @pytest.mark.parametrize(("deadband", "place"), [("9", 0.0), ("0.001", 20.0)])
 def test_gains_are_suggested_for_a_loop_with_a_deadband(deadband: str, place: float) -> None:
-    """20 counts need less than 9 V.
+    """An error of 20 counts needs less than 9 V.
 
-    If that counts as none the motor stays; 1 mV leaves it near its target.
+    With a deadband of 9 V that counts as none, and the motor does not move; a deadband of 1 mV leaves it near
+    its target.
     """
     result = with_motor(f"1MN\n1OB{deadband},1MR20,1WS0.2\n1TP\n", "mcl", 1)
     assert result.diagnostics == []
@@ -898,9 +931,9 @@ def test_gains_are_suggested_for_a_loop_with_a_deadband(deadband: str, place: fl
 
 
 def test_a_stop_that_is_planned_again_many_times_keeps_its_time() -> None:
-    """It goes up to v with a jerk of 10⁶, in 2 * sqrt(v / 10⁶) s, and down at 31.
+    """A jerk of 10⁶ brings the move to v in 2 * sqrt(v / 10⁶) s; it brakes at 31.
 
-    The distance is half of v times the time. Each of the 190 plans begins at the rounded position of the one
+    The distance is v/2 times the total time. Each of the 190 plans begins at the rounded position of the plan
     before.
     """
     program = (
@@ -915,7 +948,7 @@ def test_a_stop_that_is_planned_again_many_times_keeps_its_time() -> None:
 
 
 def test_a_ramp_that_is_over_within_the_rounding_of_the_clock() -> None:
-    """SRAMP was set while SPEED is 0, so its ramps have no duration.
+    """SRAMP was set while SPEED was 0, so its ramps have no duration.
 
     The move at a speed of 25 is a trapezoid, and takes 1 / 25 + 25 / 10⁵ s.
     """
@@ -926,9 +959,9 @@ def test_a_ramp_that_is_over_within_the_rounding_of_the_clock() -> None:
 
 
 def test_a_cam_whose_master_leaves_its_beginning_backwards_on_an_arc() -> None:
-    """The arc ends 4 + sqrt(80) * sin(-atan2(4, 8) - 48.119°) behind.
+    """The arc ends 4 + sqrt(80) * sin(-atan2(4, 8) - 48.119°) before the beginning.
 
-    The cycle before ends with a rest of 40.
+    There the cycle before has its final rest, which is 40 long.
     """
     table = "Dim rise(5) As Float = 4, 10, 25, 20, 0\nMASTERCHANNEL(2) = 1\n"
     cam = f"{table}CAMTABLE(2, rise, NULL) : MASTERDISTANCE(2) = 40\n"
@@ -939,9 +972,9 @@ def test_a_cam_whose_master_leaves_its_beginning_backwards_on_an_arc() -> None:
 
 
 def test_a_contour_that_already_brakes_for_its_next_path_is_suspended() -> None:
-    """Axis 1 brakes at 50 over 3, from sqrt(2 * 50 * 3), axis 0 to that at 100.
+    """Axis 1 brakes at 50 over its 3, from sqrt(2 * 50 * 3); axis 0 to that at 100.
 
-    The stop is planned from 20 at 1.6 s on, which a suspension at 1.61 s cannot hasten.
+    From 1.6 s on, the path brakes from 20 to rest as planned. A suspension at 1.61 s cannot stop it sooner.
     """
     paths = "MAXDECEL(1) = 50\nVECTORR(0, 1) = 30.5, 0\nVECTORR(0, 1) = 0, 3\nGO(0)\n"
     suspend = "WAIT = 1610\nSUSPEND(0) = 1\nPAUSE VELDEMANDPATH(0) = 0\n"
@@ -960,9 +993,9 @@ def test_a_contour_that_already_brakes_for_its_next_path_is_suspended() -> None:
     ],
 )
 def test_a_path_that_is_changed_a_thousand_times(path: str, length: float, ends: tuple[float, ...]) -> None:
-    """It continues as another entry of the log, still from where it began.
+    """The path continues as another entry of the log, with its original start.
 
-    ACCEL has no effect after 0.3 s: at 20 with 100 it takes length/20 + 20/100 s.
+    ACCEL has no effect after 0.3 s: at 20 with 100 the path takes length/20 + 20/100 s.
     """
     change = "WAIT = 300\nWhile Not IDLE(0)\nk = k + 1\nACCEL(0) = 100 + k Mod 2\nWAIT = 1\nEnd While\n"
     result = proved(f"{RATES}Dim k As Integer\n{path} : GO(0)\n{change}")
@@ -975,9 +1008,10 @@ def test_a_path_that_is_changed_a_thousand_times(path: str, length: float, ends:
 
 
 def test_a_path_is_slowed_down_just_as_it_continues_in_the_log() -> None:
-    """After 498 changes and 798 ms it is at 20 and 13.96; one more is too many.
+    """After 498 changes and 798 ms the path is at 13.96 with speed 20.
 
-    That is a SPEED of 10, which takes 0.1 s and 1.5; the last ramp takes 0.1 s and 0.5.
+    One more change begins another entry. That is a SPEED of 10, reached in 0.1 s over 1.5; the last ramp
+    takes 0.1 s over 0.5.
     """
     change = "WAIT = 300\nFor k = 1 To 498\nACCEL(0) = 100 + k Mod 2\nWAIT = 1\nNext\nSPEED(0) = 10\n"
     result = proved(f"{RATES}Dim k As Integer\nVECTORR(0, 1) = 30, 40 : GO(0)\n{change}PAUSE IDLE(0)\n")
@@ -992,9 +1026,10 @@ def test_a_path_is_slowed_down_just_as_it_continues_in_the_log() -> None:
     [("", 0.4), ("PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n", 0.45)],
 )
 def test_a_stop_keeps_its_rate_through_a_corner(ramps: str, needed: float) -> None:
-    """Axis 0 has a MAXDECEL of 50; its path is stopped at 20, 3 before a corner.
+    """Axis 0 has a MAXDECEL of 50; its path is stopped from 20, 3 before a corner.
 
-    The stop takes 20/50 s, with a jerk of 1000 another 50/1000 s; axis 1 alone might brake harder.
+    The stop takes 20/50 s, and with a jerk of 1000 another 50/1000 s. Behind the corner, axis 1 alone could
+    brake harder.
     """
     paths = "MAXDECEL(0) = 50\nVECTORR(0, 1) = 30, 0\nVECTORR(0, 1) = 0, 10\nGO(0)\n"
     result = proved(f"{RATES}{CONTOUR}{ramps}{paths}PAUSE POS(0) > 27\nPRINT TIME\nSTOP(0)\nPAUSE IDLE(0)\n")
@@ -1004,9 +1039,9 @@ def test_a_stop_keeps_its_rate_through_a_corner(ramps: str, needed: float) -> No
 
 
 def test_a_blended_path_that_new_rates_make_too_late_to_stop_ends_as_it_was_planned() -> None:
-    """The first path, at 20, has 4.4 left after 2.38 s; at 40 it would need 5.
+    """The first path, at 20, has 4.4 left after 2.38 s; at 40 it would need 5 to stop.
 
-    It stops as planned, after 50/20 + 20/100 s. The other one, at 3, stops from there at 40.
+    So it ends as planned, after 50/20 + 20/100 s. The second path, at speed 3, stops at 40 at once.
     """
     paths = "VECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 0, 50\nGO(0)\nWAIT = 2380\nDECEL(0) = 40\nSTOP(0)\n"
     result = proved(f"{RATES}{BLEND}{paths}PAUSE IDLE(0)\n")
@@ -1015,9 +1050,10 @@ def test_a_blended_path_that_new_rates_make_too_late_to_stop_ends_as_it_was_plan
 
 
 def test_the_peak_of_a_shear_that_ends_as_its_master_steps() -> None:
-    """A cam takes 10 in 2, then 15 in 2: its axis runs at 100, then at 150.
+    """A cam covers 10 in 2, then 15 in 2, so its axis runs at 100, then at 150.
 
-    The shear of 2 in 10 ends there with a ratio of 2 * 2/10, so at 40, and the next one begins at 60.
+    The shear of 2 in 10 ends at that step with a ratio of 2 * 2/10, at a speed of 40. The next shear begins
+    at 60.
     """
     ramps = "SPEED(0) = 20\nPROFILEMODE(0) = 1 : MASTERCHANNEL(2) = 1\nACCEL(0) = 1000\n"
     shear = "MASTERDISTANCE(2) = 10 : FLY(2) = 2\nFLY(2) = 29\nGO(2)\n"
@@ -1030,9 +1066,10 @@ def test_the_peak_of_a_shear_that_ends_as_its_master_steps() -> None:
 
 
 def test_a_path_that_another_one_is_blended_onto_continues_in_the_log() -> None:
-    """The first 50 have 5 left after 2.35 s; the next take 50/20 + 20/100 s.
+    """The first path of 50 has 5 left after 2.35 s; the next takes 50/20 + 20/100 s.
 
-    A MAXSPEED of 100 or 101 is no limit, but each is a new plan of both: 500 of them end an entry.
+    A MAXSPEED of 100 or 101 is no limit, but each plans both paths again. After 500 plans another entry of
+    the log begins.
     """
     paths = "VECTORR(0, 1) = 50, 0\nVECTORR(0, 1) = 0, 50\nGO(0)\nWAIT = 1950\n"
     change = "While Not IDLE(0)\nk = k + 1\nMAXSPEED(0) = 100 + k Mod 2\nWAIT = 1\nEnd While\n"
@@ -1050,10 +1087,11 @@ def test_a_path_that_another_one_is_blended_onto_continues_in_the_log() -> None:
 
 
 def test_a_stop_that_new_ramps_make_too_late_for_a_corner_begins_behind_it() -> None:
-    """The first path speeds up and brakes at 100, to the 0.5 of MAXSPEED at its end.
+    """The first path speeds up and brakes at 100, to the MAXSPEED of 0.5 at its end.
 
-    After 50 ms it is at 5 and 0.125. By a jerk of 1000 its acceleration would last to 10 and 0.958, too fast
-    for the corner at 1: the plan stays up to there. From 100 its deceleration falls to zero at rest, in 0.01 s.
+    After 50 ms it is at 0.125 with a speed of 5. At a jerk of 1000 its acceleration would last up to a speed
+    of 10 at 0.958, too fast for the corner at 1. So the plan remains valid up to the corner. From there its
+    deceleration of 100 falls to zero at rest, in 0.01 s.
     """
     corner = "MAXSPEED(1) = 0.5\nVECTORR(0, 1) = 1, 0\nVECTORR(0, 1) = 0, 10\nGO(0)\n"
     change = (
@@ -1066,10 +1104,10 @@ def test_a_stop_that_new_ramps_make_too_late_for_a_corner_begins_behind_it() -> 
 
 
 def test_a_stop_by_a_lower_jerk_does_not_run_back_along_its_path() -> None:
-    """After 1.15 s a suspension at 100 has brought it from 20 to 5, and 1.875 on.
+    """After 1.15 s a suspension at 100 has slowed the path from 20 to 5, over 1.875.
 
-    At a jerk of 400 the 100 would fall to zero in 0.25 s, at 7.5 the other way. They fall in 2 * 5/100 s
-    to rest, over a third of 5 * 0.1.
+    At a jerk of 400 the 100 would fall to zero in 0.25 s, at a speed of 7.5 backwards. So they fall to zero
+    at rest, in 2 * 5/100 s and over a third of 5 * 0.1.
     """
     path = "VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 1000\nSUSPEND(0) = 1\nWAIT = 150\n"
     stop = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\nSTOP(0)\nPAUSE IDLE(0)\n"
@@ -1080,11 +1118,11 @@ def test_a_stop_by_a_lower_jerk_does_not_run_back_along_its_path() -> None:
 
 
 def test_a_trapezoid_that_stops_as_planned_is_left_for_an_s_curve_at_once() -> None:
-    """ST with PS0 keeps a trapezoid, as no stop is shorter.
+    """ST with PS0 does not change a trapezoid, as no stop is shorter.
 
-    It comes after 0.1 s up, 0.05 s at 1000 and 1 s down at 500. 0.5 s later it is at 250. A half sine has
-    no flank that the 500 could fall along, so the change to 100 begins at once: pi/2 * 150/500 s, at 175 on
-    average.
+    ST comes after 0.1 s up, 0.05 s at 1000 and 1 s down at 500. 0.5 s later the speed is 250. A half sine has
+    no flank along which the 500 could fall, so the change to 100 begins at once. It takes pi/2 * 150/500 s,
+    at 175 on average.
     """
     move = "1MN,1SV1000,1SA10000,1DS500,1MR1100,WA1.15,1PS0,1ST,WA0.5,1SV100\n"
     result = proved(f"{move}1VM,1GO,WA1,1TP\n1AB\n", "mcl")
@@ -1097,8 +1135,9 @@ def test_a_trapezoid_that_stops_as_planned_is_left_for_an_s_curve_at_once() -> N
 def test_a_suspended_slave_comes_to_rest_whatever_its_master_does() -> None:
     """At 9.995 its master has slowed down from 20 to 1 at 100, on the way to -20.
 
-    A jerk of 1000 takes the 100 back in 0.1 s, at -4 and 0.1 - 0.5 + 1/6 farther on, then the -4 in twice
-    sqrt(4/1000) s. Beyond its reversal it exceeds ACCEL, which STOP of its master does not change.
+    At a jerk of 1000 the slave's 100 fall to zero in 0.1 s, at a speed of -4 and 0.1 - 0.5 + 1/6 farther on.
+    Then the -4 fall to zero in twice sqrt(4/1000) s. Beyond its reversal the slave exceeds ACCEL; a STOP of
+    its master does not change that.
     """
     ramps = "PROFILEMODE(1) = 1 : ACCELJERK(1) = 1000 : DECELJERK(1) = 1000 : ACCEL(1) = 50\n"
     follow = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1 : JOG(0) = 20\nWAIT = 500\n"
@@ -1109,9 +1148,9 @@ def test_a_suspended_slave_comes_to_rest_whatever_its_master_does() -> None:
 
 
 def test_a_slave_that_a_limit_stops_as_its_master_reverses_never_had_the_new_speed() -> None:
-    """24 by 18 at 20 is 16 on axis 0, and the path runs through its corner to -20.
+    """On a path of 24 by 18 at 20, axis 0 runs at 16, and at -20 behind the corner.
 
-    Its slave is outside its limits, so it may not run back: it stops at once, 50 * 0.8 * 0.023² short of 24.
+    Its slave is outside its limits, so it may not run back. It stops at once, 50 * 0.8 * 0.023² short of 24.
     """
     follow = "MASTERSOURCE(2) = _msPOS : MASTERCHANNEL(2) = 0 : CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 180\n"
     path = "VECTORR(0, 1) = 24, 18\nVECTORR(0, 1) = -10, 0\nGO(0)\nWAIT = 23\nFOLLOW(2) = 1\n"
@@ -1124,10 +1163,10 @@ def test_a_slave_that_a_limit_stops_as_its_master_reverses_never_had_the_new_spe
 
 @pytest.mark.parametrize("following", ["", "VECTORR(0, 1) = 40, 0\n"])
 def test_a_path_resumed_in_its_last_flank_keeps_it_if_the_jerk_was_lowered(following: str) -> None:
-    """S-ramps at 1000 reach 10 in 0.2 s, by 100: 50 take 0.2 + 48/10 + 0.2 s.
+    """S-ramps at 1000 reach 10 in 0.2 s, peaking at 100: 50 takes 0.2 + 48/10 + 0.2 s.
 
-    A blend does not change that. At 5.15 s it is at 1.25 and -50, which a jerk of 200 would take back
-    beyond a rest, by 50²/400 = 6.25.
+    A blend does not change that. At 5.15 s the speed is 1.25 and the acceleration -50. A jerk of 200 would
+    take -50 to zero only beyond rest, since that lowers the speed by 50²/400 = 6.25.
     """
     ramps = "SPEED(0) = 10 : PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
     path = f"BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 1\nVECTORR(0, 1) = 30, 40\n{following}GO(0)\nWAIT = 5150\n"
@@ -1140,10 +1179,10 @@ def test_a_path_resumed_in_its_last_flank_keeps_it_if_the_jerk_was_lowered(follo
 
 
 def test_a_shear_that_an_input_holds_runs_through_its_segments() -> None:
-    """At 2 s its master is at 38, and at 41 when it starts to slow down from 20 to 10.
+    """The master is at 38 at 2 s, and at 41 when it begins to slow down from 20 to 10.
 
-    The ratio rises to 1 in the first 20 of the master, and returns to 0 in the last 20 of 60. From 2.15 s
-    on the master travels 1.5 in 0.1 s and 8 in 0.8 s. The input is closed from 0.5 to 2 s, and the second
+    The slave's ratio rises to 1 in the first 20 of the master, and returns to 0 in the last 20 of 60. From
+    2.15 s on the master covers 1.5 in 0.1 s and 8 in 0.8 s. The input is closed from 0.5 to 2 s; the second
     segment begins meanwhile.
     """
     fly = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : SUSPENDINPUT(1) = 2 : MOVEBUFFERSIZE(1) = 9\n"

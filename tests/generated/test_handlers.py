@@ -1,4 +1,4 @@
-"""Programs with TIMER handlers are equal with accelerators and without: a sample."""
+"""Programs with TIMER handlers run equally without accelerators: a sample."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def test_programs_are_the_same_without_accelerators(batch: int) -> None:
 
 
 def test_a_third_of_the_programs_have_ticks_that_are_skipped(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without these the comparison would prove nothing."""
+    """Without skipped ticks the comparison would prove nothing."""
     found: set[int] = set()
     skip = _Search.skip
 

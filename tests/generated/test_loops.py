@@ -1,4 +1,4 @@
-"""Range analysis omits only checks that never fail: random loops end equally."""
+"""Range analysis omits only checks that never fail: random loops end alike."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from tests.generated.loops import Draw, outcome
 
 
 def test_an_overflow_in_a_loop_with_a_hole_is_found() -> None:
-    """3 * 900 000 000 is 2 700 000 000, more than 2 147 483 647.
+    """The loop skips i = 2 but not i = 3.
 
-    i = 2 is skipped, i = 3 is not.
+    3 * 900 000 000 is 2 700 000 000, more than 2 147 483 647.
     """
     head = "Dim i As Integer, y As Integer\n"
     found = outcome(f"{head}For i = 0 To 3\n  If i <> 2 Then y = i * 900000000\nNext\nPRINT y\n")

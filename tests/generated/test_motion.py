@@ -1,6 +1,6 @@
-"""Generated programs that move are proved, agree with logs, and are reproducible.
+"""A sample of generated motion programs is proved, consistent and reproducible.
 
-This is a sample of them.
+Reports agree with logs.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Programs of several tasks are equal with loops skipped and without: a sample."""
+"""Programs of several tasks have the same result with loops skipped: a sample."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def test_programs_do_the_same_with_loops_skipped(batch: int) -> None:
 
 
 def test_a_third_of_the_programs_have_periods_that_are_skipped(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without these the comparison would prove nothing."""
+    """Without skipped periods the comparison would prove nothing."""
     found: set[int] = set()
     skips = Recurrence._skips
 

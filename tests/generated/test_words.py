@@ -40,7 +40,7 @@ def test_words_are_counted_by_their_rows() -> None:
 
 
 def test_the_count_lists_the_rarest_first(capsys: pytest.CaptureFixture[str]) -> None:
-    """Every program of Mint sets SPEED; a keyword missing from twenty has no reason."""
+    """Every Mint program sets SPEED; a keyword missing from all twenty has no reason."""
     count = sum(generate(seed, "words").language == "mint" for seed in range(1, 21))
     assert main(["20", "--family", "words", "--words"]) == 1
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]

@@ -1,8 +1,8 @@
 """Programs of every keyword: motion, mixed with varied examples of the rows.
 
-Each row of the vocabulary has an example that runs. A program takes some of them, with other axes and other
-values within the range of the row, between the actions of the programs of motion. An example that declares or
-defines something ends its program, as two of them might define the same name.
+Each row of the vocabulary has an example that runs. A program takes some of them, changes their axes and
+their values within the range of the row, and puts them between the actions of a motion program. An example
+that declares or defines something ends its program, as two of them might define the same name.
 """
 
 from __future__ import annotations
@@ -42,13 +42,13 @@ NEVER: dict[str, dict[str, str]] = {
 
 @cache
 def _spelled(language: str) -> dict[str, str]:
-    """Return the name of a row by its spellings, in lower case."""
+    """Return the row name for each spelling of a keyword, in lower case."""
     rows = table(language).values()
     return {spelling.lower(): row.name for row in rows for spelling in (row.name, row.short) if spelling}
 
 
 def words(language: str, text: str) -> set[str]:
-    """Return the names of the rows whose keywords a program has."""
+    """Return the row names of all keywords in a program."""
     found = _WORD[language].findall(_TEXT.sub("", text))
     return {_spelled(language)[word.lower()] for word in found if word.lower() in _spelled(language)}
 
@@ -71,16 +71,16 @@ def _readings() -> tuple[str, ...]:
 
 
 def _example(row: Keyword) -> list[str]:
-    """The lines of an example.
+    """Return the lines of an example.
 
-    A loop that ends at 3 would have no end behind an example that has left 4.
+    A loop that counts i up to 3 gets `i = 0` before it: it would not end if an earlier example left 4 in i.
     """
     lines = row.example.split("\n")
     return ["i = 0", *lines] if "i = i + 1" in row.example else lines
 
 
 def surroundings(draw: Draw, language: str) -> dict[str, object]:
-    """Return changing inputs, an operator, and sometimes a simulated motor."""
+    """Return a machine with changing inputs, an operator, and sometimes a motor."""
     machine: dict[str, object] = {}
     if draw.chance(0.5):
         machine["input"] = [
@@ -96,7 +96,7 @@ def surroundings(draw: Draw, language: str) -> dict[str, object]:
 
 
 class MintWords(MintProgram):
-    """A Mint program with examples."""
+    """A Mint motion program with examples in between."""
 
     actions = MINT_ACTIONS | {"word": 60, "reading": 15}
 
@@ -113,7 +113,7 @@ class MintWords(MintProgram):
         return self.draw.choice(rows)
 
     def _varied(self, line: str) -> str:
-        """Return the line with another value of its setting, most of the time."""
+        """Return the line, mostly with another value of its setting."""
         found = _SETTING.match(line)
         row = table("mint").get(found[1]) if found is not None else None
         if found is None or row is None or self.draw.chance(0.3):
@@ -132,7 +132,7 @@ class MintWords(MintProgram):
 
 
 class McclWords(McclProgram):
-    """An MCCL program with examples."""
+    """An MCCL motion program with examples in between."""
 
     actions = MCCL_ACTIONS | {"word": 90}
 

@@ -1,6 +1,6 @@
-"""Every figure of the worked examples, to a billionth: AN00115 and TN1069.
+"""Every figure of the worked examples of AN00115 and TN1069, within 1e-9.
 
-The exact values are those of independent arithmetic (direct integration), not of this program.
+The exact values come from independent arithmetic (direct integration), not from this program.
 """
 
 from __future__ import annotations

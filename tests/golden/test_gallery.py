@@ -1,6 +1,6 @@
 """Every program of the gallery matches its golden files.
 
-`pytest --update` rewrites.
+`pytest --update` rewrites these.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""The gallery's machines against hand arithmetic: their end times.
+"""The end times of the gallery's machines, compared with hand arithmetic.
 
-They are computed from the formulas in each header. Statements take ten microseconds each, so a run is
+They are calculated by the formulas in each header. Statements take ten microseconds each, so a run is
 slightly longer than its moves.
 """
 
@@ -18,7 +18,7 @@ STATEMENTS = 3e-3
 
 
 def there(distance: float, speed: float, rate: float) -> float:
-    """Return the time of a move from rest to rest."""
+    """Return the duration of a move from rest to rest."""
     return distance / speed + speed / rate if distance >= speed**2 / rate else 2.0 * sqrt(distance / rate)
 
 

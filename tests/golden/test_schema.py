@@ -33,7 +33,7 @@ def check(document: str) -> None:
 
 @cases("program", GALLERY, ids=lambda path: str(Path(path).relative_to(ROOT / "scripts")))
 def test_every_golden_report_keeps_to_the_schema(program: str) -> None:
-    """Another test compares the golden files with the programs."""
+    """Another test compares the golden files with the programs' present reports."""
     check(Path(program).with_suffix(".golden.json").read_text(encoding="utf-8"))
 
 
@@ -73,7 +73,7 @@ def test_an_overflow_is_null() -> None:
 
 
 def tables() -> Iterator[tuple[str, list[str]]]:
-    """Yield heading and first column of every table of the page."""
+    """Yield the heading and the first column of every table on the page."""
     for found in re.finditer(r"^\| (.*?) \|.*\n\|[-|]+\n((?:\|.*\n)+)", PAGE, re.MULTILINE):
         yield (
             found[1],

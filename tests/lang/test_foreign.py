@@ -1,6 +1,6 @@
-"""A file in the other language gives one message.
+"""A file in the other language gives a single message.
 
-A file with own errors never does.
+A file with errors in its own language never gives it.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Literals by address: each value of a run is that of the edited program."""
+"""Literals by address: a run with other values is that of the edited program."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ FEED = '1SV100,1SA1000\nMD3,1MR-5,1WS0.1,1MR5,MC4\nFT"part %d",1MA@3,WA.5 ; WA9\
 
 
 def addresses(program: str, language: str = "mint") -> dict[str, str]:
-    """The literals of a program, by address."""
+    """Return the literals of a program by address."""
     return {each.address: each.text for each in literals(Source("a", program), dialect(language))}
 
 
 def test_the_literals_of_mint() -> None:
-    """Channels and comments have no literals, and a sign belongs to a lone number."""
+    """Channels and comments are not literals; a number on its own includes its sign."""
     assert addresses(DRILL) == {
         "SPEED[0]@1": "100",
         "SPEED[1]@1": "50",
@@ -72,7 +72,10 @@ While 1 : End While
 
 
 def test_the_literals_of_conditions_and_loops() -> None:
-    """Writes keep their addresses; numbers of Case and lone numbers have none."""
+    """Conditions do not change the addresses of writes.
+
+    Numbers of Case and numbers on their own have no address.
+    """
     assert addresses(CONDITIONS) == {
         "POS[0]@1": "100",
         "INX[2]@1": "1",
@@ -92,7 +95,7 @@ def test_the_literals_of_conditions_and_loops() -> None:
 
 
 def test_a_condition_is_varied() -> None:
-    """The output is set at 30, and at 60, of a move at 100 uu/s with ramps of 5 uu."""
+    """A move at 100 uu/s with ramps of 5 uu prints TIME at 30, or at 60."""
     text = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 90 : GO(0)\nPAUSE POS(0) >= 30\nPRINT TIME\n"
     at = [
         motionlang.run(Source("a.mnt", text), overrides={"POS[0]@3": value}).output for value in (30.0, 60.0)
@@ -103,9 +106,9 @@ def test_a_condition_is_varied() -> None:
 
 
 def test_the_literals_of_mccl() -> None:
-    """The number of a macro is not a literal, nor is that of a register.
+    """The numbers of macros and registers are not literals.
 
-    A command that comes twice in a line has a number.
+    If a command occurs twice in a line, its address has a number.
     """
     assert addresses(FEED, "mccl") == {
         "1SV@1": "100",
@@ -162,9 +165,9 @@ def test_an_address_without_a_line_is_every_write() -> None:
 
 
 def test_a_keyword_is_a_name_only_if_the_program_declares_it() -> None:
-    """`--set wait=…` sets the declared name, not the keyword.
+    """`--set wait=…` sets the declared name if there is one, and not the keyword.
 
-    Without the declaration it replaced the first WAIT and not the others.
+    If there is none, it once replaced only the first WAIT.
     """
     text = "WAIT = 10\nWAIT = 10\nPRINT TIME"
     assert motionlang.run(Source("a.mnt", text), overrides={"Wait": 30}).output == ["60"]
@@ -214,7 +217,7 @@ STROKE = (
 
 
 def test_a_run_is_that_of_the_edited_text() -> None:
-    """50 mm at 250 mm/s and 1000 mm/s²: triangular, 2 √(50 / 1000) s."""
+    """50 mm at 250 mm/s and 1000 mm/s² is a triangle, and takes 2 √(50 / 1000) s."""
     run = motionlang.run(Source("a.mnt", STROKE), overrides={"SPEED[0]@1": 250})
     plain = motionlang.run(Source("a.mnt", STROKE.replace("= 100 ", "= 250 ")))
     assert text(run) == text(plain)
@@ -224,9 +227,9 @@ def test_a_run_is_that_of_the_edited_text() -> None:
 
 
 def test_every_row_of_a_sweep_is_a_run_of_the_edited_text() -> None:
-    """A variant without an error runs the compiled program with constants.
+    """A variant without an error runs the compiled program with other constants.
 
-    -5 is refused by the edited program.
+    -5 is rejected, as in the edited program.
     """
     speeds = (50, 100, -5, 250)
     job = Sweep(Source("a.mnt", STROKE), {"SPEED[0]@1": list(speeds)}, keep=["time", "prints", "moves"]).job

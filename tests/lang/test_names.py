@@ -1,4 +1,4 @@
-"""The names of a program: definitions, uses, blocks, and how they may be renamed."""
+"""The names of a program: definitions, uses, blocks, and safe renaming."""
 
 from __future__ import annotations
 
@@ -202,7 +202,7 @@ def test_local_names_of_two_subs_are_apart() -> None:
 
 @cases("path", GALLERY, ids=lambda path: path.name)
 def test_the_gallery_with_other_names_gets_the_same_diagnostics(path: Path) -> None:
-    """`check` reports the same about the same lines after every name has changed."""
+    """`check` reports the same for the same lines after every name has been changed."""
     source = Source.read(path)
     language = dialect("mint" if path.suffix == ".mnt" else "mccl")
     found = language.names(source)

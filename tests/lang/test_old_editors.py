@@ -20,7 +20,7 @@ MCCL = b"1MN\x0c\r\n\x0c1MR5,\x0c1WS0\x1a\r\n\x0c\r\n1TP\r\n\x1a\x1a"
 def test_form_feeds_and_the_end_of_file_are_blanks(
     name: str, data: bytes, output: list[str], tmp_path: Path
 ) -> None:
-    """They are between words, at line ends, on their own lines, and at the file's end."""
+    """They may be between words, at line ends, on a line of their own, or at the end."""
     (tmp_path / name).write_bytes(data)
     made = run(tmp_path / name, cache=False)
     assert (made.status, made.output, made.diagnostics) == ("ended", output, [])

@@ -1,4 +1,4 @@
-"""Tasks, waits and the end of a run, with generators written by hand."""
+"""Tasks, waits and the end of a run, with hand-written generators as tasks."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def test_two_tasks_share_the_controllers_time() -> None:
 
 
 def test_a_task_that_waits_for_a_time_does_not_oversleep_while_another_computes() -> None:
-    """The slice of the busy one ends at that time, not a quantum later."""
+    """The busy task's time slice ends when the other's wait does, not a quantum later."""
     c = controller()
     woken = []
 

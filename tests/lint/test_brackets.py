@@ -1,4 +1,4 @@
-"""The two interpretations of `&` or `|` with comparisons: the first is in force."""
+"""The two ways to read `&` or `|` next to comparisons: the first one applies."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def tree(line: str) -> str:
 
 
 def bracketed(operands: list[str], ops: list[str], tight: tuple[str, ...]) -> str:
-    """Return the operands with brackets around every run that `tight` operators join."""
+    """Return the operands with brackets around each run joined by `tight` operators."""
     runs, loose = [[operands[0]]], []
     for op, operand in zip(ops, operands[1:], strict=True):
         if op in tight:

@@ -1,4 +1,4 @@
-"""Keywords without brackets mean axis 0, unless the program uses AXES."""
+"""Keywords without brackets apply to axis 0, unless the program uses AXES."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""At the beginning of a program its axes are at 0 and have no speed.
+"""At the start of a program its axes are at 0 and have no speed set.
 
 0 is the position at power-up.
 """

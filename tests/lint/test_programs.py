@@ -1,6 +1,6 @@
-"""Programs with every finding of a linter, and the complete output in a `.txt`.
+"""Programs with every kind of lint message, and the complete output in a `.txt`.
 
-A `.toml` next to a program is its machine. `pytest --update` rewrites the texts.
+A `.toml` next to a program is its machine file. `pytest --update` rewrites the texts.
 """
 
 from __future__ import annotations

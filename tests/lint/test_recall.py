@@ -1,9 +1,9 @@
-"""A check that knows the one before finds the same as a new one.
+"""A check that reuses the previous one finds the same as a new one.
 
 It checks only functions that have changed.
 
-`motionlang lsp` passes one dict from check to check of a text. After every edit the result has to be that of a
-check without it, in all details.
+`motionlang lsp` passes one dict from each check of a text to the next. After every edit the result must equal
+that of a check without the dict, in all details.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def lines_with(code: str, text: str, known: dict[object, object]) -> list[int]:
 
 
 def edited(lines: list[str], random: Random) -> list[str]:
-    """Return the lines with one of them added, removed, moved or given another number."""
+    """Return the lines after adding, removing, moving or renumbering one of them."""
     at = random.randrange(len(lines))
     match random.randrange(4):
         case 0:
@@ -79,7 +79,7 @@ def edited(lines: list[str], random: Random) -> list[str]:
 
 
 def test_a_sub_that_changes_changes_the_warnings_of_another_one() -> None:
-    """`load` relies on the GO of `start`."""
+    """`load` depends on the GO of `start`."""
     known: dict[object, object] = {}
     assert (5, "never-started") not in codes(PROGRAM, known)
     assert (5, "never-started") in codes(PROGRAM.replace("GO(0)", "GO(1)"), known)
@@ -103,7 +103,7 @@ def test_a_loop_sees_which_tasks_write_its_variable() -> None:
 
 
 def test_a_sub_sees_which_tasks_call_it() -> None:
-    """`level` changes while `hold` waits if it also waits in `blink`."""
+    """`level` changes while `hold` waits, if the task `blink` also calls `hold`."""
     program = "Dim level\nRun blink\nhold\nlevel = 1\nSub hold\n Pause level = 1\nEnd Sub\n"
     known: dict[object, object] = {}
     alone, both = (f"{program}Task blink\n {each}\nEnd Task\n" for each in ("Wait = 1", "hold"))
@@ -119,7 +119,7 @@ def test_a_machine_with_fewer_axes_refuses_what_was_accepted() -> None:
 
 
 def test_a_message_of_the_program_moves_to_the_next_function_that_causes_it() -> None:
-    """A keyword without effect is reported where it is used first."""
+    """A keyword without effect is reported where it is used for the first time."""
     program = "one\ntwo\nSub one\n {}\nEnd Sub\nSub two\n ABSENCODERCOSOFFSET(0) = 1\nEnd Sub\n"
     known: dict[object, object] = {}
     assert lines_with("not-simulated", program.format("ABSENCODERCOSOFFSET(0) = 1"), known) == [4]

@@ -1,4 +1,4 @@
-"""The linter is right: random programs print each line before it runs."""
+"""The linter is right about random programs, which print each line before it runs."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ _TURN: list[Lines] = [["k = k + 1"], ["If k > 20 Then Exit Loop"]]
 
 
 def _counted(turns: int, body: list[Lines]) -> Lines:
-    """Return a For with a variable of its own: a shared one might never end."""
+    """Return a For with its own variable; with a shared one it might never end."""
     return _block(f"For i{sum(map(len, body))} = 1 To {turns}", body, "Next")
 
 
@@ -68,7 +68,7 @@ _SILENT = ("Next", "End If", "End Loop", "If k > 20")
 
 @st.composite
 def programs(draw: st.DrawFn) -> str:
-    """Return a program whose statements print their lines before they run."""
+    """Return a program that prints the number of each line before executing it."""
     lines = [line for each in draw(statements) for line in each]
     counters = sorted(set(re.findall(r"i\d+", "\n".join(lines))))
     text = f"Dim {', '.join(f'{each} As Integer' for each in ('k', *counters))}\n"
@@ -155,7 +155,7 @@ def test_without_a_go_that_starts_nothing_every_move_is_the_same(text: str) -> N
 
 
 def moves(text: str) -> list[tuple[float, ...]]:
-    """Line, axis, start time, duration and end of every move."""
+    """Return line, axis, start time, duration and end of every move."""
     found = ran(text).report["moves"]
     assert isinstance(found, list)
     return [tuple(move[key] for key in ("line", "axis", "start_time", "duration", "end")) for move in found]

@@ -25,9 +25,9 @@ End While
 
 
 def test_an_entry_that_was_packed_and_read_before_it_is_continued(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Entries of 500 changes are packed, and the last is read and continued.
+    """Entries of 500 changes are packed; the last one is read before it is continued.
 
-    50 at 20 with 100 take 50/20 + 20/100 s, without a gap between the entries.
+    50 at speed 20 with rates of 100 takes 50/20 + 20/100 s, without a gap between the entries.
     """
     split = moves.Moves.split
 

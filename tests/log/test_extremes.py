@@ -16,7 +16,7 @@ GALLERY = Path(__file__).parents[2] / "scripts"
 
 @pytest.mark.parametrize("axis", [0, 1])
 def test_lines_and_arcs_that_join_have_no_infinite_acceleration(axis: int) -> None:
-    """50 along arcs of radius 10 need 250 across, the ramps 500."""
+    """At speed 50, arcs of radius 10 need 250 of lateral acceleration, the ramps 500."""
     made = run(GALLERY / "mint" / "laser-contour.mnt")
     found = extremes(made.controller.axes[axis], made.time)
     assert found.acceleration.value == pytest.approx(500.0, rel=1e-4)

@@ -1,4 +1,4 @@
-"""A run interrupted between any two lines has a report, a trace, a valid proof."""
+"""A run interrupted between any two lines has a report, a trace and a valid proof."""
 
 from __future__ import annotations
 
@@ -76,7 +76,10 @@ Next
 
 
 class Ended:
-    """Ctrl-C at the `at`-th executed line of some functions, which are counted."""
+    """An interrupt (Ctrl-C) at the `at`-th executed line of some functions.
+
+    The executed lines are counted.
+    """
 
     def __init__(self, places: tuple[str, ...] | dict[str, set[str]], at: int) -> None:
         self.places, self.at, self.count = places, at, 0
@@ -86,7 +89,7 @@ class Ended:
         self.counted: dict[CodeType, bool] = {}
 
     def counts(self, code: CodeType) -> bool:
-        """True if the lines of a function are counted."""
+        """True if the executed lines of a function are counted."""
         place = next((place for place in self.places if place in code.co_filename), "")
         return bool(place) and (not isinstance(self.places, dict) or code.co_name in self.places[place])
 
@@ -159,7 +162,7 @@ def test_it_may_end_at_any_line(name: str, text: str, places: str, monkeypatch: 
 
 
 def motion(result: Run) -> dict[int, list[tuple[float, str]]]:
-    """Return the start and shape of each profile of each axis whose beginning is over."""
+    """Return the start time and shape of each recorded profile, by axis."""
     tracks = Recorded(result.controller).axes
     assert all(len(a.starts) == len(a.profiles) and a.starts[-1] <= result.time for a in tracks.values())
     return {
@@ -182,10 +185,10 @@ def test_the_places_exist() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.long)], ids=["some", "every"])
 def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """It covers each line that starts one, writes it to the track or packs it.
+    """Interrupt each line that starts, records or packs a fast-path move.
 
-    The run up to then is complete, with no duplicates. Each line is taken at its first and last execution,
-    and 60 of the others; all of them with `long`.
+    The run up to then is complete, with no duplicates. Each line is interrupted at its first and last
+    execution. Of the other executions 60 are interrupted, or all with `long`.
     """
     for name, most in {"FIRST_CHECK": 1, "HURRY": 0.0, "MAX_PROFILES": 6, "LEFT_PROFILES": 2}.items():
         monkeypatch.setattr(f"motionlang.log.log.{name}", most)

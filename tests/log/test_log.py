@@ -1,4 +1,4 @@
-"""The log of a run: packing does not change it, and makes it small."""
+"""The log of a run: packing makes it small and does not change its contents."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ Print "done"
 
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Make a log pack at once, with almost everything on the disk."""
+    """Make a log pack at once, with almost all of its data on disk."""
     for name, value in (("MAX_TAIL", 6), ("LEFT", 3), ("PART", 2), ("MEMORY", 400)):
         monkeypatch.setattr(stream, name, value)
     monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
@@ -82,7 +82,7 @@ for source in (Source("a.mnt", "Dim n As Integer"), Source("a.mcl", "CN0\\n")):
 
 
 def test_every_stream_of_a_run_without_motion_reads_as_a_list() -> None:
-    """It has a process of its own: a proved run, as in this suite, has a controller."""
+    """The run has its own process: a proved run, as in this suite, has a controller."""
     ran = subprocess.run([sys.executable, "-c", STILL], capture_output=True, text=True, check=False)
     assert ran.stdout == f"{[(0, [], [], [], False)] * 6}\n" * 2, ran.stderr
 
@@ -149,9 +149,9 @@ Next
 
 
 def test_what_a_motor_follows_is_packed_and_followed_all_the_same(request: pytest.FixtureRequest) -> None:
-    """Readings, report and trace of a motor are equal without packing.
+    """Readings, report and trace of a motor are equal with packing and without.
 
-    Positions are redefined, loops opened.
+    The program redefines positions and opens loops.
     """
     machine = {"axis.0.plant.load_inertia": 4e-5, "axis.0.plant.load_torque": 0.002}
     source = Source("followed.mnt", FOLLOWED)
@@ -213,7 +213,7 @@ def test_a_track_is_read_as_one_list() -> None:
 def test_play_is_taken_up_by_motion_that_is_packed_too(request: pytest.FixtureRequest) -> None:
     """600 moves of 0.01 at 1000/s² are 3.79 s of motion.
 
-    Backlash of 2 that takes 20 s is taken up by 0.379.
+    A backlash of 2 that takes 20 s of motion is taken up by 0.379 in that time.
     """
     program = """Dim n As Integer
 SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
@@ -305,7 +305,7 @@ def test_a_wait_says_what_kind_of_thing_ended_it() -> None:
 
 @pytest.mark.usefixtures("small")
 def test_a_slice_of_a_packed_track_is_its_profiles_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It does not depend on packing, on the number of chunks, or on caching."""
+    """The result does not depend on packing, on the number of chunks, or on caching."""
     plant = {"axis.0.plant.load_inertia": 4e-5}
     a = run(Source("followed.mnt", FOLLOWED), machine=plant, cache=False).controller.axes[0]
     assert a.older is not None

@@ -1,4 +1,4 @@
-"""The motion as columns: names, units, rows of a grid, the last row, chunks."""
+"""The motion as columns: names, units, grid rows, the last row, chunks."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from motionlang.log.trace import Trace
 
 
 def ballscrew(start: float = 0.0) -> Controller:
-    """Return 200 mm at 250 mm/s and 1250 mm/s² on axis 0, 1200 counts/mm.
+    """Return a move of 200 mm at 250 mm/s and 1250 mm/s² on axis 0, 1200 counts/mm.
 
-    It ends with the move.
+    The run ends with the move.
     """
     controller = Controller(4)
     controller.set_scale(0, 1200.0)

@@ -1,4 +1,4 @@
-"""The commands to the loop: TN1069's points at 1 kHz, and lines between them."""
+"""The commands to the servo loop: TN1069's points at 1 kHz, joined by lines."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ EVERY = ("position", "velocity", "acceleration", "jerk")
 
 
 def machine(start: float = 0.0, scale: float = 1.0) -> Controller:
-    """Return one axis that moves 1250 counts at 1250 counts/s², 250 counts/s.
+    """Return the run of a move of 100 counts at 250 counts/s and 1250 counts/s².
 
-    It starts at `start`.
+    The move starts at `start`, s.
     """
     controller = Controller(1)
     controller.set_scale(0, scale)
@@ -29,9 +29,9 @@ def machine(start: float = 0.0, scale: float = 1.0) -> Controller:
 
 @pytest.mark.parametrize("start", [0.0, 5e-5, 9.3e-4])
 def test_points_are_those_of_the_note(start: float) -> None:
-    """S(T) = ACC/2 T² with ACC = A/N² counts per cycle squared, T in cycles.
+    """S(T) = ACC/2 T², with ACC = A/N² in counts per cycle squared and T in cycles.
 
-    A move begins with a cycle.
+    A move begins at the next cycle.
     """
     points = machine(start).trace.as_controller().sample(1000.0, quantities=("position",)).get(0, "position")
     begin = int(np.ceil(start * 1000.0))
@@ -55,7 +55,7 @@ def test_between_the_points_are_straight_lines() -> None:
 
 
 def test_it_leaves_the_curve_by_what_a_chord_does() -> None:
-    """Between points of a parabola the chord is A/8N² away at most: 0.00015625 counts."""
+    """A chord between points of a parabola is at most A/8N² = 0.00015625 counts away."""
     trace = machine().trace
     exact, commanded = trace.sample(4000.0), trace.as_controller().sample(4000.0)
     count = len(exact) - 1
@@ -113,7 +113,7 @@ def test_chunks_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("start", [0.0, 5e-5, 5e-4, 9.3e-4])
 def test_a_stop_in_motion_keeps_to_the_set_acceleration(start: float) -> None:
-    """The move waited for its cycle; its stop is delayed equally, without a jump."""
+    """The move waits for its cycle, and the stop is delayed as long, without a jump."""
     controller = Controller(1)
     for name, value in (("speed", 250.0), ("accel", 1250.0), ("decel", 1250.0)):
         controller.configure(0, name, value)

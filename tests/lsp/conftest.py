@@ -1,4 +1,4 @@
-"""A running server, and a client that is one of the usual editors."""
+"""A running server, and clients that behave like the usual editors."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class Editor:
         self.client.text_document_did_change(types.DidChangeTextDocumentParams(identifier, changes))
 
     async def diagnostics(self) -> list[types.Diagnostic]:
-        """Wait for the diagnostics of the present version."""
+        """Wait for the diagnostics of the present version and return them."""
         while True:
             found = await self.client.wait_for_notification(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
             if found.uri == self.uri and found.version == self.version:

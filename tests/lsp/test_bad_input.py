@@ -1,4 +1,4 @@
-"""Bad input: one error for each request, no traceback, no hang, no process left."""
+"""Bad input: one error per request; no traceback, no hang, no leftover process."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ REFUSED = {-32700, -32600, -32601, -32602, -32002, -32803, -32800}
 
 
 def random_messages(seed: int, count: int) -> None:
-    """Send random messages in any order, and compare requests with answers."""
+    """Send random messages in any order, and check that each request has one answer."""
 
     async def whole() -> None:
         chance, wire = Chance(seed), Wire()
@@ -77,7 +77,7 @@ def test_ten_thousand_random_messages_get_one_answer_each(seed: int) -> None:
 
 
 def test_a_job_that_raises_is_reported_in_one_sentence() -> None:
-    """A check that raises has a diagnostic; a run has a message in the log."""
+    """A check that raises gives a diagnostic; a run that raises gives a log message."""
 
     async def whole() -> None:
         wire = Wire(Broken())
@@ -103,9 +103,10 @@ def test_a_job_that_raises_is_reported_in_one_sentence() -> None:
 
 
 def phase(name: str) -> Wire:
-    """Return a connection in one phase of its life.
+    """Return a connection in one phase of a session.
 
-    It is "new" before `initialize`, "open" with a text, "closed" without it, "down" after `shutdown`.
+    The phase is "new" before `initialize`, "open" with a text, "closed" after the text has been closed, or "down"
+    after `shutdown`.
     """
     wire = Wire()
     if name == "new":
@@ -197,7 +198,7 @@ def test_changes_with_any_position_are_applied(text: str, changes: list[dict[str
 
 
 class Process:
-    """A server in a process, with messages as bytes."""
+    """A server in a separate process; messages are sent and received as bytes."""
 
     def __init__(self, *arguments: str) -> None:
         self.process = subprocess.Popen(
@@ -239,7 +240,7 @@ class Process:
         return message
 
     def until(self, **wanted: object) -> dict[str, Any]:
-        """Return the next message with these members."""
+        """Return the next message that has these members."""
         while True:
             message = self.read()
             if all(message.get(key) == value for key, value in wanted.items()):

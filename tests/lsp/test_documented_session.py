@@ -1,6 +1,6 @@
-"""The session of docs/debugging.md in an editor: mistake, quick fix, times.
+"""The editor session of docs/debugging.md: mistake, quick fix, times.
 
-The page continues it at the prompt with the same program, where `tests/test_docs.py` runs it.
+The page continues at the prompt with the same program; `tests/test_docs.py` runs that part.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ WIDTH = 40
 
 
 def shown_on_the_page() -> tuple[str, str]:
-    """Return the two pictures of the editor: before and after the quick fix."""
+    """Return the page's two pictures of the editor: before and after the quick fix."""
     page = (ROOT / "docs" / "debugging.md").read_text(encoding="utf-8")
     assert f".debug {PROGRAM.relative_to(ROOT).as_posix()}\n" in page
     before, after = re.findall(r"^```editor\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
@@ -38,7 +38,7 @@ def diagnosed(text: str, found: types.Diagnostic, offered: list[types.CodeAction
 
 
 def hinted(text: str, hint: types.InlayHint) -> str:
-    """Draw the line of a hint."""
+    """Draw the line of an inlay hint."""
     line = text.splitlines()[hint.position.line].partition("'")[0].rstrip()
     return f"{hint.position.line + 1}  {line:{WIDTH}}{hint.label}\n"
 

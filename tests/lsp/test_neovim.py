@@ -1,4 +1,4 @@
-"""Neovim without a screen, with the settings of docs/editor.md."""
+"""Headless Neovim with the settings of docs/editor.md."""
 
 from __future__ import annotations
 

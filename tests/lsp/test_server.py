@@ -28,7 +28,7 @@ Print count
 
 
 def changes_of(edit: types.WorkspaceEdit, uri: str) -> list[types.TextEdit]:
-    """Return the changes of a text, in either form of the protocol."""
+    """Return the edits of one text, in either form of the protocol."""
     found = list((edit.changes or {}).get(uri, ()))
     for each in edit.document_changes or ():
         assert isinstance(each, types.TextDocumentEdit)
@@ -130,7 +130,7 @@ def test_a_program_is_checked_with_the_machine_file_next_to_it(tmp_path: Path) -
 
 
 def test_a_machine_file_that_changes_on_disk_checks_the_program_again(tmp_path: Path) -> None:
-    """The editor is asked to report such files, and the move ends at 500."""
+    """The editor is asked to report changes of such files. The move ends at 500."""
     machine = tmp_path / "a.machine.toml"
 
     async def work(client: Editor) -> None:
@@ -158,7 +158,7 @@ def test_a_machine_file_in_latin_1_is_read_as_a_run_reads_it(tmp_path: Path) -> 
 
 
 def test_a_text_in_a_wrong_encoding_has_one_diagnostic(tmp_path: Path) -> None:
-    """Editors replace a byte that they cannot decode, here letters of Latin-1."""
+    """Editors replace bytes that they cannot decode, here letters of Latin-1."""
 
     async def work(client: Editor) -> None:
         (found,) = await client.open("' Ma\ufffde\nL\ufffdnge = 3 : Print L\ufffdnge\n")
@@ -185,7 +185,7 @@ def test_without_pygls_the_command_says_what_to_install() -> None:
 
 
 def test_positions_are_in_units_of_utf_16(tmp_path: Path) -> None:
-    """The sign before the name is one character and two units."""
+    """The symbol before the name is one character, but two UTF-16 units."""
 
     async def work(client: Editor) -> None:
         text = 'Dim name\nname = 1 : Print "\U0001f527\U0001f527", name\n'

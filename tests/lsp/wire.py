@@ -33,9 +33,9 @@ INITIALIZE: dict[str, Any] = {"processId": None, "rootUri": None, "capabilities"
 
 
 class Checks(Inline):
-    """Does checks in this process.
+    """Executes checks in this process.
 
-    Runs have no result, because some programs would run for long.
+    Runs have no result, because some programs would run too long.
     """
 
     async def do(self, job: Job) -> list[Diagnostic] | Times | None:
@@ -43,14 +43,14 @@ class Checks(Inline):
 
 
 class Broken(Inline):
-    """Raises in every job."""
+    """Raises an exception in every job."""
 
     async def do(self, job: Job) -> list[Diagnostic] | Times | None:
         raise RuntimeError(f"no {job.what}\nand more")
 
 
 class Wire:
-    """Both ends of a connection in one process; `sent` has what the server wrote."""
+    """Both ends of a connection in one process; `sent` has the server's messages."""
 
     def __init__(self, worker: Inline | None = None) -> None:
         self.server = Server(worker or Checks())
@@ -64,7 +64,7 @@ class Wire:
         """Do nothing."""
 
     def receive(self, body: bytes | str) -> None:
-        """Let the server read the body of a message, as its loop does."""
+        """Let the server read the body of a message, as in its own loop."""
         try:
             message = json.loads(body, object_hook=self.server.protocol.structure_message)
             self.server.protocol.handle_message(message)
@@ -80,7 +80,7 @@ class Wire:
         self.receive(json.dumps({"jsonrpc": "2.0", "method": method, "params": parameters}))
 
     def answers(self) -> dict[int | str | None, list[dict[str, Any]]]:
-        """Return the answers so far, by the number of their requests."""
+        """Return all answers so far, by the numbers of their requests."""
         found: dict[int | str | None, list[dict[str, Any]]] = {}
         for each in self.sent:
             if "method" not in each:
@@ -88,7 +88,7 @@ class Wire:
         return found
 
     async def settled(self) -> None:
-        """Wait until nothing is left to do; typing pauses in the meantime."""
+        """Wait until no work is left, as if the user had paused typing."""
         session, waiting = self.server.session, self.server.protocol._request_futures
         while (
             session._tasks
@@ -104,7 +104,7 @@ class Wire:
 
 
 class Chance:
-    """Random messages, mostly of a valid form, with values of all kinds."""
+    """Generates random messages, mostly of a valid form, with values of all kinds."""
 
     TEXTS = (
         "", "\n", "Print 1\r\nPrint 2\r", "\ufeffx = 1\n", "x = \U0001f527\nPrint \"\U0001f527\", x\n", "If a Then\n",
@@ -165,7 +165,7 @@ class Chance:
         return found
 
     def broken(self, parameters: dict[str, Any]) -> object:
-        """Return parameters with a member missing or of another type, or something else."""
+        """Return the parameters with a missing or wrongly typed member, or another object."""
         value: object = self.random.choice((None, 3, "x", [], {}, -1.5, True, {"line": "a"}))
         if self.random.random() < 0.2:
             return value

@@ -1,9 +1,7 @@
 """A host that calls every method of PMC's Python binding.
 
-Run by `motionlang mcapi run`.
-
-
-It prints a JSON object: the result of each method, or the name of its exception.
+It is run by `motionlang mcapi run` and prints a JSON object: the result of each method, or the name of its
+exception.
 """
 
 from __future__ import annotations
@@ -66,7 +64,7 @@ LAST = ("Reset", "Reopen", "Close")
 
 
 def called(name: str) -> Any:
-    """Return the result of a method, or the name of what it raises."""
+    """Return the result of a method, or the name of the exception that it raises."""
     method = getattr(host, name)
     names = list(inspect.signature(method).parameters)
     given = OWN.get(name) or tuple(BY_NAME.get(each, 1) for each in names)

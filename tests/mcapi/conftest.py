@@ -34,7 +34,7 @@ def host() -> Mcapi:
 
 
 class Line:
-    """A connection to the port: a socket, a line at a time."""
+    """A connection to the port that sends and receives whole lines."""
 
     def __init__(self, address: tuple[str, int]) -> None:
         self.socket = socket.create_connection(address, PATIENCE)
@@ -59,7 +59,7 @@ class Line:
 
 
 class Board:
-    """A served board, in a thread of its own."""
+    """A served board that runs in a separate thread."""
 
     def __init__(self, machine: dict[str, object], clock: str, limits: Limits | None) -> None:
         console = Console(Machine(machine, first_axis=1))
@@ -82,7 +82,7 @@ class Board:
 
     @property
     def name(self) -> str:
-        """The address as MCAPI_HOST has it."""
+        """The address in the form of the environment variable MCAPI_HOST."""
         return f"{self.address[0]}:{self.address[1]}"
 
     def connect(self) -> Line:
@@ -105,7 +105,7 @@ Serve = Callable[..., Board]
 
 @pytest.fixture
 def serve() -> Iterator[Serve]:
-    """A server of boards: `serve(machine={}, clock="lockstep", limits=None)`."""
+    """Yield `serve(machine={}, clock="lockstep", limits=None)`, which serves a board."""
     boards: list[Board] = []
 
     def begin(

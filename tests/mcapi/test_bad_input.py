@@ -1,4 +1,4 @@
-"""Bad input: each row has its error code, and a board that goes on."""
+"""Bad input: each row has its error code, and the board continues."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.mcapi.conftest import Serve, opened
 
 
 def code(host: Mcapi, name: str, *arguments: object) -> int:
-    """Return the error code of a call, as the board answers it."""
+    """Return the error code with which the board answers a call."""
     found, _ = host._calls.call(name, host.Handle(), arguments)  # type: ignore[arg-type]
     return found
 
@@ -49,7 +49,7 @@ def code(host: Mcapi, name: str, *arguments: object) -> int:
 def test_the_code_of_a_mistake(
     host: Mcapi, name: str, arguments: tuple[object, ...], wanted: int, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """It is the result, and the last error of the handle, which then forgets it."""
+    """The code is the result and the handle's last error, which is cleared when read."""
     assert code(host, name, *arguments) == wanted
     if name != "MCTranslateErrorEx":
         assert host.GetError() == wanted
@@ -58,7 +58,7 @@ def test_the_code_of_a_mistake(
 
 
 def test_a_handle_that_is_not_open(host: Mcapi) -> None:
-    """A host that goes on with handle 6 gets 13, and its structure stays as it is."""
+    """A host that calls with handle 6 gets error 13, and its structure is unchanged."""
     motion = mc.MCMOTIONEX()
     motion.Velocity = 7.0
     stranger = Mcapi(host.board)
@@ -74,7 +74,7 @@ def test_a_handle_that_is_not_open(host: Mcapi) -> None:
 
 
 def test_the_handle_of_another_host(serve: Serve) -> None:
-    """Handles belong to a host process, whatever connections it has."""
+    """A handle belongs to one host process, over any of its connections."""
     board = serve()
     first, thread, foreign = board.connect(), board.connect(), board.connect()
     assert first.ask('Session 1 "a"') == "0"
@@ -105,7 +105,7 @@ def test_exclusive_with_others(host: Mcapi) -> None:
 
 
 def test_a_server_that_ends(serve: Serve) -> None:
-    """Every call then answers 32, until another server is opened."""
+    """Every call then returns 32, until another server is opened."""
     board = serve()
     host = Mcapi(board.name)
     assert host.Open(0, mc.MC_OPEN_BINARY) == 1
@@ -118,9 +118,9 @@ def test_a_server_that_ends(serve: Serve) -> None:
 
 
 def test_a_host_that_is_gone_in_a_block(serve: Serve) -> None:
-    """Its block is discarded.
+    """The block of a host that disconnects is discarded.
 
-    Another host begins one at once, and nothing of the first is in it.
+    Another host can begin a block at once, and it contains nothing of the first one.
     """
     board = serve()
     gone = board.connect()
@@ -140,7 +140,7 @@ def test_a_host_that_is_gone_in_a_block(serve: Serve) -> None:
 
 
 def test_a_host_that_is_gone_in_a_wait(serve: Serve) -> None:
-    """An hour of waiting ends with the host that waits; the next host is served."""
+    """A wait of an hour ends when its host disconnects; the next host is served."""
     board = serve(clock="real")
     gone, other = board.connect(), board.connect()
     for line in (gone, other):
@@ -173,7 +173,7 @@ def test_a_host_that_is_gone_in_a_wait(serve: Serve) -> None:
     ],
 )
 def test_a_line_that_is_no_call(serve: Serve, line: str) -> None:
-    """It is answered with the reason, that connection is closed, and others go on."""
+    """The reason is the answer, then the connection is closed; others are unaffected."""
     board = serve()
     other, wrong = board.connect(), board.connect()
     assert other.ask("MCOpen 0 2 -") == "1"
@@ -203,7 +203,7 @@ def test_an_unsupported_function_is_reported_once(serve: Serve) -> None:
 
 
 def test_a_block_has_an_end(host: Mcapi) -> None:
-    """A host that never ends its block does not fill the memory."""
+    """A host that never ends its block cannot fill the memory."""
     host.BlockBegin(mc.MC_BLOCK_COMPOUND, 0)
     for _ in range(1000):
         host.Stop(1)
@@ -215,7 +215,7 @@ def test_a_block_has_an_end(host: Mcapi) -> None:
 def test_a_rejected_motion_says_so(host: Mcapi) -> None:
     """A move in velocity mode is rejected.
 
-    An axis that is off takes it without a word, as the board does.
+    An axis that is off ignores the move without an error, as on the board.
     """
     host.SetOperatingMode(1, 0, mc.MC_MODE_VELOCITY)
     with pytest.raises(McapiException) as caught:
@@ -227,7 +227,7 @@ def test_a_rejected_motion_says_so(host: Mcapi) -> None:
 
 
 def test_a_wait_that_never_ends_times_out_in_virtual_time() -> None:
-    """Nothing brings the channel on, so the call answers 25 instead of hanging."""
+    """Nothing switches the channel on, so the call returns 25 instead of hanging."""
     host = opened()
     with pytest.raises(McapiException) as caught:
         host.WaitForDigitalIO(1, True)
@@ -236,7 +236,7 @@ def test_a_wait_that_never_ends_times_out_in_virtual_time() -> None:
 
 
 def test_twenty_hosts_next_to_a_poll_that_waits(serve: Serve) -> None:
-    """MCIsStopped with a time-out blocks no other client: its answer comes last."""
+    """MCIsStopped with a time-out blocks no other client; its own answer comes last."""
     board = serve(clock="real")
     waiting, *others = [board.connect() for _ in range(20)]
     for line in (waiting, *others):

@@ -1,4 +1,4 @@
-"""Calls on a virtual board; the numbers are those of the profiles by hand."""
+"""Calls to a virtual board; the figures are calculated by hand from the profiles."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_a_poll_ends_at_its_time_out(host: Mcapi) -> None:
 
 
 def test_half_way_of_a_symmetrical_move(host: Mcapi) -> None:
-    """After half the time it has gone half the distance, at the peak of a·T/2."""
+    """After half the time T, half the distance is covered; the speed is a·T/2."""
     host.EnableAxis(1, True)
     host.MoveAbsolute(1, SHORT)
     began = host.now
@@ -77,10 +77,7 @@ def test_registers_keep_integers_exactly(host: Mcapi) -> None:
 
 
 def test_a_macro_from_a_block(host: Mcapi) -> None:
-    """Macro 1 sets the accumulator.
-
-    After a reset it multiplies it by 2 three times (`RP2`).
-    """
+    """Macro 1 sets the accumulator; after a reset of the macros a call of it fails."""
     host.BlockBegin(mc.MC_BLOCK_MACRO, 1)
     host.SetRegister(0, 123, mc.MC_TYPE_LONG)
     assert host.BlockEnd() == 0
@@ -93,7 +90,7 @@ def test_a_macro_from_a_block(host: Mcapi) -> None:
 
 
 def test_numeric_codes_come_from_the_machine_file() -> None:
-    """Only DW is known to have one.
+    """Only the numeric code of DW is documented.
 
     AM2,RP2 multiplies by 8, as PMC's self-test expects.
     """
@@ -113,7 +110,7 @@ def test_numeric_codes_come_from_the_machine_file() -> None:
 
 
 def test_a_compound_block_runs_as_one_line(host: Mcapi) -> None:
-    """Nothing moves before its end, and its wait holds the call."""
+    """Nothing moves before the end of the block, whose wait delays the call."""
     host.EnableAxis(1, True)
     host.BlockBegin(mc.MC_BLOCK_COMPOUND, 0)
     host.MoveRelative(1, SHORT)
@@ -142,7 +139,7 @@ def test_a_task_runs_in_the_background(host: Mcapi) -> None:
 
 
 def test_a_quarter_circle_from_a_contour_block(host: Mcapi) -> None:
-    """It ends at the other axis, and its length is r·π/2 at the vector velocity."""
+    """The arc ends on the other axis; its length r·π/2 is covered at vector velocity."""
     radius, velocity, accel = 1000.0, 1000.0, 1e6
     for axis in (1, 2):
         host.EnableAxis(axis, True)
@@ -178,7 +175,7 @@ def test_velocity_mode_in_both_directions(host: Mcapi) -> None:
 
 
 def test_settings_of_an_ascii_host_are_read_from_the_board(host: Mcapi) -> None:
-    """No value is cached: what another host has set is what a structure says."""
+    """No value is cached: a structure has the settings that another host has made."""
     port = host.board.console.open(echo=False)
     port.feed(b"1SV1234,1SA5678,1SG0.5,1DB7,1LM6,1LN3,1HL99,1US10,1SQ12345\r")
     host.advance(0.01)
@@ -219,9 +216,9 @@ def test_a_structure_is_read_back(host: Mcapi) -> None:
 
 
 def test_a_field_without_a_command_is_skipped() -> None:
-    """A DCX-PCI100 has no feed-forward, one rate, and one acceleration.
+    """A DCX-PCI100 has no feed-forward, only one loop rate and only one acceleration.
 
-    FR3 is its derivative period.
+    FR3 sets its derivative period.
     """
     host = opened({"controller.model": "dcx-pci100"})
     filter, found = mc.MCFILTEREX(), mc.MCFILTEREX()
@@ -236,9 +233,9 @@ def test_a_field_without_a_command_is_skipped() -> None:
 
 
 def test_scale_takes_effect_when_the_axis_is_switched_on(host: Mcapi) -> None:
-    """The values of PMC's self-test, and then 40 counts a unit.
+    """First the values of PMC's self-test, then 40 counts per unit.
 
-    1000 counts are 25 units less both zeros.
+    1000 counts are 25 units, minus both zeros.
     """
     host.EnableAxis(1, False)
     scale, found = mc.MCSCALE(), mc.MCSCALE()
@@ -272,7 +269,7 @@ def test_status_bits_by_their_names(host: Mcapi) -> None:
 
 
 def test_digital_channels(host: Mcapi) -> None:
-    """33 to 48 are outputs of a MultiFlex; low-true inverts."""
+    """Channels 33 to 48 are outputs of a MultiFlex; a low-true channel is inverted."""
     for channel in range(33, 49):
         host.EnableDigitalIO(channel, True)
         assert host.GetDigitalIOEx(channel) == 1
@@ -284,9 +281,9 @@ def test_digital_channels(host: Mcapi) -> None:
 
 
 def test_analogue_channels_are_twelve_bits(host: Mcapi) -> None:
-    """0 V is the middle of 0 to 4095.
+    """0 V is the middle of the range 0 to 4095.
 
-    The output of 4095 is 10 V, 100 % of the channel.
+    An output of 4095 is 10 V, 100 % of the channel.
     """
     assert host.GetAnalogEx(1) == 2048
     host.SetAnalogEx(2, 4095)
@@ -294,7 +291,7 @@ def test_analogue_channels_are_twelve_bits(host: Mcapi) -> None:
 
 
 def test_recorded_motion(host: Mcapi) -> None:
-    """Every millisecond a point: after k ms of acceleration a, a·t²/2."""
+    """One point per millisecond: at the time t the position is a·t²/2."""
     host.EnableAxis(1, True)
     host.BlockBegin(mc.MC_BLOCK_COMPOUND, 0)
     host.MoveAbsolute(1, SHORT)
@@ -324,7 +321,7 @@ def test_modules_and_abilities() -> None:
 def test_an_ascii_handle_has_its_own_accumulator() -> None:
     """Binary handles share one interface, ASCII handles another.
 
-    With the registers of its lines.
+    An interface has its own registers.
     """
     first = opened()
     second, third = Mcapi(first.board), Mcapi(first.board)
@@ -337,7 +334,7 @@ def test_an_ascii_handle_has_its_own_accumulator() -> None:
 
 
 def test_text_of_the_ascii_interface() -> None:
-    """A read ends at the first CR or prompt; an error is a `?` and its code."""
+    """A read ends at the first CR or prompt; an error is `?` and its code."""
     host = opened(mode=mc.MC_OPEN_ASCII)
     buffer = bytearray(255)
     assert host.pmcputs("1TP\r") == 4
@@ -355,7 +352,7 @@ def test_text_of_the_ascii_interface() -> None:
 
 
 def test_text_of_a_board_that_ends_lines_with_cr() -> None:
-    """The prompt of an older board is a read of its own."""
+    """The prompt of an older board needs a separate read."""
     host = opened({"controller.model": "dcx-at200"}, mc.MC_OPEN_ASCII)
     buffer = bytearray(255)
     host.pmcputs("TC1\r")
@@ -366,7 +363,7 @@ def test_text_of_a_board_that_ends_lines_with_cr() -> None:
 
 
 def test_text_waits_for_the_board() -> None:
-    """The answer comes after the move, which takes its time."""
+    """The answer comes only after the move."""
     host = opened(mode=mc.MC_OPEN_ASCII)
     buffer = bytearray(255)
     host.pmcputs("1MN,1MR5000,1WS,1TP\r")
@@ -379,7 +376,7 @@ def test_text_waits_for_the_board() -> None:
 
 
 def test_a_wait_of_the_interface_gives_up_after_the_time_out(host: Mcapi) -> None:
-    """The call answers 25, and the board goes on waiting: the next one comes after it."""
+    """The call returns 25, but the board still waits, which delays the next call."""
     assert host.SetTimeoutEx(0.1) == 0.0
     with pytest.raises(McapiException) as caught:
         host.Wait(1.0)
@@ -390,7 +387,7 @@ def test_a_wait_of_the_interface_gives_up_after_the_time_out(host: Mcapi) -> Non
 
 
 def test_a_reserved_interface(host: Mcapi) -> None:
-    """While one handle has it, another waits for the time that it gives."""
+    """While one handle has reserved it, another waits until its own time-out."""
     other = Mcapi(host.board)
     other.Open(0, mc.MC_OPEN_BINARY)
     assert host.pmclock(0) == 0
@@ -400,9 +397,9 @@ def test_a_reserved_interface(host: Mcapi) -> None:
 
 
 def test_handles_are_used_again(host: Mcapi) -> None:
-    """PMC's self-test: a second handle is above the first, and closed it is free.
+    """PMC's self-test: a second handle has the next number, which closing frees.
 
-    Exclusive means alone.
+    While a handle is exclusive, no other binary handle can be opened.
     """
     other = Mcapi(host.board)
     assert other.Open(0, mc.MC_OPEN_BINARY) == 2
@@ -416,7 +413,7 @@ def test_handles_are_used_again(host: Mcapi) -> None:
 
 
 def test_a_home_edge_and_its_flag() -> None:
-    """The switch begins at 1000: there the position becomes 0, while the axis runs."""
+    """At the edge of the switch, 1000, the position becomes 0 while the axis runs."""
     host = opened({"axis.1.home_switch": [1000.0, 1100.0]})
     host.EnableAxis(1, True)
     host.SetOperatingMode(1, 0, mc.MC_MODE_VELOCITY)

@@ -1,4 +1,4 @@
-"""MCDLG without dialogs: save and restore an axis, download a file."""
+"""MCDLG without its dialogs: save and restore an axis, download a file."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def saved(host: Mcapi, path: Path, axis: int = 0, flags: int = 0) -> str:
 
 
 def test_a_restored_board_is_the_saved_one(tmp_path: Path) -> None:
-    """Exactly: all axes of a fresh board are then written as they were."""
+    """After the restore all axes of a new board have exactly the saved settings."""
     host = opened()
     port = host.board.console.open(echo=False)
     port.feed(SET.encode() + b"\r")
@@ -64,7 +64,7 @@ def test_a_file_that_does_not_fit(tmp_path: Path, text: str, code: int) -> None:
 
 
 def test_a_field_without_a_command_is_left_out_on_restore(tmp_path: Path) -> None:
-    """Settings of a MultiFlex are restored on a DCX-PCI100 as far as that goes."""
+    """The settings of a MultiFlex are restored on a DCX-PCI100 as far as it has them."""
     host = opened()
     host.SetVelocity(1, 555.0)
     saved(host, tmp_path / "a.ini", 1)
@@ -74,9 +74,9 @@ def test_a_field_without_a_command_is_left_out_on_restore(tmp_path: Path) -> Non
 
 
 def test_a_file_is_carried_out_line_by_line(tmp_path: Path) -> None:
-    """A macro ends with its line, a wait holds the next line.
+    """A macro ends with its line, and a wait delays the next line.
 
-    A rejected command ends the file.
+    A rejected command ends the download.
     """
     host = opened()
     file = tmp_path / "a.mcl"

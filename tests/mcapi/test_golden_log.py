@@ -1,6 +1,6 @@
-"""A log as a golden file of `verify`.
+"""A log of calls as a golden file of `verify`.
 
-The laboratory stage of yaqd-pmc, recorded and committed.
+It is the recorded laboratory stage of yaqd-pmc.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def test_an_altered_log_fails_at_its_line(tmp_path: Path, capsys: pytest.Capture
 
 
 def test_the_machine_file_next_to_it_is_used(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """An axis that is not there fails at the first call that names one."""
+    """The log runs with one axis; a machine file with no axis is an error."""
     shutil.copy(LOG, tmp_path)
     machine = tmp_path / "stage.machine.toml"
     machine.write_text("[controller]\naxes = 1\n", encoding="utf-8")

@@ -1,6 +1,6 @@
-"""The C library.
+"""The C library: built from the package, used by C hosts, and used as a recorder.
 
-Built from the package, loaded by C hosts, and as the real library of a recording.
+A recorder calls the vendor's library, the real one, and logs each call.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def chost(library: Path) -> Path:
-    """The C host of these tests, linked with the library as hosts are."""
+    """The C host of these tests, linked with the library like other hosts."""
     program = library.parent / "chost"
     options = ["-O1", f"-I{SOURCE}", f"-L{library.parent}"]
     command = [str(COMPILER), *options, "-o", str(program), str(HERE / "host.c"), "-lmcapi", "-lpthread"]
@@ -54,7 +54,7 @@ def run(program: Path, library: Path, address: str, **more: str) -> subprocess.C
 
 
 def test_the_hand_written_part_is_small() -> None:
-    """At most 400 lines without blank ones and comments; the rest is generated."""
+    """At most 400 lines without blank lines and comments; the rest is generated."""
     text = re.sub(r"/\*.*?\*/", "", (SOURCE / "mcapi.c").read_text(encoding="utf-8"), flags=re.DOTALL)
     assert len([line for line in text.splitlines() if line.strip()]) <= 400
 
@@ -67,7 +67,7 @@ def test_the_source_is_in_the_wheel() -> None:
 
 @needs_compiler
 def test_it_exports_every_function(library: Path) -> None:
-    """And nothing else; its name is the one that linked programs ask for."""
+    """It exports nothing else; its soname is the one that linked programs require."""
     names = subprocess.run(["nm", "-D", library], capture_output=True, text=True, check=True).stdout
     assert set(re.findall(r" T (\w+)", names)) == set(FUNCTIONS)
     assert (library.parent / "libmcapi.so").resolve() == library
@@ -77,7 +77,7 @@ def test_it_exports_every_function(library: Path) -> None:
 
 @needs_compiler
 def test_it_compiles_without_a_warning(tmp_path: Path) -> None:
-    """Under the compilers' warnings; the header also in C++."""
+    """All warnings of the compilers are on; the header compiles as C++, too."""
     options = ["-Wall", "-Wextra", "-Werror"]
     done = subprocess.run(
         [str(COMPILER), "-std=c99", *options, "-fsyntax-only", SOURCE / "mcapi.c"],
@@ -96,7 +96,7 @@ def test_it_compiles_without_a_warning(tmp_path: Path) -> None:
 
 @needs_compiler
 def test_a_c_host(serve: Serve, library: Path, chost: Path) -> None:
-    """It checks what it gets by itself, see host.c."""
+    """The host checks its results itself, see host.c."""
     done = run(chost, library, serve(clock="real").name)
     assert (done.returncode, done.stdout, done.stderr) == (0, "5001\n", "")
 
@@ -109,9 +109,9 @@ def test_no_board_listens(library: Path, tmp_path: Path) -> None:
 
 @needs_compiler
 def test_a_server_that_is_killed(serve: Serve, library: Path, tmp_path: Path) -> None:
-    """Within a second every function answers 32.
+    """Within a second every function returns 32.
 
-    The host waits for a line of the test in between.
+    Meanwhile the host waits for a line from the test.
     """
     board = serve(clock="real")
     code = (
@@ -135,7 +135,7 @@ def test_a_server_that_is_killed(serve: Serve, library: Path, tmp_path: Path) ->
 def test_a_second_copy_as_the_real_library(serve: Serve, library: Path, chost: Path, tmp_path: Path) -> None:
     """The host gets the same results.
 
-    The log has each call with the answer of the copy.
+    The log has each call with the copy's answer.
     """
     copy = tmp_path / "real" / library.name
     copy.parent.mkdir()
@@ -154,14 +154,14 @@ def test_a_second_copy_as_the_real_library(serve: Serve, library: Path, chost: P
 
 @needs_compiler
 def test_a_real_library_that_is_not_there(library: Path, tmp_path: Path) -> None:
-    """Nothing is recorded of another board."""
+    """MCOpen fails instead of recording another board."""
     done = host(tmp_path, library, 'printf("%d", MCOpen(0, 2, 0));', "127.0.0.1:1", MCAPI_REAL="/nowhere.so")
     assert done.stdout == "-6"
     assert "cannot load /nowhere.so of MCAPI_REAL" in done.stderr
 
 
 def compiled(folder: Path, library: Path, code: str) -> Path:
-    """Return a program with this code in its main function."""
+    """Return a compiled program whose main function has this code."""
     source, program = folder / "small.c", folder / "small"
     source.write_text(
         '#include <stdio.h>\n#include "mcapi.h"\nstatic HCTRLR h;\n'

@@ -1,4 +1,4 @@
-"""The conversations of docs/mcapi-protocol.md, held with a served board."""
+"""The conversations on docs/mcapi-protocol.md, repeated with a served board."""
 
 from __future__ import annotations
 

@@ -66,7 +66,7 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 @needs_hosts
 @needs_file
 def test_every_method_of_the_binding(environment: dict[str, str]) -> None:
-    """All 139 answer; Python errors are those of the binding itself."""
+    """All 139 methods work; Python errors are the binding's own."""
     command = motionlang("run", "--", sys.executable, str(HERE / "binding_host.py"))
     done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=100, check=False)
     assert done.returncode == 0, done.stderr[-2000:]
@@ -87,9 +87,9 @@ def test_every_method_of_the_binding(environment: dict[str, str]) -> None:
 @needs_hosts
 @needs_file
 def test_a_laboratory_stage(environment: dict[str, str], tmp_path: Path) -> None:
-    """yaqd-pmc moves the stage with its backlash approach, and stops it.
+    """yaqd-pmc moves the stage with its approach against backlash, and stops it.
 
-    Its record replays.
+    The recorded log replays.
     """
     import yaqc  # type: ignore[import-untyped]
 
@@ -140,7 +140,7 @@ def test_a_laboratory_stage(environment: dict[str, str], tmp_path: Path) -> None
 
 
 def connected(yaqc: Any, port: int, running: subprocess.Popen[str]) -> Any:
-    """Return a client of the daemon as soon as it listens."""
+    """Return a client of the daemon as soon as the daemon listens."""
     while running.poll() is None:
         try:
             socket.create_connection(("127.0.0.1", port)).close()

@@ -1,4 +1,4 @@
-"""Logs: recorded, printed, replayed, and what is reported of a log that differs."""
+"""Logs: recorded, printed and replayed, and the messages if a replay differs."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SHORT, SHORT_TIME = 5000.0, 2.0 * math.sqrt(5000.0 / 100_000.0)
 
 
 def recorded(model: str = "multiflex") -> str:
-    """Return the log of a host that moves an axis and reads it while it moves."""
+    """Return the log of a host that moves an axis and reads it in motion."""
     lines: list[str] = []
     board = VirtualBoard({"controller.model": model}, complain=lambda text: None)
     board.desk.record = Recorder(lines.append, model)
@@ -50,9 +50,9 @@ def replayed(text: str, skew: float = 0.01, tolerance: float = 0.0, **machine: o
 
 
 def altered(text: str, what: str, change: Callable[[str], str], which: int = 0) -> tuple[str, int]:
-    """Change the answer of the call that has `what`.
+    """Change the answer in one of the log's lines that contain `what`.
 
-    Return the log and the number of its line.
+    Return the log and the number of the line, from 1.
     """
     lines = text.split("\n")
     number = [k for k, line in enumerate(lines) if what in line][which]
@@ -92,10 +92,7 @@ def test_an_altered_answer_is_found_at_its_call(
 
 
 def test_a_position_read_in_motion_may_be_off_by_the_skew() -> None:
-    """Within 10 ms at some 10 000 counts/s the axis goes 100 counts.
-
-    5 ms later is within, 50 counts far.
-    """
+    """The skew is 10 ms: the travel of 5 ms is within it, that of 20 ms is not."""
     text = recorded()
     at = 6 + 2 * 10
     line = text.split("\n")[at]
@@ -115,7 +112,7 @@ def test_a_position_at_rest_has_a_tolerance_in_counts() -> None:
 
 
 def test_a_blocking_call_may_differ_by_the_skew() -> None:
-    """MCWait of 0.25 s that took 0.255 s, and 0.3 s."""
+    """An MCWait of 0.25 s may take 0.255 s, but not 0.3 s."""
     lines = recorded().split("\n")
     number = next(k for k, line in enumerate(lines) if "MCWait" in line)
     begin, _, rest = lines[number].split(" ", 2)
@@ -157,14 +154,14 @@ def test_a_replay_on_another_model_says_which(tmp_path: Path, capsys: pytest.Cap
     ],
 )
 def test_a_log_that_cannot_be_read(text: str, line: int, message: str) -> None:
-    """The line is reported."""
+    """The message names the line."""
     with pytest.raises(BadLog) as caught:
         list(read(io.BytesIO(text.encode())))
     assert (caught.value.line, str(caught.value)) == (line, message)
 
 
 def test_a_call_that_does_not_fit_its_function() -> None:
-    """A line with too few arguments is no call of this table."""
+    """A line with too few arguments is not a valid call."""
     assert replayed("mcapi-log 1\n0.0 0.1 1 MCOpen 0 2 - = 1\n0.2 0.2 1 MCStop 1 = 0\n").counts == {
         "code": 1,
         "time": 1,
@@ -172,7 +169,7 @@ def test_a_call_that_does_not_fit_its_function() -> None:
 
 
 def test_calls_are_replayed_in_the_order_of_their_begins() -> None:
-    """A wait that began first is the last line, as it ended last.
+    """The wait that began first is the last line, because it ended last.
 
     The calls of another host came in between.
     """
@@ -189,9 +186,9 @@ def test_calls_are_replayed_in_the_order_of_their_begins() -> None:
 
 
 def test_a_log_as_mccl(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Each line is the command of a call, with its time as a remark.
+    """Each line has the command of a call, and its time as a comment.
 
-    A program that a board takes.
+    A board can run the result as a program.
     """
     log = tmp_path / "a.log"
     log.write_text(

@@ -1,7 +1,4 @@
-"""`motionlang mcapi` as a user runs it.
-
-Build, path, and a host program on a board.
-"""
+"""`motionlang mcapi`, used as by a user: build, path, and a host with a board."""
 
 from __future__ import annotations
 
@@ -35,7 +32,7 @@ sys.exit(7)
 
 @pytest.fixture(scope="module")
 def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A user's cache in which the library has been built."""
+    """Return the folder of a user's cache in which the library has been built."""
     folder = tmp_path_factory.mktemp("cache")
     done = motionlang(folder, "build")
     assert (done.returncode, done.stderr) == (0, "")
@@ -71,7 +68,7 @@ def test_a_path_before_a_build(tmp_path: Path) -> None:
 def test_a_host_runs_and_its_record_replays(cache: Path, tmp_path: Path) -> None:
     """The exit status is that of the host.
 
-    Its log replays without a difference, and gives the same bytes.
+    The recorded log replays without a difference, and produces the same bytes.
     """
     log = tmp_path / "a.log"
     done = motionlang(cache, "run", "--record", str(log), "--", sys.executable, "-c", HOST)
@@ -118,9 +115,9 @@ def test_the_board_is_that_of_the_options(cache: Path) -> None:
     not any(Path("/usr/lib").glob("*/faketime/libfaketime.so.1")), reason="libfaketime is not installed"
 )
 def test_the_clock_of_the_host_runs_as_fast_as_the_board(cache: Path) -> None:
-    """At 20 times real time.
+    """At 20 × real time.
 
-    A host that sleeps for 10 of its seconds sees 10 s of the board pass in half a second.
+    A host that sleeps for 10 s of its own time sees 10 s of the board pass in half a second.
     """
     code = (
         "import time; from ctypes import *; l = CDLL(None); h = l.MCOpen(0, 2, None); p = c_double();"
@@ -134,7 +131,7 @@ def test_the_clock_of_the_host_runs_as_fast_as_the_board(cache: Path) -> None:
 
 @needs_compiler
 def test_a_program_linked_with_the_library(cache: Path, tmp_path: Path) -> None:
-    """It asks for libmcapi-4.4.1.so, which LD_LIBRARY_PATH has."""
+    """The program loads libmcapi-4.4.1.so, which is found by LD_LIBRARY_PATH."""
     library = Path(motionlang(cache, "path").stdout.strip())
     program = tmp_path / "chost"
     command = [str(COMPILER), "-o", str(program), str(HERE / "host.c"), f"-I{SOURCE}", f"-L{library.parent}"]

@@ -1,7 +1,4 @@
-"""The table.
-
-Its size, the layout of its structures, and the files that are made from it.
-"""
+"""The table of functions: its size, its structures, and the files made from it."""
 
 from __future__ import annotations
 
@@ -34,7 +31,7 @@ BYTES = {"i": 4, "s": 2, "d": 8, "D": 8}
 
 
 def size(name: str) -> int:
-    """Return the bytes of a structure whose fields are aligned to at most four."""
+    """Return the bytes of a structure; fields are aligned to at most four bytes."""
     at = 0
     for field in STRUCTURES[name].fields:
         each = BYTES[field.kind]
@@ -45,12 +42,12 @@ def size(name: str) -> int:
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: Path(path).name)
 def test_a_generated_file_is_that_of_the_table(path: Path) -> None:
-    """`python -m tests.mcapi_files` writes it."""
+    """If this fails, run `python -m tests.mcapi_files`."""
     assert path.read_text(encoding="utf-8") == FILES[path]()
 
 
 def test_it_has_all_functions() -> None:
-    """158 functions; PMC's binding has 139 of them; at most 25 are not supported."""
+    """There are 158 functions, 139 also in PMC's binding; at most 25 are unsupported."""
     assert len(MCAPI) == 158
     assert sum(each.in_binding for each in FUNCTIONS.values()) == 139
     assert sum(bool(each.unsupported) for each in FUNCTIONS.values()) <= 25
@@ -58,7 +55,7 @@ def test_it_has_all_functions() -> None:
 
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_each_function_means_something_here(name: str) -> None:
-    """It has code in one of the four ways, or one command in its column, or a reason."""
+    """A function has code in one of four tables, a command, or a reason for neither."""
     function = FUNCTIONS[name]
     ways = [name in found for found in (AT_ONCE, COMMANDS, POLLS, READINGS)]
     if not any(ways) and not function.unsupported:

@@ -1,4 +1,4 @@
-"""The DLLs: built by mingw, with the names that hosts ask for.
+"""The DLLs: built by mingw, with the names that hosts require.
 
 The 64-bit one runs under Wine.
 """
@@ -40,7 +40,7 @@ int main(void)
 
 
 def compiler(target: str) -> str:
-    """Return the compiler of a target; skip the test if it is not there."""
+    """Return the compiler of a target; skip the test if there is none."""
     found = next(filter(shutil.which, TARGETS[target].compilers), None)
     if found is None:
         pytest.skip(f"the DLL needs {TARGETS[target].compilers[0]}")
@@ -49,7 +49,7 @@ def compiler(target: str) -> str:
 
 @pytest.mark.parametrize("target", ["win64", "win32"])
 def test_a_dll_exports_every_function(target: str, tmp_path: Path) -> None:
-    """Undecorated, also where the calls are stdcall."""
+    """The exported names are undecorated, even if the calls are stdcall."""
     tools = compiler(target).removesuffix("gcc")
     dll = build(TARGETS[target], tmp_path)
     assert dll.name == {"win64": "mcapi64.dll", "win32": "mcapi32.dll"}[target]

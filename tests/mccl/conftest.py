@@ -1,4 +1,4 @@
-"""Common fixtures of the tests of MCCL: a text in, a run out."""
+"""Common fixtures of the MCCL tests: run a text and return the run."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Runner = Callable[..., Run]
 
 @pytest.fixture
 def mccl() -> Runner:
-    """Return a runner of MCCL texts, with keyword arguments of `motionlang.run`."""
+    """Return a function that runs an MCCL text, with the keywords of `motionlang.run`."""
 
     def start(text: str, **options: object) -> Run:
         return run(Source("test.mcl", text), dialect="mccl", **options)  # type: ignore[arg-type]

@@ -21,9 +21,9 @@ def answers(text: str) -> tuple[bytes, Console]:
 
 @pytest.mark.parametrize("shape", ["PS", "PS0.1", "PP"])
 def test_a_move_that_could_never_begin_is_refused(shape: str) -> None:
-    """It was never answered; by the remark the axis runs on until it is stopped.
+    """Without an error, such a move would never be answered.
 
-    The remark is in the telescope's source.
+    By a remark in the telescope's source, the axis runs until it is stopped.
     """
     said, console = answers(PADDLE.format(shape))
     assert said.endswith((b"?-2\r\n>", b"?-2\n>"))

@@ -1,4 +1,4 @@
-"""PMC's TN1069: four profiles compared in a program, against its formulas."""
+"""PMC's TN1069: a program compares four profiles, checked against its formulas."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TABLE: dict[str, tuple[float, float, float, float, float]] = {
 
 
 def phase(move: dict[str, Any], name: str) -> tuple[float, float]:
-    """Return duration in cycles and distance of a phase, 0 if it does not occur."""
+    """Return the duration, cycles, and the distance of a phase; 0 if it is missing."""
     for each in move["phases"]:
         if each["name"] == name:
             return each["duration"] * 1000, each["distance"]

@@ -1,6 +1,6 @@
 """Random jobs as Mint programs, each from a seed: contours, masters and slaves.
 
-Contours have limits and events in motion.
+Contours have limits, and events while they move.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ PAUSES = ("PAUSE IDLE(0)", "PAUSE IDLE(1)", "PAUSE IDLE(2)")
 
 
 class Contour:
-    """Paths of two or three axes, `count` of them, contoured or blended, with limits.
+    """Contoured or blended paths of two or three axes, `count` of them, with limits.
 
-    They are lines, arcs and helices. `events` happen while they run: other speeds, overrides, limits,
-    suspends, more paths.
+    They are lines, arcs and helices. With `events`, speeds, overrides, limits, suspends and further paths come while
+    they run.
     """
 
     def __init__(self, seed: int, events: bool) -> None:
@@ -100,9 +100,9 @@ class Contour:
 
 
 class Train:
-    """Masters and slaves in a chain, with random actions.
+    """A chain of masters and slaves with random actions.
 
-    A master moves and jogs; there are gears, cams, flying shears, offsets, limits.
+    The masters move and jog; the slaves have gears, cams, flying shears, offsets and limits.
     """
 
     def __init__(self, seed: int) -> None:

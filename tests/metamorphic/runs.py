@@ -1,4 +1,4 @@
-"""The runs of metamorphic tests: proved, and compared at given times."""
+"""Runs for metamorphic tests: proved, and compared at given times."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from motionlang.source import Source
 
 
 def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: float = 1e-9) -> Run:
-    """Run a program, and check that it has no diagnostics and its proof passes.
+    """Return the run of a program after checking its diagnostics and its proof.
 
-    A statement takes `fine` seconds.
+    There may be no diagnostics. A statement takes `fine` seconds.
     """
     machine = {"controller.instruction_time": fine}
     result = run(Source(name, text), machine=machine, until=until, cache=False, prove=True)
@@ -20,5 +20,5 @@ def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: f
 
 
 def grid(result: Run, count: int = 57) -> list[float]:
-    """Return times of a run, evenly spaced."""
+    """Return evenly spaced times of a run."""
     return [result.time * k / count for k in range(count + 1)]

@@ -39,14 +39,14 @@ def places(result: Run, times: list[float], first: int = 0) -> list[list[float]]
 
 
 def scaled(program: str, factor: float) -> str:
-    """Return the program in equal user units, with a multiple of the counts."""
+    """Return the program with the same user units, but `factor` times the counts."""
     given = {int(axis): float(k) for axis, k in SCALED.findall(program)}
     lines = [line for line in program.split("\n") if not SCALED.match(line)]
     return "\n".join([f"SCALEFACTOR({axis}) = {given.get(axis, 1.0) * factor!r}" for axis in AXES] + lines)
 
 
 def elsewhere(program: str, by: int) -> str:
-    """Return the program on other axes."""
+    """Return the program with all axis numbers increased by `by`."""
 
     def moved(found: re.Match[str]) -> str:
         return f"{found[1]}({', '.join(str(int(axis) + by) for axis in found[2].split(', '))}"
@@ -86,10 +86,10 @@ WAYS = {"all axes": (-1.0, -1.0, -1.0), "slaves alone": (1.0, -1.0, -1.0), "the 
 
 
 def signed(program: str, ways: tuple[float, ...]) -> str | None:
-    """Return masters and slaves with axes in the directions of their signs.
+    """Return masters and slaves with each axis in the direction of its sign.
 
-    None for a program with a direction of its own: a cam whose master reverses, and a table that two slaves
-    read in opposite directions.
+    Return None if a program cannot be reversed: a cam whose master reverses, and a table that two slaves read in
+    opposite directions.
     """
     master = {int(slave): int(m) for slave, m in re.findall(r"MASTERCHANNEL\((\d)\) = (\d)", program)}
     cams = {
@@ -199,7 +199,7 @@ def test_a_loop_that_is_skipped_ends_where_one_does_that_is_run_turn_by_turn(kin
 
 
 def absolute(program: str) -> str:
-    """Return the same contour with each path relative to the zero of the axes."""
+    """Return the same contour with absolute instead of relative paths."""
     here = [0.0, 0.0, 0.0]
     lines = []
     for line in program.split("\n"):
@@ -235,9 +235,9 @@ def test_relative_paths_and_absolute_ones_come_to_the_same() -> None:
 
 
 def languages(seed: int) -> tuple[str, str]:
-    """Return the same contour in both languages: lines and arcs, trapezoids, one pace.
+    """Return the same contour in Mint and in MCCL: lines and arcs at one speed.
 
-    Lines are between whole counts, arcs by their angle.
+    The ramps are trapezoids. Lines connect whole counts; arcs are given by their angle.
     """
     choose = Random(seed)
     speed, accel, decel = (

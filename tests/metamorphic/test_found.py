@@ -1,4 +1,4 @@
-"""Findings of random jobs: the smallest program of each kind, with figures."""
+"""Errors found by random jobs: the smallest program for each, with its figures."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ def ends(result: Run, *places: float) -> None:
 
 
 def test_a_word_suspends_the_axes_of_a_path_until_it_is_taken_back_whatever_path_is_run_then() -> None:
-    """The path of three axes is over before it has slowed down.
+    """The path of three axes ends before it has slowed down.
 
-    The next has two of them.
+    The next path has only two of the axes.
     """
     paths = "VECTORR(0, 1, 2) = 3, 0, 4\nVECTORR(0, 1) = 10, 0\nVECTORR(0, 1, 2) = 0, 0, 6\nGO(0)\n"
     for word in ("SUSPEND(0) = 1\nWAIT 500\nSUSPEND(0) = 0\n", "SUSPEND(2) = 1\nWAIT 500\nSUSPEND(0) = 0\n"):
@@ -43,9 +43,9 @@ JERKS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 500 : DECELJERK(0) = 500\n"
 
 @pytest.mark.parametrize("wait", [280, 400, 430, 447, 500])
 def test_a_path_that_is_resumed_while_it_comes_to_rest_goes_on(wait: int) -> None:
-    """447 ms after SUSPEND it is in the last flank of its S-ramp.
+    """447 ms after SUSPEND the path is in the last phase of its S-ramp.
 
-    That acceleration reaches zero at rest, not before.
+    The acceleration of that phase reaches zero only at rest.
     """
     program = H + JERKS + "VECTORR(0, 1) = 60, 0\nGO(0)\nWAIT 600\nSUSPEND(0) = 1\n"
     ends(proved(f"{program}WAIT {wait}\nSUSPEND(0) = 0\n" + END), 60.0, 0.0)
@@ -59,9 +59,9 @@ def test_a_path_that_is_resumed_is_not_blended_into_the_next_one_before_its_dist
 
 
 def test_a_limit_that_comes_too_late_for_the_next_path_brakes_all_the_way() -> None:
-    """From 50 to a limit of 10, not reached at the start of the next path.
+    """From 50, the limit of 10 is not reached before the next path, with 9, begins.
 
-    It never speeds up to that.
+    The speed only decreases.
     """
     pace = Pace("trapezoid", 10.0, 100.0, 200.0)
     other = Pace("trapezoid", 9.0, 100.0, 200.0)
@@ -73,9 +73,9 @@ def test_a_limit_that_comes_too_late_for_the_next_path_brakes_all_the_way() -> N
 
 
 def test_a_stop_does_not_come_too_fast_into_an_arc_that_is_braked_on_less_hard() -> None:
-    """6.1 before an arc where MAXDECEL leaves 14: a stop at 200 takes 6.25.
+    """The stop begins 6.1 before an arc on which MAXDECEL allows only 14.
 
-    One at 14 would enter it at 48.
+    At 200 it takes 6.25; at 14 it would enter the arc at 48.
     """
     paths = (
         "CONTOURMODE(0) = 1 : MAXDECEL(1) = 20 : MAXACCEL(1) = 20\nVECTORR(0, 1) = 30, 0\n"
@@ -86,7 +86,7 @@ def test_a_stop_does_not_come_too_fast_into_an_arc_that_is_braked_on_less_hard()
 
 
 def test_a_short_arc_keeps_the_acceleration_of_the_axis_that_only_turns_on_it() -> None:
-    """At 30 degrees the first axis hardly moves; its acceleration is centripetal."""
+    """Up to 30 degrees the first axis hardly moves; its acceleration is centripetal."""
     arc = "SPEED(0) = 50 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMAXACCEL(0) = 60\nCIRCLER(0, 1) = -10, 0, 30\nGO(0)\n"
     result = proved(arc + END)
     # Each of the accelerations may have a share of 1 / (1 + cos 30°) of 60, the worst being at 30 degrees.
@@ -96,7 +96,7 @@ def test_a_short_arc_keeps_the_acceleration_of_the_axis_that_only_turns_on_it() 
 
 
 def test_a_slave_that_turns_round_to_its_ratio_slows_down_at_decel_and_speeds_up_at_accel() -> None:
-    """From -20 to 20: 0.1 s at 200 and 0.4 s at 50."""
+    """From -20 to 20 it takes 0.1 s at 200 and 0.4 s at 50."""
     rates = (
         "ACCEL(1) = 50 : DECEL(1) = 200 : SPEED(1) = 50\nMASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\n"
     )
@@ -125,9 +125,9 @@ TURN = (
 
 @pytest.mark.parametrize("word", ["STOP(0)", "SUSPEND(0) = 1"])
 def test_an_s_ramp_that_is_left_fades_at_the_jerk_of_its_own_side(word: str) -> None:
-    """After 0.08 s at 4000 it is at 0.3413, 12.8 and 320.
+    """0.08 s at a jerk of 4000 lead to the position 0.3413, speed 12.8 and rate 320.
 
-    The acceleration reaches zero in 0.08 s, and 25.6 stop in two ramps at 1500.
+    The rate is zero after 0.08 s, and two ramps at 1500 stop the speed of 25.6.
     """
     result = proved(f"{RAMP}MOVER(0) = 500 : GO(0)\nWAIT 80\n{word}\nWAIT 900\n")
     faded = 0.3413333 + 12.8 * 0.08 + 320 * 0.08**2 / 2 - 4000 * 0.08**3 / 6
@@ -136,9 +136,9 @@ def test_an_s_ramp_that_is_left_fades_at_the_jerk_of_its_own_side(word: str) -> 
 
 @pytest.mark.parametrize("word", ["STOP(0)", "SUSPEND(0) = 1", "FEEDRATEOVERRIDE(0) = 0"])
 def test_a_path_that_is_left_in_its_s_ramp_fades_likewise(word: str) -> None:
-    """After 0.35 s: 0.125 s of jerk, then 50.
+    """At 0.35 s the rate is 50, which it has reached in 0.125 s.
 
-    Zero again in 0.125 s, and a stop begins.
+    It falls to zero in 0.125 s, and then the stop begins.
     """
     mode = "FEEDRATEMODE(0) = 2\n" if "OVERRIDE" in word else ""
     result = proved(

@@ -1,6 +1,6 @@
-"""Random programs of Mint with blended paths, changed and ended in every manner.
+"""Random Mint programs with blended paths that are changed and ended in every way.
 
-Each is from a seed.
+Each program is from a seed.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ ENDS = (
 
 
 class _Choices(random.Random):
-    """Choices of numbers with two decimals."""
+    """Random numbers with two decimals."""
 
     def real(self, low: float, high: float) -> float:
         return round(self.uniform(low, high), 2)
@@ -35,9 +35,9 @@ class _Choices(random.Random):
 
 
 def program(seed: int) -> str:
-    """Return two to five lines and arcs of axes 0 and 1, with changes and an end.
+    """Return a program of two to five blended lines and arcs of axes 0 and 1.
 
-    There are up to five changes in motion.
+    Up to five changes happen in motion, and the program ends the paths in a random way.
     """
     r = _Choices(seed)
     lines = ["MOVEBUFFERSIZE(0) = 20 : MOVEBUFFERSIZE(1) = 20", *_settings(r)]

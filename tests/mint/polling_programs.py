@@ -1,6 +1,6 @@
 """Random polling programs: tasks, an event, subs, Goto, and a scenario of inputs.
 
-There are one to three tasks. Some have a loop that stores its readings.
+There are one to three tasks. Some have a loop that stores the values that it reads.
 """
 
 from __future__ import annotations
@@ -107,7 +107,7 @@ def _loop(random: Random, k: int, acts: tuple[str, ...]) -> list[str]:
 
 
 def _statements(random: Random, k: int, acts: tuple[str, ...]) -> list[str]:
-    """Return statements that mostly read or repeat; actions happen a few times only."""
+    """Return statements that mostly read or repeat, with only a few actions."""
     out: list[str] = []
     for _ in range(random.randint(1, 4)):
         kind, condition = random.randrange(18), random.choice(_CONDITIONS)
@@ -146,7 +146,7 @@ _KEPT = (
 
 
 def keeping(seed: int) -> str:
-    """Return a program of two moves whose loop keeps counters, extremes and copies.
+    """Return a program of two moves whose loop stores counts, extremes and copies.
 
     Some of these decide a branch.
     """

@@ -1,6 +1,6 @@
 """Random programs that only compute: integers, Floats, arrays, branches and loops.
 
-They end.
+Every program ends.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ _COMPARE = ("=", "<>", "<", ">", "<=", ">=")
 
 
 class Writer:
-    """Writes one program; `random` decides everything."""
+    """Writer of one random program; `random` makes every choice."""
 
     def __init__(self, random: Random) -> None:
         self.random = random
@@ -83,7 +83,7 @@ class Writer:
         self.emit(f"Until {self.condition()}")
 
     def guarded(self, kind: str) -> None:
-        """Write a body with a counter of its own, so that it always ends."""
+        """Write the body of a loop, with a counter of its own so that the loop ends."""
         self.counters += 1
         counter = f"c{self.counters}"
         self.loops.append(kind)

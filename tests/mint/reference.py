@@ -1,7 +1,8 @@
-"""A second Mint, slow and plain: it walks the tree and checks every operation.
+"""A slow and simple second interpreter of Mint that checks every operation.
 
-It knows nothing of ranges. Integers are Python ints that must fit 32 bits after every operation; Floats are
-Python floats, always. Omissions and representations of the compiler must make no difference to its output.
+It walks the syntax tree and uses no ranges. Integers are Python ints that must fit 32 bits after every
+operation; Floats are always Python floats. Checks that the compiler omits, and its representation of values,
+must make no difference to the output.
 """
 
 from __future__ import annotations
@@ -17,16 +18,16 @@ LOW, HIGH = -(2**31), 2**31 - 1
 
 
 class Leave(Exception):
-    """An Exit in progress."""
+    """Control flow of an Exit in progress."""
 
     def __init__(self, kind: str) -> None:
         self.kind = kind
 
 
 class Reference:
-    """Runs the parent task of a program that only computes.
+    """Interpreter of the parent task of a program that only computes.
 
-    `printed` is its output, `trouble` its end.
+    `printed` is its output, and `trouble` the fault that ended it, if any.
     """
 
     def __init__(self, module: nodes.Module) -> None:

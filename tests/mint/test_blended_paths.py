@@ -1,8 +1,8 @@
-"""Blended paths of Mint: ends by commands, and by the run, are in the report.
+"""Blended paths of Mint: the report has their ends, by commands or with the run.
 
-At 0.5 s the first path has covered 4.5 at a speed of 10; the second one begins. At 0.55 s they have covered 5
-and 0.125, the second one at a speed of 5. With rates of 100 they stop within 0.5 and 0.125, in 0.1 and 0.05
-s.
+At 0.5 s the first path has covered 4.5 at a speed of 10, and the second one begins. At 0.55 s they have
+covered 5 and 0.125; the speed of the second one is 5. With rates of 100 they stop within 0.5 and 0.125, in
+0.1 and 0.05 s.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def proved(text: str, until: float = 100.0) -> Run:
 
 
 def rows(result: Run) -> list[tuple[float, float, float, float]]:
-    """Return start and end of each path on axis 0 and on axis 1, and its duration."""
+    """Return start, end and duration of each path: axis 0, then axis 1."""
     moves: list[dict[str, float]] = build(result)["moves"]  # type: ignore[assignment]
     return [
         (first["start"], first["end"], second["start"], second["end"])
@@ -82,7 +82,7 @@ def test_what_ends_a_blend_is_told_of_both_paths(way: str, how: str) -> None:
 
 
 def test_an_axis_that_a_path_does_not_move_goes_no_distance() -> None:
-    """The second path runs along axis 1 alone, whatever the sum rounds to on axis 0."""
+    """The second path moves only axis 1, whatever rounding does to the sum on axis 0."""
     result = run(Source("blend.mnt", PATHS.format(how="R", x=0) + "CANCEL(0)"), machine={}, cache=False)
     moves: list[dict[str, float]] = build(result)["moves"]  # type: ignore[assignment]
     assert [move["end"] - move["start"] for move in moves if move["axis"] == 0][1:] == [0.0]
@@ -90,7 +90,7 @@ def test_an_axis_that_a_path_does_not_move_goes_no_distance() -> None:
 
 
 def test_the_end_of_the_run_cuts_both_paths() -> None:
-    """At 0.6 s they have covered 5.5 and 0.5."""
+    """At 0.6 s the paths have covered 5.5 and 0.5."""
     result = proved(PATHS.format(how="R", x=0) + "PAUSE IDLE(0)", until=0.6)
     assert rows(result) == [pytest.approx((0.0, 5.5, 0.0, 0.0)), pytest.approx((5.5, 5.5, 0.0, 0.5))]
     moves = build(result)["moves"]
@@ -132,9 +132,9 @@ def test_the_readings_of_an_axis_whose_paths_come_to_rest() -> None:
 def test_a_path_follows_on_when_the_one_between_is_cancelled(
     mode: str, cancelled: int, begins: float
 ) -> None:
-    """The first of 40 is at 30 after 0.1 s for 0.5 and 2.95 s for 29.5.
+    """The first path of 40 is at 30 after 0.1 s for 0.5 and 2.95 s for 29.5.
 
-    It is at its end 1 s later at full speed.
+    At full speed it is at its end 1 s later.
     """
     result = proved(
         f"SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : MOVEBUFFERSIZE(1) = 3 : {mode}\n"
@@ -149,7 +149,7 @@ def test_a_path_follows_on_when_the_one_between_is_cancelled(
 
 
 def consistent(seed: int) -> None:
-    """Check that a random program is proved, with at most two overlapping paths.
+    """Check that a random program is proved, with at most two paths at a time.
 
     Its report and its axes must agree.
     """
@@ -178,9 +178,9 @@ def test_random_blends_are_consistent() -> None:
 
 @pytest.mark.parametrize("seed", [787, 829, 1132, 1515])
 def test_a_path_waits_for_the_longest_of_those_that_are_blended(seed: int) -> None:
-    """The path before it is over while the one before that is still run.
+    """The path directly before ends while the path before that is still in motion.
 
-    Its end rounds to just behind.
+    By rounding, its end is slightly later.
     """
     consistent(seed)
 

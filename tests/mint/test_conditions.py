@@ -1,7 +1,7 @@
-"""Limits, stops and suspends apply in every motion and order, by hand arithmetic.
+"""Limits, stops and suspends act in every motion and order, by hand arithmetic.
 
-Each axis runs at 50 with rates of 100 up and 200 down unless a program sets others. A statement takes 10 us,
-so positions are within 50 x 10 us of the round figure for every statement in between.
+Each axis runs at 50 with rates of 100 up and 200 down unless a program sets other values. A statement takes
+10 us, so a position may be off the round figure by 50 x 10 us for every statement in between.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def test_a_switch_put_in_force_behind_a_moving_axis_acts_at_once() -> None:
 
 
 def test_a_limit_put_in_force_behind_a_path_stops_all_of_it() -> None:
-    """At 1 s the path to 60, 80 has covered 50 - 12.5 = 37.5."""
+    """After 1 s the path to 60, 80 has covered 50 - 12.5 = 37.5."""
     result = mint("VECTORA(0, 1) = 60, 80\nGO(0)\nWAIT = 1000\nSOFTLIMITFORWARD(1) = 10\nWAIT = 3000")
     assert place(result, 1) == (pytest.approx(30.0, abs=1e-2), 16)
     assert place(result, 0) == (pytest.approx(22.5, abs=1e-2), 0)
@@ -99,7 +99,7 @@ def test_an_axis_that_stands_on_its_switch_at_power_up_has_reached_it() -> None:
 
 
 def test_an_error_input_acts_when_its_mode_is_put_in_force() -> None:
-    """At 10 from 1.5 s on at 400: 14.5 covered, 0.125 to rest."""
+    """The axis has covered 14.5 at speed 10 by 1.5 s, and stops at 400 within 0.125."""
     result = mint(
         "ERRORINPUTMODE(0) = 0\nERRORINPUT(0) = 2\nERRORDECEL(0) = 400\nJOG(0) = 10\nWAIT = 1500\n"
         "ERRORINPUTMODE(0) = 3\nWAIT = 500",
@@ -138,9 +138,9 @@ FOLLOWING = "MASTERCHANNEL(0) = 1\nFOLLOW(0) = 1\nJOG(1) = 10\nWAIT = 1000\n"
 
 
 def test_a_suspended_slave_keeps_its_offset_until_it_goes_on() -> None:
-    """9.5 by the master's ramp, 0.25 to rest.
+    """The slave covers 9.5 by its master's ramp, and 0.25 to rest.
 
-    Then 10 of the offset, then 5 of the next one.
+    Then it covers the offset of 10, and then 5 of the next offset.
     """
     result = mint(
         f"{FOLLOWING}SUSPEND(0) = 1\nWAIT = 500\nOFFSET(0) = 10\nGO(0)\nWAIT = 2000\nPRINT POS(0)\nSTOP(1)\n"
@@ -150,9 +150,9 @@ def test_a_suspended_slave_keeps_its_offset_until_it_goes_on() -> None:
 
 
 def test_an_offset_that_is_suspended_goes_on_where_it_was() -> None:
-    """The offset has covered 0.5 in 0.1 s and is at 10, like the master.
+    """After 0.1 s the offset has covered 0.5, and its speed is 10, like the master's.
 
-    Each stops in 0.1 s, half of the distance each.
+    Each of the two stops in 0.1 s, over 0.5.
     """
     result = mint(
         f"{FOLLOWING}OFFSET(0) = 10\nGO(0)\nWAIT = 100\nSUSPEND(0) = 1\nWAIT = 2000\nPRINT POS(0)\nPRINT OFFSET(0)\n"
@@ -192,7 +192,7 @@ def test_the_input_does_not_free_an_axis_that_the_word_suspends() -> None:
 
 @pytest.mark.parametrize("axis", [0, 1])
 def test_the_input_of_any_axis_suspends_a_path(axis: int) -> None:
-    """At 1 s 37.5 along, 6.25 to rest."""
+    """At 1 s the path has covered 37.5, and comes to rest 6.25 further."""
     result = mint(
         f"SUSPENDINPUT({axis}) = 2\nVECTORA(0, 1) = 60, 80\nGO(0)\nWAIT = 2500\nPRINT POS(0)\nPause IDLE(0)\n"
         "PRINT POS(0)",
@@ -237,7 +237,7 @@ def test_an_offset_on_a_held_cam_or_shear_begins_at_the_release(
 ) -> None:
     """Its master is at 29 at 2.95 s and at 39.5 at 4 s.
 
-    The offset of 10 takes 0.55 s from 3 s on: a peak of 36.5 with 100 and 200.
+    The offset of 10 takes 0.55 s from 3 s on, with rates of 100 and 200 and a peak speed of 36.5.
     """
     result = mint(
         f"Dim c(2) As Float = 1, 10\nCAMTABLE(0, c, NULL)\n{HELD}{load}\nGO(0)\nWAIT = 1500\nOFFSET(0) = 10\nGO(0)\n"
@@ -248,7 +248,7 @@ def test_an_offset_on_a_held_cam_or_shear_begins_at_the_release(
 
 
 def test_an_input_holds_a_shear_after_its_last_segment() -> None:
-    """Two segments of 10 end at 2.05 s; the move by 5 waits until 3 s."""
+    """Two segments of 10 end at 2.05 s; the input holds the move by 5 until 3 s."""
     fly = "MASTERDISTANCE(0) = 10\nFLY(0) = 5\nFLY(0) = 5\nMOVER(0) = 5\nGO(0)\n"
     result = mint(f"{HELD}{fly}WAIT = 2900\nPRINT POS(0)\nWAIT = 2000\nPRINT POS(0)", SUSPENDING)
     assert [float(each) for each in result.output] == pytest.approx([10.0, 15.0])
@@ -273,7 +273,7 @@ def test_what_waits_while_an_axis_homes_is_carried_out_when_it_is_home(text: str
 
 
 def test_what_waits_while_an_axis_follows_is_carried_out_when_it_does_no_longer() -> None:
-    """The slave is at 9.5 after 1 s, brakes over 0.25, and moves to 30."""
+    """The slave is at 9.5 after 1 s, brakes over 0.25, and then moves to 30."""
     result = mint(
         "MOVEA(0) = 30\nMASTERCHANNEL(0) = 1\nFOLLOW(0) = 1\nJOG(1) = 10\nGO(0)\nWAIT = 1000\nFOLLOW(0) = 0\n"
         "PAUSE IDLE(0)\nSTOP(1)"

@@ -1,4 +1,4 @@
-"""An axis stopped by a limit is exactly at it; a stop from it ends as computed."""
+"""An axis stops exactly at a limit, or beyond it by the computed distance."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ def test_a_limit_at_zero_leaves_the_axis_at_zero() -> None:
 @pytest.mark.parametrize("switch", [False, True])
 @pytest.mark.parametrize("motion", ["MOVEA(0) = {} : GO(0)", "JOG(0) = {}"])
 def test_a_crash_stop(counts: float, first: float, limit: float, switch: bool, motion: str) -> None:
-    """From anywhere, in both directions, at software limits and switches.
+    """A crash stop is exactly at the limit, in both directions, and the log agrees.
 
-    The log agrees.
+    The limits are software limits and switches.
     """
     far = 9.0 if limit > 0 else -9.0
     text = (
@@ -58,7 +58,7 @@ def test_a_crash_stop(counts: float, first: float, limit: float, switch: bool, m
 @pytest.mark.parametrize("first", [0.1, 1.7, 3.0])
 @pytest.mark.parametrize("limit", [LOW, HIGH])
 def test_a_stop_at_errordecel(first: float, limit: float) -> None:
-    """v²/2a = 9.7² / 400 beyond the limit, from any direction."""
+    """The stop takes v²/2a = 9.7² / 400 beyond the limit, in both directions."""
     text = (
         f"{RATES}{SOFT}SOFTLIMITMODE(0) = 3\nMOVEA(0) = {first} : GO(0)\nPAUSE IDLE(0)\n"
         f"JOG(0) = {9.7 if limit > 0 else -9.7}\nPAUSE IDLE(0)"
@@ -84,7 +84,7 @@ def test_ways_to_a_limit(way: str) -> None:
 
 
 def test_mccl_limits() -> None:
-    """1HL is the high limit, LM2 stops at once, LN4 and 8 enable software limits."""
+    """1HL sets the high limit, LM2 stops at once, LN4 and 8 enable software limits."""
     text = "1MN,1SV9700,1HL7300,1LL-4100,1LM2,1LN12,1MR33,1WS,1MR20000,1WS"
     result = run(Source("a.mccl", text), cache=False)
     assert result.controller.demand(1) == 7300.0
@@ -98,7 +98,7 @@ MARK: dict[str, object] = {
 
 @pytest.mark.parametrize("first", [0.1, 1.7, 3.0])
 def test_a_latch_takes_the_position_of_its_mark(first: float) -> None:
-    """Latch 1 at the edge of an input, latch 2 at the second index mark."""
+    """Latch 1 captures at the edge of an input, latch 2 at the second index mark."""
     text = (
         f"{RATES}MOVEA(0) = {first} : GO(0)\nPAUSE IDLE(0)\nMOVEA(0) = 30 : GO(0)\n"
         "LATCHTRIGGERCHANNEL(1) = 3 : LATCHSOURCECHANNEL(1) = 0 : LATCHENABLE(1) = 1\nPAUSE LATCH(1)\n"
@@ -110,7 +110,7 @@ def test_a_latch_takes_the_position_of_its_mark(first: float) -> None:
 
 @pytest.mark.parametrize("first", [0.1, 1.7, 3.0])
 def test_homing_finds_the_edge_exactly(first: float) -> None:
-    """HOMEPOS is the position of the edge before it became the zero."""
+    """HOMEPOS is the position that the edge had before it became zero."""
     machine: dict[str, object] = {"axis.0.home_switch": [-5.0, -1.3]}
     text = (
         f"{RATES}HOMESPEED(0) = 9.7 : HOMEBACKOFF(0) = 7\nMOVEA(0) = {first} : GO(0)\nPAUSE IDLE(0)\n"

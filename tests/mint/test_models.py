@@ -1,4 +1,4 @@
-"""The names of controllers in any spelling, and their versions of Mint."""
+"""Names of controllers, in any spelling, and the Mint version of each."""
 
 from __future__ import annotations
 

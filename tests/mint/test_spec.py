@@ -1,7 +1,7 @@
 """The manual of Mint by example: every page of tests/spec/mint runs as printed.
 
-A line that begins with `'| ` is a line of the machine file, `'> ` one of the terminal's output (`'>` alone an
-empty one), `'? ` a diagnostic: its line and its message, `'! ` a fact that the run could not know.
+A line that begins with `'| ` is a line of the machine file, `'> ` is one of the terminal's output (`'>` alone
+is an empty one), `'? ` is a diagnostic, its line and its message, and `'! ` is a fact that a run cannot show.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ NOT_CODE = re.compile(r"\"[^\"\n]*\"|`[^`\n]*`|'.*|(?<=\bREM)\b.*", re.IGNORECAS
 
 
 def used() -> set[str]:
-    """Return every keyword in the code of some page, in lower case."""
+    """Return every keyword that occurs in the code of any page, in lower case."""
     code = (NOT_CODE.sub(" ", page(name).read_text(encoding="utf-8")) for name in PAGES)
     return {word.lower() for text in code for word in re.findall(r"\w+", text)}
 

@@ -1,4 +1,4 @@
-"""Released moves of a buffer begin as soon as nothing precedes them."""
+"""Released moves of a buffer begin as soon as no earlier entry blocks them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def ran(text: str) -> Run:
 
 
 def test_a_move_behind_a_path_that_is_thrown_away_begins() -> None:
-    """The path waits for axis 1; CANCEL discards it, and axis 0 moves 36 at 10.
+    """The path waits for axis 1; CANCEL discards it, and axis 0 moves 36 at speed 10.
 
     That takes 3.6 s + 10/100 s.
     """
@@ -47,7 +47,7 @@ CANCELALL
 
 
 def test_an_offset_that_waits_begins_with_the_following() -> None:
-    """It moves 7 at 10, with rates of 100: in 0.7 s + 10/100 s."""
+    """The offset of 7 at speed 10, with rates of 100, takes 0.7 s + 10/100 s."""
     text = """SPEED(1) = 10 : ACCEL(1) = 100 : DECEL(1) = 100 : MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0
 JOG(0) = 20
 MOVER(1) = 50 : GO(1)

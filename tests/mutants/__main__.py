@@ -1,15 +1,15 @@
 """Mutation testing: `python -m tests.mutants [COUNT] [SEED ...]`.
 
-It draws mutants and reports which the tests kill. Each mutant is one small change of the package: another
-comparison, sign, constant or operand. All mutants of a draw are woven into one copy of the project, in which
-one at a time is switched on. Coverage is recorded first, so that a mutant meets only the tests that reach it
-(`forks.py`).
+It draws mutants and reports which of them the tests kill. Each mutant is one small change of the package:
+another comparison, sign, constant or operand. All mutants of a draw are woven into one copy of the project, in
+which one at a time is switched on. Coverage is recorded first, so that only the tests that reach a mutant run
+against it (`forks.py`).
 
 Several seeds are several draws of COUNT that share one recording of the coverage; each has its own score.
 
-`--only TEXT` selects the mutants whose names contain the text; `--tests PATH` uses those tests, to see if a
-new one kills. `--after LOG` begins with the tests that killed in an earlier run, whose output is LOG;
-only mutants that survive these meet all tests.
+`--only TEXT` selects the mutants whose names contain the text. `--tests PATH` runs only those tests, to see if a
+new test kills. `--after LOG` first runs the tests that killed a mutant in an earlier run, whose output is LOG;
+all tests then run only against the mutants that survive these.
 """
 
 from __future__ import annotations
@@ -79,9 +79,9 @@ def judges() -> list[str]:
 
 
 def copied(folder: Path, mutants: list[Mutant], recorded: Iterable[Path] = ()) -> Path:
-    """Return a copy of the project with the mutants woven into it, by their numbers.
+    """Return a copy of the project with the mutants woven in, by their numbers.
 
-    `recorded` files report their calls.
+    The `recorded` files report each call of their functions.
     """
     tree = folder / "motionlang"
     left_out = shutil.ignore_patterns(
@@ -97,7 +97,7 @@ def copied(folder: Path, mutants: list[Mutant], recorded: Iterable[Path] = ()) -
 
 
 def pytest(tree: Path, tests: list[str], prove: bool, **environment: str) -> subprocess.Popen[bytes]:
-    """Start pytest on the copy, with the plugin; its output goes to a log."""
+    """Start pytest on the copy with the plugin; the output goes to a log."""
     command = [sys.executable, "-m", "pytest", "-p", "tests.mutants.forks", "-p", "no:cacheprovider"]
     # Next to the copy, as some tests copy the project.
     temporary = tree.parent / f"temporary.{environment.get(WORKER) or environment.get(ACTIVE)}"
@@ -111,9 +111,9 @@ def pytest(tree: Path, tests: list[str], prove: bool, **environment: str) -> sub
 
 
 def coverage(jobs: int) -> dict[str, dict[str, Any]]:
-    """Return the files of the package that each test reaches, and its CPU seconds.
+    """Return the package files that each test reaches, and its CPU seconds.
 
-    Runs are not proved.
+    The runs are not proved.
     """
     with tempfile.TemporaryDirectory() as folder:
         tree = copied(Path(folder), [], files())
@@ -124,7 +124,7 @@ def coverage(jobs: int) -> dict[str, dict[str, Any]]:
 
 
 def verdicts(tree: Path, mutants: list[Mutant], tests: list[str], jobs: int) -> Iterator[tuple[Mutant, str]]:
-    """Yield each mutant, and the test that fails with it; "" if none does."""
+    """Yield each mutant with the test that fails with it; "" if no test does."""
     tasks = [
         {"number": number, "file": each.path.relative_to(ROOT).as_posix(), "imported": each.imported}
         for number, each in enumerate(mutants)
@@ -165,9 +165,9 @@ def judged_alone(tree: Path, task: dict[str, Any], jobs: int) -> str:
 
 
 def failing(tree: Path, number: int, durations: dict[str, float], active: int | None = None) -> str:
-    """The test that fails in a separate process with a mutant, or another failure.
+    """Run tests with a mutant in a separate process, and return the first failure.
 
-    The result is "" for none.
+    A failure is a test, or how the process ended; "" means that all tests pass.
     """
     if not durations:
         return ""
@@ -192,7 +192,7 @@ def killers(log: str) -> list[str]:
 
 
 def living(mutants: list[Mutant], tests: list[str], only: list[str], jobs: int) -> list[Mutant]:
-    """Return the mutants that survive the tests, or those named `only`; print each."""
+    """Return the mutants that survive the tests, or the tests `only`; print each."""
     lived = []
     with tempfile.TemporaryDirectory() as folder:
         tree = copied(Path(folder), mutants)
@@ -207,7 +207,7 @@ def living(mutants: list[Mutant], tests: list[str], only: list[str], jobs: int) 
 
 
 def table(mutants: list[Mutant], lived: list[Mutant]) -> Iterator[str]:
-    """Yield a line for each top-level package: how many of its mutants were killed."""
+    """Yield a line for each top-level package, with how many mutants were killed."""
     drawn, survived = Counter(each.package for each in mutants), Counter(each.package for each in lived)
     for package in sorted(drawn):
         killed = drawn[package] - survived[package]
@@ -219,8 +219,8 @@ def main(
 ) -> int:
     """Print a line for each mutant and the score of each draw.
 
-    1 if one is below `BAR`. `earlier` is the output of an earlier run: the tests that killed in it run first,
-    and only survivors of these meet all tests.
+    Return 1 if a score is below `BAR`. `earlier` is the output of an earlier run: the tests that killed a mutant in
+    it run first, and all tests run only against the mutants that survive these.
     """
     draws = {
         seed: [each for each in chosen(count, seed) if not only or any(text in each.name for text in only)]
@@ -241,7 +241,7 @@ def main(
 
 
 def print_score(seed: int, draw: list[Mutant], lived: list[Mutant]) -> float:
-    """Print and return the share of a draw's distinguishable mutants that are killed."""
+    """Print and return the killed share of a draw's mutants, without equivalent ones."""
     mutants = [each for each in draw if each.name not in EQUIVALENT]
     score = 1.0 - len([each for each in mutants if each in lived]) / max(len(mutants), 1)
     print(f"seed {seed}: {len(mutants)} mutants, {len(draw) - len(mutants)} equivalent, {score:.1%} killed")

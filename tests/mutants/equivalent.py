@@ -1,6 +1,6 @@
-"""Mutants without a visible effect, by their names, each with the reason.
+"""Mutants that have no visible effect, by name, each with the reason.
 
-Effects within rounding do not count, as two computations of one figure may differ in their last bits.
+Effects within rounding do not count, because two computations of one figure may differ in their last bits.
 """
 
 from __future__ import annotations

@@ -2,21 +2,18 @@
 
 Several worker processes share the work. Each collects all tests once and then goes through three steps:
 
-1. Coverage. The worker runs its share of the test files in a child process and records which mutants and
-   files each
-   test reaches, and how long it takes. Woven code appends what it reaches to the file `REACHED`; processes
-   that a test
-   starts append to the same file, so tests of the command line count as well. A test that fails here depends on the
-   text of the project and cannot be used.
-2. The workers exchange what they recorded (`recorded`).
-3. Verdicts. A worker claims one mutant after another, forks, and runs the tests that reach it, quick ones
-   that reach few files first, up to the first that fails and passes without the mutant. A child that takes
-   ten times the time of a test, or too much memory, counts as a failure. The verdict is a line of JSON in the
-   pipe `VERDICTS`.
+1. Coverage. The worker runs its share of the test files in a child process and records the mutants and files
+   that each test reaches, and its duration. Woven code appends what it reaches to the file `REACHED`; processes
+   that a test starts append to the same file, so tests of the command line count as well. A test that fails in
+   this step depends on the text of the project and cannot be used.
+2. Exchange. The workers read one another's records (`recorded`).
+3. Verdicts. A worker claims one mutant after another, forks, and runs the tests that reach the mutant. Fast
+   tests that reach few files come first. The child stops at the first test that fails, if it passes without the
+   mutant. A child that takes ten times the duration of a test, or too much memory, counts as a failure. The
+   verdict is a line of JSON in the pipe `VERDICTS`.
 
-A mutant that is reached while modules are imported cannot be switched on in a fork. It gets a process of its
-own, which
-runs the tests of the file `ALONE` (see `__main__`).
+A mutant that is reached while modules are imported cannot be switched on in a fork. It gets a separate process,
+which runs the tests of the file `ALONE` (see `__main__`).
 """
 
 from __future__ import annotations
@@ -59,19 +56,19 @@ MIN_TESTS = 5
 
 
 def recorded(worker: int) -> Path:
-    """Return the file with a worker's records of its tests."""
+    """Return the file in which a worker records its tests."""
     return Path(f"tests.{worker}.json")
 
 
 def merged(workers: int, folder: Path = Path()) -> dict[str, Any]:
-    """Return the records of all workers: mutants reached by imports, and usable tests."""
+    """Return the records of all workers: mutants that imports reach, and usable tests."""
     parts = [json.loads((folder / recorded(worker)).read_text()) for worker in range(workers)]
     tests = {name: each for part in parts for name, each in part["tests"].items()}
     return {"imported": {number for part in parts for number in part["imported"]}, "tests": tests}
 
 
 def reached(path: str) -> tuple[list[int], list[str]]:
-    """Return the mutants and the files in a recorder's file."""
+    """Return the mutants and the files that a recorder's file lists."""
     lines = Path(path).read_text(encoding="utf-8").split("\n")[:-1]
     return (
         sorted({int(each) for each in lines if each.isdigit()}),
@@ -89,7 +86,7 @@ if _active >= 0:
 
 
 class Forks:
-    """The runs of one session."""
+    """The plugin: one session of tests, run in forks."""
 
     def __init__(self) -> None:
         self.durations: dict[str, float] = {}
@@ -143,7 +140,10 @@ class Forks:
         tests: dict[str, dict[str, Any]],
         items: dict[str, pytest.Item],
     ) -> dict[str, Any]:
-        """Return the verdict on a mutant: its killer, "" for none, or a separate process."""
+        """Return the verdict on a mutant.
+
+        It has the test that kills the mutant, "" for none, or that the mutant needs a separate process.
+        """
         number, file = mutant["number"], mutant["file"]
         if mutant["imported"] or number in known["imported"]:
             return {"number": number, "alone": True}
@@ -161,7 +161,7 @@ class Forks:
         return {"number": number, "by": by}
 
     def _cover(self, session: pytest.Session) -> None:
-        """Record the reach of this worker's share of tests, in a child without test state."""
+        """Record what this worker's share of tests reaches, in a child process."""
         assert _recorder is not None
         files = sorted({item.path for item in session.items})
         mine = {path for index, path in enumerate(files) if index % _workers == _worker}
@@ -190,7 +190,7 @@ class Forks:
         os._exit(0)
 
     def _fork(self, items: list[pytest.Item], number: int) -> str:
-        """Return the test that fails with a mutant, or another failure; "" for none."""
+        """Return the test that fails with a mutant, or another failure; "" if none does."""
         reading, writing = os.pipe()
         child = os.fork()
         if child == 0:
@@ -215,7 +215,7 @@ class Forks:
     def _run(self, items: list[pytest.Item], tell: Callable[[str], object]) -> None:
         """Run tests up to the first failure, and end the process.
 
-        Writes `BEGUN` for each test, and which one fails.
+        `report` gets `BEGUN` for each test, and the name of the test that fails.
         """
         from tests import cases
 
@@ -233,7 +233,7 @@ class Forks:
 
 
 def limit_resources() -> None:
-    """Limit this process and its children: a mutant may allocate or write without end."""
+    """Limit this process and its children: a mutant may allocate or write endlessly."""
     resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_FSIZE, (FILE, FILE))
 
@@ -256,13 +256,13 @@ def cpu_time() -> float:
 def by_likelihood(tests: Mapping[str, Mapping[str, Any]]) -> list[str]:
     """Return the names of tests in the order in which they are tried.
 
-    A test that is quick and reaches few files is about those files, and costs little if it does not fail.
+    A fast test that reaches few files is about these files, and costs little if it does not fail.
     """
     return sorted(tests, key=lambda name: tests[name]["cpu"] * len(tests[name]["files"]))
 
 
 def within_budget(names: list[str], durations: dict[str, float]) -> list[str]:
-    """Return the first tests that together are within `BUDGET`."""
+    """Return the first tests whose total is within `BUDGET`, and all tests of `NET`."""
     total, chosen = 0.0, []
     for name in names:
         total += durations[name]

@@ -1,4 +1,4 @@
-"""The mutations: another comparison, sign or constant, or an inverted condition."""
+"""The mutations: another comparison, sign or constant, and an inverted condition."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ _WORKED: dict[type[ast.operator], type[ast.operator]] = {
 
 
 class Mutant(NamedTuple):
-    """One change: its position's index in the file, a stable name, and the change.
+    """One change: the index of its position in a file, a stable name, and the change.
 
-    The name does not depend on line numbers. `imported` is true if the position is reached as its module is
+    The name does not depend on line numbers. `imported` is true if the position is reached while its module is
     imported.
     """
 
@@ -43,7 +43,7 @@ class Mutant(NamedTuple):
 
     @property
     def package(self) -> str:
-        """The top-level package of the mutant; "root" for the files outside the packages."""
+        """The top-level package of the mutant; "root" for files outside the packages."""
         parts = self.path.relative_to(PACKAGE).parts
         return parts[0] if len(parts) > 1 else "root"
 
@@ -59,18 +59,18 @@ GENERATED = (
 
 
 def files() -> list[Path]:
-    """Return all hand-written code of the package."""
+    """Return all hand-written source files of the package."""
     return sorted({*PACKAGE.rglob("*.py")} - {PACKAGE / name for name in GENERATED})
 
 
 @cache
 def every() -> tuple[Mutant, ...]:
-    """Return every change of the package."""
+    """Return all possible changes of the package."""
     return tuple(mutant for path in files() for mutant in mutants(path))
 
 
 def mutants(path: Path) -> Iterator[Mutant]:
-    """Yield every change of a file, in order, except in types and messages."""
+    """Yield the changes of a file in order, except in types, messages and assertions."""
     times: Counter[str] = Counter()
     file = path.relative_to(ROOT)
     for place, (where, node, after) in enumerate(_changes(ast.parse(path.read_bytes()), "")):
@@ -85,7 +85,7 @@ def mutants(path: Path) -> Iterator[Mutant]:
 def woven(path: Path, numbers: Mapping[int, int]) -> str:
     """Return the text of a file with changes, each switched on by `__mutant__`.
 
-    Every function calls `__seen__` with the file.
+    Every function calls `__seen__` with the path of the file.
     """
     tree = ast.parse(path.read_bytes())
     chosen = {
@@ -113,7 +113,7 @@ def woven(path: Path, numbers: Mapping[int, int]) -> str:
 
 
 def _changes(tree: ast.AST, where: str) -> Iterator[tuple[str, ast.expr, str]]:
-    """Yield the position of each change, its expression, and its replacement."""
+    """Yield the name of each position, its expression, and the replacement."""
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.Assert | ast.Raise) or _is_for_types(node):
             continue
@@ -164,7 +164,10 @@ def _of(node: ast.AST) -> Iterator[tuple[ast.expr, str]]:
 
 
 def chosen(count: int, seed: int) -> list[Mutant]:
-    """Return `count` random changes, weighted by file; others do not affect them."""
+    """Return `count` random changes, ranked by seed and name.
+
+    A draw changes little if changes are added to the package or removed from it.
+    """
 
     def rank(mutant: Mutant) -> bytes:
         return sha256(f"{seed} {mutant.name}".encode()).digest()

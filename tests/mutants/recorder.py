@@ -1,7 +1,7 @@
-"""The functions of woven code, `__mutant__(number)` and `__seen__(file)`.
+"""The functions that woven code calls: `__mutant__(number)` and `__seen__(file)`.
 
-With an active mutant, `__mutant__` is true for its number. While coverage is recorded, both append their
-arguments to a file that all processes of a test share.
+If a mutant is active, `__mutant__` is true for its number. While coverage is recorded, both functions append
+their arguments to a file that all processes of a test share.
 """
 
 from __future__ import annotations
@@ -14,21 +14,24 @@ ACTIVE, SEEN = "MOTIONLANG_MUTANT", "MOTIONLANG_REACHED"
 
 
 class Recorder:
-    """Appends each mutant and file that is reached, once, to a file."""
+    """Appends each mutant and file that is reached to a file, once."""
 
     def __init__(self, path: str) -> None:
         self._file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o600)
         self._seen: set[int | str] = set()
 
     def reached(self, what: int | str) -> bool:
-        """Record the number of a mutant, or a file; False, because no mutant is active."""
+        """Record the number of a mutant, or a file.
+
+        Return False, because no mutant is active.
+        """
         if what not in self._seen:
             self._seen.add(what)
             os.write(self._file, f"{what}\n".encode())
         return False
 
     def clear(self) -> None:
-        """Drop the records."""
+        """Forget everything that was recorded."""
         self._seen.clear()
         os.ftruncate(self._file, 0)
 
@@ -40,14 +43,14 @@ def activate(number: int) -> None:
 
 
 def record(path: str) -> Recorder:
-    """Record the reach of this process; no mutant is active."""
+    """Record what this process reaches; no mutant is active."""
     recorder = Recorder(path)
     builtins.__mutant__ = builtins.__seen__ = recorder.reached  # type: ignore[attr-defined]
     return recorder
 
 
 def install() -> None:
-    """Install the functions by the environment, in a process without them."""
+    """Install the functions, as the environment requests, unless they exist."""
     if hasattr(builtins, "__mutant__"):
         return
     path = os.environ.get(SEEN)

@@ -28,7 +28,7 @@ def f(a, b):
 
 
 def spelt(text: str) -> str:
-    """Return an expression in the spelling of this Python."""
+    """Return an expression as this version of Python writes it."""
     return ast.unparse(ast.parse(text, mode="eval"))
 
 

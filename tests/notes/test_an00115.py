@@ -1,4 +1,4 @@
-"""AN00115: formulas of a move's figures, and the areas of the drawings."""
+"""AN00115: the formulas for a move's figures, and the areas in its drawings."""
 
 from __future__ import annotations
 
@@ -57,9 +57,9 @@ def test_each_figure_has_its_formula(name: str) -> None:
 
 
 def test_every_formula_holds_for_a_move() -> None:
-    """All eight figures of the first example are known.
+    """All eight figures of the note's first example are known.
 
-    The triangle's formulas are those of a move without slew.
+    The formulas of the triangle are those of a move without slew.
     """
     move = solve_move(None, distance=12.0, speed=8.0, accel=16.0, decel=16.0)
     short = solve_move(None, distance=4.0, slew_time=0.0, accel=16.0, decel=16.0)
@@ -70,7 +70,7 @@ def test_every_formula_holds_for_a_move() -> None:
 
 
 def area(corners: list[tuple[float, float]]) -> float:
-    """The area of a polygon, by the sum over its sides."""
+    """Return the area of a polygon, by a sum over its sides."""
     sides = pairwise([*corners, corners[0]])
     return abs(sum(x * v - u * y for (x, y), (u, v) in sides)) / 2
 

@@ -1,6 +1,6 @@
 """Every formula, listing and figure of "Dissecting a Move Profile" (chapter 12).
 
-They are compared with the figures of its text.
+They are compared with the figures that the text prints.
 """
 
 from __future__ import annotations
@@ -54,9 +54,9 @@ def test_buildup_is_63_percent_in_a_time_constant() -> None:
 
 
 def test_figure_12_6() -> None:
-    """C exceeds the limit at its onset, D observes it over the update, F does not.
+    """C exceeds the limit at its onset, D observes it on average over the update.
 
-    F has two steps.
+    F, which has two steps, exceeds it.
     """
     c = dissect.step_segments((1,), 1.0 / 5.0)[0]
     d, f = dissect.step_segments((1, 2), 2.0 / 3.0)
@@ -123,7 +123,7 @@ def test_the_progression_ends_exactly(distance: int, speed: int, accel: int) -> 
     ],
 )
 def test_pid_to_dac(error: int, total: int, last: int, steps: int) -> None:
-    """(Kp E + (Ki/256) E_T + Kd (E - E_L))/16, truncated like in C.
+    """(Kp E + (Ki/256) E_T + Kd (E - E_L))/16, truncated as in C.
 
     Kp is 16, Ki 10, Kd 10.
     """
@@ -161,7 +161,7 @@ def test_the_listing_never_overshoots_its_trajectory(
 
 
 def test_the_listing_holds_its_dac() -> None:
-    """There is a new value at most every RegCnt updates.
+    """A new value comes at most every RegCnt updates.
 
     The update at which the deceleration begins is an exception.
     """
@@ -178,7 +178,7 @@ def test_the_listing_stays_near_the_actual_velocity() -> None:
 
 
 def test_the_listings_pid_is_the_loops() -> None:
-    """Held every update without override, the listing is the loop's integer form."""
+    """Without an override, the listing computes like the loop's integer form."""
     settings_ = Settings(5000, 40, 1, 60, 8, 120, integral_limit=900)
     made = run_listing(settings_, 100.0, 2.0, 400)
     loop = Loop(60, 8, 120, integral_limit=900, arithmetic="chapter12", dac_bits=12, servo_rate=1000.0)
@@ -220,9 +220,9 @@ def test_the_override_keeps_the_load_where_it_is() -> None:
 
 
 def test_the_override_is_shown_from_the_start_of_its_move_to_the_rest_behind_it() -> None:
-    """100 000 counts/s are SPEED: a quarter of LIMIT covers half of it times 0.2².
+    """In 0.2 s, a quarter of LIMIT covers 0.5 · 0.25 LIMIT · 0.2².
 
-    That takes 0.2 s.
+    SPEED corresponds to 100 000 counts/s.
     """
     for run in demonstrate(SPEED, LIMIT, 0.1, 32.2, 0.25, 60):
         accelerated = 0.5 * 0.25 * LIMIT * 100_000.0 / SPEED * 0.2**2
@@ -282,7 +282,7 @@ def test_a_track_tells_the_time_of_the_run() -> None:
 
 
 def test_a_load_that_slips_arrives_late() -> None:
-    """A step of the carrier's speed: the load reaches it at mu g after v²/(2 mu g)."""
+    """The carrier's speed steps to v; at mu g the load reaches it after v²/(2 mu g)."""
     loop = Loop(1.0, output_limit=10.0)
     drive = Drive(1000.0, 1e-6)
     profile = plan("trapezoid", 0.0, 100_000.0, 5000.0, 1e9, 1e9)

@@ -85,7 +85,7 @@ def test_the_formulas_of_the_acceleration_phase(name: str) -> None:
 
 
 def test_the_ramp_is_the_share_of_the_acceleration_time_in_which_acceleration_rises() -> None:
-    """RAMP = T_1/T_A = 0.1: the acceleration rises until T_1 and then keeps its peak."""
+    """RAMP = T_1/T_A = 0.1: the acceleration rises until T_1 and is then at its peak."""
     profile = tn1069.profiles()[S_CURVE]
     rise = 0.1 * profile.phases[0].duration
     assert rise * 1000 == pytest.approx(T_1, rel=1e-12)
@@ -94,7 +94,7 @@ def test_the_ramp_is_the_share_of_the_acceleration_time_in_which_acceleration_ri
 
 
 def test_the_parabola_begins_with_a_jump_of_acceleration() -> None:
-    """The note calls it the smoothest; only the S-curves begin without a jump."""
+    """The note calls the parabola the smoothest, but only the S-curves begin smoothly."""
     starts = [profile.acceleration(1e-9) for profile in tn1069.profiles()]
     assert starts == pytest.approx([100e3, 0.0, 0.0, 100e3], rel=1e-6, abs=1.0)
 
@@ -104,9 +104,9 @@ def test_the_errata_are_told() -> None:
 
 
 def test_the_printed_sinusoidal_position_has_a_wrong_sign() -> None:
-    """By integration of V/2 (1 - cos(pi t/T_A)): 533.84 counts at 0.3 T_A.
+    """The integral of V/2 (1 - cos(pi t/T_A)) is 533.84 counts at 0.3 T_A.
 
-    The print gives 7005.98.
+    The printed formula gives 7005.98.
     """
     steps, ramp = 100_000, 0.6283185307179586
     width = 0.3 * ramp / steps
@@ -117,9 +117,9 @@ def test_the_printed_sinusoidal_position_has_a_wrong_sign() -> None:
 
 
 def test_a_move_of_ones_own() -> None:
-    """A = 200, D = 100, V = 50, S = 1000, n = 0.25: T_A = V/(A (1 - n)).
+    """With A = 200, D = 100, V = 50, S = 1000 and n = 0.25, T_A = V/(A (1 - n)).
 
-    T_D is twice that, S = T V/2 each.
+    T_D is twice T_A. The distance of each ramp is T V/2.
     """
     demand = tn1069.Demand(200.0, 50.0, 1000.0, 100.0, 0.25)
     rows = {row.name: row for row in tn1069.comparison(demand)}

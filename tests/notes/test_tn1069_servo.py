@@ -1,4 +1,4 @@
-"""The four profiles of TN1069 under servo."""
+"""The four profiles of TN1069 as the command of a servo."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ def test_equal_time_gives_every_shape_what_it_needs() -> None:
 
 
 def test_the_trapezoid_takes_longest_to_settle_and_the_sine_is_smoothest() -> None:
-    """TN1069: the trapezoid is the quickest to speed.
+    """According to TN1069 the trapezoid is the fastest to reach its speed.
 
-    It adds "but can result in somewhat longer settling times".
+    The note adds "but can result in somewhat longer settling times".
     """
     for basis in ("acceleration", "time"):
         rows = {row.shape: row for row in compare(LOOP, MOTOR, *EXAMPLE, basis)}

@@ -1,4 +1,4 @@
-"""The random inputs of the property tests: moves of every shape, from any speed."""
+"""Random inputs of the property tests: moves of every shape, from any speed."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SHAPES = ("trapezoid", "sinusoidal", "ratio", "jerk", "parabolic")
 
 
 class Move(NamedTuple):
-    """One planning problem and its names for the planner."""
+    """One planning problem: the shape and the arguments of the planner."""
 
     shape: str
     start: float
@@ -40,7 +40,7 @@ class Move(NamedTuple):
 
 
 def sizes(low: float, high: float) -> st.SearchStrategy[float]:
-    """Positive numbers over orders of magnitude, like those of machines."""
+    """Return positive numbers over orders of magnitude, like those of machines."""
     return st.floats(math.log(low), math.log(high)).map(math.exp)
 
 
@@ -51,9 +51,9 @@ distances = st.one_of(
 
 @st.composite
 def moves(draw: st.DrawFn, shape: str | None = None, moving: bool = True) -> Move:
-    """A move of the given shape (or any).
+    """Return a random move of a shape, or of any shape, in either direction.
 
-    `moving` may start at up to three times its speed. The direction is random.
+    With `moving`, it may begin at up to three times its speed.
     """
     start = draw(st.sampled_from([0.0, -250.0, 1000.0]))
     speed = draw(sizes(0.1, 1e4))
@@ -73,7 +73,7 @@ def moves(draw: st.DrawFn, shape: str | None = None, moving: bool = True) -> Mov
 
 
 def integrated(profile: Profile) -> float:
-    """The distance by Gauss-Legendre quadrature of the velocity over every piece."""
+    """Return the distance by Gauss-Legendre quadrature of the velocity of each piece."""
     nodes, weights = np.polynomial.legendre.leggauss(12)
     total = 0.0
     for begin, finish in zip(profile.knots, profile.knots[1:], strict=False):

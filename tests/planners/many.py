@@ -1,8 +1,8 @@
-"""Plans from random states by the hundred thousand, integrated independently.
+"""Hundreds of thousands of plans from random states, integrated independently.
 
 The integrator takes the duration, the initial acceleration and the jerk of each piece of a profile, and
 integrates these from the initial state of the plan, all profiles of a batch at once. It never reads a piece's
-position or velocity, so that an error in one of them shows at the end.
+position or velocity, so an error in one of these shows at the end of the move.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _MOMENT = 1e-9
 class States(NamedTuple):
     """Random states and targets over orders of magnitude.
 
-    `rates` and `jerks` have two rows.
+    `rates` has a row for acceleration and one for deceleration, and so has `jerks`.
     """
 
     speed: Figures
@@ -40,9 +40,9 @@ class States(NamedTuple):
 
 
 def drawn(choose: np.random.Generator, count: int, shape: str) -> States:
-    """`count` states, each with an acceleration that a ramp of the axis can have.
+    """Return `count` states with accelerations that a ramp of the axis can have.
 
-    It may be in either direction.
+    The accelerations have either sign.
     """
     speed = 10.0 ** choose.uniform(-1.0, 4.0, count)
     rates = speed * 10.0 ** choose.uniform(-1.0, 2.0, (2, count))
@@ -55,7 +55,7 @@ def drawn(choose: np.random.Generator, count: int, shape: str) -> States:
 
 
 def integrated(states: States, shape: str) -> dict[str, Figures]:
-    """Return the used fraction of each bound for every plan, and the relative gaps."""
+    """Return for every plan the used fraction of each bound, and the relative gaps."""
     count, smooth = len(states.speed), shape == "scurve"
     columns = [
         each.tolist() for each in (states.start, states.target, states.speed, *states.rates, states.v0)

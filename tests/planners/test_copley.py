@@ -1,4 +1,4 @@
-"""Copley's PVT page: segment coefficients, velocities, the S-curve."""
+"""Copley's PVT page: the coefficients of a segment, velocities, the S-curve."""
 
 from __future__ import annotations
 

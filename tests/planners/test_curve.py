@@ -1,4 +1,4 @@
-"""A profile as a function of time: reading, crossings, cutting and joining."""
+"""A profile as a function of time: values, crossings, cutting and joining."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Planners at the limits of the range: an extreme figure is named, others arrive."""
+"""Planners at the limits of the floating-point range.
+
+An extreme figure is named in an error; all other moves arrive.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ SIZES = (1e-300, 1e-100, 1e-60, 1e-45, 1e-30, 1e-11, 1e-6, 1.0, 1e3, 1e11, 1e30,
 
 
 def arrives(made: Profile) -> bool:
-    """True if the last piece ends at the profile's end, and time never decreases.
+    """True if the last piece ends at the profile's end and time never decreases.
 
     The tolerance is a millionth of the distance.
     """

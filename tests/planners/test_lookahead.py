@@ -1,4 +1,4 @@
-"""The speed over joined paths: against a linear program, and its own limits."""
+"""The speed over joined paths: against a linear program, and within its limits."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ def course(ways: list[Way], v0: float = 0.0, joins: tuple[float, ...] = ()) -> P
 
 
 def least_time(ways: list[Way], v0: float, joins: tuple[float, ...]) -> float:
-    """Return the least time by a linear program over the squares of speeds at joins.
+    """Return the least time by a linear program over the squared speeds at joins.
 
-    The peaks between joins are variables, too. The solution with the largest sum has every square at its
-    own maximum, because a larger square never forces another one to be smaller.
+    The squared peak speeds between joins are variables, too. The solution with the largest sum has every square at
+    its own maximum, because a larger square never forces another one to be smaller.
     """
     from scipy.optimize import linprog  # type: ignore[import-untyped]  # 0.3 s
 
@@ -74,7 +74,7 @@ def random_ways(random: Random) -> list[Way]:
 
 
 def keeps_its_limits(ways: list[Way], made: Profile) -> None:
-    """Check every piece against the limits of its segment."""
+    """Check that each piece observes the limits of its segment."""
     begins = [0.0]
     for length, *_ in ways:
         begins.append(begins[-1] + length)
@@ -141,11 +141,11 @@ def test_no_course_is_faster_of_many() -> None:
 
 
 def test_a_run_that_slowed_down_for_one_stretch_speeds_up_on_the_next() -> None:
-    """At 30 it comes to a stretch for 10 and brakes with a jerk of 1000.
+    """At 30 it enters a stretch with a limit of 10 and brakes with a jerk of 1000.
 
-    It brakes for the 0.04 s that the stretch takes. It is then at 30 - 500 * 0.04² = 29.2 and braking at 40.
-    That fades in another 0.04 s, and in 2 * 0.04 s it is back at 30. The last 6 are those of a stop, in 30 /
-    100 + 100 / 1000 s.
+    The stretch takes 0.04 s. Then the speed is 30 - 500 * 0.04² = 29.2, and the deceleration is 40. The deceleration
+    falls to zero in another 0.04 s, and after 2 * 0.04 s more the speed is 30 again. The last 6 units are those of
+    the stop, which takes 30 / 100 + 100 / 1000 s.
     """
     first = 30.0 * 0.04 - 1000.0 * 0.04**3 / 6.0
     limits = {"accel": 100.0, "decel": 100.0, "accel_jerk": 1000.0, "decel_jerk": 1000.0}

@@ -1,4 +1,4 @@
-"""Worked numbers of ABB AN00115 (trapezoid), AN00118 (S-ramp), and chapter 12.
+"""Worked examples of AN00115 (trapezoid), AN00118 (S-ramp), and chapter 12.
 
 The last is the two-ramp S-curve.
 """

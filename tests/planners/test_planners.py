@@ -1,4 +1,4 @@
-"""Every planner over random moves: checker, integral and closed form agree."""
+"""Every planner with random moves: checker, integral and closed form agree."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The ramp of a speed reference: its closed form, and the checker's verdict."""
+"""The ramp of a speed reference: its closed form, and the result of the checker."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ edges = st.floats(1e-3, 2.0)
 
 
 def test_the_rate_is_reached_between_its_edges() -> None:
-    """500 at 2000: 0.25 s, and half of 0.1 s and of 0.2 s more.
+    """500 at 2000 take 0.25 s, plus half of the edges of 0.1 s and 0.2 s.
 
-    10/3 + 20 + 260/3 units.
+    The distances are 10/3, 20 and 260/3 units.
     """
     made = plan_reference(0.0, 0.0, 500.0, Slope(2000.0, 0.1, 0.2), Slope(1.0))
     assert made.knots[:-1] == pytest.approx((0.0, 0.1, 0.2, 0.4))
@@ -30,9 +30,9 @@ def test_the_rate_is_reached_between_its_edges() -> None:
 
 
 def test_a_small_change_peaks_where_both_slopes_meet() -> None:
-    """50 with slopes of 0.1 s and 0.3 s to 2000: sqrt(2 50 2000 / 0.4) = 707.1.
+    """A change of 50, with edges of 0.1 s and 0.3 s to 2000, does not reach 2000.
 
-    It takes 35.36 ms up and 106.1 ms down.
+    The peak is sqrt(2 50 2000 / 0.4) = 707.1, 35.36 ms up and 106.1 ms down.
     """
     made = plan_reference(0.0, 100.0, 150.0, Slope(2000.0, 0.1, 0.3), Slope(1.0))
     peak = sqrt(2 * 50 * 2000 / 0.4)

@@ -1,4 +1,4 @@
-"""Motion along curves, in sequence and superposed: exact against plain arithmetic.
+"""Motion along curves, in sequence and superposed, equals plain arithmetic.
 
 Derivatives are compared with numerical ones.
 """
@@ -31,9 +31,9 @@ CUBIC = (0.0, 0.0, 30.0 / 16.0, -20.0 / 64.0, 0.0, 0.0, 0.0)
 
 
 def circle(cosine: bool = True, sweep: float = 2.0 * math.pi, shape: str = "trapezoid") -> Profile:
-    """Return one axis of an arc of radius 10 about 0, at 20 along the path.
+    """Return one axis of an arc of radius 10 around 0, run at a path speed of 20.
 
-    It begins at angle 0, with rates of 50.
+    It begins at angle 0; the rates along the path are 50.
     """
     length = 10.0 * abs(sweep)
     along = plan(shape, 0.0, length, 20.0, 50.0, 50.0, ramp=0.2)
@@ -46,8 +46,8 @@ def test_the_peaks_of_a_curve_at_a_uniform_speed_are_found_in_closed_form(
 ) -> None:
     """A cubic that rises by 10 over 4 has a largest slope of 1.5 * 10/4.
 
-    Its second derivative is 6 * 10/4² at its ends. A cam that is driven at 20 so has peaks of 75 and 1500. Up
-    to the first 1 it reaches a slope of 45/16, and beyond its end it continues straight.
+    Its second derivative is 6 * 10/4² at its ends. A cam with a master at 20 therefore has peaks of 75 and 1500.
+    From its start to 1 it reaches a slope of 45/16. Beyond its end the curve continues straight.
     """
     monkeypatch.setattr(Reparametrised, "state", None)
     curve = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
@@ -62,9 +62,9 @@ def test_the_peaks_of_a_curve_at_a_uniform_speed_are_found_in_closed_form(
 def test_the_peak_of_many_cycles_is_looked_for_where_the_master_is_fastest(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """A master that speeds up at 2 to 20 passes 25 cycles of a cam.
+    """A master that accelerates from 0 to 20 at 2 passes 25 cycles of a cam.
 
-    Only the last few can have the highest speed.
+    Only the last few cycles can have the highest speed.
     """
     curve = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
     ramp = plan_velocity("trapezoid", 0.0, 0.0, 20.0, 2.0, 2.0).cut(10.0)
@@ -310,9 +310,9 @@ def test_quarter_turns_are_exact(degrees: float) -> None:
 
 @pytest.mark.parametrize("datum", [0.0, 0.0108, 0.3, 1e-7])
 def test_a_bend_in_the_curve_is_drawn_as_a_jump_of_the_velocity_and_nothing_else(datum: float) -> None:
-    """A cam of straight lines under a master that speeds up at 360.
+    """A cam of straight lines, with a master that accelerates at 360.
 
-    Rounding decides on which side of a kink a time is.
+    Rounding determines on which side of a kink a time is.
     """
     rises = [0.0, 10.0, 40.0, 80.0, 100.0, 80.0, 40.0, 10.0]
     places = [45.0 * n for n in range(9)]
@@ -329,9 +329,9 @@ def test_a_bend_in_the_curve_is_drawn_as_a_jump_of_the_velocity_and_nothing_else
 def test_a_place_at_the_end_of_a_curve_is_as_bent_as_before_it_on_whichever_side_rounding_puts_it(
     off: float,
 ) -> None:
-    """A slope from 0 to 2 over 10, run at 3 while speeding up at 4.
+    """A slope that rises from 0 to 2 over 10; at its end the speed is 3, the rate 4.
 
-    At its end it has 0.2 * 3² + 2 * 4 = 9.8.
+    The acceleration there is 0.2 * 3² + 2 * 4 = 9.8.
     """
     piece = (0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0)
     curve = from_curve("fly", 0.0, 10.0, ((0.0, 10.0), (piece,), (("fly", 0),)), 0.0, 2.0)
@@ -358,7 +358,7 @@ def test_a_place_at_the_end_of_a_curve_is_as_bent_as_before_it_on_whichever_side
 def test_the_knots_of_a_sequence_that_grows_are_found_once_for_each_part(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """A path changed n times is a sequence of n arcs; each change reads its knots."""
+    """A path changed n times is a sequence of n arcs, and each change reads its knots."""
     searched: list[Profile] = []
     places = reparametrised.places
 

@@ -1,4 +1,4 @@
-"""Roots: of a monotone function in a bracket, and of a quadratic."""
+"""Roots of a monotone function in a bracket, and of a quadratic."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from motionlang.planners.root import bracketed_root
 @pytest.mark.parametrize("power", [1, 3, 9, 25])
 @pytest.mark.parametrize("rising", [True, False])
 def test_a_root_that_is_flat_takes_no_more_than_bisection(power: int, rising: bool) -> None:
-    """Newton's steps towards a root of order n shrink by 1 - 1/n: 300 for n = 9."""
+    """Newton's steps to a root of order n shrink by 1 - 1/n: 300 steps for n = 9."""
     asked: list[float] = []
     sign = 1.0 if rising else -1.0
 
@@ -27,7 +27,7 @@ def test_a_root_that_is_flat_takes_no_more_than_bisection(power: int, rising: bo
     ("small", "large"), [(1e-8, 1e8), (-1e-8, 1e8), (1e-8, -1e8), (-1e-9, -1e7), (2.0, 3.0)]
 )
 def test_a_small_root_next_to_a_large_one_keeps_its_digits(small: float, large: float) -> None:
-    """Of a (x - small) (x - large), whose coefficients are rounded once each."""
+    """The roots of a (x - small) (x - large), with each coefficient rounded once."""
     for a in (1.0, -0.5):
         found = sorted(_quadratic(a, -a * (small + large), a * small * large))
         assert found == pytest.approx(sorted((small, large)), rel=1e-14)

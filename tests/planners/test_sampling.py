@@ -1,4 +1,4 @@
-"""The sampling kernels against the profile itself, point by point."""
+"""The sampling kernels equal the profile itself, point by point."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_long_pieces(shape: str, order: int) -> None:
 
 
 def track() -> tuple[list[float], list[Profile]]:
-    """Return moves of two shapes with pauses, one cut short, and a jog at the end."""
+    """Return moves of two shapes with pauses; one is cut short, a jog is the last."""
     first = plan_trapezoid(0.0, 12.0, 8.0, 16.0, 16.0)
     second = plan_jerk(12.0, -5.0, 8.0, 16.0, 16.0, 100.0, 100.0)
     place = second.position(0.9)

@@ -1,4 +1,4 @@
-"""Small rules of the motion mathematics, each the only test of its rule."""
+"""Small rules of the motion mathematics, each covered by this test alone."""
 
 from __future__ import annotations
 
@@ -168,7 +168,7 @@ def test_the_printed_slews_cover_their_distances() -> None:
 
 
 def test_a_move_from_rest_takes_numbers_that_add_up_to_the_largest() -> None:
-    """100 at rates of 100 never reach such a speed: a second up and a second down."""
+    """100 at rates of 100 takes a second up and a second down, at any higher speed."""
     found = from_rest(100.0, LARGEST, 100.0, 100.0)
     assert found is not None
     assert found[0] == 2.0

@@ -1,4 +1,4 @@
-"""AN00115: solving a move for its missing figures."""
+"""AN00115: calculation of the missing figures of a move."""
 
 from __future__ import annotations
 

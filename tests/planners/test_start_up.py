@@ -1,4 +1,4 @@
-"""Planning must not make a running program import anything slow."""
+"""Planning in a running program imports nothing slow."""
 
 from __future__ import annotations
 

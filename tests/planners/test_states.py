@@ -1,7 +1,7 @@
 """Plans of single axes from random states: bounds, joins, arrival.
 
 Some are checked by the arithmetic of the proof, and many by a separate integrator (`many.py`).
-`MOTIONLANG_LONG=5000000` runs that many of each shape; the worst figures are printed (`pytest -s`).
+`MOTIONLANG_LONG=5000000` runs 5 million of each shape; the worst figures are printed (`pytest -s`).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ SHAPES = ("trapezoid", "scurve")
 class State:
     """A random state and target, over orders of magnitude.
 
-    The acceleration is one that a ramp can have.
+    The acceleration is one that occurs in a ramp.
     """
 
     def __init__(self, choose: Random, shape: str) -> None:
@@ -49,7 +49,7 @@ class State:
         return plan(self.shape, *numbers, rates[0], rates[1], self.v0, 0.0, jerks[0], jerks[1], self.a0)
 
     def shares(self, made: Profile) -> dict[str, float]:
-        """Return the used fraction of each bound, and the relative gaps."""
+        """Return the used fraction of each bound of a plan, and the relative gaps."""
         from motionlang.analysis.proof.segments import spans  # collecting the tests does not load the proof
 
         smooth = self.shape == "scurve"

@@ -1,4 +1,4 @@
-"""Stopping and running at a velocity, in every shape."""
+"""Stops, and motion at a velocity, in every shape."""
 
 from __future__ import annotations
 

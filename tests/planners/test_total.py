@@ -1,4 +1,4 @@
-"""Sums are rounded once, in every version of Python."""
+"""Sums are rounded only once, in every version of Python."""
 
 from __future__ import annotations
 

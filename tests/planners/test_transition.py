@@ -1,6 +1,6 @@
 """Transitions from any velocity and acceleration.
 
-Nothing jumps, the limits are met, and the end is the required one.
+Nothing jumps, all limits are observed, and the required state is reached.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def judge(
 
 
 def limits(random: Random) -> tuple[float, float, float, tuple[float, float]]:
-    """Return speed, acceleration, deceleration and jerks."""
+    """Return random speed, acceleration, deceleration and jerks."""
     return (
         random.uniform(5, 100),
         random.uniform(50, 500),
@@ -57,7 +57,7 @@ def state(random: Random, made: Profile) -> tuple[float, float, float]:
 
 
 def moved(seed: int) -> None:
-    """Change the target of a move in its middle."""
+    """Change the target in the middle of a move."""
     random = Random(seed)
     speed, accel, decel, jerks = limits(random)
     first = plan("scurve", 0.0, random.uniform(-100, 100), speed, accel, decel, 0.0, 0.0, *jerks)
@@ -72,7 +72,7 @@ def moved(seed: int) -> None:
 
 
 def stopped(seed: int) -> None:
-    """Stop a move in its middle, or change the speed of a jog."""
+    """Stop in the middle of a move, or change the speed of a jog."""
     random = Random(seed)
     speed, accel, decel, jerks = limits(random)
     first = plan("scurve", 0.0, random.uniform(1, 100), speed, accel, decel, 0.0, 0.0, *jerks)
@@ -87,7 +87,7 @@ def stopped(seed: int) -> None:
 
 
 def coursed(seed: int) -> None:
-    """Plan a course over several paces again from its middle."""
+    """Plan a course with several speeds again from its middle."""
     random = Random(seed)
     _, accel, decel, jerks = limits(random)
     stretches = [
@@ -133,9 +133,9 @@ def test_many_changes_in_the_middle(case: object) -> None:
 
 
 def test_a_stop_out_of_a_ramp_takes_each_side_back_at_its_own_jerk() -> None:
-    """From 0.08 s of a ramp at 4000: 25.6 after another 0.08 s, 2.048 in all.
+    """At a jerk of 4000 the rate of 320 is zero after 0.08 s, at 25.6 and 2.048.
 
-    Then it takes twice 25.6 / 0.2613 s at 1500.
+    Two ramps at a jerk of 1500 then stop it in 0.2613 s.
     """
     made = plan_stop("scurve", 4000.0 * 0.08**3 / 6.0, 12.8, 250.0, 0.0, 1500.0, 320.0, 4000.0)
     assert made.end == pytest.approx(2.048 + 25.6 * math.sqrt(25.6 / 1500.0), rel=1e-12)
@@ -221,10 +221,9 @@ def test_figures_of_any_size_are_planned_or_refused_by_name() -> None:
 
 
 def test_a_stop_that_has_hardly_begun_takes_its_own_time_whatever_its_velocity() -> None:
-    """From v without an acceleration it takes 2 sqrt(v/j), or a nanosecond less.
+    """A stop from v takes 2 sqrt(v/j), here without the nanosecond that has passed.
 
-    It is a nanosecond less. A velocity of 1e-9 is a trillionth of that in a ramp to 100 000 while easing out,
-    and was dropped as rounding.
+    A velocity of 1e-9 is a trillionth of that in a ramp to 100 000, and was once dropped as rounding.
     """
     for velocity in (1e-3, 1e-9, 1e-11):
         whole = 2.0 * math.sqrt(velocity / 1e6)

@@ -54,9 +54,9 @@ def test_not_a_number_is_a_complaint() -> None:
 
 
 def test_a_ramp_of_microseconds_late_in_a_long_move_is_judged_by_what_it_is() -> None:
-    """34 µs of braking after a day: its end has a resolution of a part in a million.
+    """After a day, the end of a ramp of 34 µs has a resolution of a millionth.
 
-    Its limits still count.
+    The limits of the ramp are still checked.
     """
     speed, decel, end = 0.10057264266491435, 2980.9579870417283, 8103.083927575384
     made = plan_trapezoid(0.0, end, speed, 1.0, decel)

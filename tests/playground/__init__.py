@@ -1,1 +1,1 @@
-"""The Python of the playground; `python -m tests.site` tests it in browsers."""
+"""The Python files of the playground; `python -m tests.site` tests it in browsers."""

@@ -14,7 +14,7 @@ MACHINE = "file:///part.machine.toml"
 
 
 class Editor:
-    """The messages of a page to the server, and those that it gets."""
+    """Sends the messages of a page to the server, and receives those of the server."""
 
     def __init__(self) -> None:
         self.got: list[dict[str, Any]] = []
@@ -44,7 +44,7 @@ class Editor:
         self.notify("textDocument/didOpen", textDocument=item)
 
     async def diagnostics(self, uri: str) -> list[tuple[int, str]]:
-        """Wait for the diagnostics of a text: line, from 0, and message."""
+        """Wait for the diagnostics of a text; return line, from 0, and message of each."""
         while True:
             for each in self.got:
                 if each.get("method") == "textDocument/publishDiagnostics" and each["params"]["uri"] == uri:

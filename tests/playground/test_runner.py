@@ -1,4 +1,4 @@
-"""`runner.py`: what the page gets of a run, equal to what the command line prints."""
+"""`runner.py`: the page gets the same output of a run as the command line."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def of_type(found: list[Message], kind: str) -> Message:
 
 
 def command(*arguments: str) -> str:
-    """Return what the command line writes to a pipe."""
+    """Return the output of a command into a pipe."""
     out = io.BytesIO()
     text = io.TextIOWrapper(out, encoding="utf-8", newline="", write_through=True)
     with contextlib.redirect_stdout(text):

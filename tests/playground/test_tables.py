@@ -1,4 +1,4 @@
-"""The tables of the editor are those of the package."""
+"""The editor's tables equal those of the package."""
 
 from __future__ import annotations
 

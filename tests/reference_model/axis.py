@@ -1,7 +1,7 @@
-"""One axis as a plain state machine, written from the manual alone.
+"""One axis as a simple state machine, written from the manual alone.
 
-It shares no code with the package. Its motion is a sequence of sections of constant acceleration; time
-advances section by section, and every decision of a limit is made when the axis reaches it.
+It shares no code with the package. Its motion is a sequence of sections of constant acceleration. Time
+advances section by section, and a limit takes effect when the axis reaches it.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ Stretches = list[tuple[float, float]]
 
 
 class Limit:
-    """An end of the travel: `sign` is the side, `action` the reaction, `place` where.
+    """An end of the travel: `sign` is its side, `action` the reaction to it.
 
-    `place` may be None. `hit` is true if it ever was a fault; `number` is the axis that it belongs to, if
-    several run along one path.
+    `position` is None if there is no limit. `hit` is true if the limit has ever been a fault. `number` is the axis
+    that it belongs to, if several axes follow one path.
     """
 
     def __init__(self, sign: int, action: str, number: int = 0) -> None:
@@ -30,7 +30,7 @@ class Limit:
 
 
 class Axis:
-    """Position, velocity, state, and the waiting moves."""
+    """Position, velocity, state, and the loaded moves."""
 
     def __init__(self, speed: float, accel: float, decel: float, error_decel: float) -> None:
         self.speed, self.accel, self.decel, self.error_decel = speed, accel, decel, error_decel
@@ -48,9 +48,9 @@ class Axis:
     # ------------------------------------------------------------------------------------------------ commands
 
     def load(self, kind: str, value: float) -> None:
-        """Load a move into the buffer: "to" a position, or "by" a distance.
+        """Load a move into the buffer: "to" a position or "by" a distance.
 
-        The distance is relative to the axis at its start.
+        The distance counts from the position at which the move begins.
         """
         self.queue.append((kind, value))
 
@@ -61,50 +61,50 @@ class Axis:
             self._next()
 
     def jog(self, velocity: float) -> None:
-        """Run at a velocity, from any state."""
+        """Run at a velocity; allowed in any state."""
         self.doing, self.jogging = "jog", velocity
         self._begin()
 
     def stop(self) -> None:
-        """Come to rest, and drop the waiting moves."""
+        """Decelerate to rest, and drop the loaded moves."""
         self.suspended = False
         self._forget()
         if self.doing not in {"idle", "stop"}:
             self._brake(self.decel)
 
     def cancel(self) -> None:
-        """Halt at once, and drop the waiting moves."""
+        """Halt at once, and drop the loaded moves."""
         self.suspended = False
         self._forget()
         self._stand()
 
     def suspend(self, on: bool) -> None:
-        """Come to rest and keep everything, or continue."""
+        """Decelerate to rest but do not drop the moves; or continue them."""
         if on is not self.suspended:
             self.suspended = on
             self._change()
 
     def set_override(self, factor: float) -> None:
-        """Set a factor of the speed of moves."""
+        """Set the factor on the speed of moves."""
         if factor != self.override:
             self.override = factor
             if self.doing == "move":
                 self._change()
 
     def set_speed(self, speed: float) -> None:
-        """Set another speed, also for the move in progress."""
+        """Set the speed; it applies to the move in progress, too."""
         if speed != self.speed:
             self.speed = speed
             if self.doing == "move":
                 self._change()
 
     def retarget(self, place: float) -> None:
-        """Set another end for the move in progress."""
+        """Set a new end position for the move in progress."""
         self.target = place
         self._change()
 
     def rename(self, position: float) -> None:
-        """Give the present position another value."""
+        """Assign a new value to the present position."""
         shift = position - self.position
         self.position += shift
         self.target += shift
@@ -120,7 +120,7 @@ class Axis:
 
     @property
     def endless(self) -> bool:
-        """True if its rest position is not known."""
+        """True if the position of rest is not known."""
         return self.doing == "jog"
 
     def _forget(self) -> None:
@@ -131,7 +131,7 @@ class Axis:
         self._end()
 
     def _end(self) -> None:
-        """Rest, and start the next move."""
+        """Come to rest, and begin the next move."""
         self.doing, self.target = "idle", self.position
         self._next()
 
@@ -144,13 +144,13 @@ class Axis:
             self._begin()
 
     def _begin(self) -> None:
-        """Begin a motion, for which entering a limit is a fault again."""
+        """Begin a motion; from now on, entering a limit is a fault again."""
         for limit in self.limits:
             limit.raised = False
         self._change()
 
     def _change(self) -> None:
-        """Continue from here with all present settings."""
+        """Plan the motion again from the present state with the present settings."""
         if self.doing == "move":
             speed = self.speed * self.override
             if self.suspended or not speed:
@@ -182,9 +182,9 @@ class Axis:
         return [*way, (inf, 0.0)]
 
     def _to(self, target: float, speed: float) -> Stretches:
-        """Return the quickest motion to rest at a target, with a stop first if necessary.
+        """Return the fastest motion to rest at a target.
 
-        The stop is needed if it moves away, or cannot stop at the target.
+        It begins with a stop if the axis moves away from the target, or cannot stop before it.
         """
         v, distance = self.velocity, target - self.position
         sign = copysign(1.0, distance if distance else v)
@@ -208,9 +208,9 @@ class Axis:
         ]
 
     def _ramps(self, size: float, speed: float, u: float) -> Stretches:
-        """Return a ramp up, slew and ramp down over a distance from rest.
+        """Return the sections of a move over a distance: ramp up, slew and ramp down.
 
-        The distance up to speed u is already covered.
+        The distance counts from rest, but the ramp begins at speed `u`.
         """
         peak = min(speed, sqrt(2.0 * size / (1.0 / self.accel + 1.0 / self.decel)))
         held = (size - peak * peak * (0.5 / self.accel + 0.5 / self.decel)) / peak if peak else 0.0
@@ -223,7 +223,7 @@ class Axis:
     # --------------------------------------------------------------------------------------------------- time
 
     def run(self, until: float) -> None:
-        """Advance to a time."""
+        """Advance the time to `until`."""
         for _ in range(100_000):
             while self.way and self.way[0][0] <= 0.0:
                 self.way.pop(0)
@@ -262,7 +262,7 @@ class Axis:
         self.time += step
 
     def _arrive(self) -> None:
-        """Rest at the target, when all sections are done."""
+        """Rest at the target if all sections are done."""
         self.velocity = 0.0
         if self.doing == "move":
             self.position = self.target
@@ -271,7 +271,7 @@ class Axis:
     # -------------------------------------------------------------------------------------------------- limits
 
     def _meets(self, rate: float, span: float) -> tuple[Limit | None, float]:
-        """Return the next limit that is reached within a time, and when; infinite if none."""
+        """Return the first limit that is reached within `span`, and its time; inf if none."""
         found: tuple[Limit | None, float] = (None, inf)
         for limit in self.limits:
             if limit.place is None or limit.raised:
@@ -314,9 +314,9 @@ class Axis:
 
 
 def _first(v: float, a: float, gap: float) -> float | None:
-    """Return when a gap > 0 is closed at velocity v and acceleration a.
+    """Return when a gap > 0 is closed, at velocity v and acceleration a.
 
-    None if it never is, or is closed already.
+    Return None if it is never closed, or is closed already.
     """
     if gap <= 1e-6:
         return None

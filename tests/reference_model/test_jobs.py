@@ -1,6 +1,6 @@
-"""Random jobs of several axes against the reference axis: stops, limits, zeros.
+"""Random jobs of several axes compared with the reference axis.
 
-They include suspends and overrides. `MOTIONLANG_LONG=100000` runs that many.
+They have stops, limits, new zeros, suspends and overrides. `MOTIONLANG_LONG=100000` runs 100 000 of them.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ ACTIONS = ("ignore", "abort", "error-stop", "event")
 
 
 class Job:
-    """The package and the reference, given the same commands at the same times."""
+    """The package and the reference, with the same commands at the same times."""
 
     def __init__(self, seed: int) -> None:
         self.choose = choose = Random(seed)
@@ -65,7 +65,7 @@ class Job:
             assert self.c.is_idle(number) is (axis.doing == "idle"), "\n".join(self.told)
 
     def advance(self, time: float) -> None:
-        """Compare everything up to a time, and at it."""
+        """Advance both to a time, and compare them in between and at the end."""
         now = self.c.clock.now
         for share in (0.31, 0.77, 1.0):
             then = now + share * (time - now)
@@ -163,7 +163,7 @@ class Job:
 
 
 class PathJob:
-    """A straight path of two axes and one reference axis along it, with both limits."""
+    """A straight path of two axes, and one reference axis along it with both limits."""
 
     def __init__(self, seed: int) -> None:
         self.choose = choose = Random(seed)
@@ -244,7 +244,7 @@ class PathJob:
             self.limit(number, time)
 
     def limit(self, number: int, time: float) -> None:
-        """Set a limit of one axis, ahead of it or behind."""
+        """Set a limit of one axis, ahead of its position or behind it."""
         slope = self.ends[number] / self.length
         sign, action = self.choose.choice((-1, 1)), self.choose.choice(ACTIONS)
         place = self.c.position(number) + sign * self.choose.uniform(-5, 30)

@@ -1,4 +1,4 @@
-"""Any input gets an answer, and a prompt after it."""
+"""Any input is answered, and a prompt follows."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_whatever_is_typed_is_answered(name: str, data: st.DataObject) -> None:
 
 
 class Patience:
-    """A user who presses Ctrl-C after some polls, and keeps it pressed."""
+    """A user who presses Ctrl-C after some polls, and holds it down."""
 
     def __init__(self, polls: int) -> None:
         self._left = polls

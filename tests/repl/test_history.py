@@ -1,4 +1,4 @@
-"""The location of history, and its permissions."""
+"""The path and the permissions of the history file."""
 
 from __future__ import annotations
 

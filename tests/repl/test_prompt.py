@@ -1,4 +1,4 @@
-"""The prompt for a person: keys are sent, the screen is not checked."""
+"""The prompt as a person uses it: keys are sent, the screen is not checked."""
 
 from __future__ import annotations
 

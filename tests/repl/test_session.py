@@ -1,4 +1,4 @@
-"""Sessions beyond transcripts: interrupts, pacing, files."""
+"""Sessions that transcripts cannot show: interrupts, pacing, files."""
 
 from __future__ import annotations
 
@@ -173,9 +173,9 @@ def test_live_mode_lets_the_machine_catch_up_with_the_wall(monkeypatch: pytest.M
 
 
 def test_a_position_at_the_prompt_is_in_whole_counts() -> None:
-    """GO takes 10 µs, in which the axis moves ½·1·(1e-5)² uu.
+    """In the 10 µs of GO the axis moves ½·1·(1e-5)² uu.
 
-    That is less than a count, which a controller cannot show.
+    This is less than a count, which a controller cannot show.
     """
     session = Session(dialect("mint"))
     session.feed("SCALEFACTOR(0) = 1000 : SPEED(0) = 10 : ACCEL(0) = 1 : MOVER(0) = 100 : GO(0)")

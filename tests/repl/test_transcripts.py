@@ -1,7 +1,7 @@
-"""Sessions as on the screen: input after the prompt, and output below it.
+"""Sessions as they appear on the screen: input after the prompt, output below it.
 
-A transcript begins with its subject. A line that begins with `mint> ` or `mccl> ` is typed, one that begins
-with dots instead of the name continues a block, everything else is output. Files are named from this folder.
+A transcript begins with its subject. A line that begins with `mint> ` or `mccl> ` is typed. A line with dots
+instead of the name continues a block. All other lines are output. Paths of files are relative to this folder.
 `pytest --update` rewrites the output.
 """
 
@@ -19,7 +19,7 @@ PROMPTS = {f"{name}> ": name for name in dialects()}
 
 
 def replay(transcript: str) -> str:
-    """Return the transcript with its present output."""
+    """Return the transcript with its output as it is now."""
     shown: list[str] = []
     session: Session | None = None
     for line in transcript.splitlines():

@@ -18,7 +18,7 @@ PATIENCE = 20.0
 
 
 class Wire:
-    """A host: a socket that reads exactly the expected bytes."""
+    """The connection of a host, which reads exactly the expected bytes."""
 
     def __init__(self, address: tuple[str, int]) -> None:
         self.socket = socket.create_connection(address, PATIENCE)
@@ -29,7 +29,7 @@ class Wire:
         self.socket.sendall(data)
 
     def expect(self, wanted: bytes) -> None:
-        """Read the length of the expected bytes, and compare."""
+        """Read the number of bytes in `wanted`, and compare."""
         while len(self._rest) < len(wanted) and self._rest == wanted[: len(self._rest)]:
             piece = self.socket.recv(len(wanted) - len(self._rest))
             if not piece:
@@ -48,7 +48,7 @@ class Wire:
         return found + mark
 
     def ask(self, line: bytes) -> bytes:
-        """Send a line; return its answer with the prompt after it."""
+        """Send a line; return its answer including the prompt."""
         self.send(line + b"\r")
         return self.until(b"\n>")
 
@@ -60,13 +60,13 @@ class Wire:
         return found
 
     def break_off(self) -> None:
-        """Reset the connection, like a killed process with unread data."""
+        """Reset the connection, as when a process is killed with unread data."""
         self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")
         self.socket.close()
 
 
 class Board:
-    """A served board, in a thread of its own."""
+    """A served board that runs in a separate thread."""
 
     def __init__(self, server: Server, console: Console) -> None:
         self.server, self.console = server, console
@@ -77,7 +77,7 @@ class Board:
         self._thread.start()
 
     def connect(self) -> Wire:
-        """Return a further host, after its first prompt."""
+        """Connect another host and return it after its first prompt."""
         wire = Wire(self.address)
         self.wires.append(wire)
         wire.expect(b">")
@@ -97,7 +97,10 @@ Serve = Callable[..., Board]
 
 @pytest.fixture
 def serve() -> Iterator[Serve]:
-    """A server of boards: `serve(model="multiflex", clock="lockstep", limits=None)`."""
+    """Yield a function that serves a board.
+
+    `serve(model="multiflex", clock="lockstep", limits=None)`
+    """
     boards: list[Board] = []
 
     def begin(

@@ -1,6 +1,6 @@
-"""No input of a host, or its absence, ends the server or grows without bound.
+"""No input ends the server or uses unlimited resources, nor does a silent host.
 
-It cannot reach beyond the board.
+A host cannot reach anything beyond the board.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def board(request: pytest.FixtureRequest, serve: Serve) -> Board:
 
 
 def test_half_a_line_is_forgotten_with_its_host(board: Board) -> None:
-    """The next host gets an empty line; the motor that was enabled stays enabled."""
+    """The next host begins with an empty line; the motor stays enabled."""
     first = board.connect()
     assert first.ask(b"1MN,1MR100,1WS") == b"\n>"
     first.send(b"1MR50000,1V")
@@ -53,7 +53,7 @@ def test_a_background_task_outlives_its_host_and_tells_nobody(board: Board) -> N
 
 
 def test_a_line_whose_host_is_gone_has_ten_seconds(serve: Serve) -> None:
-    """Here it has none: a dead connection occupies neither its slot nor the board."""
+    """Here it has 0.05 s: a closed connection soon frees its slot and the board."""
     board = serve(clock="real", limits=Limits(linger=0.05))
     first, second = board.connect(), board.connect()
     first.send(b"AL@20,AA1,AR20,RP\r")
@@ -108,7 +108,7 @@ def test_a_host_that_sends_without_end_is_read_no_further(serve: Serve) -> None:
 
 
 def test_programs_without_end_do_not_keep_others_waiting(board: Board) -> None:
-    """Loops in the foreground and the background, and tasks up to the board's limit."""
+    """Foreground and background loops, with the maximum number of tasks of the board."""
     board.connect().send(b"AA1,RP\r")
     assert board.connect().ask(b"MD1,AA1,RP") == b"\n>"
     other = board.connect()
@@ -120,9 +120,9 @@ def test_programs_without_end_do_not_keep_others_waiting(board: Board) -> None:
 
 
 def test_no_command_reaches_the_file_system() -> None:
-    """No command, plain or with a text, opens, makes or removes a file.
+    """No command, plain or with a text, opens, creates or removes a file.
 
-    It does not connect or start anything either.
+    None connects to a host or starts a process either.
     """
     console = Console(Machine(first_axis=1))
     port = console.open(echo=False)
@@ -170,7 +170,7 @@ def test_an_error_of_our_own_is_told_and_costs_a_line(serve: Serve, monkeypatch:
 def test_hosts_at_random(board: Board, seed: int) -> None:
     """Partial lines, control characters, noise, broken connections.
 
-    The last host is served like the first.
+    The last host is served just like the first.
     """
     rng = random.Random(seed)
     pieces = [row.example.encode() for row in table()]

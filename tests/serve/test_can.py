@@ -1,4 +1,4 @@
-"""`motionlang serve --can` as a process: its EDS file, its end, its rejections."""
+"""`motionlang serve --can` as a process: EDS file, exit, error messages."""
 
 from __future__ import annotations
 

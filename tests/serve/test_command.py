@@ -1,4 +1,4 @@
-"""`motionlang serve` as a process: its output, its end, its rejections."""
+"""`motionlang serve` as a process: output, exit, error messages."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def running(*options: str) -> Iterator[subprocess.Popen[str]]:
 
 
 def line_with(process: subprocess.Popen[str], start: str) -> str:
-    """Return the rest of the first line with this beginning."""
+    """Return the rest of the first output line that begins with `start`."""
     assert process.stdout is not None
     for line in process.stdout:
         if line.startswith(start):
@@ -43,7 +43,7 @@ def line_with(process: subprocess.Popen[str], start: str) -> str:
 
 @pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGTERM])
 def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
-    """A file first, whose rejected commands are shown; then a host; then a normal end."""
+    """First a file, with its rejected commands shown; then a host; then a normal exit."""
     macros = tmp_path / "press.mcl"
     macros.write_text("; press\nMD1,1MN,1MR800,1WS,1TP\nMC1\n1QQ\n")
     with running(str(macros), "--tcp", "0", "--log", "--factor", "50", "--set", "R20=7") as process:
@@ -62,7 +62,7 @@ def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
 
 
 def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
-    """More than the pipe and the queue hold is logged; hosts are answered.
+    """More is logged than the pipe and the queue can store, but hosts are answered.
 
     SIGTERM ends the server.
     """
@@ -81,7 +81,7 @@ def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
 
 
 def test_the_board_is_the_one_that_the_file_is_written_for(tmp_path: Path) -> None:
-    """A suffix of PMC's selects the board, unless a setting does."""
+    """The suffix of the file, as PMC uses it, selects the board unless a setting does."""
     macros = tmp_path / "press.pc1"
     macros.write_text("1TP\n")
     for options, title in [

@@ -1,7 +1,7 @@
 """Twelve days of a served machine take little more memory than one day.
 
-The servers run in lock step, each a process of its own. `python -m pytest -m long tests/serve/test_days.py`
-runs them.
+Each server runs in lock step in a separate process. `python -m pytest -m long tests/serve/test_days.py` runs
+these tests.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ PROGRAM = ("serve", "counter.mnt", "--clock", "lockstep", "--step", "5", "--modb
 
 
 def hosts(address: str, days: int) -> None:
-    """Run a host that moves an axis every ten seconds, with two others.
+    """Run a host that moves an axis every ten seconds, and two other hosts.
 
-    One makes errors, one connects repeatedly.
+    One of them makes errors, one connects repeatedly.
     """
     with Client.open(address) as main, Client.open(address) as other:
         assert main.send("1MN,1SV1000,1SA10000,1DS10000") == []
@@ -66,7 +66,10 @@ def client(address: str, days: int) -> None:
 
 
 def memory(command: tuple[str, ...], load: Callable[[str, int], None], days: int, folder: Path) -> int:
-    """Return the peak memory, kilobytes, of a server under a load of machine days."""
+    """Return the peak memory, kilobytes, of a server under the load of some days.
+
+    They are days of machine time.
+    """
     (folder / "counter.mnt").write_text(COUNTER)
     with open(folder / "out.txt", "w+b") as out:
         process = subprocess.Popen(

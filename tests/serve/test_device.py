@@ -1,4 +1,4 @@
-"""A serial device: the board at the other end of a pseudo-terminal."""
+"""A serial device: a pseudo-terminal with the board at its other end."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def device() -> Iterator[str]:
 
 
 def until(line: int, mark: bytes) -> bytes:
-    """Return everything up to `mark`, which must be the last."""
+    """Return everything up to and including `mark`; nothing may follow."""
     found = b""
     while not found.endswith(mark):
         ready, _, _ = select.select([line], [], [], 20.0)
@@ -39,7 +39,7 @@ def until(line: int, mark: bytes) -> bytes:
 
 
 def test_a_terminal_program(device: str) -> None:
-    """Keys are echoed like the board's, and the first output is the prompt."""
+    """Keys are echoed as by the board, and the first output is the prompt."""
     line = os.open(device, os.O_RDWR | os.O_NOCTTY)
     assert until(line, b">") == b">"
     for key in b"1TX\x08P\r":
@@ -49,7 +49,7 @@ def test_a_terminal_program(device: str) -> None:
 
 
 def test_the_board_does_not_notice_that_a_program_has_ended(device: str) -> None:
-    """Like on a serial line half a line is still there, and ESC clears it."""
+    """As on a serial line, a partial line is not lost; ESC discards one."""
     line = os.open(device, os.O_RDWR | os.O_NOCTTY)
     os.write(line, b"EF\r")
     until(line, b"\n>")

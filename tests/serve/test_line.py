@@ -1,4 +1,4 @@
-"""The line of a Mint program as a process: TCP, a serial device, Modbus."""
+"""The host line of a Mint program as a process: TCP, a serial device, Modbus."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def host(process: subprocess.Popen[str]) -> Iterator[Wire]:
 
 
 def read(wire: Wire, element: int) -> float:
-    """Read an element by HCP."""
+    """Read a comms element by HCP."""
     wire.send(read_frame(element))
     found = re.search(rb"\x02\d\d([^\x03]*)\x03", wire.until(b"\x03"))
     assert found
@@ -65,7 +65,7 @@ def read(wire: Wire, element: int) -> float:
 
 
 def test_a_host_moves_the_axis_of_a_program(tmp_path: Path) -> None:
-    """HCP writes a distance and reads the position; then Ctrl-E and a typed line."""
+    """HCP writes a distance and reads the position, then come Ctrl-E and a typed line."""
     with running(tmp_path, PACKER, "--tcp", "0", "--factor", "20") as process, host(process) as wire:
         wire.until(b"ready\r\n")
         wire.send(write_frame(1, "250"))
@@ -83,7 +83,7 @@ def test_a_host_moves_the_axis_of_a_program(tmp_path: Path) -> None:
 
 
 def test_a_serial_device_with_pyserial(tmp_path: Path) -> None:
-    """The download of a roll former's host, from a library that is not ours."""
+    """A roll former's host downloads a program, with a library that is not ours."""
     pytest.importorskip("pty")
     serial = pytest.importorskip("serial")
     with running(tmp_path, PACKER, "--pty", "--no-echo") as process:
@@ -108,7 +108,7 @@ def test_a_serial_device_with_pyserial(tmp_path: Path) -> None:
 
 
 def test_lock_step_gives_every_host_the_same_machine(tmp_path: Path) -> None:
-    """Each frame takes 10 ms, in which the axis moves by 10 at 1000/s."""
+    """Each frame takes 10 ms, in which the axis moves by 10 uu at 1000 uu/s."""
     found = []
     for _ in range(2):
         with running(tmp_path, PACKER, "--tcp", "0", "--clock", "lockstep") as process, host(process) as wire:

@@ -1,4 +1,4 @@
-"""Many hosts at one board: all are served, and one too many gets a message."""
+"""Many hosts at one board: all are served, and the first one too many is rejected."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from tests.serve.conftest import Serve, Wire
 
 @pytest.mark.parametrize("clock", ["lockstep", "real"])
 def test_fifty_hosts_at_once_none_starved(serve: Serve, clock: str) -> None:
-    """Each sends as fast as it is answered, with similar shares.
+    """Each host sends again as soon as it is answered, and all get similar shares.
 
-    When the first has 200 answers the last has more than half as many.
+    When the first one has 200 answers, the last one has more than half of that.
     """
     board = serve(clock=clock)
     wires = [board.connect() for _ in range(50)]
@@ -51,7 +51,7 @@ def test_a_host_that_sends_much_ahead_does_not_hold_up_one_that_asks(serve: Serv
 def test_one_host_too_many(serve: Serve) -> None:
     """It gets the code of an I/O error.
 
-    When another one leaves there is a free slot again.
+    After another host has left, there is a free slot again.
     """
     board = serve(limits=Limits(hosts=2))
     first, second = board.connect(), board.connect()
@@ -66,7 +66,7 @@ def test_one_host_too_many(serve: Serve) -> None:
 
 
 def test_hosts_come_and_go(serve: Serve) -> None:
-    """A thousand of them leave nothing behind."""
+    """A thousand hosts leave nothing behind."""
     board = serve()
     for _ in range(1000):
         wire = board.connect()
@@ -80,7 +80,7 @@ def test_hosts_come_and_go(serve: Serve) -> None:
 
 
 def test_silent_hosts_do_not_shut_out_others(serve: Serve) -> None:
-    """The host that has been silent for longest is dropped; a working one stays."""
+    """The host that has been silent longest is dropped, unless its command still runs."""
     board = serve(limits=Limits(hosts=3, idle=0.0), clock="real")
     busy, silent, later = board.connect(), board.connect(), board.connect()
     assert later.ask(b"1TP") == b"01 0\n>"
@@ -96,7 +96,7 @@ def test_silent_hosts_do_not_shut_out_others(serve: Serve) -> None:
 
 
 class Listed:
-    """A channel that has one line to give, and writes down when it is answered."""
+    """A channel with one line to send, which records when it is answered."""
 
     def __init__(self, order: list[str], name: str) -> None:
         self.name = name
@@ -121,9 +121,9 @@ class Listed:
 
 
 def test_another_host_is_answered_first_each_time() -> None:
-    """The one that is answered first asks again first.
+    """The host that is answered first can also send its next line first.
 
-    With a fixed order it would get the most answers.
+    In a fixed order it would get the most answers.
     """
     order: list[str] = []
     console = Console(Machine(first_axis=1))

@@ -1,6 +1,6 @@
 """A Mint program with Modbus TCP and a real client: the map of ABB AN00198.
 
-Events and both clocks are tested.
+The tests cover events and both clocks.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ End Event
 
 
 class Served:
-    """A program in a thread of its own with a server, and a connected client."""
+    """A program that runs in a thread with a server, and a connected client."""
 
     def __init__(self, text: str, outside: Outside, settings: dict[str, object] | None = None) -> None:
         self.outside = outside
@@ -73,7 +73,7 @@ class Served:
         assert not self.client.write_registers(register, list(values)).isError()
 
     def end(self) -> Run:
-        """End the program, and wait for it."""
+        """End the program and wait until it has ended."""
         self.write(18, 1, 0)
         self._thread.join(10)
         assert self.result is not None
@@ -93,7 +93,7 @@ def served(request: pytest.FixtureRequest) -> Iterator[Served]:
 
 
 def halves(value: float) -> tuple[int, int]:
-    """Return the registers of a float, low half first."""
+    """Return a float as two registers, low half first."""
     low, high = struct.unpack("<HH", struct.pack("<f", value))
     return low, high
 
@@ -130,7 +130,7 @@ def test_what_does_not_exist_is_told_to_the_client(served: Served) -> None:
 
 
 def test_another_client_than_pymodbus(served: Served) -> None:
-    """pyModbusTCP writes and reads registers, and reads the identification."""
+    """pyModbusTCP reads and writes registers, and reads the identification."""
     client = ModbusClient("127.0.0.1", served.server.port, unit_id=5, timeout=10.0)
     try:
         assert client.write_multiple_registers(20, [7, 8])
@@ -199,9 +199,9 @@ def test_the_command_serves_until_it_is_told_to_end(tmp_path: Path) -> None:
 
 
 def test_output_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
-    """The program prints endlessly into a pipe that is not read; clients are answered.
+    """Endless output into a pipe that is not read does not delay the clients.
 
-    SIGTERM ends it.
+    SIGTERM ends the program.
     """
     program = tmp_path / "chatter.mnt"
     program.write_text('Loop\n  NETINTEGER(1) = NETINTEGER(1) + 1\n  PRINT "{}"\nEnd Loop\n'.format("x" * 99))

@@ -1,7 +1,7 @@
 """Requests and exceptions of the Modbus application protocol V1.1b3, byte by byte.
 
-They use a real connection. The server answers from a run that has NetData: elements 0 to 999, registers 0 to
-1999.
+They go through a real connection. The server answers from a run with NetData: elements 0 to 999 are registers
+0 to 1999.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def served(
 
 
 def end(outside: LockStep) -> None:
-    """End the program, which waits for this element."""
+    """Write the element that the program waits for, which ends it."""
     assert outside.machine is not None
     outside.machine.host.write("netdata", 999, [1])
 
@@ -198,7 +198,7 @@ def test_only_frames_for_its_unit_and_for_any_device_are_answered() -> None:
 def test_a_client_too_many_is_turned_away() -> None:
     """The first two are still served.
 
-    Each rejection has a line, or is counted in the next.
+    Each rejection is logged in a line, or is counted in the next line.
     """
     lines: list[str] = []
     with served(Limits(hosts=2), lines.append) as server:

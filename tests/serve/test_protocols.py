@@ -1,4 +1,4 @@
-"""The protocols of real clients of a board, as sequences on a socket."""
+"""The protocols of real clients of a board, as bytes on a socket."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from tests.serve.conftest import Board, Serve, Wire
 
 
 class MxError(Exception):
-    """`?code`."""
+    """The error that a line `?code` raises."""
 
 
 def mx_command(wire: Wire, command: str) -> str:
-    """Send like MX's beam-line driver: command and CR; read one line; raise `?code`.
+    """Send a command like MX's beam-line driver and return the line that it reads.
 
-    A leading prompt is dropped. It blocks if no line comes, and reads past the end of its buffer if the line
-    is empty.
+    The driver sends the command and CR, reads one line, drops a leading prompt, and raises `?code`. The real driver
+    blocks if no line comes, and reads past the end of its buffer if the line is empty.
     """
     assert len(command) < 255
     wire.send(command.encode() + b"\r")
@@ -53,9 +53,9 @@ def test_mx(board: Board) -> None:
 
 
 def test_mx_finds_home_by_a_macro_in_the_background(board: Board) -> None:
-    """`GT1,TR0` must be answered with the number of the task.
+    """The answer to `GT1,TR0` must be the number of the task.
 
-    The host polls the status afterwards.
+    The host then polls the status.
     """
     wire = board.connect()
     mx_command(wire, "MD1,1MN,1MR2000,1WS,AL1,AR20")
@@ -66,7 +66,7 @@ def test_mx_finds_home_by_a_macro_in_the_background(board: Board) -> None:
 
 
 def test_the_self_test(board: Board) -> None:
-    """`TC1`, one read for the value, a second one for the prompt."""
+    """`TC1`, a read for the value, and a second read for the prompt."""
     wire = board.connect()
     wire.send(b"TC1\r")
     assert wire.until(b"\n") == b"01 0\n"
@@ -82,7 +82,7 @@ def test_the_soft_plc_sends_escapes_first(board: Board) -> None:
 
 
 def test_escape_ends_a_wait(board: Board) -> None:
-    """It may come while the board waits or before it has begun to."""
+    """It may come during the wait or before the wait has begun."""
     wire = board.connect()
     wire.send(b"1MN,1VM,1GO,WN40,1TP\r")
     wire.send(b"\x1b")
@@ -99,7 +99,7 @@ def test_escape_behind_more_than_the_board_takes(board: Board) -> None:
 
 
 def test_a_blank_pauses_and_goes_on(board: Board) -> None:
-    """A counting line stops between the blanks, as another host observes."""
+    """Another host sees a counting line stop between two blanks."""
     wire, other = board.connect(), board.connect()
 
     def count() -> int:
@@ -133,7 +133,7 @@ def test_lines_sent_ahead_are_answered_in_order(board: Board) -> None:
 
 
 def test_a_host_that_ends_its_side_is_answered(board: Board) -> None:
-    """An example is `printf ... | nc -N`: complete lines run, a partial one does not."""
+    """As with `printf ... | nc -N`: complete lines are executed, a partial one is not."""
     wire = board.connect()
     wire.send(b"1MN,1MR500,1WS,1TP\r2TP\r3M")
     wire.socket.shutdown(socket.SHUT_WR)

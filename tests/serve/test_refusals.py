@@ -1,4 +1,4 @@
-"""Rejected hosts: one line at once, then one per second with the others' count."""
+"""Rejected hosts: one line at once, then one per second with the number of others."""
 
 from __future__ import annotations
 

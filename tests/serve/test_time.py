@@ -1,4 +1,4 @@
-"""The advance of machine time: with real time, or with the hosts' requests."""
+"""The advance of machine time: with real time, or by the hosts' requests."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tests.serve.conftest import Serve
 
 
 class Wall:
-    """A clock that the test controls."""
+    """A clock that the test sets."""
 
     def __init__(self) -> None:
         self.time = 1000.0
@@ -50,7 +50,7 @@ def test_a_factor() -> None:
 
 
 def test_a_long_sleep_is_one_step() -> None:
-    """A board without requests for a year is up to date at once."""
+    """A board that gets no request for a year is up to date at once."""
     wall = Wall()
     console = Console(Machine(first_axis=1))
     pace = RealTime(console, wall=wall)
@@ -61,9 +61,9 @@ def test_a_long_sleep_is_one_step() -> None:
 
 
 def test_an_answer_comes_a_little_early_and_no_more() -> None:
-    """Commands take machine time.
+    """Commands take machine time, but a host does not wait for that.
 
-    Neither a host waits for it, nor does a program run ahead.
+    A program does not run ahead of real time by more than `LEAD`.
     """
     wall = Wall()
     console = Console(Machine(first_axis=1))
@@ -89,7 +89,7 @@ def test_a_board_with_more_to_do_than_can_be_computed_falls_behind() -> None:
 
 
 def test_many_loops_do_not_keep_a_new_host_waiting() -> None:
-    """On a slow computer the board runs for shorter intervals between polls."""
+    """On a slow computer the board runs for shorter intervals between two polls."""
     wall = Wall()
     console = Console(Machine(first_axis=1))
 
@@ -124,9 +124,9 @@ def test_time_stands_still_in_lock_step_unless_a_host_waits(serve: Serve) -> Non
 
 
 def test_the_same_lines_are_answered_the_same_in_lock_step(serve: Serve) -> None:
-    """A client that polls a move sees reproducible positions.
+    """A client that polls a move reads reproducible positions.
 
-    A request takes a millisecond.
+    Each request takes a millisecond.
     """
 
     def poll() -> list[bytes]:

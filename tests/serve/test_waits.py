@@ -1,4 +1,4 @@
-"""Server messages about a host that waits for something impossible."""
+"""Messages of the server about a host that waits for something impossible."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The servo against a plain step loop, chapter 12, and the control library."""
+"""The servo compared with a plain step loop, chapter 12, and the control library."""

@@ -1,7 +1,7 @@
-"""The servo in its simplest form: one object, one step.
+"""The servo in its simplest form, step by step: the reference for the real one.
 
-The reference of the real one. It shares no code with the package: the plant is integrated by a matrix
-exponential of its own, one regime at a time.
+It shares no code with the package: the plant is integrated by a separate matrix exponential, one regime at a
+time.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 def expm(m: Array) -> Array:
-    """Return e to a matrix by its definition: (1 + m/2^k + ...)^(2^k).
+    """Return the exponential of a matrix by its definition: (1 + m/2^k + ...)^(2^k).
 
     It uses extended precision.
     """
@@ -40,9 +40,9 @@ def clamp(value: float, low: float, high: float) -> float:
 
 
 class PlainPlant:
-    """States: position, velocity, current, twist, load velocity.
+    """A plant with the states position, velocity, current, twist, load velocity.
 
-    Missing ones stay zero.
+    States that the plant does not have stay zero.
     """
 
     def __init__(self, plant: Motor | Drive, h: float, position: float) -> None:
@@ -69,7 +69,7 @@ class PlainPlant:
         return float((plant.amplifier_gain * u - back) / plant.resistance)
 
     def torques(self, u: float, contact: int) -> float:
-        """Return the torque on the shaft without Coulomb friction and own damping, N m."""
+        """Return the torque on the shaft, N m, without Coulomb friction and own damping."""
         plant = self.plant
         assert isinstance(plant, Motor)
         total = plant.torque_constant * self.current(u)
@@ -152,7 +152,7 @@ class PlainPlant:
 
 
 class PlainLoop:
-    """The control law of `Loop`, one sample at a time."""
+    """The control law of `Loop`, computed one sample at a time."""
 
     def __init__(self, loop: Loop, position: float) -> None:
         self.loop = loop
@@ -200,7 +200,7 @@ class PlainLoop:
         return clamp(-u if loop.reversed else u, -loop.output_limit, loop.output_limit)
 
     def whole_sum(self, e: float) -> float:
-        """Return the integer sum, in Python's own integers."""
+        """Return the integer output: the sum of all terms, in Python's own integers."""
         loop = self.loop
         e, change = int(e), int(self.change)
         kp, ki, kd = int(loop.proportional), int(loop.integral), int(loop.derivative)
@@ -239,9 +239,9 @@ def _truncated(value: int, divisor: int) -> int:
 
 
 def run_plain(loop: Loop, plant: Motor | Drive, points: Array, demanded: Array) -> dict[str, Array]:
-    """Return a sample for every commanded position.
+    """Return the columns of a simulation, with a sample for every demanded position.
 
-    `points` of the trajectory are for the terms that depend on the cycle.
+    `points` are those of the trajectory, for the terms that depend on its cycle.
     """
     controller, motor = PlainLoop(loop, points[0]), PlainPlant(plant, loop.period, points[0])
     ratio, rows = loop.ratio, []

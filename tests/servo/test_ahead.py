@@ -1,4 +1,4 @@
-"""A motor simulated ahead and rolled back is exactly where it was simulated.
+"""A motor that is simulated ahead and rolled back has exactly the states it had.
 
 This applies to every plant.
 """
@@ -28,7 +28,7 @@ ROUGH = PLANTS["everything"]
 
 
 def renamed() -> Track:
-    """Return the same motion with a new zero during its first rest."""
+    """Return the same motion with a new zero during the first rest."""
     before = track()
     return Track(
         [*before.starts[:4], 0.9, *before.starts[4:]],
@@ -79,7 +79,7 @@ def test_steps_along_an_array_are_those_along_a_list(name: str, ratio: int, part
 )
 @settings(max_examples=60)
 def test_what_is_run_again_is_what_was_seen(seen: int, count: int, name: str, plant: str) -> None:
-    """Plain steps are included, for a loop with a closed form and a nonlinear plant."""
+    """This includes plain steps: a linear loop gets a nonlinear plant."""
     if PLANTS[plant].is_linear and ALL[name].is_linear:
         plant = "encoder"
     servo, twin = (SpeculativeServo(ALL[name], PLANTS[plant], renamed()) for _ in range(2))

@@ -1,4 +1,4 @@
-"""The motor of the `servo` commands: named in their output, changed by options."""
+"""The motor of the `servo` commands: named in their output, set by options."""
 
 from __future__ import annotations
 

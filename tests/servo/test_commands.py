@@ -1,4 +1,4 @@
-"""`motionlang servo`: its JSON, its pictures, and its rejections."""
+"""`motionlang servo`: its JSON, its pictures, and its error messages."""
 
 from __future__ import annotations
 
@@ -172,7 +172,7 @@ def test_a_program_that_does_not_run(tmp_path: Path, capsys: pytest.CaptureFixtu
 def test_each_run_of_the_dac_has_a_row_of_the_picture(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    """Four rows of 1.9 inches, and 0.8 for the time axis: 8.4 inches of 72 points."""
+    """Four rows of 1.9 inches and 0.8 for the time axis are 8.4 inches of 72 points."""
     file = tmp_path / "dac.svg"
     said(capsys, "dac", "--plot", str(file))
     assert 'height="604.8pt"' in file.read_text()

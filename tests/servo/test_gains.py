@@ -1,6 +1,6 @@
-"""Equal loops from the gains of both languages.
+"""Gains: equal gains of both languages make equal loops.
 
-Loops and motors from the machine file.
+Loops and motors come from the machine file, too.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ WORDS = {language: gain_words(language, dialect(language).table()) for language 
 
 
 def mint_loop(values: dict[str, float]) -> Loop:
-    """Return the loop of gains by Mint's keywords."""
+    """Return the loop with gains by Mint's keywords."""
     return gains.mint_loop(written(WORDS["mint"], values))
 
 
 def mccl_loop(values: dict[str, float], model: str = "multiflex", scale: float = 1.0) -> Loop:
-    """Return the loop of gains by MCCL's commands."""
+    """Return the loop with gains by MCCL's commands."""
     return gains.mccl_loop(written(WORDS["mccl"], values), model, scale)
 
 
 def test_mints_worked_example() -> None:
-    """MN1274: KPROP 2, 100 counts of error, KVELFF for 7000 rpm on a resolver.
+    """MN1274: KPROP 2, 100 counts of error, and KVELFF for 7000 rpm on a resolver.
 
-    The result is 46.72 counts per tick of additional speed.
+    The error causes an additional speed of 46.72 counts per tick.
     """
     counts_per_loop = 7000.0 / 60.0 * 4096.0 / 1000.0
     kvelff = 2048.0 / counts_per_loop
@@ -46,7 +46,7 @@ def test_mints_worked_example() -> None:
 def test_kvelff_alone_makes_a_velocity_drive_follow() -> None:
     """MN1957, 5.8.1: with the right KVELFF the motor runs at the commanded speed.
 
-    The other gains have no influence on that.
+    The other gains do not affect this.
     """
     full = 120_000.0
     loop = mint_loop({"KVELFF": 2048.0 / (full / 1000.0)})
@@ -90,7 +90,7 @@ def test_the_derivative_period_is_seconds(seconds: float, samples: int) -> None:
 def test_a_dcx_module_computes_like_its_chip() -> None:
     """Working values of a real DCX-PCI100: gain 2211, derivative 6000, FR 3.
 
-    The latter is 4 x 341 us.
+    FR 3 is a period of 4 x 341 us.
     """
     loop = mccl_loop({"SG": 2211, "SD": 6000, "FR": 3}, "dcx")
     assert loop.arithmetic == "lm628"
@@ -182,7 +182,7 @@ def test_every_gain_is_that_of_one_word(language: str) -> None:
 
 @pytest.mark.parametrize("language", TABLES)
 def test_gains_at_power_up_are_those_of_the_rows(language: str) -> None:
-    """FR is 0 in its row, which is also one sample."""
+    """FR is the exception: its row has 0, which means one sample."""
     for row in dialect(language).table():
         if row.tunes and row.default is not None and row.name != "FR":
             assert row.default == TABLES[language][row.tunes], row.name

@@ -1,4 +1,4 @@
-"""A servo that follows the controller's clock equals one for a complete track."""
+"""A servo that follows the controller's clock equals one with a complete track."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_a_track_that_grows_while_the_servo_follows() -> None:
 
 
 def test_a_new_name_for_a_position_moves_nothing() -> None:
-    """POS = 0 at rest: the program's numbers jump, the motor does not."""
+    """After POS = 0 at rest, the program's positions jump but the motor does not."""
     renamed = Track([0.0, 0.5], [plan_trapezoid(0.0, 1000.0, 20_000.0, 200_000.0, 200_000.0), hold(0.0)])
     trace = simulate(renamed, PID, Motor(), until=1.0)
     before, after = trace.position[1990], trace.position[2100]
@@ -142,7 +142,7 @@ def test_what_is_not_recorded_is_not_there() -> None:
 
 
 def test_far_from_zero_nothing_is_lost() -> None:
-    """A move a thousand million counts away has equal errors to 1e-6 counts."""
+    """A move 1e9 counts away from zero has the same errors, within 1e-6 counts."""
     far = 1e9
     shifted = Track(track().starts, [profile.shifted(far) for profile in track().profiles])
     near, there = simulate(track(), PID, Motor(), until=1.0), simulate(shifted, PID, Motor(), until=1.0)
@@ -150,7 +150,7 @@ def test_far_from_zero_nothing_is_lost() -> None:
 
 
 def test_a_servo_that_goes_along_needs_no_numpy() -> None:
-    """A program that reads POS occasionally should not wait for its import."""
+    """A program that reads POS only occasionally should not wait for numpy's import."""
     code = """
 import sys
 from motionlang.servo import Loop, Motor, Servo, Track

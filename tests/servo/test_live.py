@@ -29,7 +29,7 @@ GAINS: dict[str, object] = {"proportional": 0.02, "integral": 2e-5, "derivative"
 def run(text: str, plant: dict[str, object], dialect: str = "mint", **sections: Any) -> Run:
     """Return the run of a program on a machine whose first axis has a motor.
 
-    `servo` is its section, the rest plain settings.
+    `servo` is the machine file's section of this name; `sections` are other settings.
     """
     axis = 0 if dialect == "mint" else 1
     servo = sections.pop("servo", {})
@@ -100,7 +100,7 @@ def test_what_is_read_live_is_what_a_later_simulation_gives(
 
 
 def test_everything_done_to_a_loop_is_in_its_history() -> None:
-    """Gains, a new zero, off, on, torque: live readings equal those of the replay."""
+    """Gains, new zero, off, on and torque: live readings equal those of a replay."""
     controller, feedback = fitted(ROUGH, GAINS)
     seen = []
 
@@ -234,7 +234,7 @@ STALLED = {**MOTOR, "coulomb": 5.0}
 
 
 def test_a_stalled_motor_faults_at_the_very_sample() -> None:
-    """The trip is at the time of a servo with the same limit, without any reading."""
+    """The trip is at the same time as in a servo with this limit that is never read."""
     result = run(
         "FOLERRORFATAL(0) = 3\n" + MOVE + "WAIT = 1000\nPRINT AXISERROR(0), DRIVEENABLE(0)",
         STALLED,
@@ -273,7 +273,7 @@ def test_no_limit_no_trip() -> None:
 
 
 def test_a_hard_limit_is_where_the_motor_is() -> None:
-    """The switch opens when the motor reaches it, which is after the command does."""
+    """The switch opens when the motor reaches it, which is later than the command."""
     machine: dict[str, Any] = {"axis__0__travel": [-1000.0, 1000.0]}
     ideal = motionlang.run(
         Source("x", "JOG(0) = 5000 : PAUSE IDLE(0)"),
@@ -296,7 +296,7 @@ def test_a_hard_limit_is_where_the_motor_is() -> None:
 def test_the_rest_behind_a_move_is_what_was_seen_of_it(
     plant: dict[str, object], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Nothing is rolled back at the end of a move; a rollback would change nothing."""
+    """Nothing is rolled back at the end of a move, because nothing would change."""
     text = (
         "Dim n As Integer\nFor n = 1 To 3\n"
         + MOVE
@@ -419,14 +419,14 @@ def test_the_rate_of_the_loop_cannot_change_in_motion() -> None:
 
 
 def test_a_motor_at_rest_costs_nothing() -> None:
-    """Hours of rest are a few blocks: a motor at standstill for good is not simulated."""
+    """Hours of rest are a few blocks: a motor at final standstill is not simulated."""
     result = run(MOVE + "PAUSE IDLE(0) : WAIT = 20000000 : PRINT POS(0)", ROUGH, servo=GAINS)
     assert result.time == pytest.approx(20000.3, abs=0.2)
 
 
 @pytest.mark.parametrize("plant", [MOTOR, DRIVE], ids=["closed form", "steps"])
 def test_a_long_rest_is_passed_over_and_what_follows_it_is_at_its_sample(plant: dict[str, object]) -> None:
-    """Readings during the rest do not affect the following move."""
+    """Readings during a rest do not affect the next move."""
 
     def told(*reads: float) -> list[tuple[float, float]]:
         controller, feedback = fitted(plant, {"proportional": 0.02, "derivative": 0.2})
@@ -446,9 +446,9 @@ def test_a_long_rest_is_passed_over_and_what_follows_it_is_at_its_sample(plant: 
 
 
 def test_a_motor_that_hunts_for_ever_ends_no_run_and_no_search() -> None:
-    """A loop that is too stiff for its backlash oscillates for ever: the run ends.
+    """A loop too stiff for its backlash oscillates for ever, but the run ends.
 
-    An endless wait is detected.
+    A wait that never ends is still detected.
     """
     plant = {**MOTOR, "quantised": True, "resonance": 60.0, "backlash": 40.0, "encoder": "load"}
     loose: dict[str, object] = {"proportional": 0.02, "derivative": 0.5, "output_limit": 2.0}
@@ -484,7 +484,7 @@ def test_a_motor_that_no_longer_stands_is_watched_again() -> None:
 
 
 def test_blocks_do_not_depend_on_who_reads() -> None:
-    """A program that reads continuously ends like one that reads nothing."""
+    """The motor moves alike whether the program reads its position or not."""
     quiet = run(MOVE + "PAUSE IDLE(0)", MOTOR, servo=GAINS)
     busy = run(MOVE + "Dim x As Float\nRepeat\n x = POS(0)\nUntil IDLE(0)", MOTOR, servo=GAINS)
     traces = [servo_trace(each.controller.axes[0], 0.25) for each in (quiet, busy)]
@@ -505,5 +505,5 @@ def test_trace_has_columns_of_the_motor() -> None:
 
 
 def test_a_move_that_comes_after_a_long_rest() -> None:
-    """The samples of the rest are dropped while the new move reads the position."""
+    """The samples of a rest are dropped while the next move reads the position."""
     assert printed("1MN,1MR400,WA2\nWA2.1\n1MR10\n1WS,1TP", {"inertia": 1e-5}, "mccl") == [[1.0, 410.0]]

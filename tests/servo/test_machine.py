@@ -1,4 +1,4 @@
-"""The machine file's sections of a motor: errors with their lines, and conflicts."""
+"""The machine file's sections for motors: errors with their lines, and conflicts."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def test_dotted_and_inline_tables_are_sections_too() -> None:
     ("key", "checked"), [("start", []), ("servo.proportional", ["", ".loop", ".plant", ".settings"])]
 )
 def test_a_run_without_a_plant_imports_neither_numpy_nor_the_servo(key: str, checked: list[str]) -> None:
-    """Other keys, and gains in the program, import nothing; a loop's keys only checks."""
+    """Keys of a loop import only its checks; other keys and gains import nothing."""
     import subprocess
     import sys
 

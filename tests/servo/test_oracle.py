@@ -1,4 +1,4 @@
-"""Every engine equals the plain step loop."""
+"""Every engine gives the results of the plain step loop."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def points_of(loop: Loop, track: Track, seconds: float) -> Array:
 
 
 def assert_plain(loop: Loop, plant: Motor | Drive, tolerance: float = 1e-9) -> None:
-    """Check every column of a long move in the package against the plain loop."""
+    """Compare every column of a long move in the package with the plain loop."""
     track = there_and_back()
     trace = simulate(track, loop, plant, until=LONG)
     points = points_of(loop, track, LONG)

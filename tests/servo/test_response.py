@@ -1,4 +1,4 @@
-"""Step figures, bandwidth, margins and gains against the `control` library."""
+"""Step response, bandwidth, margins and gains against the `control` library."""
 
 from __future__ import annotations
 
@@ -39,14 +39,14 @@ PAIRS: dict[str, tuple[Loop, Motor | Drive]] = {
 
 @cache
 def control() -> Any:
-    """Return the library, which takes a second to import."""
+    """Return the library, whose import takes a second."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return pytest.importorskip("control")
 
 
 def plant_of(plant: Motor | Drive, period: float) -> Any:
-    """Return the plant discretised by `control`, from textbook equations."""
+    """Return the textbook model of a plant, discretised by `control`."""
     if isinstance(plant, Drive):
         a = [[0, 1], [0, -1 / plant.time_constant]]
         b = [[0], [plant.speed_per_volt / plant.time_constant]]
@@ -77,7 +77,10 @@ def plant_of(plant: Motor | Drive, period: float) -> Any:
 
 
 def closed_by_control(loop: Loop, plant: Motor | Drive) -> tuple[Any, Any]:
-    """Return open and closed loop; velocity feedback is an inner loop of a difference."""
+    """Return the open and the closed loop.
+
+    Velocity feedback is an inner loop of the position's difference.
+    """
     h = loop.period
     made = plant_of(plant, h)
     change = control().tf([1, -1], [1, 0], h)
@@ -209,8 +212,8 @@ def test_an_unstable_loop_is_known_as_one() -> None:
 
 
 def test_a_loop_that_is_there_in_one_sample_has_all_the_frequencies_that_there_are() -> None:
-    """5000 counts/s per volt are 1.25 counts per sample of 0.25 ms.
+    """5000 counts/s per volt are 1.25 counts per volt in a sample of 0.25 ms.
 
-    At 0.8 volts per count an error is gone in the next sample.
+    At 0.8 volts per count, an error is corrected in the next sample.
     """
     assert bandwidth(Loop(0.8), Drive(5000.0, 1e-6)) == 2000.0

@@ -1,4 +1,4 @@
-"""Small rules of the simulated motors, each the only test of its rule."""
+"""Small rules of the simulated motors, each covered by this test alone."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_the_first_sample_on_a_side_and_on_another_one() -> None:
 
 
 def test_the_current_of_a_motor_without_inductance() -> None:
-    """I = (gain u - K w)/R, w in radians per second."""
+    """I = (gain u - K w)/R, with w in radians per second."""
     motor = Motor(
         inductance=0.0, resistance=2.0, torque_constant=0.05, counts_per_rev=4000.0, amplifier_gain=2.4
     )
@@ -57,7 +57,7 @@ def test_the_current_of_a_motor_without_inductance() -> None:
 @pytest.mark.parametrize("load", [0.0, 0.01])
 @pytest.mark.parametrize("inductance", [0.0, 1e-3])
 def test_the_onset_is_the_acceleration_by_the_torque_of_that_moment(inductance: float, load: float) -> None:
-    """Through an inductance the output has no effect at once; a load pulls in reverse."""
+    """An inductance delays the effect of the output; a load accelerates in reverse."""
     motor = Motor(inductance=inductance, viscous=0.0, load_torque=load)
     moved = Track([0.01], [plan_trapezoid(0.0, 500.0, 8000.0, 90_000.0, 90_000.0)])
     trace = simulate(moved, Loop(0.04, 2e-5, 0.9, integral_limit=5.0), motor, until=0.1)
@@ -66,7 +66,7 @@ def test_the_onset_is_the_acceleration_by_the_torque_of_that_moment(inductance: 
 
 
 def test_the_sum_of_errors_of_an_lm628_has_24_bits() -> None:
-    """One count more at the top, and it would not be below the last multiple of 256."""
+    """With an upper limit one higher, the sum would exceed the last multiple of 256."""
     loop = Loop(0, 1, 0, integral_limit=32767, arithmetic="lm628", dac_bits=12)
     still = Drive(1e-6, 1.0)
     column: tuple[list[float], ...] = ([],)
@@ -95,7 +95,7 @@ def test_a_gain_that_falls_at_once_is_looked_for_in_the_first_part() -> None:
 
 
 def test_another_zero_at_a_sample_moves_no_motor() -> None:
-    """This applies to single and bulk points, and to both roundings of a time."""
+    """This holds for single and bulk points, and for either rounding of a time."""
     for k in range(1, SHORT):
         for time in (math.nextafter(k * 1e-3, 0.0), k * 1e-3, math.nextafter(k * 1e-3, 1.0)):
             track = Track([0.0, time], [hold(0.0), hold(100.0)])
@@ -117,7 +117,7 @@ def test_the_profile_in_force_is_found_from_wherever_one_was_found_before(
 
 
 def test_loops_that_differ_by_a_figure_have_the_same_code() -> None:
-    """A torque limit that follows a reference makes another loop in each cycle."""
+    """A torque limit that follows a reference creates another loop in each cycle."""
     plant, columns = Motor(inertia=1e-5), ("position", "output")
     steps = [
         cast(

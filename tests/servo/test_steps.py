@@ -1,4 +1,4 @@
-"""The step of a loop and a motor: its matrix exponential, and a divergent loop."""
+"""The step of loop and motor: its matrix exponential, and a divergent loop."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ASKED = ("position", "velocity", "integral", "output")
 
 
 def test_the_matrix_exponential() -> None:
-    """exp of a rotation, a shear and a stiff decay, and exp(a) exp(-a) = 1."""
+    """The exponential of a rotation, a shear and a stiff decay; exp(a) exp(-a) = 1."""
     angle = 0.7
     turned = exponential([[0.0, -angle], [angle, 0.0]])
     assert turned[0][0] == pytest.approx(np.cos(angle), abs=1e-15)
@@ -31,7 +31,7 @@ def test_the_matrix_exponential() -> None:
 @pytest.mark.parametrize("derivative", [40.0, 400.0, 1e300])
 @pytest.mark.filterwarnings("error")
 def test_the_output_of_a_loop_that_runs_away_has_an_end(derivative: float) -> None:
-    """Nothing overflows, as the output stops at its limit."""
+    """Nothing overflows, because the output is limited."""
     loop = Loop(0.04, 2e-5, derivative)
     state = initial_state(discretise(Motor(), loop.period), 0.0)
     i = np.arange(2002)

@@ -1,4 +1,4 @@
-"""The search for gains ends when there can be none."""
+"""The search for gains ends even if there are none."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from motionlang.servo.tuning import BeyondPlant, suggest
 def test_feed_forward_is_the_output_that_the_motion_needs(amplifier: str, resistance: float) -> None:
     """A volt gives gain / R amperes in a voltage amplifier and gain in a current one.
 
-    0.05 N m each act on 2e-5 kg m².
+    Each ampere gives 0.05 N m, on 2e-5 kg m².
     """
     motor = Motor(amplifier=amplifier, resistance=2.0, inductance=0.0, coulomb=0.01)
     loop = suggest(motor, 20.0).loop
@@ -31,7 +31,7 @@ def test_feed_forward_is_the_output_that_the_motion_needs(amplifier: str, resist
 def test_a_plant_that_no_gains_close_is_given_up_after_few_searches(
     inductance: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A bandwidth takes a hundred times the time of a loop's stability."""
+    """A bandwidth takes a hundred times as long as a check of stability."""
     asked: list[float] = []
 
     def counted(loop: Loop, plant: Motor | Drive) -> float:
@@ -51,9 +51,9 @@ def test_a_plant_that_no_gains_close_is_given_up_after_few_searches(
 def test_an_integral_of_the_machine_file_acts_beside_gains_of_the_program(
     section: dict[str, object], mode: str, limit: float
 ) -> None:
-    """The program sets a gain, and the language's integral never acts.
+    """The program sets a gain, with which the language's own integral never acts.
 
-    The machine file requests one.
+    The machine file requests an integral.
     """
     loop = axis_loop(section, {"proportional": (2.0, "KPROP")}, Motor(inductance=1e-3)).loop
     assert (loop.integral_mode, loop.integral_limit) == (mode, limit)

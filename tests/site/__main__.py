@@ -1,7 +1,7 @@
 """Build and test the playground and the site: `python -m tests.site [FOLDER]`.
 
-The built site stays in FOLDER (build/site). Tests are run on it below a path of a plain file server, without a
-network.
+The built site remains in FOLDER (default build/site). It is tested below a path of a plain file server, without
+network access.
 """
 
 from __future__ import annotations
@@ -33,21 +33,21 @@ MAX_MB, MAX_GZIP_MB = 17.0, 8.5
 
 
 class Quiet(SimpleHTTPRequestHandler):
-    """A plain file server without a log."""
+    """A plain file server that writes no log."""
 
     def log_message(self, *_: object) -> None:
         """Write nothing."""
 
 
 class Server(ThreadingHTTPServer):
-    """A file server that does not mind a page that is closed while it loads."""
+    """A file server that ignores a page that is closed while it loads."""
 
     def handle_error(self, *_: object) -> None:
         """Write nothing."""
 
 
 def playground() -> None:
-    """Install what the lock file names and build the playground."""
+    """Install the packages of the lock file and build the playground."""
     for command in (["npm", "ci", "--no-audit", "--no-fund", "--loglevel=error"], ["npm", "run", "build"]):
         subprocess.run(
             command,
@@ -59,7 +59,7 @@ def playground() -> None:
 
 
 def megabytes(folder: Path) -> tuple[float, float]:
-    """Return the size of all files of a folder, and that of each compressed by gzip."""
+    """Return the total size of a folder's files, plain and compressed by gzip, MB."""
     contents = [path.read_bytes() for path in folder.rglob("*") if path.is_file()]
     return sum(map(len, contents)) / 1e6, sum(len(gzip.compress(each, 9)) for each in contents) / 1e6
 
@@ -78,13 +78,13 @@ def build(folder: Path, *command: str) -> None:
 
 
 def process_time_of_children() -> float:
-    """Return the seconds of CPU time of all processes that have ended."""
+    """Return the CPU time, s, of all child processes that have ended."""
     times = os.times()
     return times.children_user + times.children_system
 
 
 def wrong_site(folder: Path) -> list[str]:
-    """Return what is wrong with the links and files of a built site."""
+    """Return all errors in the links and files of a built site."""
     found = list(problems(folder))
     compared = filecmp.dircmp(PLAYGROUND / "dist", folder / "playground")
     found += [
@@ -115,7 +115,7 @@ def main(folder: Path) -> int:
 
 
 def browsers(folder: Path) -> bool:
-    """Use the site of `folder` in the installed browsers; True if a test failed."""
+    """Test the site in `folder` with the installed browsers; True if a test failed."""
     native = folder / "native.json"
     subprocess.run([sys.executable, "-m", "tests.site.native", str(native)], cwd=ROOT, check=True)
     with Server(("127.0.0.1", 0), partial(Quiet, directory=str(folder))) as server:

@@ -1,4 +1,4 @@
-"""A checker of built sites: dead links, and resources of other hosts."""
+"""Check built sites for dead links and for resources of other hosts."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ RELATIONS = {"canonical", "next", "prev"}
 
 
 class Page(HTMLParser):
-    """The links, the loaded resources and the anchors of a page."""
+    """The links, the loaded resources and the anchors of an HTML page."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -24,7 +24,7 @@ class Page(HTMLParser):
         self.feed(text)
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        """Take the addresses and the name of an element."""
+        """Collect the addresses and the anchor of an element."""
         values = {name: value or "" for name, value in attrs}
         self.anchors |= {values[name] for name in ("id", "name") if name in values}
         if tag == "a" and "href" in values:
@@ -34,7 +34,7 @@ class Page(HTMLParser):
 
 
 def problems(folder: Path) -> Iterator[str]:
-    """Yield a sentence for each wrong link and each resource of another host."""
+    """Yield a sentence for each dead link and each resource of another host."""
     folder = folder.resolve()
     pages = {path: Page(path.read_text(encoding="utf-8")) for path in sorted(folder.rglob("*.html"))}
     for path, page in pages.items():

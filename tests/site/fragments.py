@@ -1,4 +1,4 @@
-"""A program as the part of a link after `#`, in the form of `playground/share.js`."""
+"""A program as the fragment of a link (after `#`), as in `playground/share.js`."""
 
 from __future__ import annotations
 

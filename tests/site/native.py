@@ -1,4 +1,4 @@
-"""The native output of the gallery, and the time of a shift."""
+"""The output of the gallery and the time of a shift on native Python."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def printed(path: Path) -> str:
 
 
 def kinds_of(path: Path) -> dict[str, Any]:
-    """Return the text of a program, and offset, kind and text of its coloured tokens."""
+    """Return the text of a program, with offset, kind and text of its coloured tokens."""
     text = path.read_text(encoding="utf-8")
     tokens = [
         (offset, KINDS.get(kind, kind), piece)
@@ -46,7 +46,7 @@ def kinds_of(path: Path) -> dict[str, Any]:
 
 
 def shift() -> dict[str, Any]:
-    """Return the shift of `benchmarks/shift.py` and its time, the best of three."""
+    """Return the shift of `benchmarks/shift.py` and its best time of three runs."""
     sys.path.insert(0, str(ROOT / "benchmarks"))
     program: str = importlib.import_module("shift").PROGRAM
     times = []
@@ -58,7 +58,7 @@ def shift() -> dict[str, Any]:
 
 
 def write(file: Path) -> None:
-    """Write the output of every program, by language and name, and the shift."""
+    """Write the outputs of all programs, by language and name, and the shift."""
     os.chdir(ROOT)
     sys.stdin = io.StringIO("")
     programs = [path for path in sorted(ROOT.glob("scripts/*/*")) if path.suffix in (".mnt", ".mcl")]

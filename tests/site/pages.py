@@ -1,8 +1,8 @@
-"""Writer of the pages of the site: `python -m tests.site.pages`.
+"""Write the pages of the site: `python -m tests.site.pages`.
 
-It makes `build/pages` of README, which becomes the first page, and of `docs/`. Links are rewritten to where a
-page has moved; a link to what is not on the site becomes plain text. Each runnable Mint and MCCL block gets a
-link that opens it in the playground, which is part of the site as `playground/dist` has it.
+It makes `build/pages` of README, which becomes the first page, and of `docs/`. A link is changed to where its
+page is on the site; a link to a file that is not on the site becomes plain text. Each runnable Mint and MCCL
+block gets a link that opens it in the playground, which is copied from `playground/dist`.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _SCRIPT = re.compile(
 
 
 def site_path(path: str) -> str | None:
-    """Return where a file of the tree is on the site; None if it is not there."""
+    """Return the path of a project file on the site; None if it is not there."""
     if path in MOVED:
         return MOVED[path]
     if path.startswith("docs/") and (ROOT / path).is_file():
@@ -45,9 +45,9 @@ def site_path(path: str) -> str | None:
 
 
 def rewritten(text: str, page: str, run: Callable[[str, str], str]) -> str:
-    """Return the text of a page, such as "docs/cli.md", as it is on the site.
+    """Return the text of a page, such as "docs/cli.md", for the site.
 
-    `run` returns the fragment of a block by its kind and text, or "".
+    `run` returns the playground fragment of a block by its kind and text, or "".
     """
     base = posixpath.dirname(site_path(page) or "")
     parts, end = [], 0
@@ -82,7 +82,7 @@ def _with_links(text: str, page: str, base: str) -> str:
 
 
 def runnable(gallery: dict[str, dict[str, str]]) -> Callable[[str, str], str]:
-    """Return the `run` of `rewritten`, with the programs of the gallery by their path."""
+    """Return `run` of `rewritten`, given the programs of the gallery by path."""
 
     def run(kind: str, text: str) -> str:
         if kind in ("mint", "mccl"):
@@ -97,7 +97,7 @@ def runnable(gallery: dict[str, dict[str, str]]) -> Callable[[str, str], str]:
 
 
 def main() -> None:
-    """Write all pages, and next to them the playground, which must be built."""
+    """Write all pages, and copy the playground, which must have been built."""
     contents = json.loads((DIST / "contents.json").read_text(encoding="utf-8"))
     gallery = {f"scripts/{each['dialect']}/{each['name']}": each for each in contents["gallery"]}
     shutil.rmtree(PAGES, ignore_errors=True)
@@ -117,7 +117,7 @@ def main() -> None:
 
 
 def build_name() -> str:
-    """Return version and commit, as each page shows them."""
+    """Return the version and the commit that each page shows."""
     contents = json.loads((DIST / "contents.json").read_text(encoding="utf-8"))
     return f"motionlang {contents['version']}, commit {contents['commit']}"
 

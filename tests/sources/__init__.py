@@ -1,1 +1,1 @@
-"""Statements of the five documents, and the command that reproduces each."""
+"""Statements in the five source documents, and a command that reproduces each."""

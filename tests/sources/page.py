@@ -29,9 +29,9 @@ to compute: they say why. A `calc` row is the formula with the document's figure
 
 
 class Entry(NamedTuple):
-    """One line of a document.
+    """One statement of a document.
 
-    `shows` is what the output of `command` has, `test` the test that holds it. Of a context entry `command`
+    `shows` are texts in the output of `command`; `test` is the test that proves it. For a context entry, `command`
     is the reason why there is nothing to compute.
     """
 
@@ -47,7 +47,7 @@ class Entry(NamedTuple):
 def entries() -> list[Entry]:
     """Return all entries, in the order of the documents.
 
-    Raise AssertionError for a line of another form.
+    Raises AssertionError for a line with an invalid form.
     """
     found: list[Entry] = []
     names: dict[str, str] = {}

@@ -20,7 +20,7 @@ COMMANDS = [each for each in ENTRIES if not each.command.startswith(("calc ", "p
 
 @cache
 def output(command: str) -> str:
-    """Return the output of a row's commands.
+    """Return the output of the commands in a row.
 
     `printf 'TEXT' > FILE` writes a file.
     """
@@ -35,9 +35,9 @@ def output(command: str) -> str:
 
 
 def has(text: str, shows: tuple[str, ...]) -> bool:
-    """True if the texts follow one another.
+    """True if a text contains all of `shows`, in order.
 
-    Runs of blanks count as one.
+    A run of blanks counts as one blank.
     """
     pattern = ".*?".join(re.escape(" ".join(each.split())) for each in shows)
     return re.search(pattern, " ".join(text.split()), re.DOTALL) is not None
@@ -66,7 +66,7 @@ def test_each_page_says_what_the_document_says(entry: Entry) -> None:
 
 @cases("entry", [each for each in ENTRIES if each.command.startswith("calc ")], ids=label)
 def test_each_calculation_gives_the_number(entry: Entry) -> None:
-    """To half a step of the last place that is shown."""
+    """The tolerance is half a step of the last digit shown."""
     number = entry.shows[0]
     places = len(number.partition(".")[2])
     value = float(eval(entry.command[5:], dict(NAMES)))  # a line of our own table

@@ -1,6 +1,6 @@
-"""A headless Chromium that opens a page and is used like by a person.
+"""A headless Chromium that opens a page and uses it like a person.
 
-Tests are skipped without one.
+Tests are skipped without Chromium.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Browser:
         self.driver.quit()
 
     def open(self, path: Path) -> None:
-        """Load a file, and wait until it has drawn itself."""
+        """Load a file, and wait until the page has been drawn."""
         self.driver.get(path.as_uri())
         self.until("document.getElementById('over') !== null")
 
@@ -53,11 +53,11 @@ class Browser:
         return self.driver.execute_script(f"return ({expression})")
 
     def until(self, condition: str) -> None:
-        """Wait for a condition of the page, half a minute at most."""
+        """Wait until a condition is true in the page, half a minute at most."""
         self._wait(self.driver, 30, 0.02).until(lambda _: self.js(condition))
 
     def settled(self) -> None:
-        """Wait until the requested picture is drawn."""
+        """Wait until the latest picture that was requested is drawn."""
         self.driver.execute_async_script(
             "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()))"
         )
@@ -66,7 +66,7 @@ class Browser:
         return self.driver.find_element("css selector", selector)
 
     def mouse(self, part: float = 0.5, height: int = 40) -> Any:
-        """Actions that begin with the mouse in the picture, at a fraction of its width."""
+        """Return mouse actions that begin in the picture, at a fraction of its width."""
         place = "[Math.round(scope.getBoundingClientRect().left + LEFT + %g * width), %s]"
         top = f"document.querySelector('header').getBoundingClientRect().bottom + {height}"
         x, y = self.js(place % (part, f"Math.round({top})"))
@@ -79,11 +79,11 @@ class Browser:
         self.settled()
 
     def complaints(self) -> list[str]:
-        """Return the console's output since the last call."""
+        """Return the messages on the console since the last call."""
         return [str(each["message"]) for each in self.driver.get_log("browser")]
 
     def requests(self) -> set[str]:
-        """Return the requested addresses since the last call, without files and page data."""
+        """Return the addresses requested since the last call, without files and page data."""
         messages = [json.loads(each["message"])["message"] for each in self.driver.get_log("performance")]
         urls = [
             each["params"]["request"]["url"]

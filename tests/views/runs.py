@@ -1,4 +1,4 @@
-"""Runs made by driving the controller directly, to test a view without a language."""
+"""Runs for testing views without a language: the controller is driven directly."""
 
 from __future__ import annotations
 
@@ -10,26 +10,26 @@ from motionlang.source import Source
 
 
 class Nameless(Dialect):
-    """A dialect with a name and nothing else."""
+    """A dialect that has only a name."""
 
     name = "mint"
 
 
 def new_run(name: str = "pick.mnt", axes: int = 4) -> tuple[Run, Controller]:
-    """Return a run that has not begun, and its controller."""
+    """Return a run that has not started, and its controller."""
     machine = Machine({"controller.axes": axes})
     return Run(Source(name, ""), Nameless(), machine), machine.controller
 
 
 def ended(run: Run, status: str = "ended") -> Run:
-    """Return the run in its final state."""
+    """Return the run after setting its final state."""
     run.time, run.status = run.controller.clock.now, status
     run.machine.terminal.close()
     return run
 
 
 def ballscrew() -> Run:
-    """AN00115's exercise: 1200 counts/mm, 250 mm/s, 1250 mm/s², 200 mm."""
+    """Return AN00115's exercise: 1200 counts/mm, 250 mm/s, 1250 mm/s², 200 mm."""
     run, controller = new_run("ballscrew.mnt")
     controller.set_scale(0, 1200.0)
     for name, value in (("speed", 300_000.0), ("accel", 1_500_000.0), ("decel", 1_500_000.0)):
@@ -41,7 +41,7 @@ def ballscrew() -> Run:
 
 
 def pick() -> Run:
-    """Return three axes, three shapes, a stop, a return, and a jog cut by the end."""
+    """Return a run of three axes: three shapes, a stop, a return, an unfinished jog."""
     run, controller = new_run("pick.mnt")
     for axis, shape in enumerate(("trapezoid", "sinusoidal", "parabolic")):
         controller.set_scale(axis, 1200.0)
@@ -66,7 +66,7 @@ def pick() -> Run:
 
 
 def shift(moves: int = 400) -> Run:
-    """Return many different moves of four axes, one every 1.44 s."""
+    """Return a run of many different moves of four axes, one every 1.44 s."""
     run, controller = new_run("shift.mnt")
     for axis in range(4):
         controller.set_scale(axis, 1200.0)

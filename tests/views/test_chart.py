@@ -1,4 +1,4 @@
-"""Velocity in braille dots."""
+"""The chart of velocity in braille dots."""
 
 from __future__ import annotations
 

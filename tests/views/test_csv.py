@@ -1,4 +1,4 @@
-"""CSV text by tables of digits, against Python's own formatting."""
+"""CSV text by tables of digits, compared with Python's own formatting."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def test_every_number_reads_back_within_half_a_digit(numbers: list[float], decim
 
 @pytest.mark.parametrize("decimals", [6, 9, 12])
 def test_digits_are_those_of_savetxt(decimals: int) -> None:
-    """This includes products with 10^decimals near a half, as for large numbers."""
+    """This includes large numbers whose product with 10^decimals is near a half."""
     draw = np.random.default_rng(16)
     for size in (1e-9, 1e-3, 1.0, 999.9999999999, 1e3, 3e4, 9_999_999.5):
         if size * 10.0**decimals >= 9e15:

@@ -1,4 +1,4 @@
-"""Complete messages of errors, as displayed."""
+"""Error messages, complete, as they are displayed."""
 
 from __future__ import annotations
 

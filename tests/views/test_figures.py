@@ -1,4 +1,4 @@
-"""The layout of pictures, read from the figures."""
+"""The layout of pictures, read from matplotlib's figures."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from motionlang.views.plot_panel import mark_events
 
 
 def test_panels_fill_a_figure_from_its_head_to_its_foot() -> None:
-    """Two panels and one, inches: a gap within the group of two, one between groups."""
+    """A group of two panels and a group of one; heights and gaps are in inches."""
     figure, groups = plot._layout([[1.0, 2.0], [1.5]], 0.7)
     height = figure.get_figheight()
     assert height == pytest.approx(0.7 + 1.0 + plot.WITHIN + 2.0 + plot.BETWEEN + 1.5 + plot.BOTTOM)
@@ -42,7 +42,7 @@ def test_of_several_axes_each_is_named(axes: tuple[int, ...], titles: list[str])
 
 @pytest.fixture
 def figures(monkeypatch: pytest.MonkeyPatch) -> list[Figure]:
-    """Return the pictures of sweeps that a test draws, instead of files."""
+    """Return the pictures that a test draws of sweeps; no files are written."""
     drawn: list[Figure] = []
 
     @contextmanager
@@ -73,7 +73,7 @@ def test_points_of_a_sweep_are_marked_up_to_60(count: int, marker: str, figures:
 def test_a_map_is_a_grid_if_a_quarter_of_it_is_known(
     count: int, is_grid: bool, figures: list[Figure]
 ) -> None:
-    """Points on a diagonal: 4 of 16, and 5 of 25."""
+    """Points on a diagonal: 4 of 16 are a quarter, 5 of 25 are less."""
     points = [(float(k), float(k), 1.0) for k in range(count)]
     sweep_plot.plot_map("x.svg", ("speed", "accel", "time"), points, {})
     drawn = figures[0].axes[0].collections[0]
@@ -90,7 +90,7 @@ def test_an_acceleration_is_drawn_from_just_before_its_motion_to_just_behind_it(
 
 
 def test_the_steps_of_acceleration_go_from_each_to_the_next() -> None:
-    """From rest to the limit, to none, to the braking limit and to rest, without gaps."""
+    """From zero to the limit, zero, the braking limit and zero again, without gaps."""
     rows = [line.split() for line in _steps_of_acceleration() if line.lstrip().startswith("A")]
     assert [row[0] for row in rows] == ["A1", "A2", "A3", "A4", "A5", "A6"]
     assert rows[0][2] == rows[-1][3] == "0.000"

@@ -1,4 +1,4 @@
-"""Grids against the tables of rich: equal lines for any cells."""
+"""Grids compared with the tables of rich: equal lines for any cells."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ NAMES = ("", "word", "error", "dim", "accel", "stop", "no style")
 
 
 def drawn_by_rich(columns: list[Column], rows: list[list[str]], styles: list[str], colour: bool) -> list[str]:
-    """Return the lines of a table that fits."""
+    """Return the lines of a table, which must fit the width, as rich draws it."""
     table = Table(box=Box(BOX), show_edge=False, pad_edge=False, padding=(0, GAP - 1, 0, 0), header_style="")
     units = any(column.unit for column in columns)
     for column in columns:

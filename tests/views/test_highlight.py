@@ -1,4 +1,4 @@
-"""Mint and MCCL in Pygments: complete text, and keyword kinds from their rows."""
+"""Mint and MCCL in Pygments: no text is lost, and keywords have their kinds."""
 
 from __future__ import annotations
 

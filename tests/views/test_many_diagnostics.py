@@ -1,6 +1,6 @@
-"""Very many errors: bounded output, linear time, and equal ones reported once.
+"""Very many errors: limited output, linear time, and equal errors reported once.
 
-They have a count.
+An error that occurs several times is shown with its count.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def test_a_file_full_of_mistakes_is_shown_in_bounds() -> None:
 
 
 def test_equal_diagnostics_of_a_run_are_one() -> None:
-    """A warning in a loop."""
+    """A warning in a loop is shown once."""
     program = Source(
         "home.mnt", "Dim i As Integer\nFor i = 1 To 50\n HOME(0) = 0\n CANCEL(0)\n WAIT = 100\nNext\n"
     )

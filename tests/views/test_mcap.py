@@ -1,4 +1,4 @@
-"""MCAP files: the file as its own library reads it."""
+"""MCAP files, as the library of the format reads them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ reader = pytest.importorskip("mcap.reader")
 
 
 def messages(path: Path) -> dict[str, list[tuple[int, dict[str, object]]]]:
-    """Return times (ns) and contents of every topic."""
+    """Return times (ns) and contents of all messages, by topic."""
     found: dict[str, list[tuple[int, dict[str, object]]]] = {}
     last = 0
     with path.open("rb") as file:

@@ -1,4 +1,4 @@
-"""Pictures: reproducible bytes, every text in its position, no open files."""
+"""Pictures: reproducible bytes, all texts in position, no files left open."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ NO_SERVOS: Mapping[int, ServoTrace] = MappingProxyType({})
 
 @pytest.fixture
 def texts(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Make the svg contain its texts as texts."""
+    """Let the SVG contain texts as text instead of outlines."""
     monkeypatch.setitem(plot.STYLE, "svg.fonttype", "none")
 
 

@@ -1,4 +1,4 @@
-"""Temporary lines on a terminal, which never appear elsewhere."""
+"""Temporary lines on a terminal; they never appear elsewhere."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ HOME = "\r\x1b[1A\x1b[2K"
 
 
 class Terminal(io.StringIO):
-    """A terminal that records its input."""
+    """A terminal that records everything written to it."""
 
     encoding = "utf-8"
 

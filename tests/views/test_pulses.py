@@ -1,7 +1,7 @@
-"""Items shorter than a pixel are a pixel wide: pulses, gaps, phases, waits.
+"""Items shorter than a pixel are drawn a pixel wide: pulses, gaps, phases, waits.
 
-`PULSES` runs for 200 s, for which a picture has about 1000 columns: output 1 has ten pulses of 1 to 10 ms,
-output 2 is on for 10 s five times, and is then on until the end except for ten gaps of 2 ms.
+`PULSES` runs for 200 s, for which a picture has about 1000 columns. Output 1 has ten pulses of 1 to 10 ms.
+Output 2 is on five times for 10 s, and then until the end except for ten gaps of 2 ms.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def test_spans_as_a_picture_shows_them(name: str) -> None:
 
 
 def test_a_random_train_is_shown_pixel_by_pixel() -> None:
-    """Each pulse has a bar; bars are in order, in the window, at least a pixel wide."""
+    """Each pulse has a bar at least a pixel wide; bars are in order and in the window."""
     rng = np.random.default_rng(18)
     for scale in (0.1, 1.0, 10.0):
         edges = np.sort(rng.uniform(0.0, 100.0, int(200 / scale)))
@@ -101,7 +101,7 @@ def test_each_pulse_and_each_gap_is_in_the_png(tmp_path: Path) -> None:
 
 
 def test_each_pulse_and_each_gap_is_in_the_svg(tmp_path: Path) -> None:
-    """A unit of the picture is a point, more than a pixel of a screen."""
+    """A unit of the picture is a point, which is more than a pixel of a screen."""
     pytest.importorskip("matplotlib")
     write_plot(pulses(), str(tmp_path / "x.svg"))
     text = (tmp_path / "x.svg").read_text(encoding="utf-8")
@@ -125,7 +125,7 @@ def test_a_part_of_the_run_has_its_pulses(tmp_path: Path) -> None:
 
 
 class Page:
-    """The drawing of a page, `width` pixels wide, of the run from `begin` to `end`."""
+    """A page's drawing of the run from `begin` to `end`, `width` pixels wide."""
 
     def __init__(self, made: Run, begin: float, end: float, width: int = 1000) -> None:
         racer = pytest.importorskip("py_mini_racer")
@@ -164,7 +164,7 @@ def test_the_page_shows_spans_as_the_picture_does() -> None:
 
 
 def test_each_short_move_and_each_wait_is_in_the_page() -> None:
-    """Ten moves of 6 ms are 10 s apart; each has a band in the panels of the axis."""
+    """Ten moves of 6 ms each, 10 s apart, have a band each in the panels of the axis."""
     scope = Page(pulses(), 0.0, pulses().time)
     phases = scope("phasesSvg({ axis: data.axes[0], top: 0, height: 100 })")
     shown = re.findall(r'x="([\d.]+)" y="0" width="([\d.]+)"', phases)

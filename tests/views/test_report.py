@@ -1,4 +1,4 @@
-"""The report as data: the guarantees for programs that read it."""
+"""The report as data: what programs that read it can rely on."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The scope page: its contents, and its arithmetic, run by a JavaScript engine."""
+"""The scope page: its contents, and its arithmetic in a JavaScript engine."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def data_of(text: str) -> Any:
 
 
 class Engine:
-    """The page's model, and functions of it called with JSON."""
+    """The model of the page, whose functions are called with JSON."""
 
     def __init__(self, made: Run) -> None:
         racer = pytest.importorskip("py_mini_racer")
@@ -62,7 +62,7 @@ def test_every_value_under_the_cursor_is_that_of_the_trace(make: Callable[[], Ru
 
 @pytest.mark.parametrize("make", [ballscrew, pick, shift])
 def test_the_pieces_of_a_page_are_those_that_a_trace_samples(make: Callable[[], Run]) -> None:
-    """Both expand the same profiles, in another order of additions."""
+    """Both expand the same profiles, but add in a different order."""
     made = make()
     for axis in made.trace.axes:
         begins, pieces = pieces_of(WholeTrack(made.controller.axes[axis]))

@@ -1,6 +1,6 @@
-"""The page in a real browser: every control is used.
+"""The scope page in a real browser: every control is used.
 
-It is skipped without a Chromium.
+The tests are skipped without a Chromium.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def started(folder: Path) -> Iterator[Browser]:
 def browser(started: Browser, folder: Path) -> Iterator[Browser]:
     """Yield a browser with the page of a run of two axes.
 
-    Afterwards it has reported no error and used no network.
+    At the end, the page must not have reported an error or used the network.
     """
     path = folder / "two.html"
     if not path.exists():
@@ -241,9 +241,9 @@ def test_it_begins_with_the_window_that_was_asked_for(started: Browser, folder: 
 
 
 def test_many_moves_are_drawn_whole(started: Browser, folder: Path) -> None:
-    """Zoomed out, the contents of a column are looked up.
+    """When zoomed out, the page takes the contents of a column from a table.
 
-    Its peaks are those of samples.
+    The peaks are those of samples.
     """
     made = shift()
     (folder / "shift.html").write_text(page(made), encoding="utf-8")

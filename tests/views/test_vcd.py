@@ -1,4 +1,4 @@
-"""Value change dumps: a complete file, and its contents in another program."""
+"""Value change dumps: the complete file, and its values as read by pyvcd."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ r0.0 "
 
 
 def switched() -> Run:
-    """Return 10 units at 10 units/s with minimal ramps, and channels that change."""
+    """Return a run of 10 units at 10 units/s with minimal ramps and switched channels."""
     run, controller = new_run()
     controller.set_scale(0, 100.0)
     for name, value in (("speed", 1000.0), ("accel", 1e12), ("decel", 1e12)):
@@ -105,7 +105,7 @@ def test_another_program_reads_the_samples_in_it(tmp_path: Path, make: object) -
 
 
 def read(path: Path) -> tuple[dict[str, tuple[list[int], list[float]]], int]:
-    """Return times (ns) and values of every variable, by pyvcd."""
+    """Return times (ns) and values of every variable, as pyvcd reads them."""
     reader = pytest.importorskip("vcd.reader")
     kinds = reader.TokenKind
     scope: list[str] = []

@@ -1,1 +1,1 @@
-"""The extension in a real VS Code, which a browser drives."""
+"""The extension in a real VS Code that is driven through a browser."""

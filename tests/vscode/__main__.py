@@ -1,8 +1,8 @@
 """Use the extension in a real VS Code: `python -m tests.vscode [FOLDER]`.
 
-VS Code is npm's code-server, and Chromium drives it by playwright-core. `python -m tests.vscode --install` puts both
-into FOLDER (build/vscode) once, with the tools that package the extension. The pictures of the session stay in
-FOLDER/pictures. The session is skipped, with a reason, where something is not installed.
+VS Code is npm's code-server; playwright-core drives it in Chromium. `python -m tests.vscode --install` installs both
+in FOLDER (default build/vscode) once, with the tools that package the extension. The pictures of the session remain
+in FOLDER/pictures. If anything is not installed, the session is skipped and the reason is printed.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ def npm(folder: Path, *words: str, required: bool = True) -> None:
 
 
 def install(folder: Path) -> None:
-    """Install code-server and build what it needs.
+    """Install code-server and build the packages that it needs.
 
-    Its own scripts fetch files from elsewhere, so they are not run.
+    Its own scripts download files from elsewhere, so they are not run.
     """
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "package.json").write_text('{"private": true}')
@@ -62,7 +62,7 @@ def browser() -> str:
 
 
 def missing(folder: Path) -> str:
-    """Return what is not installed; "" if everything is."""
+    """Return the reason why the session cannot run; "" if it can."""
     if shutil.which("node") is None:
         return "node is not installed"
     if not browser():
@@ -73,7 +73,7 @@ def missing(folder: Path) -> str:
 
 
 def package(folder: Path) -> Path:
-    """Package the extension as it is now; return the VSIX."""
+    """Package the present extension; return the VSIX."""
     extension = folder / "extension"
     shutil.copytree(EXTENSION, extension, ignore=shutil.ignore_patterns("node_modules"), dirs_exist_ok=True)
     npm(extension, "run", "package")
@@ -104,7 +104,7 @@ def workspace(home: Path) -> Path:
 
 @contextmanager
 def running(folder: Path, home: Path, vsix: Path) -> Iterator[int]:
-    """Yield the port of a VS Code with the extension."""
+    """Yield the port of a running VS Code with the extension."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port: int = free.getsockname()[1]
     environment = {**os.environ, "XDG_CONFIG_HOME": str(home), "PYTHONPATH": str(ROOT)}
@@ -139,7 +139,7 @@ def _wait_for(port: int) -> None:
 
 
 def main() -> int:
-    """Install, or run the session; 1 if it failed."""
+    """Install, or run the session; return 1 if it failed."""
     parser = argparse.ArgumentParser(prog="tests.vscode", description=__doc__)
     parser.add_argument("folder", nargs="?", type=Path, default=ROOT / "build" / "vscode")
     parser.add_argument("--install", action="store_true")

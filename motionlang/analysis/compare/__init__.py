@@ -1,4 +1,4 @@
 """Comparison of a real controller's recording with the run.
 
-It is read, aligned in time, and compared move by move.
+The recording is read, aligned in time with the run, and compared move by move.
 """

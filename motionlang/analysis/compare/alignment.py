@@ -1,13 +1,13 @@
-"""The delay of a recording against a run, for any scale, sign and offset.
+"""The delay of a recording relative to a run, for any scale, sign and offset.
 
-A recording begins when a person or a trigger starts it, in units and with a zero of its own. For each delay
+A recording begins when a person or a trigger starts it, and has its own units and zero. For each delay
 every signal is fitted with `scale * simulated + offset` by least squares; the best delay leaves the smallest
 share of the variance. The share is computed on a grid of delays by FFT first, in O(n log n): the explained
 share is the squared correlation coefficient, whose sums over the recorded window are correlations. The best
 maxima of the grid are then refined by golden section on the samples themselves.
 
-Motion that repeats itself can fit at several delays. Among those that fit equally well the one with scales
-nearest 1 is chosen, and a reversed sign only if no other fits.
+Motion that repeats itself can fit at several delays. Among delays that fit equally well the one with scales
+nearest 1 is chosen, and a reversed sign only if no other delay fits.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class Signal(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Its name on a command line: position.0."""
+        """The name of the signal on a command line, such as position.0."""
         return f"{self.quantity}.{self.axis}"
 
 
@@ -60,9 +60,9 @@ def simulated(trace: Trace, signal: Signal, times: Array) -> Array:
 
 
 def find_delay(trace: Trace, signals: Sequence[Signal]) -> float | None:
-    """Return the seconds that the recording is later than the run, or None.
+    """Return the delay of the recording after the run in seconds, or None.
 
-    It is None if nothing moves in one of the two.
+    The delay is None if nothing moves in the recording or in the run.
     """
     coarse = _coarse(trace, signals)
     if coarse is None:
@@ -75,12 +75,12 @@ def find_delay(trace: Trace, signals: Sequence[Signal]) -> float | None:
 
 
 def _refined(trace: Trace, signals: Sequence[Signal], delay: float, step: float) -> float:
-    """Return the best delay within two steps of one."""
+    """Return the best delay within two grid steps of `delay`."""
     return summit(lambda each: -_misfit(trace, signals, each), delay - 2.0 * step, delay + 2.0 * step)
 
 
 def _likeliest(trace: Trace, signals: Sequence[Signal], delays: Sequence[float]) -> float:
-    """Return the delay that fits best; of equal ones that with scales nearest 1."""
+    """Return the delay that fits best; among equal ones the one with scales nearest 1."""
     misfits = [_misfit(trace, signals, delay) for delay in delays]
     worst = TIE_FACTOR * min(misfits) + TIE_SHARE * len(signals)
     tied = [(misfit, delay) for misfit, delay in zip(misfits, delays, strict=True) if misfit <= worst]
@@ -88,9 +88,9 @@ def _likeliest(trace: Trace, signals: Sequence[Signal], delays: Sequence[float])
 
 
 def lag(trace: Trace, signal: Signal, delay: float, begin: float, end: float) -> float | None:
-    """Return the seconds that a signal is behind the run between two times, or None.
+    """Return the lag of a signal behind the run between two times, s, or None.
 
-    The result is to first order; it is None at rest.
+    The lag is computed to first order. It is None at rest.
     """
     inside = (signal.times - delay >= begin) & (signal.times - delay <= end)
     times = signal.times[inside] - delay
@@ -104,9 +104,9 @@ def lag(trace: Trace, signal: Signal, delay: float, begin: float, end: float) ->
 
 
 def _coarse(trace: Trace, signals: Sequence[Signal]) -> tuple[list[float], float] | None:
-    """Return the likeliest delays to about a step of a grid, and that step, or None.
+    """Return the likeliest delays to about one grid step, and that step, or None.
 
-    It is None if nothing moves in one of the two.
+    The result is None if nothing moves in the recording or in the run.
     """
     first = min(float(signal.times[0]) for signal in signals)
     length = max(float(signal.times[-1]) for signal in signals) - first
@@ -128,9 +128,9 @@ def _coarse(trace: Trace, signals: Sequence[Signal]) -> tuple[list[float], float
 
 
 def _explained(trace: Trace, signal: Signal, recorded: Array, run_times: Array) -> Array:
-    """Return the share of a signal's variance that the run explains.
+    """Return the share of a signal's variance that the run explains, by delay.
 
-    `recorded[0]` is at each of `run_times`.
+    Each of `run_times` is one delay: the time of the run at which `recorded[0]` was measured.
     """
     count = len(run_times) - len(recorded) + 1
     expected = simulated(trace, signal, run_times)
@@ -165,14 +165,14 @@ def _misfit(trace: Trace, signals: Sequence[Signal], delay: float) -> float:
 
 
 def _unlikeness(trace: Trace, signals: Sequence[Signal], delay: float) -> tuple[int, float]:
-    """Return how many signs are reversed, and how far scales are from 1, to a percent."""
+    """Return the count of reversed signs, and how far scales are from 1, to a percent."""
     scales = [fit(expected, values)[0] for values, expected in _pairs(trace, signals, delay)]
     reversals = [scale for scale in scales if scale <= 0.0]
     return len(reversals), round(fsum(abs(log(abs(scale))) for scale in scales if scale), 2)
 
 
 def _pairs(trace: Trace, signals: Sequence[Signal], delay: float) -> Iterator[tuple[Array, Array]]:
-    """The measured values of each signal, about their mean, and the run's values."""
+    """Yield each signal's measured values, minus their mean, and the run's values."""
     for signal in signals:
         values = signal.values - signal.values.mean()
         yield values, simulated(trace, signal, signal.times - delay)

@@ -1,6 +1,6 @@
 """Comparison of a recording with a run: residuals, lag and overshoot.
 
-There are totals, and figures for each move and phase.
+The figures are given in total, and for each move and phase.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ GAP = 3.5
 class Mapped(NamedTuple):
     """The meaning of a column: `target` "time" or "position.0", and a `factor`.
 
-    Its numbers times `factor` are seconds or user units.
+    The factor converts the numbers of the column to seconds or user units.
     """
 
     target: str
@@ -47,9 +47,9 @@ class Mapped(NamedTuple):
 
 
 class Comparison(NamedTuple):
-    """`delay` in seconds from the run to the recording; rows `signals` and `moves`.
+    """The result: `delay` of the recording in seconds, and rows `signals` and `moves`.
 
-    They are rows of the report.
+    The rows are those of the report.
     """
 
     run: Run
@@ -61,7 +61,7 @@ class Comparison(NamedTuple):
 
     @property
     def is_within(self) -> bool | None:
-        """True if everything is within tolerance; None if none was given."""
+        """True if everything is within tolerance; None if no tolerance was given."""
         judged = [row["within"] for row in self.moves + self.signals if row["within"] is not None]
         return all(judged) if judged else None
 
@@ -88,8 +88,8 @@ def compare(
 ) -> Comparison:
     """Compare the recording in `source` with `run`.
 
-    `tolerances` has the largest residual allowed, in user units, by "position.0" or "position"; `delay` (s)
-    is found if it is None. Raises ProgramError if there is nothing to compare.
+    `tolerances` has the largest allowed residual, in user units, by "position.0" or "position". If `delay`
+    (s) is None it is computed from the data. Raises ProgramError if there is nothing to compare.
     """
     found, remarks = _signals(run, source, mapping)
     if delay is None:
@@ -187,7 +187,7 @@ def _target(run: Run, target: str) -> tuple[str, int]:
 
 
 def _own(columns: Mapping[str, Array]) -> Iterator[Mapped]:
-    """Yield columns named like those of our own trace.
+    """Yield the columns that are named like the columns of our own trace.
 
     The measured position precedes the commanded one.
     """
@@ -228,7 +228,7 @@ class _Compared:
         self._trace, self._delay, self._tolerances = run.trace, delay, tolerances
 
     def signal(self, signal: Signal) -> Row:
-        """Return the figures of a complete signal."""
+        """Return the figures of a signal over its whole length."""
         times, values, residual = self._within(signal, 0.0, self._trace.end)
         expected = values - residual
         scale, offset = fit(expected, values) if len(times) else (1.0, 0.0)
@@ -266,9 +266,9 @@ class _Compared:
         return times, values, values - simulated(self._trace, signal, times)
 
     def _figures(self, signal: Signal, times: Array, residual: Array) -> Row:
-        """Return the largest residual with sign and time, the RMS, and its verdict.
+        """Return the largest residual with sign and time, the RMS, and the verdict.
 
-        The verdict is true within its tolerance.
+        The verdict is true if the largest residual is within the tolerance of the signal.
         """
         tolerance = self._tolerances.get(signal.name, self._tolerances.get(signal.quantity))
         if not len(times):

@@ -1,7 +1,7 @@
 """Recordings of a drive, an oscilloscope or a data logger: columns in a text file.
 
-The separator is detected from the lines (tab, semicolon, comma, blanks); if it is no comma, a comma may be
-the decimal point. A row of names and one of units may come first, and lines of remarks anywhere before them.
+The separator is detected from the lines (tab, semicolon, comma, blanks). If it is not a comma, a comma may be
+the decimal point. A row of names and a row of units may come first, preceded by any number of comment lines.
 """
 
 from __future__ import annotations
@@ -46,9 +46,10 @@ class Table(NamedTuple):
     doubts: dict[str, Diagnostic]
 
     def find(self, name: str, source: Source) -> str:
-        """Return the column of a name, in any case or without its unit, or of a number.
+        """Return the column with a name or a number.
 
-        Numbers count from 1. Raises ProgramError, with the alternatives, if there is none.
+        Case is ignored, and the unit in a name may be omitted. Numbers count from 1. Raises ProgramError,
+        with the alternatives, if there is no such column.
         """
         plain = {column.strip().lower(): column for column in self.columns}
         names = list(self.columns)
@@ -74,7 +75,10 @@ class Table(NamedTuple):
 
 
 def read_table(source: Source) -> Table:
-    """Return the columns of a file; ProgramError without two rows of numbers."""
+    """Return the columns of a file.
+
+    Raises ProgramError if it has fewer than two rows of numbers.
+    """
     lines = [
         (number, line)
         for number, line in enumerate(source.text.split("\n"), 1)
@@ -134,7 +138,7 @@ def read_table(source: Source) -> Table:
 
 
 def _separator(lines: Sequence[str]) -> tuple[str, int]:
-    """Return the separator of the columns, and how many of these most lines have."""
+    """Return the separator of the columns, and how many of them most lines have."""
     best, width = " ", 1
     for separator in SEPARATORS:
         counts = [len(_cells(line, separator)) for line in lines]
@@ -162,7 +166,7 @@ def _number(cell: str, separator: str) -> float | None:
 
 
 def _names(head: Sequence[Sequence[str]], width: int) -> tuple[list[str], dict[str, str]]:
-    """Return names of the columns from the rows above the numbers, and their units."""
+    """Return the column names from the rows above the numbers, and their units."""
     named = next((row for row in head if len(row) == width and any(row)), None)
     names = [cell or f"column {k + 1}" for k, cell in enumerate(named)] if named is not None else []
     names = names or [f"column {k + 1}" for k in range(width)]
@@ -207,7 +211,7 @@ def _count(number: int, what: str) -> str:
 
 
 def time_column(table: Table, source: Source, wanted: str | None) -> str:
-    """Return the time column: the requested one, or the first with a time's name."""
+    """Return the time column: the requested one, or the first one named like a time."""
     if wanted is not None:
         return table.find(wanted, source)
     for name in table.columns:
@@ -227,17 +231,17 @@ def time_column(table: Table, source: Source, wanted: str | None) -> str:
 def seconds(table: Table, name: str, factor: float | None, units: Mapping[str, float] = UNITS) -> Array:
     """Return the times of a column in seconds.
 
-    The factor is given, or that of the unit in its name or in the row of units.
+    Without a `factor` the unit decides: the one in the column's name, or the one in the row of units.
     """
     scale = units.get(table.units.get(name, "s").lower(), 1.0) if factor is None else factor
     return table.columns[name] * scale
 
 
 def usable_rows(times: Array, table: Table) -> tuple[NDArray[np.int64], list[Diagnostic]]:
-    """Return the rows with increasing times, and diagnostics of the others.
+    """Return the rows with increasing times, and diagnostics about the dropped rows.
 
-    Rows without a time are left out, of rows at one time the last is used; where time runs back, the longest
-    increasing stretch is used.
+    Rows without a time are dropped. Of several rows at one time the last one is used. If time runs backwards,
+    the longest increasing stretch is used.
     """
     remarks: list[Diagnostic] = []
     rows = np.flatnonzero(np.isfinite(times))

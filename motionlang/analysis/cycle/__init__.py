@@ -1,1 +1,1 @@
-"""The time profile of a run: each task's own time, and the critical path."""
+"""The time profile of a run: the time of each task, and the critical path."""

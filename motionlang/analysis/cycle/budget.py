@@ -22,7 +22,7 @@ def part_of(link: Link) -> str:
 
 
 def over_budget(run: Run, settings: Mapping[str, object]) -> Iterator[Diagnostic]:
-    """Yield a diagnostic for each exceeded budget of a run, with its main line."""
+    """Yield a diagnostic for each exceeded budget, at the line that contributes most."""
     made = TimeProfile(run)
     for key, allowed in settings.items():
         if not key.startswith("budget."):

@@ -1,8 +1,8 @@
 """The critical path of a run, followed backwards from its end.
 
-A task that computes has come there from its last wait. A wait ended because a move ended, time had passed, or
-an input changed. A move began because a task started it, or because the one before it in the buffer had
-ended. A reduction outside the critical path does not make the run shorter.
+Computing of a task is followed back to the end of its last wait. A wait ended because a move ended, time had
+passed, or an input changed. A move began because a task started it, or because the previous move in the
+buffer had ended. Saving time outside the critical path does not make the run shorter.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ UNMOVED = None, NOWHERE, _NOTHING, _NOTHING
 class Link:
     """One link of the path: its `cause` as text, and the axes that move in it.
 
-    `waited` is the line at which the task waited meanwhile, 0 if it computed.
+    `waited` is the line at which the task waited during the link, 0 if the task computed.
     """
 
     begin: float
@@ -81,19 +81,19 @@ class Link:
 
     @property
     def duration(self) -> float:
-        """Its duration, seconds."""
+        """The duration of the link, seconds."""
         return self.end - self.begin
 
     @property
     def is_motion(self) -> bool:
-        """True if its time is that of a move."""
+        """True if a move takes the time of the link."""
         return bool(self.axes)
 
 
 class Strip:
     """Links of one task at one position that differ only in their times.
 
-    They have the same phases. A long run has tens of thousands of links, and a few strips.
+    They have the same phases. A long run has tens of thousands of links, but few strips.
     """
 
     def __init__(
@@ -109,7 +109,7 @@ class Strip:
         return self.begins.append, self.ends.append
 
     def add(self, begin: float, end: float) -> None:
-        """Add a link; its last phase extends to its end."""
+        """Add a link; the last phase extends to the end of the link."""
         self.begins.append(begin)
         self.ends.append(end)
 
@@ -126,7 +126,7 @@ class Strip:
 
 
 class _Loops:
-    """The loop in which a task computes, followed backwards, and its interval."""
+    """The loop that a task executes, followed backwards, and when it ran."""
 
     def __init__(self, chain: CriticalPath, task: str) -> None:
         self._chain, self._task = chain, task
@@ -173,11 +173,11 @@ class CriticalPath:
 
     @cached_property
     def links(self) -> list[Link]:
-        """The links, motion by phases, in order of time."""
+        """The links in order of time; motion is split into phases."""
         return [Link(low, high, *about) for low, high, about in self.spans()]
 
     def spans(self) -> list[tuple[float, float, About]]:
-        """Return begin, end and the shared other fields of each link."""
+        """Return the start and end of each link, and its other fields, which are shared."""
         found: list[tuple[float, float, About]] = []
         for strip in self._strips.values():
             for name, lows, highs in strip.parts():
@@ -209,9 +209,9 @@ class CriticalPath:
             task, time = self._follow_task(task, time)
 
     def _follow_task(self, task: str, time: float) -> tuple[str, float]:
-        """Follow one task back from `time`; return the task and the time at its start.
+        """Follow one task back from `time` to its start.
 
-        A long run spends most of its time here.
+        Returns the task that started it, and when. A long run spends most of its time here.
         """
         near, motions = self._near, self.motions
         begins, ends, order, rows = motions.begins, motions.ends, motions.order, motions.rows
@@ -278,7 +278,7 @@ class CriticalPath:
         return self._started(task, time) if time > 0.0 else (task, time)
 
     def _at(self, at: int, cause: str, callers: tuple[int, ...], task: str) -> WaitedAt:
-        """Return what waits of one cause at a position have in common."""
+        """Return the common fields of the waits of one cause at one position."""
         place = self.places.of(at, callers)
         computing = self._strip("computing", place, task).columns
         return (
@@ -291,7 +291,7 @@ class CriticalPath:
         )
 
     def _started(self, task: str, time: float) -> tuple[str, float]:
-        """Go from `time`, before the first wait of a task, back to its start.
+        """Go from `time`, before the first wait of a task, back to the start of the task.
 
         Return the task that started it, and when.
         """
@@ -300,7 +300,7 @@ class CriticalPath:
         return starter
 
     def _awaited(self, wait: Wait, time: float) -> Motion | None:
-        """Return the motion that ended a wait at `time`, or was in progress then."""
+        """Return the motion that ended a wait at `time`, or was in progress at that time."""
         cause, axes = wait[4], wait[5]
         if cause == "axis":
             return self.motions.that_ended(wait[2], time, self._near, axes)
@@ -313,9 +313,9 @@ class CriticalPath:
     def _compute(
         self, begin: float, end: float, task: str, place: SourcePosition
     ) -> tuple[float, float, SourcePosition | None]:
-        """Charge computing to its loops, and outside them to `place`; return a loop.
+        """Charge computing to its loops, and outside them to `position`; return a loop.
 
-        A position in a sub that a loop calls is nearer than the loop, if the loop was running there.
+        A position in a sub that a loop calls takes precedence over the loop, if the loop was running there.
         """
         first: tuple[float, float, SourcePosition | None] = (1.0, 0.0, None)
         waited = begin
@@ -336,9 +336,9 @@ class CriticalPath:
         return first
 
     def _cause(self, wait: Wait, time: float) -> str:
-        """Return the cause of the end of a wait without a move.
+        """Return what ended a wait other than a move.
 
-        For a condition it is the input that changed then.
+        For a condition it is the input that changed at that time.
         """
         if wait[4] == "condition":
             ended = self._polls.of_condition(wait, time)
@@ -350,9 +350,9 @@ class CriticalPath:
         return CAUSES[wait[4]]
 
     def _back(self, motion: Motion, time: float, task: str, waited: SourcePosition) -> tuple[str, float]:
-        """Charge a move to its line, and earlier moves of the buffer that it waited for.
+        """Charge a move to its line, and the earlier buffered moves that it waited for.
 
-        `waited` is the position that waited.
+        `waited` is the position at which the task waited.
         """
         while True:
             _, begin, line, axes, _ = motion
@@ -376,7 +376,7 @@ class CriticalPath:
             motion, time = before, min(end, begin)
 
     def _motion_after(self, over: float, time: float, task: str) -> float:
-        """Charge motion after the end of the program, and return the time of that end."""
+        """Charge motion after the end of the program; return when the program ended."""
         motion = self.motions.last(over, time + self._near)
         if motion is None:
             self._add(over, time, "settling", NOWHERE, task)
@@ -390,7 +390,7 @@ class CriticalPath:
     # ---------------------------------------------------------------------------------------- lookups
 
     def _waiting_at(self, task: str, time: float) -> Wait | None:
-        """The wait that a task is in at `time`, excluding its first and last instant."""
+        """Return the wait of a task at `time`, excluding its first and last instant."""
         waits, soon = self._waits.get(task, []), time + self._near
         untils = self._untils.get(task)
         place = bisect_right(waits, soon, key=_UNTIL) if untils is None else bisect_right(untils, soon)
@@ -410,13 +410,13 @@ class CriticalPath:
         return bool(waits) and waits[0][2] <= time + self._near and time <= waits[-1][3] + self._near
 
     def _starter(self, task: str) -> tuple[str, float]:
-        """Return the task that started another, and when; the parent began with the run."""
+        """Return the task that started another, and when; the parent started with the run."""
         parent = parent_of(self._run)
         begin = next((turn.time for turn in self._run.machine.log.slices if task in turn.tasks), 0.0)
         return parent, 0.0 if task == parent else begin
 
     def _first_location(self, task: str) -> SourcePosition:
-        """Return where a task begins, or its first wait if that is not known."""
+        """Return the start of a task, or its first wait if the start is not known."""
         begin = self.places.begin(task)
         if begin is not None:
             return begin
@@ -428,7 +428,7 @@ class CriticalPath:
     def _strip(self, cause: str, place: SourcePosition, task: str) -> Strip:
         """Return the strip of one phase.
 
-        There is one `SourcePosition` object for each source position.
+        Each source position has exactly one `SourcePosition` object.
         """
         key = id(place), cause, task
         if key not in self._strips:
@@ -443,15 +443,16 @@ class CriticalPath:
     def _add_motion(
         self, motion: Motion, time: float, task: str, waited: SourcePosition, begin: float
     ) -> None:
-        """Add a move from `begin` up to `time`.
+        """Add the part of a move from `begin` up to `time`.
 
-        The callers of its line are not recorded; if its sub waited for it, those of the wait are used.
+        The log does not record the callers of a move's line. If the sub that commanded the move also waited
+        for it, the callers of the wait are used.
         """
         if time > begin:
             self._strip_of(motion, task, waited, begin).add(begin, time)
 
     def _strip_of(self, motion: Motion, task: str, waited: SourcePosition, begin: float = 0.0) -> Strip:
-        """Return the strip of a move, or of its rest from `begin` on."""
+        """Return the strip of a move, or of its remainder from `begin` on."""
         _, began, line, axes, shape = motion
         place = self.places.at_line(line)
         if waited.callers and place.sub == waited.sub:
@@ -467,7 +468,7 @@ class CriticalPath:
 
 
 def _behind(phases: Phases, seconds: float) -> Phases:
-    """Return the rest of phases after some seconds."""
+    """Return the phases that remain after `seconds`."""
     for number, (name, duration) in enumerate(phases[:-1]):
         if seconds < duration:
             return (name, duration - seconds), *phases[number + 1 :]

@@ -44,9 +44,10 @@ def write_profile(made: TimeProfile, path: str) -> None:
 
 
 def json_pieces(made: TimeProfile) -> Iterator[str]:
-    """`TimeProfile.report` as JSON with an indent of 1, ten times as fast as json.
+    """Yield `TimeProfile.report` as JSON with indent 1, ten times as fast as json.
 
-    Of links that differ in their times alone one is written out; the end of one is the start of the next.
+    Of several links that differ only in their times one is formatted in full; the end of a link is the start
+    of the next one.
     """
     document = made.report(critical_path=False)
     written: dict[int, str] = {}  # the other fields of a link, by the identity of their source
@@ -66,7 +67,7 @@ def json_pieces(made: TimeProfile) -> Iterator[str]:
 
 
 def _inner(row: Row) -> str:
-    """The fields of an object in a list of a document, with the closing bracket."""
+    """Return the fields of an object in a list of the document, and its last bracket."""
     return "\n".join(f"  {line}" for line in json.dumps(row, indent=1).split("\n")[1:])
 
 
@@ -82,7 +83,8 @@ def _trace(made: TimeProfile) -> Iterator[str]:
 def trace_events(made: TimeProfile) -> Iterator[Row]:
     """Yield trace events: lanes for the path, each task's waits, each axis's moves.
 
-    Times are microseconds. The name of a lane precedes its first event, and that of the process all others.
+    Times are microseconds. The name of a lane precedes its first event, and the name of the process precedes
+    all events.
     """
     run, places = made.run, SourcePositions(made.run)
     lanes: dict[str, int] = {}
@@ -103,7 +105,7 @@ def trace_events(made: TimeProfile) -> Iterator[Row]:
 
 
 def _stretches(made: TimeProfile, places: SourcePositions) -> Iterator[tuple[str, str, float, float, Row]]:
-    """Yield lane, name, begin, end and further fields of each event."""
+    """Yield the lane, name, begin, end and further fields of each event."""
     run = made.run
     for begin, end, (cause, place, task, axes, _) in made.spans():
         name = f"{cause}, line {place.line}" if place.line else cause

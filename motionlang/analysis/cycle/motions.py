@@ -1,4 +1,4 @@
-"""The moves of a run by their ends, for the search for causes of waits.
+"""The moves of a run by end time, to find what ended a wait.
 
 Axes that begin and end together on one line are one motion.
 """
@@ -36,11 +36,11 @@ _AXIS, _BEGIN, _DURATION, _ENTRY, _LINE = map(itemgetter, (0, 1, 4, 9, 3))
 
 
 class Motions:
-    """Every motion of a run by its end, at most that of the run; in columns.
+    """Every motion of a run, in columns, by its end (at most the end of the run).
 
-    A shift has tens of thousands. `ends` are in order of time, `order[n]` is the number of the motion that
-    ended as the n-th, by which `begins`, `lines` and `rows` have it. A plain move is read as stored in the
-    log, any other one as an equal tuple.
+    A shift has tens of thousands of motions. `ends` are in order of time. `order[n]` is the number of the
+    n-th motion to end; `begins`, `lines` and `rows` are indexed by that number. A fast-path move is read as
+    stored in the log, any other move is converted to an equal tuple.
     """
 
     def __init__(self, run: Run) -> None:
@@ -66,9 +66,9 @@ class Motions:
         self._phases: dict[object, Phases] = {}
 
     def together(self) -> tuple[Sequence[int], list[float], list[int], list[int]]:
-        """Return the bounds of groups with one begin, and ends, axes and lines of all.
+        """Group the motions by begin; return group bounds, and all ends, axes and lines.
 
-        The order is that of the begins.
+        They are in the order of the begins.
         """
         begins, ends, axes, lines = self.begins, self._ends_of, list(map(_AXIS, self.rows)), self.lines
         if not self._in_order:
@@ -82,7 +82,7 @@ class Motions:
         return numbers if self._in_order else sorted(numbers, key=self.begins.__getitem__)
 
     def phases(self, shape: Profile | Recipe) -> Phases:
-        """The phases of a profile, or of a recipe of ramps; equal ones share an object."""
+        """Return the phases of a profile or a recipe of ramps; equal ones share an object."""
         key = shape if isinstance(shape, tuple) else id(shape)  # the rows keep a reference
         known = self._phases.get(key)
         if known is None:
@@ -99,8 +99,8 @@ class Motions:
     ) -> Motion | None:
         """Return the motion that ended within `near` of `time`, after `since`.
 
-        If there are several it is the one that began last. With `axes` it is one of theirs (with () of any
-        axis), and if none ended then the last one before.
+        Of several, it is the one that began last. `axes` restricts the search to these axes; () means every
+        axis. With `axes` given, the last motion that ended before is returned if none ended within `near`.
         """
         ends, low = self.ends, time - near
         place = bisect_right(ends, time + near) - 1
@@ -143,12 +143,12 @@ class Motions:
         return None
 
     def last(self, after: float, time: float) -> Motion | None:
-        """Return the last one that ended after `after`, and by `time`."""
+        """Return the last motion that ended after `after` and not after `time`."""
         place = bisect_right(self.ends, time) - 1
         return self._whole(place) if place >= 0 and self.ends[place] > after else None
 
     def last_end(self, axis: int | None, after: float, until: float) -> float | None:
-        """When a motion of an axis, or of any, ended last after `after`, by `until`."""
+        """Return the last end of a motion of `axis`, or any for None, in (after, until]."""
         place = bisect_right(self.ends, until) - 1
         while place >= 0 and self.ends[place] > after:
             if axis is None or self.axis(place) == axis:
@@ -157,12 +157,12 @@ class Motions:
         return None
 
     def moving_at(self, axis: int | None, time: float) -> int | None:
-        """Return the axis, that one or any, which is in motion at a time."""
+        """Return the axis that is in motion at a time: `axis`, or any axis if it is None."""
         found = self.crossing(axis, time)
         return None if found is None else found[3][0]
 
     def crossing(self, axis: int | None, time: float) -> Motion | None:
-        """Return the motion of an axis, or of any, at a time, as if it ended there."""
+        """Return the motion of `axis`, or of any for None, at a time, as if it ended then."""
         for place in range(bisect_right(self.ends, time), len(self.ends)):
             if (axis is None or self.axis(place) == axis) and self.begins[self.order[place]] < time:
                 _, begin, line, axes, shape = self._whole(place)
@@ -170,12 +170,12 @@ class Motions:
         return None
 
     def axis(self, place: int) -> int:
-        """Return the axis of the motion that ended as the one of that number."""
+        """Return the axis of the motion at `index` in order of ends."""
         axis: int = self.rows[self.order[place]][0]
         return axis
 
     def _whole(self, place: int) -> Motion:
-        """Return the motion that ended as the one of that number, with all its axes."""
+        """Return the motion at `index` in order of ends, with all of its axes."""
         ends, order, begins = self.ends, self.order, self.begins
         end, number = ends[place], order[place]
         first, last = place, place + 1
@@ -192,23 +192,23 @@ class Motions:
         return end, begin, line, tuple(self.rows[each][0] for each in same), shape
 
     def _motion(self, place: int) -> Motion:
-        """Return that motion alone."""
+        """Return the motion at `index` in order of ends, with its own axis only."""
         number = self.order[place]
         row = self.rows[number]
         return self.ends[place], self.begins[number], self.lines[number], self.alone[row[0]], row[5]
 
 
 def _moves(shape: Profile | Recipe) -> bool:
-    """True unless the axis is at rest, as on a path that moves other axes."""
+    """True unless the axis is at rest, such as on a path that moves only other axes."""
     if isinstance(shape, tuple):
         return any(shape[::3])
     return shape.start != shape.end or shape.peak_speed > 0.0
 
 
 def _cuts(begins: list[float]) -> Sequence[int]:
-    """Return the first index of each start time, then the number of groups.
+    """Return the first index of each start time, then the total number.
 
-    The result is a range if the same number of groups shares each start time.
+    The result is a range if all groups have the same size.
     """
     if not begins:
         return ()

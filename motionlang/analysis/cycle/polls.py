@@ -1,18 +1,19 @@
-"""Loops in a profile: a polling loop is a wait for its cause, others compute.
+"""Loops in a profile: a polling loop is a wait for its cause, other loops compute.
 
-A loop *waits* if all it does in an execution is to read, to compute, to set outputs and to let time pass, and
-if the conditions by which it ends read something beyond its own variables. It has waited for the last change
-of its readings: an axis that came to rest, an input, or else the time or another task's write of a variable.
-The rest of the loop from then on is its own: its WAITs, and computing.
+A loop *waits* if an execution of it only reads, computes, sets outputs and lets time pass, and if the
+conditions by which it ends read something other than its own variables. It waited for the last change of
+what it reads: an axis came to rest, an input changed, or otherwise time passed or another task wrote a
+variable. The rest of the loop after that change is charged to the loop itself: its WAITs, and computing.
 
-A loop that also starts motion or waits in other manners *works*, and its actions are charged individually.
-Between two such actions it may iterate like a state machine, which waits in the same manner for anything that
-a condition in it reads.
+A loop that also starts motion or waits in other ways *works*, and its actions are charged individually.
+Between two such actions it may iterate like a state machine, which waits in the same way for anything that
+one of its conditions reads.
 
-A loop that reads nothing computes, and is charged to its own line, or that of the loop in it that took the
-time.
+A loop that reads nothing computes. Its time is charged to its own line, or to the line of the inner loop that
+took the time.
 
-This uses the log and the text of the program alone: when each loop ran, when motion ended and inputs changed.
+The analysis uses only the log and the text of the program: when each loop ran, when motion ended and when
+inputs changed.
 """
 
 from __future__ import annotations
@@ -52,7 +53,7 @@ _SINCE: Callable[[Wait], float] = itemgetter(2)
 class _Loop:
     """One execution of a loop: `items` are the waits in it, `inner` the loops.
 
-    `acts` are the times at which it started motion, or waited for anything but time.
+    `acts` are the times at which it started motion, or waited for anything other than time.
     """
 
     def __init__(self, row: Row) -> None:
@@ -63,7 +64,7 @@ class _Loop:
 
 
 class Polls:
-    """The waits of a run by task, including loops, and computing in loops."""
+    """The waits of a run by task, including polling loops, and the computing in loops."""
 
     def __init__(self, run: Run, motions: Motions, waits: dict[str, list[Wait]]) -> None:
         self._run, self._motions = run, motions
@@ -96,7 +97,7 @@ class Polls:
     # ------------------------------------------------------------------------------------------- nesting
 
     def _nested(self, task: str, rows: list[Row], waits: list[Wait]) -> list[Wait]:
-        """Return the waits of a task, from the loops outermost first and their contents."""
+        """Return the waits of a task, with its loops resolved from the innermost outwards."""
         each: list[tuple[float, float, int, Row | Wait]] = [
             (row[2], -row[3], 0, row) for row in reversed(rows)
         ]
@@ -165,7 +166,10 @@ class Polls:
         whole: bool,
         items: list[Wait],
     ) -> list[Wait]:
-        """The wait of a loop in a stretch, up to its cause, in place of its `items`."""
+        """Return one wait for the loop up to its cause, in place of the `items`.
+
+        The items after the cause are returned too.
+        """
         begin, end = stretch
         longest = max((wait[3] - wait[2] for wait in items), default=0.0)
         late = MIN_STATEMENTS * self._cost + 2.0 * longest + ROUNDING
@@ -185,10 +189,11 @@ class Polls:
     def _ended(
         self, reads: frozenset[Read], begin: float, end: float, late: float, whole: bool
     ) -> Ended | None:
-        """Return the cause of the end of a wait for readings.
+        """Return what ended a wait that polls `reads`.
 
-        It is no more than `late` before its end if there may be others. With `whole` the loop itself ended;
-        if not, something in it that was not necessarily waited for.
+        The cause lies at most `late` before the end of the wait if other causes are possible. With `whole`
+        the loop itself ended; without it, only a section of the loop ended, which did not necessarily wait
+        for anything.
         """
         near = end + 2.5 * self._cost + ROUNDING
         found = [
@@ -219,13 +224,13 @@ class Polls:
         return end, "input", tuple(sorted(number for number in numbers if number is not None))
 
     def of_condition(self, wait: Wait, end: float) -> Ended | None:
-        """Return the cause of the end of a wait for a condition."""
+        """Return what ended a wait for a condition."""
         reads = self.asked(wait[1]).leaves
         late = 2.5 * self._cost + ROUNDING
         return self._ended(reads, wait[2], end, late, True) if reads else None
 
     def _changed(self, kind: str, number: int | None, begin: float, end: float) -> float | None:
-        """Return when something changed last after `begin` and up to `end`."""
+        """Return when something last changed after `begin` and up to `end`."""
         if kind in ("axis", "position"):
             return self._motions.last_end(number, begin, end)
         if self._changes is None:
@@ -236,7 +241,7 @@ class Polls:
         return times[place] if place >= 0 and times[place] > begin else None
 
     def _starts(self, lines: frozenset[int], begin: float, end: float) -> list[float]:
-        """Return when motion commanded by given lines began."""
+        """Return the start times of the motion that the given lines commanded."""
         first = bisect_left(self._started, (begin + ROUNDING,))
         last = bisect_left(self._started, (end - ROUNDING,))
         return [start for start, line in self._started[first:last] if line in lines]
@@ -247,7 +252,7 @@ def _has(reads: frozenset[Read], kind: str) -> bool:
 
 
 def _loops(run: Run) -> dict[str, list[Row]]:
-    """Return the loops of each task, including those it was in when the run ended."""
+    """Return the loops of each task, including those still running at the end."""
     found: dict[str, list[Row]] = {}
     for row in run.machine.log.loops.as_stored():
         found.setdefault(row[0], []).append(tuple(row))
@@ -260,7 +265,7 @@ def _loops(run: Run) -> dict[str, list[Row]]:
 
 
 def _up_to(rows: list[Any], place: int, time: float, since: Callable[[Any], float]) -> int:
-    """Return the index of the first row, from `place` on, not before a time."""
+    """Return the index of the first row, from `index` on, that is not before `time`."""
     while place < len(rows) and since(rows[place]) < time:
         place += 1
     return place
@@ -269,7 +274,7 @@ def _up_to(rows: list[Any], place: int, time: float, since: Callable[[Any], floa
 def _iterates(waits: list[Wait], loops: list[tuple[float, float]], begin: float, end: float) -> bool:
     """True if a loop iterated from `begin` to `end`.
 
-    A single WAIT or inner loop is no iteration.
+    A single WAIT or a single inner loop does not count as an iteration.
     """
     inside = fsum(min(until, end) - since for since, until in loops)
     times = Counter(wait[1] for wait in waits)
@@ -277,7 +282,7 @@ def _iterates(waits: list[Wait], loops: list[tuple[float, float]], begin: float,
 
 
 def _by_channel(changes: Iterable[object]) -> dict[int | None, list[float]]:
-    """Return when channels changed; under None any of them."""
+    """Return the times at which each channel changed; None has those of all channels."""
     found: dict[int | None, list[float]] = {None: []}
     for change in changes:
         found[None].append(change.time)  # type: ignore[attr-defined]
@@ -286,9 +291,9 @@ def _by_channel(changes: Iterable[object]) -> dict[int | None, list[float]]:
 
 
 def _innermost(spans: Iterable[Span]) -> Iterator[Span]:
-    """Yield nested spans, the outer ones first, as disjoint ones.
+    """Convert nested spans, outer ones first, to disjoint ones.
 
-    Each instant is that of the innermost span.
+    Each instant belongs to the innermost span.
     """
     around: list[Span] = []
     time = 0.0

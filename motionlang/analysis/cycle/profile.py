@@ -28,7 +28,7 @@ PROGRAM = "the program"
 
 @record
 class Share:
-    """Seconds of the path of one line, sub or axis; `total` includes its calls."""
+    """Seconds of the path due to one line, sub or axis; `total` includes its calls."""
 
     name: str
     line: int
@@ -49,12 +49,12 @@ class TimeProfile:
 
     @cached_property
     def tasks(self) -> list[TaskTime]:
-        """Each task's own time."""
+        """The time of each task."""
         return task_times(self.run, self._waits)
 
     @property
     def has_tasks(self) -> bool:
-        """True if there is more than the parent task."""
+        """True if there are tasks in addition to the parent."""
         return bool(self._waits.keys() - {parent_of(self.run)}) or bool(self.run.machine.log.slices)
 
     def waits(self) -> dict[str, Iterator[Waited]]:
@@ -69,12 +69,12 @@ class TimeProfile:
         return self._chain.links
 
     def spans(self) -> list[tuple[float, float, About]]:
-        """Return the links without an object for each."""
+        """Return times and shared fields of the links, without creating `Link` objects."""
         return self._chain.spans()
 
     @property
     def seconds(self) -> float:
-        """The sum of the critical path: the run's time."""
+        """The length of the critical path, which is the time of the run."""
         return fsum(term for _, terms in self._alike for term in terms)
 
     def lines(self) -> list[Share]:
@@ -84,7 +84,7 @@ class TimeProfile:
     def subs(self) -> list[Share]:
         """Return the path by sub: `seconds` in the sub itself, `total` with its calls.
 
-        Lines in no sub belong to the program.
+        Lines outside all subs belong to the program.
         """
 
         places = self._places
@@ -98,7 +98,7 @@ class TimeProfile:
         return self._shares(names)
 
     def kinds(self) -> list[Share]:
-        """Return the path by kind: travel of given axes, dwells, waits, computing."""
+        """Return the path by kind: travel by axes, dwells, waits, computing."""
 
         return self._shares(lambda link: ((_kind(link), 0),), own=True)
 
@@ -108,16 +108,16 @@ class TimeProfile:
         return [share for share in lines if share.line]
 
     def slacks(self) -> list[Slack]:
-        """Return which axis waited for which, if a task waited for several.
+        """Return which axis finished early although a task waited for several axes.
 
-        They had begun together.
+        The axes had begun together.
         """
         return slacks(self._chain.motions, self._waits)
 
     def report(self, *, critical_path: bool = True) -> dict[str, Any]:
         """Return the profile as plain data, schema `motionlang.cycle/2`.
 
-        The critical path, if requested, comes last.
+        The critical path comes last; it is omitted unless `critical_path` is set.
         """
         document: dict[str, Any] = {
             "schema": SCHEMA,
@@ -143,11 +143,11 @@ class TimeProfile:
         return self._places.sub(line)
 
     def total(self, links: Iterable[Link]) -> float:
-        """Return the seconds of some links."""
+        """Return the total duration of some links, seconds."""
         return fsum(link.duration for link in links)
 
     def shares_of(self, links: Iterable[Link]) -> list[Share]:
-        """Return some links by line, the longest first, without those that have no line."""
+        """Return some links by line, the longest first, without links that have no line."""
         made = self._shares(lambda link: ((str(link.place.line), link.place.line),), True, links)
         return [share for share in made if share.line]
 
@@ -158,9 +158,9 @@ class TimeProfile:
         links: Iterable[Link] | None = None,
         cause: Callable[[Link], str] = attrgetter("cause"),
     ) -> list[Share]:
-        """Return the path by the names of a link.
+        """Return the path grouped by the names of each link.
 
-        The first name has it as its own, all of them have it in their totals.
+        A link counts towards the own time of its first name, and towards the total of all of them.
         """
         mine: dict[str, dict[str, list[float]]] = {}
         totals: dict[str, list[float]] = {}
@@ -188,7 +188,7 @@ class TimeProfile:
 
 
 def _summed(links: Iterable[tuple[Link, list[float]]]) -> list[tuple[Link, list[float]]]:
-    """Links with a few terms in place of many durations, with an equal exact sum."""
+    """Replace many durations of a link by a few terms with the same exact sum."""
     return [(link, exact_terms(times)) for link, times in links]
 
 
@@ -209,7 +209,7 @@ def _row(each: object, *names: str) -> dict[str, Any]:
 
 
 def about_link(about: About) -> dict[str, Any]:
-    """Return the fields of a link in a report other than its times."""
+    """Return all fields of a link in a report except its times."""
     cause, place, task, axes, waited = about
     where = {"line": place.line, "sub": place.sub, "callers": place.callers}
     return {"cause": cause, **where, "task": task, "axes": axes, "wait_line": waited}

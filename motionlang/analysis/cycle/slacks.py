@@ -1,4 +1,4 @@
-"""Slack between axes that began together; in columns, as a shift has thousands."""
+"""Slack between axes that began together, in columns because a shift has many."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Slack:
 def slacks(motions: Motions, waits: Mapping[str, Sequence[Wait]]) -> list[Slack]:
     """Return the slacks, the longest first, where a task waited for several axes.
 
-    They had begun together, and it waited for the last one.
+    The axes had begun together, and the task waited for the last one.
     """
     waited: set[int] = set()  # in milliseconds
     for mine in waits.values():
@@ -53,7 +53,7 @@ def slacks(motions: Motions, waits: Mapping[str, Sequence[Wait]]) -> list[Slack]
 
 
 def _together(motions: Motions) -> Iterator[Group]:
-    """Yield the moves that began together on one line, by set of axes."""
+    """Yield the moves that began together on one line, grouped by their set of axes."""
     cuts, ends, axes, lines = motions.together()
     for width, firsts in _by_width(cuts):
         by_line = _columns(lines, firsts, width)
@@ -65,7 +65,7 @@ def _together(motions: Motions) -> Iterator[Group]:
 
 
 def _by_width(cuts: Sequence[int]) -> Iterator[tuple[int, Sequence[int]]]:
-    """Yield the groups of each width except 1."""
+    """Yield the groups by size, without those of size 1."""
     if isinstance(cuts, range):
         if cuts.step > 1:
             yield cuts.step, cuts[:-1]
@@ -76,7 +76,7 @@ def _by_width(cuts: Sequence[int]) -> Iterator[tuple[int, Sequence[int]]]:
 
 
 def _columns(values: Sequence[T], firsts: Sequence[int], width: int) -> list[list[T]]:
-    """The values at each of `firsts`, then at the positions after those, and so on."""
+    """Return the values at each of `firsts`, then at the next index of each, etc."""
     begin, end = firsts[0], firsts[-1]
     step = firsts[1] - begin if len(firsts) > 1 else width
     each = range(begin, end + 1, step)
@@ -103,7 +103,7 @@ def _one_by_one(
 def _by_last(ends: list[list[float]], waited: set[int]) -> Iterator[tuple[int, list[list[float]]]]:
     """Yield the axis that ended last and the ends of all, if a task waited for it.
 
-    If several ended last it is the first one.
+    If several axes ended last, the first of them is taken.
     """
     last = list(map(max, *ends))
     millis = [int(each * 1000.0) for each in last]

@@ -1,4 +1,4 @@
-"""Source positions: line, sub, and the lines that led there."""
+"""Source positions: line, sub, and the lines of the calls that led there."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class SourcePositions:
         return self._lines[at]
 
     def begin(self, task: str) -> SourcePosition | None:
-        """Return the first line of a task or an event handler, or of the program, or None."""
+        """Return the first line of a task, an event handler or the program, or None."""
         names = f"task {task}".lower(), f"event {task}".lower()
         block = next((block for block in self._blocks if block[0].lower() in names), None)
         if block is not None:
@@ -55,12 +55,12 @@ class SourcePositions:
         return None if first is None else self.at_line(first)
 
     def sub(self, line: int) -> str:
-        """Return the innermost block that contains a line."""
+        """Return the name of the innermost block that contains a line."""
         inside = [block for block in self._blocks if block[1] <= line <= block[2]]
         return min(inside, key=lambda block: block[2] - block[1])[0] if inside else ""
 
     def of(self, at: int, callers: tuple[int, ...]) -> SourcePosition:
-        """Return the source position of an offset that the offsets of `callers` led to."""
+        """Return the source position of an offset, reached through the calls at `callers`."""
         key = at, callers
         if key not in self._known:
             line = self.line(at)
@@ -68,7 +68,7 @@ class SourcePositions:
         return self._known[key]
 
     def called(self, line: int, callers: tuple[int, ...]) -> SourcePosition:
-        """Return the source position of a line that the lines of `callers` led to."""
+        """Return the source position of a line, reached through calls on `callers` lines."""
         key = line, callers
         if key not in self._called:
             self._called[key] = SourcePosition(line, self.sub(line), callers)

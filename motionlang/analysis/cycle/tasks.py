@@ -1,8 +1,8 @@
-"""Each task's own time: computing, waiting, and ready; it adds up to its life.
+"""The time of each task: computing, waiting and ready, which add up to its life.
 
-A single task has the processor whenever it does not wait. If several run, the log has which one computed in
-between. The rest of a task's life is time in which it was ready and others had the processor, or in which
-polls without effect were skipped.
+A single task has the processor whenever it does not wait. If several run, the log records which of them
+computed between waits. For the rest of its life a task was ready while others had the processor, or its polls
+without effect were skipped.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ if TYPE_CHECKING:
 
 @record
 class TaskTime:
-    """Seconds of one task from `begin` to `end`.
+    """The time of one task from `begin` to `end`, in seconds.
 
-    They are `waiting` by cause, `computing`, and `ready` while others computed.
+    It splits into `waiting` by cause, `computing`, and `ready` while other tasks computed.
     """
 
     name: str
@@ -42,7 +42,7 @@ class TaskTime:
 
     @property
     def life(self) -> float:
-        """The duration of its life."""
+        """The time from the start of the task to its end, seconds."""
         return self.end - self.begin
 
 
@@ -53,7 +53,7 @@ def told(waits: Iterable[Wait]) -> Iterator[Wait]:
 
 
 def all_waits(run: Run) -> dict[str, list[Wait]]:
-    """The waits of each task in order of time, including those at the run's end."""
+    """Return the waits of each task in order of time, with those open at the end."""
     found: dict[str, list[Wait]] = {}
     for name, waits in groupby(map(whole, run.machine.log.waits.as_stored()), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
@@ -68,12 +68,15 @@ def all_waits(run: Run) -> dict[str, list[Wait]]:
 
 
 def parent_of(run: Run) -> str:
-    """Return the name of the task whose end is the program's."""
+    """Return the name of the task whose end is the end of the program."""
     return run.machine.scheduler.parent.name if run.machine.scheduler is not None else ""
 
 
 def ended_at(run: Run) -> float:
-    """When the program had ended, if it has; motion may have continued after that."""
+    """Return when the program ended, or the end of the run if it had not ended.
+
+    Motion may have continued after that.
+    """
     scheduler = run.machine.scheduler
     return run.time if scheduler is None or scheduler.ended is None else scheduler.ended
 

@@ -1,1 +1,1 @@
-"""Differences of two runs, or a run and its golden report, aligned by content."""
+"""Differences between two runs, or a run and its golden report, by content."""

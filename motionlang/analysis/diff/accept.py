@@ -2,7 +2,7 @@
 
 A change is one that a person can accept or reject: the moves of one line that have changed equally, moves
 that were inserted or removed together, a printed line, an event, an error, a field. Consequences of changes
-do not count: moves, events and the end of the run shift with the changes accepted before them.
+are not changes: moves, events and the end of the run shift with the accepted changes before them.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Change:
 
     @property
     def key(self) -> tuple[str, object]:
-        """The identity of the change in a difference."""
+        """The key that identifies the change within a difference."""
         return self.kind, id(self.what) if isinstance(self.what, LineChange) else self.what
 
 
@@ -47,7 +47,7 @@ def changes(found: Difference) -> list[Change]:
 
 
 def merged(old: Report, new: Report, found: Difference, accepted: Collection[Change]) -> dict[str, Any]:
-    """Return the old report with the accepted changes, as a report of its own."""
+    """Return the old report with the accepted changes applied."""
     keys = {change.key for change in accepted}
     line = Timeline()
     moves, shifts = _moves(old, new, found, keys, line)
@@ -82,7 +82,10 @@ def merged(old: Report, new: Report, found: Difference, accepted: Collection[Cha
 def _moves(
     old: Report, new: Report, found: Difference, keys: set[tuple[str, object]], line: Timeline
 ) -> tuple[list[Move], tuple[list[tuple[float, float]], list[tuple[float, float]]]]:
-    """Return the moves of both, and the shifts of old and new begins and ends by time."""
+    """Return the moves of the merged report, and the time shifts of both sides.
+
+    The shifts have, for old and new, the shift of each begin and end by its time.
+    """
     was, is_ = old.get("moves", []), new.get("moves", [])
     made: list[Move] = []
     shifts: tuple[list[tuple[float, float]], list[tuple[float, float]]] = ([], [])
@@ -111,7 +114,7 @@ def _moves(
 
 
 def _shift(shifts: list[tuple[float, float]], time: float) -> float:
-    """Return the shift at a time: that of the move that began or ended last before."""
+    """Return the shift at a time, which is that of the last begin or end before."""
     place = bisect_right(shifts, (time + 1e-9, float("inf")))
     return shifts[place - 1][1] if place else 0.0
 
@@ -128,9 +131,9 @@ def _chosen(old: list[Any], new: list[Any], pairs: list[Pair], accepted: set[obj
 def _sided(
     old: list[Any], new: list[Any], pairs: list[Pair], accepted: set[object]
 ) -> Iterator[tuple[int, Any]]:
-    """Yield entries of a list in order, with 1 for the new side, 0 for the old one.
+    """Yield the entries of the merged list in order, with 1 for new ones, 0 for old.
 
-    Equal ones count as new.
+    Equal entries count as new.
     """
     for i, j, number in pairs:
         take = number is None or number in accepted

@@ -1,6 +1,6 @@
 """Alignment of two sequences by content: the longest common subsequence.
 
-It is found from both ends and by Myers' greedy algorithm.
+Common entries at both ends are removed first; the rest uses Myers' greedy algorithm.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ MAX_EDITS = 600
 
 
 def common(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
-    """The positions of common entries, in order; None beyond `MAX_EDITS` edits."""
+    """Return the positions of common entries, in order; None beyond `MAX_EDITS` edits."""
     first = 0
     while first < len(a) and first < len(b) and a[first] == b[first]:
         first += 1
@@ -38,7 +38,7 @@ def common(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
 def _too_different(a: Sequence[Hashable], b: Sequence[Hashable]) -> bool:
     """True if more than `MAX_EDITS` entries have no counterpart in any order.
 
-    Each of them is an edit.
+    Each of these entries is an edit.
     """
     here, there = Counter(a), Counter(b)
     return (here - there).total() + (there - here).total() > MAX_EDITS
@@ -47,7 +47,7 @@ def _too_different(a: Sequence[Hashable], b: Sequence[Hashable]) -> bool:
 def _latest(pairs: Pairs, a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs:
     """Return the pairs with insertions and deletions as late as possible.
 
-    Of a loop that continues they are the last iterations.
+    If a loop runs longer, the inserted entries are therefore its last iterations.
     """
     made: Pairs = []
     i_last = j_last = -1
@@ -101,10 +101,10 @@ def _backtrack(
 def aligned(
     a: Sequence[object], b: Sequence[object], *keys: Callable[[object], Hashable]
 ) -> list[tuple[int | None, int | None]]:
-    """Every entry of both, in order, with its counterpart in the other, or None.
+    """Return every entry of both, in order, with its counterpart or None.
 
-    Entries correspond that are equal by the first key; between these, by the next one; by the last key, if
-    all are too different, the first of one to the first of the other.
+    Entries that are equal by the first key are paired, those between them by the next key, and so on. If the
+    sequences differ too much for the last key, the nth entry of a kind is paired with the nth of the other.
     """
     if not keys:
         return [*((i, None) for i in range(len(a))), *((None, j) for j in range(len(b)))]

@@ -1,4 +1,4 @@
-"""The time difference of two runs by program line, along the critical paths."""
+"""The time difference between two runs by program line, along the critical paths."""
 
 from __future__ import annotations
 
@@ -19,9 +19,10 @@ NOTHING = 1e-9
 
 @record
 class Charge:
-    """How many `seconds` more a run waited for a line.
+    """How many `seconds` longer the new run waited for a line.
 
-    `old` and `new` are its numbers in the two programs: None if it is only in one of them, 0 for no line.
+    `old` and `new` are the line's numbers in the two programs: None if only the other program has the line, 0
+    for time that belongs to no line.
     """
 
     old: int | None
@@ -36,7 +37,7 @@ def _words(line: object) -> str:
 def charged(old: Run, new: Run) -> list[Charge]:
     """Return the lines that the new run waited for longer or shorter, largest first.
 
-    Together they are its time difference.
+    Their seconds add up to the time difference of the runs.
     """
     text, other_text = (run.source.text.split("\n") for run in (old, new))
     was, is_ = ({share.line: share.seconds for share in TimeProfile(run).lines()} for run in (old, new))

@@ -1,4 +1,4 @@
-"""The literals of two programs that differ, by address."""
+"""The literals that differ between two programs, by address."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @record
 class ChangedLiteral:
-    """A number with another value; `old_address` is None if its line has not moved."""
+    """A number with a different value; `old_address` is None for the same address."""
 
     address: str
     old_address: str | None
@@ -23,9 +23,10 @@ class ChangedLiteral:
 
 
 def changed_literals(old: Run, new: Run) -> list[ChangedLiteral]:
-    """Return the literals with another value, in the order of the new program.
+    """Return the literals with a different value, in the order of the new program.
 
-    The literals of both programs are aligned by what they are written to. There are none if the languages differ.
+    The literals of both programs are aligned by what they are assigned to. There are none if the languages
+    differ.
     """
     if old.dialect.name != new.dialect.name or old.source.text == new.source.text:
         return []

@@ -36,7 +36,7 @@ TOGETHER = 50_000
 class Divergence:
     """The machine `time` at which `axis` first differs, and the largest distance, uu.
 
-    The distance has its time.
+    The time of the largest distance is included.
     """
 
     axis: int
@@ -48,7 +48,7 @@ class Divergence:
 def divergence(old: Run, new: Run, tolerance: float = 0.0) -> Divergence | None:
     """Return the first divergence of all common axes; None if there is none.
 
-    Only the time up to the end of both runs counts.
+    Only the time before the first end of the two runs is compared.
     """
     end = min(old.time, new.time)
     found = [
@@ -84,7 +84,7 @@ def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Divergence | Non
 
 
 def _sample_times(a: Axis, b: Axis, end: float) -> Iterator[list[float]]:
-    """Yield the times at which two axes are compared, many at once."""
+    """Yield the times at which two axes are compared, in batches."""
     edges = np.fromiter(_edges(a, b, end), dtype=np.float64)
     for first in range(0, len(edges) - 1, TOGETHER):
         some = edges[first : first + TOGETHER + 1]
@@ -95,9 +95,9 @@ def _sample_times(a: Axis, b: Axis, end: float) -> Iterator[list[float]]:
 def _candidates(
     a: Axis, b: Axis, times: Sequence[float], tolerance: float
 ) -> tuple[list[int], Sequence[int]]:
-    """Return the times of the farthest distance of two axes, and of excessive ones.
+    """Return the times at which two axes may be farthest apart, or beyond tolerance.
 
-    The tables are nearly exact.
+    The positions come from tables that are nearly exact; a margin covers their error.
     """
     one, other = _positions(a, times), _positions(b, times)
     if one is None or other is None:
@@ -125,7 +125,10 @@ def _positions(axis: Axis, times: Sequence[float]) -> Array | None:
 
 
 def _edges(a: Axis, b: Axis, end: float) -> list[float]:
-    """Return when profiles of either began up to the end, without an equal start."""
+    """Return the start times of both axes' profiles after their common beginning.
+
+    Only starts up to `end` are included, and `end` itself.
+    """
     tracks = WholeTrack(a), WholeTrack(b)
     same, pairs = (
         0,

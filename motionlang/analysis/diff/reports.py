@@ -1,8 +1,8 @@
 """Comparison of two reports: duration, motion, prints, and other fields.
 
-Moves are aligned by their axis, command and distance, prints by their words, and not by their numbers; the
-line of a move may differ. A shift caused by a longer earlier move is no difference of its own: only the time
-between two moves is compared.
+Moves are aligned by their axis, command and distance; the line of a move may differ. Prints are aligned by
+their words, regardless of the numbers in them. A shift caused by a longer earlier move is not a difference:
+only the time between two moves is compared.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ PLACED = ("limit", "soft limit", "following error")
 class LineChange:
     """The differences of the moves of one line: their number, figures, and total time.
 
-    `figures` has for each field that differs its first old and new value; `duration` and `wait` are sums, s:
-    of the moves themselves, and of the time between them and the ones before.
+    `figures` has the first old and new value of each field that differs. `duration` and `wait` are sums in
+    seconds: `duration` of the moves themselves, `wait` of the time between each move and the one before it.
     """
 
     __slots__ = ("axis", "command", "count", "duration", "figures", "first_time", "new", "old", "wait")
@@ -61,11 +61,11 @@ class LineChange:
 
 
 class Difference:
-    """The difference of one report from another; `same` if there is none.
+    """The difference between two reports; `same` if there is none.
 
-    `pairs` has every move of both with its counterpart, and the `LineChange` that reports them; `hunks` has
-    by such positions the moves that were inserted or removed together; `printed`, `happened` and `told` are
-    the pairs of prints, events, errors.
+    `pairs` has every move of both with its counterpart, and the `LineChange` that reports them. `hunks` has,
+    by the same positions, the moves that were inserted or removed together. `printed`, `happened` and
+    `reported` are the pairs of prints, events and errors.
     """
 
     def __init__(self) -> None:
@@ -96,7 +96,7 @@ class Difference:
 
     @property
     def others(self) -> list[str]:
-        """Other differences, of all fields."""
+        """Differences in other fields, in order."""
         return [line for lines in self.fields.values() for line in lines]
 
     @property
@@ -117,14 +117,14 @@ class Difference:
 
     @property
     def first(self) -> tuple[float, int] | None:
-        """Time and axis of the first difference in motion, as far as reports show it."""
+        """Time and axis of the first difference in motion that the reports show."""
         times = [(each["start_time"], each["axis"]) for each in (*self.gone, *self.new)]
         times += [(each.first_time, each.axis) for each in self.lines if each.is_motion]
         return min(times, default=None)
 
     @property
     def is_commanded(self) -> bool:
-        """True if moves differ in their commands, and none in its motion."""
+        """True if moves differ in their commands but not in their motion."""
         return bool(self.lines) and self.first is None
 
 
@@ -167,7 +167,7 @@ def checked(report: object) -> dict[str, Any]:
 
 
 def difference(old: Report, new: Report, tolerance: Tolerance = EXACT) -> Difference:
-    """Compare two reports of any version; ValueError if one of them is no report."""
+    """Compare two reports of any version; ValueError if one of them is not a report."""
     old, new = checked(old), checked(new)
     found = Difference()
     if not tolerance.same(old.get("time"), new.get("time"), "time"):
@@ -204,9 +204,10 @@ def _by_kind(move: Any) -> tuple[object, ...]:
 
 
 def _at_lines(old: list[Move], new: list[Move], content: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """Return a key by contents and by the line in the new program, if it is certain.
+    """Return a key of a move by content and its line in the new program, if certain.
 
-    Reports have no text; a line is recognised by the moves that it commands, in the order of the lines.
+    Reports have no program text. A line is recognised by the moves that it commands, in the order of the
+    lines.
     """
     here = [_lines_of(moves) for moves in (old, new)]
     pairs = common([kinds for _, kinds in here[0]], [kinds for _, kinds in here[1]]) or []
@@ -327,7 +328,7 @@ def _prints(found: Difference, old: list[str], new: list[str]) -> None:
 
 
 def _events(found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance) -> None:
-    """Compare events by content and line, regardless of shifts with the motion."""
+    """Compare events by content and line; shifts along with the motion do not count."""
     shifts = sorted(found.later)
     for i, j in aligned(old, new, _by_happening, _by_axis):
         was, is_ = None if i is None else old[i], None if j is None else new[j]
@@ -349,9 +350,9 @@ def _events(found: Difference, old: list[Move], new: list[Move], tolerance: Tole
 
 
 def _later(shifts: list[tuple[float, int, float]], event: Move) -> list[float]:
-    """Return the shifts that an event may have.
+    """Return the shifts that are accepted for an event.
 
-    They are none, that of the last motion, and that of the last one of its axis.
+    They are 0, the shift of the last motion, and the shift of the last motion of the event's axis.
     """
     found = [0.0]
     place = bisect_right(shifts, (event["time"] + 1e-9, inf)) - 1

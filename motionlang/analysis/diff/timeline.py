@@ -1,7 +1,8 @@
 """Two runs compared move by move, with the times of a third, merged run.
 
-A move that comes later because one before it takes longer waits no longer. The one before it is the last that
-was over before it began; if moves were inserted or removed just before, each run has its own.
+A move that begins later because an earlier one takes longer does not wait longer. The wait of a move is
+counted from the last move that ended before it began. If moves were inserted or removed just before, each run
+has its own such move.
 """
 
 from __future__ import annotations
@@ -34,7 +35,8 @@ class Timeline:
     def pair(self, a: Move, b: Move, old: Move | None = None, accepted: bool = True) -> tuple[float, float]:
         """Return how much longer `b` waited than `a`, and its start in the merged run.
 
-        There it waits like `b` if that is accepted; `old` is the one of the two that it moves like (`b`).
+        In the merged run it waits like `b` if `accepted`, like `a` if not. `old` is the one of the two whose
+        duration the merged run has; the default is `b`.
         """
         start, other = a["start_time"], b["start_time"]
         was, is_ = self._before(0, start), self._before(1, other)
@@ -54,9 +56,9 @@ class Timeline:
         return wait, begin
 
     def alone(self, move: Move, side: int, kept: bool) -> float:
-        """Return the start in the merged run of a move of the old (0) or new (1) run only.
+        """Return the start in the merged run of a move that only one of the runs has.
 
-        It is in the merged run if it is `kept`.
+        `side` is 0 for the old run, 1 for the new one. The merged run has the move only if `in_merged`.
         """
         start: float = move["start_time"]
         last = self._before(side, start)
@@ -72,7 +74,7 @@ class Timeline:
             self._made = made
 
     def _before(self, side: int, start: float) -> End:
-        """Return the last move of a run that was over at a time."""
+        """Return the last move of a run that ended before `start`."""
         ends = self._ends[side]
         while ends and ends[0][0] <= start + NEAR:
             last = heapq.heappop(ends)

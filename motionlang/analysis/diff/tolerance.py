@@ -29,7 +29,7 @@ class Tolerance:
     def __init__(self, *texts: str) -> None:
         """Parse texts such as "time=1ms", "position=0.01uu", "speed=2%".
 
-        Raises ValueError for any other.
+        Raises ValueError for any other text.
         """
         self._sizes: dict[str, float] = {}
         self._parts: dict[str, float] = {}
@@ -56,7 +56,7 @@ class Tolerance:
         return self._sizes.get(kind, 0.0)
 
     def same(self, expected: object, found: object, field: str = "") -> bool:
-        """True if two values of a field are equal within the tolerance."""
+        """True if two values of a field are equal within its tolerance."""
         if isinstance(expected, float) and isinstance(found, float):
             kind = FIELDS.get(field, "")
             size = max(abs(expected), abs(found))

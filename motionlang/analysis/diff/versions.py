@@ -1,6 +1,7 @@
 """Read reports of `motionlang.report/1` under the field names of version 2.
 
-`FIELDS` and `VALUES` are the only record of the old names; `docs/report.md` shows them and a test compares the two.
+`FIELDS` and `VALUES` are the only record of the old names; `docs/report.md` shows them and a test compares
+both.
 """
 
 from __future__ import annotations

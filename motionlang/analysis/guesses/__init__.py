@@ -70,8 +70,8 @@ class Guesses:
     """The guesses for one program.
 
     `inputs` and `analogue` have the entry of each channel, `answers` the lines for each question in order, `keys` the
-    key entries, `axes` the settings of each axis by key. `fixed` are settings that a person gave, which no guess
-    changes.
+    key entries, `axes` the settings of each axis by key. `fixed` are settings that a person gave; no guess
+    changes them.
     """
 
     def __init__(self, fixed: dict[str, object] | None = None) -> None:
@@ -88,7 +88,7 @@ class Guesses:
 
     @property
     def count(self) -> int:
-        """The number of entries and axes that are guesses."""
+        """The number of guessed entries and axes."""
         return (
             len(self.inputs)
             + len(self.analogue)
@@ -114,7 +114,7 @@ class Guesses:
     def line(self, result: Run, at: int) -> int:
         """Return the line of a source offset.
 
-        Finding one costs as much as parsing the program.
+        The lines are cached, because finding one costs as much as parsing the program.
         """
         found = self._lines.get(at)
         if found is None:
@@ -124,9 +124,9 @@ class Guesses:
     # ------------------------------------------------------------------------------------------------- inputs
 
     def guard(self, reads: list[InputRead]) -> None:
-        """Switch on the inputs at whose level 0 the program jumps away.
+        """Switch on the inputs that make the program jump away while they are off.
 
-        Inputs for whose level 0 it also waits stay unchanged.
+        An input for whose level 0 the program also waits stays unchanged.
         """
         for read in reads:
             off = any(
@@ -145,7 +145,7 @@ class Guesses:
     def complete(self, reads: list[InputRead]) -> bool:
         """Guess inputs for the waits that the program has not reached.
 
-        False if there are none.
+        Returns False if there are no such waits.
         """
         levels: dict[int, set[int | None]] = {}
         for read in reads:
@@ -163,9 +163,9 @@ class Guesses:
         return any(each["channel"] == channel for each in entries)
 
     def flip(self, channel: int, since: float, result: Run) -> bool:
-        """Let an input have the other level after `since`.
+        """Let an input change to its other level after `since`.
 
-        False if no form of entry is left for it.
+        Returns False if all forms of the entry have been tried.
         """
         if self.is_fixed(channel):
             return False
@@ -194,7 +194,7 @@ class Guesses:
     def level(self, channel: int, since: float) -> bool:
         """Give an analogue input the next level after `since`.
 
-        False if all have been tried.
+        Returns False if all levels have been tried.
         """
         before = self.analogue.get(channel)
         tried = LEVELS.index(before["value"]) + 1 if before is not None else 0
@@ -206,7 +206,7 @@ class Guesses:
     # ------------------------------------------------------------------------------------------------ answers
 
     def answer(self, question: str, result: Run) -> bool:
-        """Answer a question that has no answer left, or change the one that was rejected."""
+        """Add an answer to a question, or change the last one if it was rejected."""
         given = self.answers.setdefault(question, [])
         tried = self._tried.setdefault(question, [])
         if given and _acted_since_answer(result):
@@ -225,7 +225,10 @@ class Guesses:
     # --------------------------------------------------------------------------------------------------- axes
 
     def home(self, axis: int, result: Run) -> bool:
-        """Put the home switch ahead of a moving axis, or index marks on its encoder."""
+        """Put the home switch ahead of a moving axis, or index marks on its encoder.
+
+        Returns False if the axis is at rest or has both.
+        """
         a = result.controller.axes[axis]
         velocity = a.profiles[-1].end_velocity / a.scale.counts if a.profiles else 0.0
         if not velocity:
@@ -243,12 +246,12 @@ class Guesses:
 
 
 def answer_entry(question: str, text: str) -> Entry:
-    """Return the entry of an answer; one without a question answers any INPUT."""
+    """Return the entry of an answer; without a question it answers any INPUT."""
     return {"prompt": question, "text": text} if question else {"text": text}
 
 
 def rounded(value: float) -> float:
-    """Return a figure with two digits that count, as a person would guess it."""
+    """Return a figure with two significant digits, as a person would guess it."""
     return float(f"{value:.2g}")
 
 
@@ -259,7 +262,7 @@ def guessed(
     fixed: dict[str, object],
     reads: list[InputRead] | None = None,
 ) -> tuple[Guesses, Run]:
-    """Return the guesses with which a program goes on, and the run with all of them.
+    """Return the guesses with which a program continues, and the run with all of them.
 
     `reads` are the program's `input_reads`, `fixed` the settings that no guess changes.
     """
@@ -282,7 +285,7 @@ def guessed(
 def _improve(guesses: Guesses, result: Run, reads: list[InputRead]) -> bool:
     """Change a guess where the program is stuck.
 
-    False if it is not stuck, or if nothing is left to guess.
+    Returns False if it is not stuck, or if nothing is left to guess.
     """
     lost = [axis for axis, homing in result.controller.homings.items() if homing.in_vain]
     changed = [guesses.home(axis, result) for axis in lost]
@@ -301,7 +304,7 @@ def _improve(guesses: Guesses, result: Run, reads: list[InputRead]) -> bool:
 
 
 def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: Task) -> bool:
-    """Change a guess for the wait of a task that nothing ends."""
+    """Change a guess for a wait that never ends."""
     wait = task.wait
     if wait is None or wait.due() != float("inf"):
         return False
@@ -342,9 +345,9 @@ def _press(guesses: Guesses, result: Run, reads: list[InputRead]) -> bool:
 
 
 def _improve_polls(guesses: Guesses, result: Run, reads: list[InputRead], tasks: list[Task]) -> bool:
-    """Change a guess for a loop on an input that has no guess yet.
+    """Change a guess for a polling loop on an input that has no guess yet.
 
-    The program is in the loop, or its time ran out.
+    The program is in the loop, or reached the time limit there.
     """
     polls = [each for each in reads if each.kind == "poll" and each.channel not in guesses.inputs]
     if not polls:
@@ -365,7 +368,7 @@ def _improve_polls(guesses: Guesses, result: Run, reads: list[InputRead], tasks:
 def _cause(since: float, result: Run) -> tuple[int, int] | None:
     """Return the output that was set last before `since`, and its level.
 
-    None if the program did anything in between.
+    Returns None if the program did anything else in between.
     """
     log = result.machine.log
     outputs = [
@@ -382,7 +385,7 @@ def _cause(since: float, result: Run) -> tuple[int, int] | None:
 
 
 def _entered(guesses: Guesses, result: Run, loop: InputRead) -> float:
-    """Return when the program had its last wait outside a loop that it is in."""
+    """Return when the last wait outside `loop` ended."""
     ends = [0.0]
     for wait in result.machine.log.waits:
         if not loop.line <= guesses.line(result, wait.at) <= loop.last:
@@ -391,7 +394,7 @@ def _entered(guesses: Guesses, result: Run, loop: InputRead) -> float:
 
 
 def _last_act(result: Run) -> float:
-    """Return when the program last moved, set an output, printed or was answered."""
+    """Return when the program last moved, set an output, printed or read an input."""
     log = result.machine.log
     ends = [move.start_time + move.profile.duration for move in log.moves if move.profile is not None]
     ends += [each.time for each in log.outputs] + [each.time for each in log.prints]
@@ -407,7 +410,7 @@ def _answered_at(result: Run) -> float:
 def _acted_since_answer(result: Run) -> bool:
     """True if the program moved or set an output since its last answer.
 
-    In that case it asks for the next cycle.
+    In that case the next question belongs to the next cycle.
     """
     time, log = _answered_at(result), result.machine.log
     return any(move.start_time > time for move in log.moves) or any(each.time > time for each in log.outputs)
@@ -416,14 +419,14 @@ def _acted_since_answer(result: Run) -> bool:
 def _printed_since_answer(result: Run) -> str:
     """Return the text printed since the last answer.
 
-    It has the reason why the answer was rejected, and the question.
+    It contains the reason why the answer was rejected, and the question.
     """
     time = _answered_at(result)
     return "\n".join(each.text for each in result.machine.log.prints if each.time >= time)
 
 
 def _middle(found: tuple[str, str]) -> str:
-    """Return the middle of a range, a whole number if that lies in it."""
+    """Return the middle of a range, as an integer if an integer lies in the range."""
     low, high = float(found[0]), float(found[1])
     middle = (low + high) / 2
     return f"{int(middle) if int(middle) >= low else middle:g}"

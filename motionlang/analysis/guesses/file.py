@@ -1,6 +1,6 @@
 """Text of a draft machine file: guesses, and limits to fill in.
 
-Each guess comes with the line of the program that needs it.
+Each guess is preceded by the line of the program that needs it.
 """
 
 from __future__ import annotations

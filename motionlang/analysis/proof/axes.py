@@ -29,10 +29,10 @@ FOUR = (0.05, 0.35, 0.65, 0.95)
 def check_profile(
     proof: Proof, a: WholeTrack, i: int, order: Order, earlier: Order, shifted: bool, length: float
 ) -> None:
-    """Check a profile planned from the settings, and the continuity of all pieces.
+    """Check a profile planned from the settings, and the continuity of its pieces.
 
-    The bounds are speed, rates, jerk and time. A profile that was `shifted` is the one before, which was
-    ordered `earlier`, at a new zero.
+    The bounds are speed, rates, jerk and time. If `shifted`, the profile is a copy of the previous one at a
+    new zero; the previous one was planned by the order `earlier`.
     """
     profile = a.profiles[i]
     proof.counts["profiles"] += order.kind != "rest"
@@ -81,8 +81,8 @@ def check_profile(
 def _check_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size: float, where: str) -> None:
     """Check that a planned profile takes as long as its bounds require, and its end.
 
-    This applies from any initial state. `size` is the position at which it begins, at the zero before it or
-    its own, whichever is farther away.
+    This applies from any initial state. `size` is the initial position in the coordinates before or after a
+    new zero, whichever is larger; it scales the rounding.
     """
     by = law(order.shape, order.rates, order.jerks, order.ramp)
     v0, a0 = begun.velocity, begun.acceleration
@@ -110,7 +110,7 @@ def _check_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size
 
 
 def _to_go(profile: Profile, order: Order, begun: Begin) -> tuple[float, float]:
-    """The distance of a move after its initial flank, and the stepper's saving, s.
+    """Return the distance of a move after its initial flank, and a stepper's gain, s.
 
     A stepper stops at once at the velocity of its step, as if it came to rest that much later and farther on.
     """
@@ -119,9 +119,9 @@ def _to_go(profile: Profile, order: Order, begun: Begin) -> tuple[float, float]:
 
 
 def _slowing(profile: Profile, order: Order, begun: Begin) -> Slowing:
-    """Return how it reaches its speed.
+    """Return how a profile that begins too fast reaches its speed.
 
-    If the distance does not suffice for this and a stop, it is a higher speed.
+    If the distance does not suffice for this and a stop, the speed is higher.
     """
     by = law(order.shape, order.rates, order.jerks, order.ramp)
     v0, a0, speed = begun.velocity, begun.acceleration, order.speed
@@ -136,7 +136,7 @@ def _slowing(profile: Profile, order: Order, begun: Begin) -> Slowing:
 
 
 def _check_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
-    """Check that a profile begins and ends like its pieces, as joins depend on it."""
+    """Check that a profile begins and ends like its pieces, which checks of joins use."""
     profile = a.profiles[i]
     duration = profile.duration
     if not isfinite(duration) or not duration:
@@ -189,6 +189,6 @@ def _check_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[
 
 
 def _counts(a: WholeTrack, order: Order) -> float:
-    """Return the counts per unit of rates: those of a path are in user units."""
+    """Return the counts per unit of the rates; the rates of a path are in user units."""
     path = order.path
     return 1.0 if path is None else abs(path.scales[path.members.index(a.index)])

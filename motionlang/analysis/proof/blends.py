@@ -1,7 +1,7 @@
-"""Checks of overlapping paths: at most two, each within its bounds, and their sum.
+"""Checks of blended paths: at most two overlap, and each observes its own bounds.
 
-So the sum observes the bounds that the program has set for both. A stop, an override or a limit acts on each
-of them.
+Their sum then observes the bounds that the program has set for both. A stop, an override or a limit acts on
+each of them.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ SHARES = (0.0, 0.35, 0.65, 0.95)
 
 
 def check_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
-    """Check the paths blended with a profile's path, while the profile is in force."""
+    """Check the paths blended with a profile's path while the profile is in force."""
     path, begin = order.path, master.starts[i]
     assert path is not None
     if begin == path.begun:
@@ -60,9 +60,10 @@ def check_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order
 
 
 def _tail_in_force(run: Run, master: WholeTrack, i: int, tail: Order) -> Order:
-    """Return the order that a blended path was planned by.
+    """Return the order by which a blended path was planned.
 
-    One that is stopped or suspended, and could not stop before its end by the present rates, is as planned.
+    A stopped or suspended path that could not stop before its end by the present rates continues by its
+    earlier order.
     """
     assert tail.path is not None
     if not tail.path.rests or stops_within(run, tail, master.starts[i]):
@@ -77,7 +78,7 @@ def _tail_in_force(run: Run, master: WholeTrack, i: int, tail: Order) -> Order:
 
 
 def _suspended_by(run: Run, master: WholeTrack, i: int, tail: Order) -> Order | None:
-    """Return the order by which a resumed path was run until then.
+    """Return the order of a resumed path while it was suspended.
 
     None if it was not suspended.
     """
@@ -91,9 +92,9 @@ def _suspended_by(run: Run, master: WholeTrack, i: int, tail: Order) -> Order | 
 
 
 def _check_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order) -> None:
-    """Check that a path begins at its distance before the end of the one before it.
+    """Check that a path begins at its blend distance before the end of the last one.
 
-    It begins as soon as everything it waits for is there.
+    It may begin later only at one of the times of `_causes`.
     """
     path, begin = order.path, master.starts[i]
     assert path is not None
@@ -143,12 +144,12 @@ def _check_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
 
 
 def _pairs(run: Run, path: PathOrder, moves: Sequence[Move]) -> Iterator[tuple[Move, Move]]:
-    """Yield the entries of a path, each with that of the path before it."""
+    """Yield the entries of a path, each with the corresponding entry in `moves`."""
     return zip(run.members(path), moves, strict=False)
 
 
 def _planned(run: Run, move: Move) -> float:
-    """Return when the run of joined paths of an entry began, and was planned as one."""
+    """Return when the joined paths up to an entry began, which were planned as one."""
     while (before := run.path_before(move)) is not None and before.profile is not None:
         end = before.start_time + before.profile.duration
         at_rest = not before.profile.velocity(before.profile.duration)
@@ -159,7 +160,7 @@ def _planned(run: Run, move: Move) -> float:
 
 
 def _left(way: PathLayout, profiles: Sequence[tuple[Profile, float]]) -> tuple[float | None, float]:
-    """The remaining distance of a path, None if unknown, and its speed along it."""
+    """Return the remaining distance of a path, None if unknown, and its speed."""
     parts = [
         (end - profile.position(time), profile.velocity(time), end - start, abs(k))
         for (profile, time), start, end, k in zip(
@@ -175,9 +176,9 @@ def _left(way: PathLayout, profiles: Sequence[tuple[Profile, float]]) -> tuple[f
 
 
 def _causes(run: Run, before: Move, prompts: Sequence[tuple[float, str]], begin: float) -> Iterator[float]:
-    """Yield the times at which a path may begin late.
+    """Yield the times at which a path may begin later than its blend distance.
 
-    They are those of a prompt, and of the end of a path that the one before is blended with.
+    They are the times of prompts, and the end of a path with which the previous one is blended.
     """
     yield from (time for time, _ in prompts)
     entries = run.paths[before.axis]

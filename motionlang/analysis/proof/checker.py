@@ -28,8 +28,9 @@ ROUNDED = 4e-16
 class Proof:
     """The results of a proof.
 
-    `counts` of checked items, the `worst` use of each bound (1.0: all of it), `exceptions` that the program
-    has commanded by name, and `violations`, each a diagnostic at its line.
+    `counts` has the number of checked items, `worst` the largest used fraction of each bound (1.0 is all of
+    it), `exceptions` the violations that the program commanded, by name, and `violations` the others, each as
+    a diagnostic at its line.
     """
 
     def __init__(self) -> None:
@@ -62,7 +63,7 @@ class Proof:
         self.exceptions[name] = self.exceptions.get(name, 0) + 1
 
     def uses(self, name: str, figure: float, bound: float) -> bool:
-        """Record the fraction of a bound that is used; True if it is observed."""
+        """Record the used fraction of a bound; True if the bound is observed."""
         if bound == inf:
             return True
         share = figure / bound if bound else (0.0 if figure <= SLACK else inf)
@@ -74,7 +75,7 @@ class Proof:
 
 
 class Uses:
-    """The bounds of one profile; each violation is reported once, at its worst."""
+    """The used bounds of one profile; each violation is reported once, at its worst."""
 
     __slots__ = ("_broken", "_proof")
 
@@ -85,7 +86,7 @@ class Uses:
     def compare(self, name: str, figure: float, bound: float) -> None:
         """Compare a figure with its bound.
 
-        The text after "of" in the name is omitted from the totals.
+        The totals omit the text after "of" in the name.
         """
         if not self._proof.uses(name.split(" of axis")[0], figure, bound):
             self._broken[name] = max(self._broken.get(name, (0.0, bound)), (figure, bound))
@@ -97,7 +98,7 @@ class Uses:
 
 
 class Offsets:
-    """The entries of one axis superposed on its following, by start time."""
+    """The superposed offset entries of one axis, by start time."""
 
     __slots__ = ("_ends", "_moves", "_starts", "_sums")
 
@@ -125,16 +126,16 @@ class Offsets:
         return fsum((self._sums[over], *(gone(move, time)[0] for move in in_force)))
 
     def is_active_at(self, time: float) -> bool:
-        """True if one of them is in progress."""
+        """True if an offset is in progress at a time."""
         return bool(self._in_force(time)[0])
 
     def begin_at(self, time: float) -> bool:
-        """True if one of them begins at a time."""
+        """True if an offset begins at a time."""
         k = bisect_left(self._starts, time)
         return k < len(self._starts) and self._starts[k] == time
 
     def _in_force(self, time: float) -> tuple[list[Move], int]:
-        """Return those in progress at a time, and the number of entries before them."""
+        """Return the offsets in progress at a time, and the number of entries before them."""
         k, found = bisect_right(self._starts, time), []
         while k > 0 and self._ends[k - 1] > time:
             k -= 1
@@ -143,7 +144,7 @@ class Offsets:
 
 
 class Run:
-    """The records of a run: tracks of its axes, log, orders, and its end time."""
+    """The records of a run: tracks of its axes, log, orders, and end time."""
 
     def __init__(
         self, axes: Mapping[int, WholeTrack], moves: Iterable[Move], orders: ExpectedMotion, until: float
@@ -210,7 +211,7 @@ class Run:
             self._ends[axis] = list(accumulate(ends, max))
 
     def _add_path(self, move: Move, before: Move | None) -> None:
-        """Add a path entry to those of its axis; it continues `before`."""
+        """Add a path entry to the entries of its axis; it continues `before`."""
         entries, chains = self.paths.setdefault(move.axis, []), self._chains.setdefault(move.axis, [])
         self._numbers[id(move)] = len(entries)
         entries.append(move)
@@ -222,21 +223,24 @@ class Run:
             chains[self._chain_of[id(before)]].append(move)
 
     def _origin(self, move: Move) -> float:
-        """Return where a path began, at the zero of one of its entries."""
+        """Return the start position of a path, relative to the zero of one of its entries."""
         assert move.profile is not None
         return self._origins.get(id(move), move.profile.start)
 
     def origins(self, path: PathOrder) -> list[float]:
-        """Return where the axes of a path began it, which may be before their entries did."""
+        """Return the start positions of a path's axes.
+
+        A path may have begun before its current entries did.
+        """
         return [self._origin(move) for move in self.members(path)]
 
     def is_continued(self, move: Move) -> bool:
-        """True if a path entry has another one that continues it."""
+        """True if another entry continues a path entry."""
         k = self._chain_of.get(id(move))
         return k is not None and self._chains[move.axis][k][-1] is not move
 
     def rest_of(self, move: Move) -> Move | None:
-        """Return the entry that a path entry continues; None if the path begins with it."""
+        """Return the entry that a path entry continues; None if it begins the path."""
         return self._rest_of.get(id(move))
 
     @property
@@ -246,7 +250,7 @@ class Run:
             yield self._kept.get(number, move)
 
     def span(self, a: WholeTrack, i: int) -> tuple[float, float]:
-        """Return when a profile of a track was in force."""
+        """Return when a profile of a track came into force, and when it ended."""
         begin = a.starts[i]
         if i + 1 < len(a.starts):
             return begin, a.starts[i + 1]
@@ -271,7 +275,7 @@ class Run:
         return found
 
     def begins_near(self, axis: int, time: float) -> list[float]:
-        """The times at or next to one at which motion or an offset of an axis began."""
+        """Return the times next to `time` at which motion or an offset of an axis began."""
         begins = self._begins.get(axis)
         if begins is None:
             offsets = {begun for number, begun in self.orders.offsets if number == axis}
@@ -285,11 +289,11 @@ class Run:
         return [entry for entry in found if entry is not None and entry.profile is not None]
 
     def path_before(self, move: Move) -> Move | None:
-        """Return the entry before a path's on its axis; None if it is not of a path."""
+        """Return the previous path entry on the axis; None if that is not of a path."""
         return self._kept.get(self._previous[id(move)])
 
     def path_after(self, move: Move) -> Move | None:
-        """Return the entry after a path's on its axis; None if it is not of a path."""
+        """Return the next path entry on the axis; None if that is not of a path."""
         entries, k = self.paths[move.axis], self._numbers[id(move)] + 1
         after = entries[k] if k < len(entries) else None
         return after if after is not None and self.path_before(after) is move else None
@@ -325,7 +329,7 @@ def _end(move: Move) -> float:
 
 
 def _continued_by(move: Move, entries: Iterable[Move]) -> Move | None:
-    """Return the entry of a path that another one continues; None if there is none."""
+    """Return the path entry that `move` continues; None if there is none."""
     for each in entries:
         end = _end(each)
         if each.line == move.line and abs(move.start_time - end) <= 4.0 * ROUNDED * (1.0 + end):
@@ -334,7 +338,7 @@ def _continued_by(move: Move, entries: Iterable[Move]) -> Move | None:
 
 
 def _continued(order: Order, move: Move, number: int) -> Order:
-    """Return the order of a path for an entry that continues it."""
+    """Return the order of a path, adapted to an entry that continues it."""
     assert order.path is not None
     return order._replace(path=order.path._replace(begun=move.start_time, entry=number))
 
@@ -348,7 +352,7 @@ def gone(move: Move, time: float) -> tuple[float, float]:
 
 
 def position(a: WholeTrack, time: float, ending: bool = False) -> float:
-    """Return the position of a track; with `ending` before events of that time.
+    """Return the position of a track; with `ending`, before the events of that time.
 
     A new zero is such an event.
     """

@@ -1,6 +1,6 @@
 """Checks of the log's entries in sequence: together they are the axis's motion.
 
-Each ends for the reason that it states, before the run does, and the last one where its axis is.
+Each entry ends for the reason that it states and before the run does; the last one ends where its axis is.
 """
 
 from __future__ import annotations
@@ -33,10 +33,11 @@ RESTING = ("move", "jog")
 class Ends:
     """The ends of one axis's entries: `going` end after the run, `last` began last.
 
-    `until` is the latest end of all, and `place` the index of the profile of the track that follows it.
-    `begun` are the times at which motion has begun that is in no entry, `stood` those of entries without
-    duration. `said` are the stops, time and keyword, that entries state as their ends; `unsaid` are those at
-    the edge of an entry that states none, with its line and the message: one of its neighbours has to.
+    `until` is the latest end of all entries, and `next_index` the index of the profile of the track that
+    follows it. `begun` are the start times of motion that no entry has yet, `instant` those of entries
+    without duration. `stated` are the stops, by time and keyword, that entries state as their ends. `unsaid`
+    are stops at the edge of an entry that does not state them, with its line and the message; an adjacent
+    entry has to state them.
     """
 
     __slots__ = ("begun", "going", "last", "place", "said", "stood", "unsaid", "until")
@@ -52,7 +53,7 @@ class Ends:
 
 
 def take_entry(proof: Proof, ends: dict[int, Ends], run: Run, move: Move) -> None:
-    """Check an entry against the one before it; superposed ones are checked elsewhere."""
+    """Check an entry against the previous one; superposed ones are checked elsewhere."""
     profile = move.profile
     if profile is None:
         return
@@ -108,7 +109,7 @@ def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
 
 
 def _check_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float) -> None:
-    """Check that the axis has not moved between the entries up to now and a time."""
+    """Check that the axis was at rest between the entries so far and a time."""
     records = run.orders.of[a.index]
     while found.place < len(a.starts) and a.starts[found.place] < until:
         i = found.place
@@ -174,9 +175,9 @@ def _check_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
 
 
 def _is_at_end(run: Run, a: WholeTrack, i: int, end: float, late: float) -> bool:
-    """True if the last profile of an entry reaches its own end then.
+    """True if the last profile of an entry reaches its own end at `end`.
 
-    An endless or stopped profile has none.
+    An endless or stopped profile has no end of its own.
     """
     order = run.orders.of[a.index][i]
     if order.tie is not None and order.tie.table is not None and order.tie.table[2] == "even":
@@ -206,9 +207,9 @@ def _last(a: WholeTrack, start: float, end: float) -> int:
 
 
 def check_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
-    """Check that no entry ends after the run unless its axis is on it, at its speed.
+    """Check the last entry of each axis: it ends where its axis is.
 
-    The last one ends where its axis is.
+    An entry may end after the run only if its axis still follows it, at its speed.
     """
     for number, a in run.axes.items():
         found = ends.get(number)
@@ -253,7 +254,10 @@ def _check_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
 
 
 def _is_refused(run: Run, a: WholeTrack) -> bool:
-    """True if an axis's next move was rejected at the end, or due when another's was."""
+    """True if an axis's next move was rejected at the end of the run.
+
+    Also true if it was due at the instant at which another axis's move was rejected.
+    """
     times = [run.orders.refused.get(a.index, -1.0)]
     if a.starts[-1] == run.until:
         times += run.orders.refused.values()

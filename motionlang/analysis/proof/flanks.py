@@ -1,8 +1,8 @@
 """Initial velocity, acceleration and, for PMC's S-curves, flank of planned motion.
 
-A ramp of PMC's has no jerk of its own. Left in its middle, it first reduces the acceleration along its
-falling flank, and the new ramp follows. The proof takes slope and wave of the ramp from the track before the
-profile, never from the profile that it checks.
+PMC's ramps have no jerk limit of their own. If a ramp is interrupted, the acceleration is first reduced along
+its falling flank, and the new ramp follows. The proof takes slope and wave of the ramp from the track before
+the profile, never from the profile that it checks.
 """
 
 from __future__ import annotations
@@ -23,9 +23,10 @@ if TYPE_CHECKING:
 class Begin(NamedTuple):
     """The initial velocity and acceleration of a plan, after its initial flank.
 
-    `came` is the speed before the flank, `bent` the acceleration there. `left` is how long the profile before would
-    have gone on changing its velocity, for motion that may simply go on as it was planned. `planned` is that for
-    motion that slows down by the same ramps as before: its plan was checked when it was made.
+    `came` is the speed before the flank, `acceleration_before` the acceleration there. `left` is how long the
+    previous profile would have continued to change its velocity, s; it applies to motion that may continue as
+    planned. `planned` is the same time for motion that slows down by the same ramps as before: its plan was
+    checked when it was made.
     """
 
     velocity: float
@@ -39,7 +40,10 @@ class Begin(NamedTuple):
 
 
 def begin(a: WholeTrack, i: int, order: Order, earlier: Order, shifted: bool) -> Begin:
-    """Return how profile i begins; `shifted` is the one before at a new zero."""
+    """Return the initial state of profile i.
+
+    If `shifted`, the profile is a copy of the previous one at a new zero.
+    """
     profile = a.profiles[i]
     entry = profile.at(0.0)
     v, bent = entry.velocity, entry.acceleration
@@ -77,7 +81,7 @@ def last_change(profile: Profile) -> float:
 
 
 def is_without_flank(profile: Profile, elapsed: float) -> bool:
-    """True if an acceleration is constant to its end, as in a trapezoid."""
+    """True if an acceleration stays constant to its end, as in a trapezoid."""
     knots = profile.knots
     k = min(max(0, bisect_right(knots, elapsed) - 1), len(profile.pieces) - 1)
     _, _, half, slope, amplitude, _, _ = profile.pieces[k]

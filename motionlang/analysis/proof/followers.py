@@ -27,9 +27,9 @@ MANY = 24
 
 
 def check_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
-    """Check that a slave is where its ratio or table puts it.
+    """Check that the position of a slave matches its ratio or table.
 
-    Before that it ramps at its rates.
+    Until it has caught up, it accelerates at its rates.
     """
     tie = order.tie
     assert tie is not None
@@ -67,7 +67,7 @@ def check_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: 
 
 
 def _check_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
-    """Check that a slave changes its velocity at its rates until it meets the ratio's."""
+    """Check that a slave changes velocity at its rates until it reaches the ratio's."""
     tie = order.tie
     assert tie is not None
     if _offset_moves(run, a, a.starts[i]):
@@ -88,9 +88,9 @@ def _check_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, en
 
 
 def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> list[float]:
-    """Return the ends of stretches on which master and slave are one piece.
+    """Return the ends of stretches on which master and slave have a single piece each.
 
-    Of the first ones four times in between are included.
+    For the first stretches four times in between are added.
     """
     knots = {begin, end}
     for track in (a, master):
@@ -104,9 +104,9 @@ def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> lis
 
 
 def _check_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
-    """Check that the curve passes its table, straight, smooth or linear in between.
+    """Check that the curve passes through its table.
 
-    The last of these has a linearly changing slope.
+    In between it is straight, smooth, or has a linearly changing slope.
     """
     tie = order.tie
     assert tie is not None
@@ -155,7 +155,7 @@ def _check_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, cu
 
 
 def _check_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
-    """Check that a flying shear's ratio begins at the last one, or 0, and is linear."""
+    """Check a flying shear's ratio: linear, from the previous ratio or 0."""
     tie = order.tie
     assert tie is not None
     before = run.orders.of[a.index][i - 1].tie if i else None
@@ -174,7 +174,7 @@ def _check_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, 
 
 
 def _wanted(tie: Tie, curve: Profile, along: float) -> float:
-    """A slave's position on its curve; linear tables are evaluated from numbers."""
+    """Return the slave's position on its curve; linear tables use the table's numbers."""
     if tie.table is None or tie.table[2] != "linear":
         return _on(curve, along)
     places, values, _ = tie.table
@@ -184,7 +184,7 @@ def _wanted(tie: Tie, curve: Profile, along: float) -> float:
 
 
 def check_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
-    """Check that a profile through points has each position and velocity at its time.
+    """Check that a profile through points has the given position and velocity at each.
 
     Between two points it is one cubic.
     """
@@ -211,9 +211,9 @@ def check_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
 
 
 def check_reference(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, shifted: bool) -> None:
-    """Check that a position reference ends at its position, and a speed in its time.
+    """Check that a reference ends at its position, or reaches its speed in its time.
 
-    A speed is reached by its slopes. A profile that was `shifted` is the one before at a new zero.
+    A speed is reached by its slopes. If `shifted`, the profile is a copy of the previous one at a new zero.
     """
     profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
     if order.slopes is None:
@@ -251,10 +251,10 @@ def check_reference(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order,
 
 
 def _carried(run: Run, a: WholeTrack, i: int, order: Order) -> float:
-    """Return the initial acceleration of a reference's profile i, from the one before.
+    """Return the initial acceleration of a reference's profile i, carried over.
 
-    Its own may begin with another one, if a slope has no edge. From a table, a master or another reference it
-    takes over at most the rate of its slope.
+    It comes from the previous profile. A profile may begin with another acceleration if a slope has no edge.
+    After a table, a master or another reference, at most the rate of its slope is carried over.
     """
     before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
     if not i or elapsed >= last_change(before):
@@ -267,7 +267,7 @@ def _carried(run: Run, a: WholeTrack, i: int, order: Order) -> float:
 
 
 def _fading(v0: float, a0: float, slopes: Slopes) -> float:
-    """Return how long an acceleration takes to ramp down; 0 without an edge."""
+    """Return how long an acceleration takes to ramp down, s; 0 without an edge."""
     rate, _, end = slopes[0 if a0 * v0 >= 0.0 else 1]
     return abs(a0) * end / rate
 
@@ -284,9 +284,9 @@ def _reference_time(v0: float, a0: float, v1: float, slopes: Slopes) -> float:
 
 
 def _slope_time(change: float, slope: tuple[float, float, float]) -> float:
-    """Return the time of a change of speed: T = dv/A + (T_begin + T_end)/2.
+    """Return the time of a change of speed, s: T = dv/A + (T_begin + T_end)/2.
 
-    A change too small for the rate takes the time in which both slopes meet.
+    If the change is too small to reach the rate, the two edges meet earlier.
     """
     rate, begin, end = slope
     edges = begin + end
@@ -294,7 +294,7 @@ def _slope_time(change: float, slope: tuple[float, float, float]) -> float:
 
 
 def _on(curve: Profile, along: float) -> float:
-    """Return a curve at a distance; linear beyond its ends."""
+    """Return the value of a curve at a distance, extrapolated linearly at its ends."""
     knots = curve.knots
     x = min(max(along, 0.0), knots[-1])
     k = max(0, min(bisect_right(knots, x), len(curve.pieces)) - 1)

@@ -1,6 +1,6 @@
 """Checks of superposed offsets: each covers its commanded distance.
 
-The rest of the one before it is added.
+The rest of an offset that it replaces is added.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ LATE = 4.0 * ROUNDED
 
 
 def _left(run: Run, move: Move) -> float:
-    """Return the remaining distance of the offset that one replaces."""
+    """Return the remaining distance of the offset that `move` replaces."""
     before, wanted = run.offset_goals.get(move.axis, (None, 0.0))
     if before is None or before.profile is None or before.ended != "retarget":
         return 0.0
@@ -44,7 +44,7 @@ def check_missing(proof: Proof, run: Run) -> None:
 def check_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
     """Check the entry of an offset.
 
-    The rest of an offset after a suspension has no order of its own.
+    An entry that resumes a suspended offset has no order of its own.
     """
     start, end = move.start_time, move.start_time + profile.duration
     where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + end)

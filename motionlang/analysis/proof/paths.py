@@ -144,7 +144,7 @@ class PathLayout:
 
 
 def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
-    """Check geometry, speed, its changes, and limits of each axis, for one profile."""
+    """Check geometry, speed, acceleration and axis limits of a path for one profile."""
     path = order.path
     assert path is not None
     proof.counts["paths"] += 1
@@ -206,7 +206,7 @@ def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
 
 
 def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
-    """True if the path before was not slowing down for one that begins too fast."""
+    """True if the previous path was not slowing down for one that begins too fast."""
     earlier = run.orders.of[master.index][i - 1].path
     if earlier is None or earlier.rests or earlier.members != path.members:
         return False
@@ -225,9 +225,9 @@ def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: i
 
 
 def stops_within(run: Run, wanted: Order, time: float) -> bool:
-    """True if a path could stop in time by an order given then.
+    """True if a path could stop in time by an order given at `time`.
 
-    It stops before its end, or that of the paths it continues into.
+    It has to stop before its end, or before the end of the paths that it continues into.
     """
     path = wanted.path
     assert path is not None
@@ -251,9 +251,9 @@ def stops_within(run: Run, wanted: Order, time: float) -> bool:
 def check_tail(
     proof: Proof, run: Run, order: Order, begin: float, length: float, suspended: Order | None = None
 ) -> None:
-    """Check the speed along a path, and its changes, while another is blended onto it.
+    """Check the speed along a path and its changes while another is blended onto it.
 
-    `suspended` is the order of its motion until it is resumed then.
+    `suspended` is the order of its motion before it was resumed at `begin`, if it was.
     """
     path = order.path
     assert path is not None
@@ -277,9 +277,10 @@ def _check_path(
     time: tuple[float, float],
     where: str,
 ) -> None:
-    """Check at four times that the axes are on the path, at its distance on an arc.
+    """Check at four times that the axes are on the path; on an arc, at its distance.
 
-    `time` is the start of the profile relative to the path's, and how long it is in force.
+    `time` is the start of the profile relative to the start of the path, and how long the profile is in
+    force, s.
     """
     first, length = time
     slack = SLACK * max(
@@ -312,7 +313,7 @@ def _keeps_stop(before: Order, order: Order, way: PathLayout, along: list[Span],
 def _cannot_stop(order: Order, way: PathLayout, along: list[Span], beyond: float) -> bool:
     """True if a path could not stop before its end by its rates.
 
-    Or if it could not reduce its deceleration to zero before it comes to rest.
+    Also true if its deceleration could not be reduced to zero before it comes to rest.
     """
     gone, v0, a0, _ = along[0].at(0.0)
     by = _least(order, way)[1]
@@ -323,9 +324,10 @@ def _cannot_stop(order: Order, way: PathLayout, along: list[Span], beyond: float
 
 
 def plan_in_force(run: Run, a: WholeTrack, i: int, order: Order) -> Order:
-    """Return the order that a path's profile on one of its axes was planned by.
+    """Return the order by which a path's profile on one of its axes was planned.
 
-    A stop that would enter a path ahead too fast begins on that one: until then the plan before it stays.
+    If a stop would enter the next path too fast, the stop begins on the next path, and until then the earlier
+    plan remains in force.
     """
     path = order.path
     if path is None or not path.rests:
@@ -345,7 +347,7 @@ def plan_in_force(run: Run, a: WholeTrack, i: int, order: Order) -> Order:
 def _plan_before(run: Run, master: WholeTrack, i: int, order: Order) -> Order | None:
     """Return the order of a path before its stop or suspension, if any.
 
-    None too if its rates are the same as before.
+    Also None if its rates have not changed.
     """
     path, records = order.path, run.orders.of[master.index]
     assert path is not None
@@ -360,7 +362,7 @@ def _plan_before(run: Run, master: WholeTrack, i: int, order: Order) -> Order | 
 
 
 def same_law(one: Order, other: Order) -> bool:
-    """True if two orders have the same law of the ramps of a path."""
+    """True if two orders of a path have the same law of ramps."""
     laws = [
         (each.shape, each.rates, each.jerks, each.path.most_accel, each.path.most_decel)
         for each in (one, other)
@@ -370,9 +372,9 @@ def same_law(one: Order, other: Order) -> bool:
 
 
 def _enters_too_fast(order: Order, way: PathLayout, along: list[Span]) -> bool:
-    """True if a stop by the present rates would enter a path ahead above its speed.
+    """True if a stop by the present rates would enter the next path above its speed.
 
-    Then the path continues as planned, and the stop begins on that one.
+    In that case the path continues as planned, and the stop begins on the next path.
     """
     assert order.path is not None
     gone, v0, a0, _ = along[0].at(0.0)
@@ -391,7 +393,7 @@ def _enters_too_fast(order: Order, way: PathLayout, along: list[Span]) -> bool:
 
 
 def _gentlest_before(run: Run, master: WholeTrack, i: int, order: Order) -> float:
-    """Return the lowest deceleration of a stop begun earlier; infinite if none."""
+    """Return the lowest deceleration of a stop begun earlier; infinite without one."""
     records, rate = run.orders.of[master.index], inf
     while i and order.path is not None and order.path.rests:
         i -= 1
@@ -408,7 +410,7 @@ def _gentlest_before(run: Run, master: WholeTrack, i: int, order: Order) -> floa
 
 
 def _until_rest(along: list[Span]) -> tuple[list[Span], list[Span]]:
-    """Return the segments up to the first rest, and those after it."""
+    """Return the segments up to the first standstill, and those after it."""
     for k, span in enumerate(along):
         if abs(span.at(span.length)[1]) <= SLACK * max(1.0, along[0].at(0.0)[1]):
             return along[: k + 1], along[k + 1 :]
@@ -416,9 +418,9 @@ def _until_rest(along: list[Span]) -> tuple[list[Span], list[Span]]:
 
 
 def _beyond(run: Run, move: Move) -> float:
-    """The length of the paths after one until the axes come to rest, user units.
+    """Return the length of the following paths until the axes are at rest, user units.
 
-    Found from the last of them backwards, once for each path of a contour.
+    It is computed backwards from the last path, once for each path of a contour.
     """
     chain = []
     while id(move) not in run.beyond:
@@ -435,9 +437,9 @@ def _beyond(run: Run, move: Move) -> float:
 
 
 def _leads_to(run: Run, move: Move) -> tuple[Move | None, float]:
-    """Return the entry that follows a path without a rest, and the added length.
+    """Return the entry that follows a path without a standstill, and the added length.
 
-    Without one, the result is (None, 0.0).
+    If there is none, the result is (None, 0.0).
     """
     after = run.path_after(move)
     if after is None or move.profile is None:
@@ -466,9 +468,10 @@ def _check_along(
     beyond: float = 0.0,
     gentlest: float = inf,
 ) -> None:
-    """Check the bounds along a path, `beyond` which the axes continue that far.
+    """Check the bounds along a path; after its end the axes continue for `beyond`.
 
-    A `fresh` path may not begin above them. A stop that began earlier may be as gentle as `gentlest`.
+    A `fresh` path may not begin above its bounds. A stop that began earlier may have a deceleration down to
+    `gentlest`.
     """
     path = order.path
     assert path is not None
@@ -540,7 +543,7 @@ def _check_axes(
 ) -> None:
     """Check each axis between the `ends` of a stretch of a path.
 
-    `own` are the speed and the acceleration along it, `excused` those that it began with, and `side` is 1
+    `own` are the speed and the acceleration along the path, `excused` those with which it began. `side` is 1
     where it slows down. `axes` have their counts per unit.
     """
     (fast, rate), (came, bent) = own, excused
@@ -570,8 +573,8 @@ def _judge_joins(proof: Proof, order: Order, along: list[Span], came: float, whe
 def _slowing(order: Order, way: PathLayout, v0: float, a0: float, left: float, gentlest: float) -> Slowing:
     """Return how a path that begins too fast slows down to its speed.
 
-    It may be too fast for the path or for one of its axes. If the distance does not suffice for this and a
-    stop, it is a higher speed: two S-ramps need more of `left` than one.
+    It may be too fast for the path or for one of its axes. If the distance `left` does not suffice for this
+    and a stop, the speed is higher, since two S-ramps need more distance than one.
     """
     assert order.path is not None
     speed, by = _least(order, way)
@@ -598,7 +601,7 @@ def _hardest(path: PathOrder, way: PathLayout) -> float:
 
 
 def _gentlest(order: Order, way: PathLayout, rate: float) -> float:
-    """The lowest deceleration of a stop on a path and those it may continue into."""
+    """Return the lowest deceleration of a stop on a path and its possible successors."""
     assert order.path is not None
     for each in order.path.ahead:
         assert each.path is not None
@@ -610,7 +613,7 @@ def _gentlest(order: Order, way: PathLayout, rate: float) -> float:
 def _check_path_time(proof: Proof, order: Order, way: PathLayout, along: list[Span], where: str) -> None:
     """Check that the last path takes no longer than a stop and a move from rest.
 
-    That motion observes all bounds, whatever follows: a plan may only be faster.
+    That motion observes all bounds whatever follows, so a plan may only be faster.
     """
     if not order.speed or not min(order.rates) > 0.0:
         return
@@ -637,9 +640,9 @@ def _check_path_time(proof: Proof, order: Order, way: PathLayout, along: list[Sp
 
 
 def _least(order: Order, way: PathLayout) -> tuple[float, Law]:
-    """Return the speed and law that a path may always use, whatever its axes' limits.
+    """Return the speed and law that are always allowed on a path by its axes' limits.
 
-    On arcs the change of direction and that of the speed take the same share of the limits of an axis.
+    On arcs the limits of an axis are shared equally between the change of direction and the change of speed.
     """
     path = order.path
     assert path is not None
@@ -664,7 +667,7 @@ def _counts(parts: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[f
 
 
 def spans_along(rows: Sequence[tuple[Profile, float]], way: PathLayout, length: float) -> list[Span]:
-    """Return the distance along the path over time, from profiles already in force.
+    """Return the distance along the path over time, from the profiles in force.
 
     Empty if it cannot be determined.
     """
@@ -726,7 +729,7 @@ def _spans_along(parts: Sequence[tuple[Profile, float]], way: PathLayout, length
 
 
 def check_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
-    """Check that a path ends where commanded, and takes time."""
+    """Check that a path ends at its commanded position, and takes time."""
     profile = move.profile
     assert profile is not None
     path = run.order_of(move).path

@@ -81,8 +81,8 @@ def prove(
 ) -> Proof:
     """Prove the motion of a controller up to a time, from its log.
 
-    The moves of a report and a trace are checked too, if given. If a run has more motion than is recorded
-    nothing is proved, which is a violation.
+    The moves of a report and a trace are checked too, if given. If a run has more motion than can be
+    recorded, nothing is proved, and that is a violation.
     """
     proof = Proof()
     if orders.is_full:
@@ -213,7 +213,7 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
 
 
 def _bend(path: PathOrder, both: Iterable[Sequence[State]]) -> float:
-    """Return the change of acceleration along a path between two states of its axes."""
+    """Return the jump in acceleration along a path between two states of its axes."""
     scales = path.scales
     rates = []
     for states in both:
@@ -230,12 +230,15 @@ def _speed(scales: Sequence[float], states: Sequence[State]) -> float:
 
 
 def _at_last(profile: Profile, time: float) -> State:
-    """Its state at a time that may round to its end, without acceleration there."""
+    """Return the state at `time`, taken just before the end if that is the end.
+
+    At the end itself a profile has no acceleration.
+    """
     return profile.at(min(time, nextafter(profile.duration, 0.0)))
 
 
 def _alone(run: Run, a: WholeTrack, i: int) -> tuple[list[State], list[State]] | None:
-    """Return the states at a join of paths, without a path blended with both.
+    """Return the states before and after a join, without a path blended with both.
 
     None if no path continues into another one, or none is blended with it.
     """
@@ -251,7 +254,7 @@ def _alone(run: Run, a: WholeTrack, i: int) -> tuple[list[State], list[State]] |
 
 
 def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]]:
-    """Return the states of a path's axes just before a time and from then on."""
+    """Return the states of a path's axes just before and just after a time."""
     assert order.path is not None
     axes = [run.axes[number] for number in order.path.members]
     places = [a.place(time) for a in axes]
@@ -318,6 +321,6 @@ def _check_move(proof: Proof, run: Run, move: Move) -> None:
 
 
 def _zero(run: Run, a: WholeTrack, time: float) -> float:
-    """The zero of an axis at a time, or the last one recorded before an interrupt."""
+    """Return the zero of an axis at a time, or the last one before an interrupt."""
     data = run.orders.data[a.index]
     return data[min(a.place(time), len(data) - 1)] if data and a.starts else 0.0

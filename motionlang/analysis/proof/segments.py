@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Span:
-    """A piece of a motion for `length` s, from `begin`, s after its profile began."""
+    """A piece of a motion over `length` s, from `begin` s after its profile began."""
 
     __slots__ = ("begin", "length", "piece")
 
@@ -27,7 +27,7 @@ class Span:
         self.begin, self.length, self.piece = begin, length, piece
 
     def at(self, x: float) -> tuple[float, float, float, float]:
-        """Return position, velocity, acceleration and jerk `x` seconds after it began."""
+        """Return position, velocity, acceleration and jerk `x` seconds after its start."""
         return derivatives(self.piece, x)
 
     def part(self, first: float, last: float) -> Span:
@@ -35,7 +35,7 @@ class Span:
         return Span(self.begin + first, last - first, _from(self.piece, first))
 
     def cuts(self) -> list[float]:
-        """Its ends, and the zeros and extrema of velocity and acceleration in between."""
+        """Return its ends, and the zeros and extrema of velocity and acceleration inside."""
         _, c1, c2, c3, amplitude, omega, phase = self.piece
         found: list[float] = []
         if c3:
@@ -50,13 +50,13 @@ class Span:
         return [0.0, *sorted(x for x in found if 0.0 < x < self.length), self.length]
 
     def peak(self, order: int) -> float:
-        """The largest absolute value of a derivative: 1 velocity, 2 acceleration, 3 jerk."""
+        """Return the largest magnitude of derivative 1 velocity, 2 acceleration or 3 jerk."""
         return max(abs(self.at(x)[order]) for x in self.cuts())
 
     def sides(self) -> Iterator[tuple[float, tuple[float, ...], tuple[float, ...]]]:
         """Yield the sections of speeding up or slowing down.
 
-        Each is the power (its sign) and both end states.
+        Each is the power, whose sign states the direction, and the states at both ends.
         """
         cuts = self.cuts()
         states = [self.at(x) for x in cuts]
@@ -77,7 +77,7 @@ def derivatives(piece: Piece, x: float) -> tuple[float, float, float, float]:
 
 
 def spans(profile: Profile, begin: float, length: float) -> list[Span]:
-    """Return the segments of a pieced profile from `begin` on, for `length` seconds."""
+    """Return the segments of a piecewise profile from `begin` on for `length` seconds."""
     found = []
     knots = profile.knots
     for piece, first, last in zip(profile.pieces, knots, knots[1:], strict=False):
@@ -99,7 +99,7 @@ def combined(parts: Sequence[Span], weights: Sequence[float], origin: float) -> 
 
 
 def _from(piece: Piece, x: float) -> Piece:
-    """Return the same piece with its time counted from `x`."""
+    """Return the same piece with its time origin moved to `x`."""
     if not x:
         return piece
     c0, c1, c2, c3, amplitude, omega, phase = piece
@@ -137,5 +137,5 @@ def rotation(x: float, y: float, degrees: float) -> tuple[float, float]:
 
 
 def half_angle(chord: float) -> float:
-    """The angle, degrees, between two unit vectors with a chord between their ends."""
+    """Return the angle, degrees, between unit vectors, from the chord of their ends."""
     return 2.0 * asin(min(1.0, 0.5 * chord)) * 180.0 / pi

@@ -1,7 +1,7 @@
-"""Checks of settings written in motion: they replace the profile, or it continues.
+"""Checks of settings written in motion: the profile is replaced, or it continues.
 
-A planner that continues its plan is checked against the setting from that time on. New rates may come too
-late: a move that could not stop at its end with them continues unchanged.
+If a planner continues its plan, the plan is checked against the setting from that time on. New rates may come
+too late: a move that could not stop at its end with them continues unchanged.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def check_settings(proof: Proof, run: Run) -> None:
-    """Check every setting that has not replaced the profile of its axis."""
+    """Check every setting that did not lead to a new profile of its axis."""
     for (number, time), wanted in run.orders.unheeded.items():
         a = run.axes[number]
         i = a.place(time)

@@ -1,8 +1,9 @@
-"""Slowing down of motion that begins above its speed or rates, as fast as allowed.
+"""Slowing down, as fast as allowed, of motion that begins above its limits.
 
-A profile may begin above its speed, because that was lowered, and with more acceleration than its S-ramp may
-have. Both are accepted only for as long as the ramp from there takes. Until then the speed is at most that of
-the ramp; from then on the bounds apply as for any other motion. The ramp is computed from the commands alone.
+A profile may begin above its speed because the speed was lowered, or with more acceleration than its S-ramp
+may have. Both are accepted only for as long as the ramp from there takes. Until then the speed is at most the
+speed of the ramp; after that the bounds apply as for any other motion. The ramp is computed from the commands
+alone.
 """
 
 from __future__ import annotations
@@ -24,9 +25,10 @@ LATE = 1e-9
 
 
 class Slowing(NamedTuple):
-    """An entry at v0 >= 0 and a0 above its limits for `speed`; `came` is its peak.
+    """Excuses for motion that begins at v0 >= 0 above its limits; `came` is its peak.
 
-    The speed may exceed `speed` until `until`, and the acceleration its rate until `eased`.
+    The speed may exceed `speed` until `until`, and the acceleration its rate until `eased`. Times are seconds
+    after the entry.
     """
 
     v0: float
@@ -37,11 +39,11 @@ class Slowing(NamedTuple):
     stretches: tuple[tuple[float, float, float], ...]
 
     def bound(self, middle: float) -> float:
-        """Return the bound on the speed of a `cut` segment with a time inside."""
+        """Return the bound on the speed of a cut segment that contains the time `middle`."""
         return max(self.came, self.speed) if middle < self.until else self.speed
 
     def cuts(self, spans: Sequence[Span]) -> Iterator[Span]:
-        """Yield the segments, cut where the excuses end."""
+        """Yield the segments, divided where the excuses end."""
         for span in spans:
             first = 0.0
             for end in sorted((self.until, self.eased)):
@@ -68,7 +70,7 @@ class Slowing(NamedTuple):
 
 
 def slowing(v0: float, a0: float, speed: float, by: Law, extra: float = 0.0) -> Slowing:
-    """Return how a motion reaches a speed; `extra` seconds do not count."""
+    """Return how a motion reaches a speed; the ramp may begin `extra` seconds later."""
     if v0 < 0.0:
         v0, a0 = -v0, -a0
     came, until, eased = v0, 0.0, 0.0
@@ -92,7 +94,7 @@ def _stretches(
 ) -> tuple[tuple[float, float, float], ...]:
     """Return the sections of the ramp to a lower speed.
 
-    Each is the initial acceleration, its change, and the time.
+    Each is the initial acceleration, its change, and the duration, s.
     """
     rate, jerk = by.rates[1], by.jerks[1]
     if not by.smooth:

@@ -1,8 +1,9 @@
 """Times and distances of ramps, stops and moves, from the commands alone.
 
-The proof's own arithmetic, no planner's. A move is as fast as the rules of `docs/contributing/decisions.md` let it be:
-it turns at rest, and velocities of opposite signs meet there. Velocities and accelerations are counted in one
-direction; rates and jerks are pairs, of speeding up and of slowing down.
+This arithmetic belongs to the proof and shares nothing with the planners. A move is as fast as the rules of
+`docs/contributing/decisions.md` allow: it reverses at rest, and velocities of opposite signs meet there.
+Velocities and accelerations are counted in one direction; rates and jerks are pairs, for speeding up and for
+slowing down.
 """
 
 from __future__ import annotations
@@ -25,8 +26,8 @@ _ROUNDING, _EPSILON = 1e-13, 4e-16
 class Law(NamedTuple):
     """The law of a change of velocity: rates, jerks, or a shape.
 
-    A shape takes `stretch` times as long as a linear ramp. Of a ramp between two speeds `heavy` is the
-    fraction of the distance due to the higher one.
+    A shape takes `stretch` times as long as a linear ramp. `heavy` is the fraction of the distance of a ramp
+    that is due to the higher of its two speeds.
     """
 
     rates: tuple[float, float]
@@ -43,7 +44,7 @@ class Law(NamedTuple):
 def law(shape: str, rates: tuple[float, float], jerks: tuple[float, float], ramp: float) -> Law:
     """Return the law of a shape.
 
-    TN1069's have T = (pi/2) V/A, V/(A (1 - n)), and 2 V/A with two thirds of V T.
+    The shapes of TN1069 take T = (pi/2) V/A, V/(A (1 - n)), and 2 V/A with two thirds of V T.
     """
     if jerks[0] < inf or shape == "trapezoid":
         return Law(rates, jerks)
@@ -55,7 +56,7 @@ def law(shape: str, rates: tuple[float, float], jerks: tuple[float, float], ramp
 
 
 def ramp(u: float, v: float, by: Law) -> Leg:
-    """Return a ramp from speed u >= 0 to v >= 0, without acceleration at its ends."""
+    """Return a ramp from speed u >= 0 to v >= 0, with zero acceleration at both ends."""
     side = 0 if v > u else 1
     rate, jerk, change = by.rates[side], by.jerks[side], abs(v - u)
     if jerk < inf:
@@ -66,7 +67,7 @@ def ramp(u: float, v: float, by: Law) -> Leg:
 
 
 def lead(v0: float, a0: float, v1: float, by: Law) -> Leg:
-    """Return a ramp from velocity v0 and acceleration a0 to velocity v1 and none."""
+    """Return a ramp from velocity v0, acceleration a0 to velocity v1, acceleration 0."""
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and v1 < 0.0))):
         time, way = lead(-v0, -a0, -v1, by)
         return time, -way
@@ -99,7 +100,10 @@ def lead(v0: float, a0: float, v1: float, by: Law) -> Leg:
 
 
 def _steps(v: float, a: float, steps: list[tuple[float, float]]) -> Leg:
-    """Return a sequence of linear changes of the acceleration, each with its time."""
+    """Return time and distance of a sequence of linear changes of acceleration.
+
+    Each step is a change and its duration.
+    """
     way = 0.0
     for change, time in steps:
         way += time * (v + time * (0.5 * a + change / 6.0))
@@ -115,7 +119,7 @@ def _both(first: Leg, second: Leg) -> Leg:
 def move_time(v0: float, a0: float, distance: float, speed: float, by: Law, rounding: float = 0.0) -> float:
     """Return the time from a velocity and an acceleration to rest after `distance`.
 
-    The speed is at most `speed`. A distance of `rounding` at the highest speed takes no time, because that
+    The speed is at most `speed`. A distance of up to `rounding` at the top speed takes no time, because that
     speed may be near zero by rounding.
     """
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and distance < 0.0))):
@@ -133,17 +137,17 @@ def move_time(v0: float, a0: float, distance: float, speed: float, by: Law, roun
 
 
 def rounding(distance: float, *places: float) -> float:
-    """Return the possible rounding of a distance between positions."""
+    """Return the possible rounding error of a distance between positions."""
     return _ROUNDING * abs(distance) + _EPSILON * max(map(abs, places))
 
 
 def move_times(
     v0: float, a0: float, distance: float, speed: float, by: Law, rounded: float
 ) -> tuple[float, float]:
-    """Return the shortest and longest time of such a move over a rounded distance.
+    """Return the shortest and longest time of a move over a rounded distance.
 
-    If it hardly has the distance for a stop, the difference is covered from standstill: its time grows with
-    its square root, or cube root.
+    If the distance is barely enough for a stop, the difference is covered from standstill: its time grows
+    with its square root, or cube root.
     """
     if not (v0 or a0):
         whole = move_time(v0, a0, distance, speed, by)
@@ -171,14 +175,14 @@ def top_speed(v0: float, a0: float, distance: float, speed: float, by: Law) -> f
 
 
 def _travel(v0: float, a0: float, distance: float, speed: float, by: Law, rounding: float) -> float:
-    """Return the top speed if the distance suffices for a stop."""
+    """Return the time of a move whose distance suffices for a stop."""
     top, left = _top(v0, a0, distance, speed, by)
     held = max(0.0, left - rounding) / top if top > 0.0 else 0.0
     return lead(v0, a0, top, by)[0] + ramp(top, 0.0, by)[0] + held
 
 
 def _top(v0: float, a0: float, distance: float, speed: float, by: Law) -> Leg:
-    """Return the top speed, and the distance that is left for it."""
+    """Return the top speed, and the distance left for it."""
 
     def room(v: float) -> float:
         return distance - lead(v0, a0, v, by)[1] - ramp(v, 0.0, by)[1]
@@ -198,7 +202,7 @@ def _top(v0: float, a0: float, distance: float, speed: float, by: Law) -> Leg:
 
 
 def _last(fits: float, other: float, room: Callable[[float], float]) -> float:
-    """The farthest speed from a fitting one, towards another one, that fits too."""
+    """Return the speed farthest from `fits`, towards `other`, that still fits."""
     for _ in range(_HALVES):
         middle = 0.5 * (fits + other)
         if middle in (fits, other):

@@ -1,6 +1,6 @@
 """Sweeps: one program in many variants, each a complete run.
 
-They run on the processors of this machine or on a cluster.
+The variants run on the processors of this machine or on a cluster.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ KEEP = ("time",)
 class Row:
     """One variant: number, `values`, and results `kept`, by name.
 
-    `problem` is its first error, or None. `row["time"]` and `row["accel"]` are both: a result, and a varied
+    `problem` is its first error, or None. `row["time"]` and `row["accel"]` look up a result or a varied
     value.
     """
 
@@ -62,7 +62,7 @@ class Row:
 class Rows(Table):
     """The rows of a sweep: an iterator by arrival, and a table by number.
 
-    A table has the rows that were not iterated over yet.
+    The table has the rows that have not been iterated over yet.
     """
 
     __slots__ = ("_names", "_rows")
@@ -79,7 +79,7 @@ class Rows(Table):
     def columns(self) -> dict[str, list[Any]]:
         """Run all variants and return the columns of their table.
 
-        The columns are the number, the varied values, the results, and the message of the error.
+        The columns are the number, the varied values, the results, and the error message.
         """
         rows = sorted(self._rows, key=lambda row: row.index)
         return transposed(
@@ -98,7 +98,7 @@ class Rows(Table):
 class Sweep:
     """A program and its variants, checked before any run; `results` runs them.
 
-    `space` has the variants, `job` their common data.
+    `space` has the variants, `job` the data that they share.
     """
 
     def __init__(
@@ -168,13 +168,13 @@ class Sweep:
     def results(
         self, executor: Executor | None = None, jobs: int | None = None, done: Collection[int] = ()
     ) -> Iterator[Result]:
-        """The rows as plain tuples, in order of arrival, without the variants in `done`."""
+        """Yield the rows as plain tuples, in order of arrival, except variants in `done`."""
         left = len(self.space) - len(done)
         variants = ((n, self.space[n]) for n in range(len(self.space)) if n not in done)
         return Hand(self.job, variants, left, executor, jobs or cores()).rows()
 
     def row(self, result: Result) -> Row:
-        """Return a row with its names."""
+        """Return a result as a row with names."""
         index, kept, problem = result
         values = dict(zip(self.space.names, self.space[index], strict=True))
         return Row(index, values, dict(zip(self.job.keep, kept, strict=True)), problem)
@@ -199,13 +199,15 @@ def sweep(
     Rows come in order of arrival. The rows are also a table: `sweep(…).to_polars()`. Times are seconds,
     lengths user units (uu).
 
-    `grid` has the values by name, of the program's own names and, with a dot, of the keys of the machine
-    file: lists, or texts such as "500:5000:10"; every combination is a variant. A list of points, `[{"accel":
+    `grid` has the values by name: names of the program and, with a dot, keys of the machine file. The values
+    are lists, or texts such as "500:5000:10"; every combination is a variant. A list of points, `[{"accel":
     500.0}, …]`, is one variant per point. `keep` names the results of a run to keep, see docs/sweep.md.
     `executor` is any `concurrent.futures.Executor`, such as Dask's; without one, `jobs` processes of this
-    machine are used. The other arguments are those of `run`; with `certify` a variant that exceeds a limit of
-    the machine is an error. A variant with an error is a row with its `problem`; errors of all variants are
-    raised before the first one runs, like those of `Sweep`.
+    machine are used. The other arguments are the same as in `run`; with `certify` a variant that exceeds a
+    limit of the machine is an error.
+
+    A variant with an error is a row with its `problem`. Errors that affect all variants are raised before the
+    first one runs, as in `Sweep`.
     """
     made = Sweep(
         program,

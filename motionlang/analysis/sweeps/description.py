@@ -43,7 +43,7 @@ _TEXTS, _COUNTS = ("machines", "scenarios", "minimise", "maximise", "where", "pa
 
 
 class Description:
-    """The options by the keys of the file, as far as they are given."""
+    """The options by the keys of the file; keys that are not given have defaults."""
 
     def __init__(self) -> None:
         self.dimensions: list[Dimension] = []
@@ -62,7 +62,7 @@ class Description:
         self.certify = False
 
     def space(self, worlds: Mapping[str, Mapping[str, object]]) -> Space:
-        """Return the variants; ValueError for none, or too many."""
+        """Return the variants; ValueError if there are none, or too many."""
         whole = [Dimension(kind, sorted(some)) for kind, some in worlds.items()]
         dimensions = [*whole, *self.dimensions]
         if not dimensions:
@@ -92,7 +92,7 @@ class Description:
     def expressions(self) -> dict[str, Expression]:
         """Return the expressions over rows, by "minimise", "maximise" and "where".
 
-        Raises ValueError for an invalid expression.
+        Raises ValueError if an expression is invalid.
         """
         texts = {"minimise": self.minimise, "maximise": self.maximise, "where": self.where}
         return {name: Expression(text) for name, text in texts.items() if text is not None}
@@ -110,7 +110,7 @@ class Description:
 def settings_of(path: str, is_layer: bool) -> dict[str, object]:
     """Return the settings of a machine file or a scenario; ProgramError if invalid.
 
-    The name of the file is in them.
+    They include the name of the file.
     """
     try:
         settings = read_machine(Source.read(path), is_layer=is_layer)
@@ -125,9 +125,9 @@ def settings_of(path: str, is_layer: bool) -> dict[str, object]:
 
 
 def machine_files(folder: str) -> list[tuple[str, str]]:
-    """Return names and paths of the machine files of a folder; ValueError if none.
+    """Return names and paths of the machine files of a folder, in order.
 
-    They are in order.
+    Raises ValueError if there are none.
     """
     found = []
     for file in sorted(os.listdir(folder)):
@@ -139,7 +139,10 @@ def machine_files(folder: str) -> list[tuple[str, str]]:
 
 
 def read_description(path: str) -> Description:
-    """Return the description of a file; OSError, and ProgramError with all its errors."""
+    """Return the description in a file.
+
+    Raises OSError if it cannot be read, and ProgramError with all of its errors.
+    """
     source = Source.read(path)
     tree = read_toml(source)
     found, mistakes = Description(), []
@@ -205,7 +208,7 @@ def _take(found: Description, key: str, value: object, folder: str) -> tuple[str
 
 
 def _flat(tree: Mapping[str, object], prefix: str = "") -> list[tuple[str, object]]:
-    """Return the varied names: keys may be written with dots or as tables."""
+    """Return the varied names and their values; keys may contain dots or be tables."""
     out: list[tuple[str, object]] = []
     for key, value in tree.items():
         out += _flat(value, f"{prefix}{key}.") if isinstance(value, dict) else [(prefix + key, value)]

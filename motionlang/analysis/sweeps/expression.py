@@ -83,14 +83,14 @@ class Expression:
                 raise ValueError(ast.dump(node))
 
     def __call__(self, values: Mapping[str, object]) -> object | None:
-        """Its value; None if a name has none, or for a division by zero and the like."""
+        """Return its value; None for a missing value, a division by zero and the like."""
         try:
             return self._value(self._tree, values)
         except (ArithmeticError, TypeError, ValueError, LookupError):
             return None
 
     def number(self, values: Mapping[str, object]) -> float | None:
-        """Return its value if that is a finite number, or None."""
+        """Return its value if that is a finite number; None if it is not."""
         found = self(values)
         finite = isinstance(found, (int, float)) and abs(found) < float("inf")
         return float(found) if finite else None  # type: ignore[arg-type]
@@ -129,7 +129,7 @@ class Expression:
 
 
 def pareto(costs: list[tuple[float, ...]]) -> list[int]:
-    """Return the indices of the Pareto front, by the first cost."""
+    """Return the indices of the Pareto front, in order of the first cost."""
     order = sorted(range(len(costs)), key=lambda n: (costs[n], n))
     if costs and len(costs[0]) == 2:
         front, least = [], float("inf")

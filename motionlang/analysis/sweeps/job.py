@@ -1,6 +1,6 @@
 """A sweep for its workers: the program, its results, and the run of a variant.
 
-A job travels to other processes and machines; its expensive derived data are made once in each.
+A job is sent to other processes and machines; each of them computes the expensive derived data once.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class Job:
 
     @property
     def digest(self) -> str:
-        """A digest of the sweep without its variants, equal in all processes."""
+        """A digest of the sweep without its variants, the same in all processes."""
         if not self._digest:
             parts = [repr(value) for name, value in sorted(vars(self).items()) if name != "_digest"]
             self._digest = sha256("\n".join(parts).encode("utf-8", "surrogatepass")).hexdigest()
@@ -92,7 +92,7 @@ def _key(name: str) -> str:
 
 
 class Worker:
-    """A job in one process, with its programs compiled."""
+    """A job in one process, with its compiled programs."""
 
     def __init__(self, job: Job) -> None:
         self.job, self.source = job, Source(job.name, job.text)
@@ -104,7 +104,7 @@ class Worker:
         self._bound: tuple[Source, dict[str, str]] | None = None
 
     def result(self, variant: Variant) -> Result:
-        """Return the row of one variant, with its error, if any."""
+        """Return the row of one variant, including its error, if any."""
         index, values = variant
         try:
             settings, given = self.job.of(values)
@@ -122,10 +122,10 @@ class Worker:
             return index, (None,) * len(self._readers), told([Diagnostic("machine-file", str(error))])
 
     def _run_literals(self, settings: dict[str, object], given: dict[str, float | str]) -> Run | None:
-        """The run of a variant with values for literals.
+        """Run a variant that gives values to literals.
 
-        None if none of its names is that of a literal. Constants take the places of literals where that makes
-        no difference, so that the program is compiled once.
+        Returns None if no varied name is a literal. Constants replace the literals where this makes no
+        difference, so that the program is compiled only once.
         """
         if self._literals is None:
             self._literals = literals(self.source, self._dialect)
@@ -167,10 +167,10 @@ class Worker:
     def _program(
         self, source: Source, settings: dict[str, object], overrides: dict[str, float | str]
     ) -> Program:
-        """The program for a machine.
+        """Return the program compiled for a machine.
 
-        It is compiled once for all machines that agree in everything that it depends on, with constants in
-        place of literals or without.
+        It is compiled once for all machines whose settings agree in the keys that compiled code depends on,
+        and separately with constants in place of literals.
         """
         deciding = {key: value for key, value in settings.items() if self._dialect.compiled_in(key)}
         key = source is self.source, repr(sorted(deciding.items())) if deciding else ""
@@ -236,9 +236,9 @@ def worker_of(job: Job) -> Worker:
 
 
 def work(job: Job, variants: Sequence[Variant]) -> tuple[str, float, list[Result]]:
-    """Run some variants; return the process, the time, s, and the rows.
+    """Run some variants; return the process, the time taken in s, and the rows.
 
-    This is the function given to a pool.
+    This is the function that a pool calls.
     """
     import os
     from time import perf_counter

@@ -20,14 +20,14 @@ SCHEMA = "motionlang.sweep/1"
 
 
 class OtherSweep(Exception):
-    """The file has the rows of another sweep."""
+    """Raised if the file has the rows of another sweep."""
 
 
 class Journal:
-    """A file of rows, written at once by `add`, and deleted by `remove`."""
+    """A file of rows: `add` writes a row at once, `remove` deletes the file."""
 
     def __init__(self, path: str, digest: str, *, resume: bool) -> None:
-        """Begin the file, or with `resume` continue it after `read`.
+        """Create the file, or with `resume` continue it after `read`.
 
         Raises OSError if it cannot be written.
         """
@@ -58,7 +58,7 @@ class Journal:
 def read(path: str, digest: str) -> Iterator[Result]:
     """Yield the rows of an earlier sweep; none if there is no file.
 
-    Raises OtherSweep if it was another one.
+    Raises OtherSweep if the file belongs to another sweep.
     """
     try:
         file = open(path, "rb")  # noqa: SIM115 - closed below

@@ -1,6 +1,6 @@
 """The variants of a sweep on an executor, in chunks, with retries.
 
-Rows are reported as they come. The executor, a pool of processes on this machine or a cluster's, decides
+Rows are reported as they arrive. The executor, a pool of processes on this machine or a cluster's, decides
 where a chunk runs.
 """
 
@@ -56,9 +56,9 @@ class Hand:
         self._worked = False
 
     def rows(self) -> Iterator[Result]:
-        """Yield every row once; exceptions of an executor for its first chunks are raised.
+        """Yield every row once.
 
-        This applies to each attempt.
+        Exceptions that the executor raises for the first chunks of an attempt are passed on.
         """
         if self._given is None:
             yield from self._alone()
@@ -74,9 +74,10 @@ class Hand:
             self._own.shutdown()
 
     def _alone(self) -> Iterator[Result]:
-        """Yield the first rows, by this process.
+        """Yield the first rows, computed in this process.
 
-        Few variants need no other, and a pool that forks inherits the program.
+        A small sweep needs no other process, and the workers of a pool that forks inherit the compiled
+        program.
         """
         worker, began, done = worker_of(self._job), perf_counter(), 0
         while self._left and (
@@ -99,7 +100,7 @@ class Hand:
                 yield from self._taken(future)
 
     def _fill(self) -> bool:
-        """Keep enough chunks in progress; false if nothing remains."""
+        """Keep enough chunks in progress; False if nothing remains."""
         ahead = MAX_AHEAD if self._given is not None else AHEAD * self._jobs
         suspects = any(chunk.tries for chunk in self._running.values())
         while len(self._running) < ahead and not (suspects and self._given is None):
@@ -132,9 +133,9 @@ class Hand:
         return _Chunk([next(self._variants) for _ in range(count)])
 
     def _size(self) -> int:
-        """Return the size of a chunk: a tenth of a second, less towards the end.
+        """Return the number of variants in a chunk.
 
-        So all workers end together.
+        A chunk takes a tenth of a second, less towards the end so that all workers finish together.
         """
         size = int(CHUNK / self._cost) if self._cost else FIRST_VARIANTS
         workers = max(self._jobs if self._given is None else 1, len(self._seen))
@@ -156,7 +157,7 @@ class Hand:
         yield from rows
 
     def _failed(self, chunk: _Chunk, error: BaseException) -> Iterator[Result]:
-        """Retry a chunk whose worker died or never started, at last variant by variant."""
+        """Retry a chunk whose worker died or never started, finally variant by variant."""
         tries = chunk.tries + 1
         if tries >= TRIES:
             if not self._worked:
@@ -176,7 +177,7 @@ class Hand:
         self._own = Workers(jobs)
 
     def _stop(self) -> None:
-        """End the chunks in progress; an executor that was given lives on."""
+        """Cancel the chunks in progress; a caller's executor keeps running."""
         if self._own is not None:
             self._own.stop()
         for future in self._running if self._given is not None else ():

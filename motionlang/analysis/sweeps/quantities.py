@@ -1,7 +1,7 @@
 """The results that a sweep keeps of a run, by name: `time`, `peak.0`, `prints`.
 
-A row of the table has a name, its unit, and how it is read from a run; `N` is an axis numbered like in the
-language, `K` a line that the program printed, from 1.
+A row of the table has a name, its unit, and a function that reads it from a run. `N` is an axis, numbered as
+in the language; `K` is a line that the program printed, counted from 1.
 """
 
 from __future__ import annotations
@@ -108,7 +108,10 @@ _BY_NAME = {row.name.partition(".")[0] + ("." if "." in row.name else ""): row f
 
 
 def quantity(name: str) -> tuple[Quantity, int]:
-    """The row of a name and the number in it; ValueError with a hint if unknown."""
+    """Return the row of a name and the number in it.
+
+    Raises ValueError with a hint if the name is unknown.
+    """
     stem, dot, number = name.partition(".")
     row = _BY_NAME.get(stem + dot)
     if row is not None and (not dot or (number.isascii() and number.isdigit() and len(number) < 10)):

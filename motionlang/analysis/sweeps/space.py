@@ -1,6 +1,6 @@
 """The variants of a sweep: a grid, random points, a Latin hypercube, or a list.
 
-They are made one by one.
+Variants are created one by one on demand.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _RANGE = re.compile(r"([^:,\[\]\"']+):([^:,\[\]\"']+)(?::([^:,\[\]\"']+))?$")
 class Dimension:
     """A varied name: a range from `first` to `last` in `count` steps, or `values`.
 
-    `count` is None if the text of a range has none; then the range can only be sampled.
+    `count` is None if the text of the range does not state it; then the range can only be sampled.
     """
 
     def __init__(
@@ -44,7 +44,10 @@ class Dimension:
         return len(self.values) if self.values else self.count or 0
 
     def __getitem__(self, place: int) -> Value:
-        """The value at a grid index, as an integer if the range and it are integers."""
+        """Return the value at a grid index.
+
+        It is an integer if the value and both ends of the range are integers.
+        """
         if self.values:
             return self.values[place]
         assert self.count is not None
@@ -70,7 +73,7 @@ class Dimension:
 def dimension(text: str) -> Dimension:
     """Parse `name=first:last:count`, `name=first:last` or `name=value,value`.
 
-    Raises ValueError for other texts.
+    Raises ValueError for any other text.
     """
     name, equals, given = (part.strip() for part in text.partition("="))
     if not equals or not name or not given:
@@ -105,7 +108,7 @@ def _number(text: str) -> float | None:
 
 
 def read_value(text: str) -> Value:
-    """Return a value like the machine file's; a text that is no TOML is a string."""
+    """Return a value written as in the machine file; other text is a string."""
     try:
         value: Value = machine_value(text)  # type: ignore[assignment]
     except ProgramError:
@@ -115,7 +118,7 @@ def read_value(text: str) -> Value:
 
 
 class Space:
-    """The variants of a sweep by number: the values of its `names`, made on demand."""
+    """The variants of a sweep by number: values of its `names`, computed on demand."""
 
     def __init__(self, names: Iterable[str]) -> None:
         self.names = tuple(names)
@@ -158,7 +161,7 @@ class Grid(Space):
 
 
 class Drawn(Space):
-    """Points sampled from the dimensions, equal for equal seeds.
+    """Points sampled from the dimensions; the same for the same seed.
 
     They are random, or a Latin hypercube. In a Latin hypercube each of `count` equal intervals of each
     dimension has one point, so that a few points cover it well.
@@ -208,7 +211,7 @@ class Points(Space):
 def space_of(grid: Space | Mapping[str, object] | Iterable[Mapping[str, Value]]) -> Space:
     """Return the space of a caller's argument: a space, a grid of lists, or points.
 
-    A list may be a text like on the command line.
+    A list may be a text in the form of the command line.
     """
     if isinstance(grid, Space):
         return grid
@@ -229,6 +232,6 @@ def space_of(grid: Space | Mapping[str, object] | Iterable[Mapping[str, Value]])
 
 
 def _plain(value: Any) -> Value:
-    """Convert a number of numpy to Python's own."""
+    """Return a number of numpy as Python's own type."""
     plain: Value = value.item() if hasattr(value, "item") else value
     return plain

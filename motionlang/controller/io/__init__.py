@@ -1,1 +1,1 @@
-"""The world around the axes: channels, encoders, sensors, the host, the wiring."""
+"""The environment of the axes: channels, encoders, sensors, the host, the wiring."""

@@ -16,7 +16,7 @@ AUXILIARY = 1000
 
 
 def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None:
-    """Run an encoder at `velocity`, counts/s, ramping at `accel`; 0: at once."""
+    """Run an encoder at `velocity`, counts/s, with a ramp at `accel`; 0 means no ramp."""
     if not (abs(velocity) < 1e300 and 0.0 <= accel < 1e300):
         raise Rejected("range", f"an encoder cannot run at {velocity:g} counts/s with a ramp of {accel:g}")
     state = encoder.at(controller.clock.now)
@@ -30,10 +30,10 @@ def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None
 
 
 def wrapped(position: float, wrap: float) -> float:
-    """Return a position as shown by a register that wraps at `wrap`; 0: it never does."""
+    """Return a position as shown by a register that wraps at `wrap`; 0 means no wrap."""
     return position % wrap if wrap > 0.0 else position
 
 
 def turns(position: float, wrap: float) -> int:
-    """Return how often the register has wrapped."""
+    """Return how often the register has wrapped at a position."""
     return int(position // wrap) if wrap > 0.0 else 0

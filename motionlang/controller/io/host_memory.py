@@ -1,9 +1,9 @@
 """The memory that a controller shares with its host: the comms array and NetData.
 
 Each element is one 32-bit word that can be read as an integer or as a float. The two views share its bits
-without conversion (ABB AN00198 p. 14). To Modbus, element n is the registers 2n, the low half, and 2n + 1
-(AN00198 p. 5). A text has four characters per element, the first one in the highest byte, and ends at a zero
-byte (AN00200 p. 8).
+without conversion (ABB AN00198 p. 14). For Modbus, the low half of element n is register 2n, the high half is
+2n + 1 (AN00198 p. 5). A text has four characters per element, the first one in the highest byte, and ends at
+a zero byte (AN00200 p. 8).
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ _LARGEST_FLOAT = 3.4028235677973366e38  # larger numbers round to infinity in 32
 
 
 class HostMemory:
-    """Both areas of shared memory.
+    """The comms array and NetData.
 
-    `listeners` get (area, element, changed) for every element that the host writes. Writes by the program
-    itself raise nothing, because the documents mention the client's writes only. `mapping` is the area that a
-    Modbus client sees.
+    `listeners` are called with (area, element, changed) for every element that the host writes. Writes by the
+    program itself do not call them, because the documents mention the client's writes only. `mapping` is the area
+    that a Modbus client sees.
     """
 
     __slots__ = ("_floats", "_words", "listeners", "mapping")
@@ -74,7 +74,7 @@ class HostMemory:
     # ------------------------------------------------------------------------------------------ the host's side
 
     def write(self, area: str, first: int, words: Sequence[int]) -> None:
-        """Write elements from the host, as signed integers of 32 bits."""
+        """Write elements from the host, given as signed 32-bit integers."""
         changed = [self.integer(area, first + k) != word for k, word in enumerate(words)]
         for k, word in enumerate(words):
             self.set_integer(area, first + k, word)
@@ -108,7 +108,7 @@ class HostMemory:
 
 
 def product(model: str) -> str:
-    """Return the product of `PRODUCTS` in a model's name; the NextMove e100 if none.
+    """Return the product of `PRODUCTS` that a model names; the NextMove e100 if none.
 
     ES and ESB are "es".
     """
@@ -116,7 +116,7 @@ def product(model: str) -> str:
 
 
 def named_product(model: str) -> str | None:
-    """Return the product of `PRODUCTS` in a model's name, or None."""
+    """Return the product of `PRODUCTS` that a model names, or None."""
     name = "".join(letter for letter in model.lower() if letter.isalnum())
     for family in ("nextmove", "microflex", "motiflex"):
         name = name.removeprefix(family)
@@ -124,7 +124,7 @@ def named_product(model: str) -> str | None:
 
 
 def packed(text: str) -> list[int]:
-    """Return a text as the words of its elements, with zeros after its end."""
+    """Return the 32-bit words that represent a text, with zeros after its end."""
     raw = text.encode("latin-1", "replace")
     raw += bytes(-len(raw) % 4)
     return [int.from_bytes(raw[k : k + 4], "big", signed=True) for k in range(0, len(raw), 4)]

@@ -1,7 +1,13 @@
 """A sensor whose analogue value depends on the position of an axis.
 
-Examples are a force, a distance, the tension of a web. It is sampled at every tick of the profiler while the
-axis moves, so that waits for its value are notified.
+Examples are a force, a distance, the tension of a web. The sensor is sampled when a profile begins or ends, and
+at every tick of the profiler while the axis moves.
+
+The motion is known in advance, so the ticks need not be events. A sample is computed when it is read, and the
+samples of a profile are logged when it is over or the log is read (these sensors are in
+`AnalogueInputs.computed`). Programs that compare a sample with a level get the tick at which it passes the level
+from `until`. The ticks are events only if listeners must be notified of each sample, the language does not
+record dependencies, or the axis has a simulated motor.
 """
 
 from __future__ import annotations
@@ -19,15 +25,14 @@ PERIOD = 1e-3
 
 
 def next_tick(now: float) -> float:
-    """Return the next tick of the profiler, which all ticked functions share."""
+    """Return the next tick of the profiler; all functions run at ticks share it."""
     return (int(now / PERIOD + 1e-6) + 1) * PERIOD
 
 
 class Sensor:
-    """A sensor that puts `value` plus `per_unit` per user unit beyond `origin`.
+    """A sensor on an axis that puts its value on a channel while it is active.
 
-    It does so while it is active. `origin` is a position of the machine; `start` is the machine's position at
-    power-up.
+    The value is `value` plus `per_unit` for each user unit beyond `origin`, a machine position.
     """
 
     __slots__ = ("_controller", "_event", "active", "axis", "origin", "per_unit", "put", "value")
@@ -48,7 +53,7 @@ class Sensor:
         controller.axes[axis].followers.append(self._moved)
 
     def switch(self, active: bool) -> None:
-        """Switch the sensor as the axis enters or leaves its region."""
+        """Activate or deactivate the sensor as the axis enters or leaves its region."""
         self.active = active
         if active:
             self._sample()

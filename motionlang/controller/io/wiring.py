@@ -38,10 +38,10 @@ CONTROLLER = "controller"
 class World:
     """All events that reach a controller from outside.
 
-    `driven` are the digital inputs with a source in the world: a wait for any other input can never end.
-    `actions` overrides `FAULTS` by (axis, bit), as the program requests. `lines` are the faults that occur
-    when the program first reaches a line. `drive_errors` are the error bits of drives by axis, `misc` those
-    of the controller itself.
+    `driven` are the digital inputs with an external source: a wait for any other input can never end. `actions`
+    overrides `FAULTS` by (axis, bit), as requested by the program. `lines` are the faults that occur when the
+    program first reaches a line. `drive_errors` are the error bits of the drives by axis, `misc` the error bits of
+    the controller itself.
     """
 
     def __init__(self, controller: Controller, settings: Settings) -> None:
@@ -83,7 +83,7 @@ class World:
             self._wire_channel(entry, self._controller.analogue_inputs.__setitem__)
 
     def _wire_axis(self, axis: int) -> None:
-        """Wire travel limits and home switch, each with its input channel, if it has one."""
+        """Wire the travel limits and the home switch, with their input channels, if any."""
         get = self._settings.get
         self._fit_motor(axis)
         self._controller.axes[axis].index_every = get(f"axis.{axis}.index_every", 0.0)  # type: ignore[assignment]
@@ -100,7 +100,7 @@ class World:
             self._wire_region(axis, low, high, self._home_change(axis, channel))
 
     def _wire_interlock(self, axis: int) -> None:
-        """Wire the enable input: the drive is disabled while it is off."""
+        """Wire the enable input: the drive is disabled while the input is off."""
         channel: int | None = self._settings.get(f"axis.{axis}.enable_input")  # type: ignore[assignment]
         if channel is None:
             return
@@ -228,7 +228,7 @@ class World:
         follow(controller.outputs.inverted(output))
 
     def _wire_encoder(self, entry: Entry) -> None:
-        """Wire an `[[encoder]]`, which runs at a velocity, counts/s, from a time on."""
+        """Wire an `[[encoder]]`, which runs at a velocity, counts/s, from a given time."""
         controller = self._controller
         number = (
             int(_number(entry, "channel")) if "channel" in entry else AUXILIARY + int(_number(entry, "aux"))
@@ -273,7 +273,7 @@ class World:
             happen()
 
     def _at(self, time: float, call: Callable[[], None]) -> None:
-        """Call now if the time is that of power-up; schedule it if not."""
+        """Call now if `time` is that of power-up; schedule the call if it is later."""
         if time <= self._controller.clock.now:
             call()
         else:
@@ -286,7 +286,7 @@ class World:
         self._regions.append((region, low, high))
 
     def _start(self, axis: int) -> float:
-        """Return the machine's position at power-up, where its counts begin."""
+        """Return the machine position at power-up, at which counting begins."""
         return self._settings.get(f"axis.{axis}.start", 0.0)  # type: ignore[return-value]
 
     def _scale(self, axis: int) -> float:

@@ -1,8 +1,8 @@
 """Speeds that change in motion: at once, for later moves, or by a percentage.
 
 Mint's FEEDRATE page (MN1270 p. 79-81): in speed mode a new speed acts at once on the move in progress and on
-loaded ones. In feed rate mode a move keeps the speed it was loaded with. The override multiplies either, at
-once.
+loaded ones. In feed rate mode a move keeps the speed that it was loaded with. In both modes the override
+multiplies the speed, at once.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})
 
 
 def changed(controller: Core, a: Axis, name: str) -> None:
-    """Apply one of `LIVE` set during a move; a suspended axis applies it later."""
+    """Apply a setting of `LIVE` changed during a move; if suspended, apply it later."""
     entries = a.entries
     if name == "feedrate_mode":
         for move in entries:
@@ -33,7 +33,7 @@ def changed(controller: Core, a: Axis, name: str) -> None:
 
 
 def unchanged(a: Axis, name: str, value: object) -> bool:
-    """True if one of `LIVE` already has this value, as when a loop rewrites it.
+    """True if a setting of `LIVE` already has this value, as when a loop rewrites it.
 
     A speed or rate of 0 means no motion; it is rejected every time it is written.
     """
@@ -56,7 +56,7 @@ def _concerns(move: Move, name: str) -> bool:
 def _new_rates(controller: Core, a: Axis) -> None:
     """Apply new rates to the rest of the move, unless they would cause an overshoot.
 
-    A deceleration for which they come too late continues as planned; no source says what a controller does
+    If a lower deceleration comes too late, the axis brakes as planned; no source says what a controller does
     there.
     """
     move = a.move

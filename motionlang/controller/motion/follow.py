@@ -6,36 +6,36 @@ top.
 
 Idea. Nothing is sampled. The master's motion is a profile, so the slave's is known exactly: the master's
 times the ratio, or the curve at the master's position. Each new profile of the master calls its slaves, and
-each computes its own from that time on (`renew`). An offset is a profile as well, and is added.
+each computes its own profile from that time on (`renew`). An offset is a profile as well, and is added.
 
     master's profile ── × ratio, or curve(master) ──▶ base ──┐
                                                              + ──▶ slave's profile ──▶ its own slaves
     offset's profile ────────────────────────────────────────┘
 
-A gear with a `ramp` first comes to its velocity at the slave's own rates: a straight ramp, up to the time at
-which it meets ratio × master's velocity (`_chased`). `locked` is that time.
+A gear with a `ramp` first ramps linearly, at the slave's own rates, until its velocity equals ratio × master's
+velocity (`_chased`). `locked` is the time at which it does.
 
 Data. `Follow` ties a slave to its master. It is the action of the slave's move in progress. `Gear` and the
-cams and shears of `cam.py` are its subclasses. Each says in `base` what the slave does while the master does
-what is `coming`. `FollowMove` is the slave's entry in the log. It stores the profiles that the slave has
+cams and shears of `cam.py` are its subclasses. Each defines in `base` how the slave moves for the master's
+future motion, `coming`. `FollowMove` is the slave's entry in the log. It stores the profiles that the slave has
 followed, and joins them when it is read.
 
 A suspended gear ramps to rest, and its offset with it. The rest of that offset waits in `_paused`; offsets
 commanded meanwhile wait in `_later`. A cam or a shear cannot be suspended. An input that would suspend it
-holds its axis once it is over, and delays new offsets until its release.
+holds its axis once the cam or shear is over, and delays new offsets until the input is released.
 
 Invariants.
-- The base of a gear begins at the slave's position, less the offset done so far, so no position jumps. A
-  curve is always read at the master's position.
-- One offset is in progress at a time. A new one adds what the one before has left; what that has done becomes
-  part of the base (`fold`).
+- The base of a gear begins at the slave's position, less the part of the offset already done, so no position
+  jumps. A curve is always read at the master's position.
+- One offset is in progress at a time. A new one adds the remaining distance of the one before; the distance
+  already done becomes part of the base (`fold`).
 - No axis follows itself, directly or through others (`check_chain`).
 - `renew` acts only while the tie is in force (`tied`). A stop replaces the tie and keeps the move.
 - A slave that leaves its master completes the profile in force (`leave_master`).
 
 Cost. One profile for each new profile of the master, for each slave along a chain. An entry of the log with
 more than `MAX_FOLLOWED` profiles continues as a further entry. The cycles of a cam share its curve, so a
-cycle takes as much memory as any other profile; if its table changes, it counts as many.
+cycle takes as much memory as any other profile; a cycle with a changed table counts as many.
 """
 
 from __future__ import annotations
@@ -87,14 +87,14 @@ class FollowMove(Move):
         self.size += 1
 
     def begin_new_entry(self, controller: Core, now: float) -> None:
-        """Become a new entry of the log, because this one is long."""
+        """Split the log entry if it has become long: this one continues as a new entry."""
         if self.size > MAX_FOLLOWED and self.profile is not None:
             controller.log.moves.split(self, self.until(now), now, self.size)
             self.parts, self.size = [], 0
 
     @property
     def profile(self) -> Profile | None:
-        """The sequence of all profiles."""
+        """All profiles of the entry, joined in sequence."""
         return self._sequence(self.parts) if self.parts else None
 
     @profile.setter
@@ -113,7 +113,7 @@ class FollowMove(Move):
 
 
 class Follow(Action):
-    """A slave's tie to the axis or encoder that it follows; `base` defines how."""
+    """A slave's tie to its master, an axis or encoder; `base` defines the relation."""
 
     __slots__ = ("_callback", "a", "controller", "master", "move", "offset", "offset_began", "offset_entry")
 
@@ -138,7 +138,7 @@ class Follow(Action):
         """Schedule the events of the tie itself."""
 
     def disarm(self) -> None:
-        """Cancel these events."""
+        """Cancel the events that `arm` scheduled."""
 
     # -- the tie
 
@@ -169,7 +169,7 @@ class Follow(Action):
 
     @property
     def tied(self) -> bool:
-        """True while the tie is in force; a stopping slave keeps only the move."""
+        """True while the tie is in force; a slave that stops has only the move left."""
         return self.a.move is self.move and self.move.action is self
 
     def coming(self) -> Profile:
@@ -184,7 +184,7 @@ class Follow(Action):
 
     @property
     def resting(self) -> bool:
-        """True if the slave is at rest and stays there unless its master moves."""
+        """True if the slave is at rest until its master moves."""
         return self.a.profiles[-1].end == self.a.profiles[-1].start and not self.a.profiles[-1].peak_speed
 
     def leave(self, controller: Core, a: Axis, ended: str) -> None:
@@ -202,7 +202,7 @@ class Follow(Action):
         )
 
     def more(self, controller: Core, a: Axis) -> None:
-        """Start superposed entries while the axis follows, one after the other."""
+        """Start released offsets during following, one after the other."""
         while a.buffer and tie_of(a) is self and self.offset is None and not a.suspended:
             move = next((m for m in a.buffer if m.released and m.action and m.action.lies_on_top), None)
             if move is None:
@@ -213,11 +213,11 @@ class Follow(Action):
             action.begin_on_top(controller, a, move)
 
     def put_off(self, begin: Callable[[], None]) -> bool:
-        """True if an offset has to wait and will `begin` later; false if it cannot wait."""
+        """True if an offset has to wait, and `begin` is called later; false to begin now."""
         return False
 
     def start_offset(self, profile: Profile, entry: Move | None = None) -> None:
-        """Superpose an offset, which begins at 0; it replaces the one in progress."""
+        """Superpose an offset, whose profile begins at 0; it replaces the one in progress."""
         now = self.controller.clock.now
         if self.offset is not None:
             self.fold(self.offset.position(now - self.offset_began))
@@ -226,19 +226,19 @@ class Follow(Action):
         self.renew()
 
     def end_offset(self, ended: str) -> None:
-        """Close the log entry of an offset that does not reach its end."""
+        """Close the log entry of an offset that ends early."""
         entry, self.offset_entry = self.offset_entry, None
         if entry is not None and entry.profile is not None:
             entry.profile = entry.until(self.controller.clock.now)
             entry.ended = ended
 
     def carry(self, profile: Profile, began: float, entry: Move | None = None) -> None:
-        """Superpose an offset that began earlier, and schedule its end."""
+        """Superpose an offset that began at the time `began`, and schedule its end."""
         self.offset, self.offset_began, self.offset_entry = profile, began, entry
         self.controller.clock.at(began + profile.duration, lambda: self._offset_done(profile))
 
     def fold(self, distance: float) -> None:
-        """Add the distance of an offset to the base."""
+        """Add a distance that an offset has covered to the base."""
 
     def offset_left(self) -> tuple[float, float]:
         """Return the remaining distance of the offset in progress, and its velocity."""
@@ -268,7 +268,7 @@ class Follow(Action):
 
 
 class Gear(Follow):
-    """`ratio` times the master's motion.
+    """Following at `ratio` times the master's motion.
 
     With `ramp` the slave first ramps to that velocity at its own rates.
     """
@@ -295,11 +295,11 @@ class Gear(Follow):
 
     @property
     def locked(self) -> float:
-        """The time at which the slave reaches the velocity that the ratio demands."""
+        """The time at which the slave reaches the velocity that the ratio requires."""
         return self._locks_at
 
     def set_ratio(self, ratio: float, ramp: bool) -> None:
-        """Set another ratio from now on; the present one is a no-op."""
+        """Set another ratio from now on; setting the present one is a no-op."""
         if ratio == self.ratio and ramp == self.ramp:
             locked = self._locks_at <= self.controller.clock.now
             if locked or self._chased_at == self.controller.rates(self.a, self.a.speed):
@@ -320,7 +320,7 @@ class Gear(Follow):
         return True
 
     def resume(self, controller: Core, a: Axis) -> None:
-        """Ramp to the ratio again, and complete the offset; later offsets follow it."""
+        """Ramp to the ratio again and complete the offset; then start the waiting offsets."""
         self._locks_at = INFINITY
         (left, velocity), now = self.offset_left(), controller.clock.now
         if self._halt is not None:  # it may not be at rest yet
@@ -346,11 +346,11 @@ class Gear(Follow):
         return self.a.suspended
 
     def offset_left(self) -> tuple[float, float]:
-        """Return the offset left; a waiting offset has no velocity."""
+        """Return the remaining distance of the offset, and its velocity, 0 while it waits."""
         return (self._paused, 0.0) if self._paused else super().offset_left()
 
     def _pause_offset(self) -> None:
-        """Slow the offset down with the slave, in the same time; the rest of it waits."""
+        """Ramp the offset down together with the slave; the rest of it waits."""
         left, velocity = self.offset_left()
         if self.offset is None:
             return
@@ -386,7 +386,7 @@ class Gear(Follow):
         return relabelled(coming.scaled(position, self.ratio), self.move.shape)
 
     def _chased(self, coming: Profile, position: float) -> Profile:
-        """Return a linear ramp to the velocity of the ratio, followed by gearing."""
+        """Return a linear ramp to the velocity that the ratio requires, then gearing."""
         now = self.controller.clock.now
         wanted = coming.scaled(0.0, self.ratio)
         have = self.a.velocity(now) - self.offset_left()[1]
@@ -408,7 +408,10 @@ class Gear(Follow):
 
 
 def _ramp(position: float, velocity: float, sign: float, accel: float, decel: float) -> Profile:
-    """Return an endless acceleration in a direction; opposite motion slows down first."""
+    """Return an endless acceleration in the direction `sign`.
+
+    Opposite motion slows down to rest first.
+    """
     far = plan_velocity("trapezoid", position, velocity, sign * (abs(velocity) + accel * 1e6), accel, decel)
     return far.cut(far.knots[-2] * 0.999)
 
@@ -442,7 +445,10 @@ def _check_ratio(ratio: float) -> None:
 
 
 def leave_master(controller: Core, a: Axis) -> None:
-    """Stop following; the present profile continues to its end. At rest it is idle."""
+    """Stop following; the present profile continues to its end.
+
+    An axis at rest becomes idle.
+    """
     tie = tie_of(a)
     if tie is None:
         return

@@ -1,4 +1,4 @@
-"""Early rest and continuation: stop, suspend, resume, and a changed end of a move."""
+"""Stop, suspend and resume motion, and change the end of a move."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class Stopping(Action):
     """Coming to rest after a stop; only a harder stop changes it.
 
-    `rate` is a rate of its own, or 0.
+    `rate` is the deceleration of the stop itself, or 0 for that of the axis.
     """
 
     __slots__ = ("hard", "rate")
@@ -39,7 +39,7 @@ class Stopping(Action):
 def stop(controller: Core, a: Axis, ended: str, hard: bool = False) -> None:
     """Decelerate to rest at the set rate; a `hard` stop uses `error_decel`.
 
-    It observes `max_decel` unless in a fault.
+    The deceleration is limited to `max_decel`, except in a fault.
     """
     move = a.move
     if move is None:
@@ -89,11 +89,11 @@ def _decel(controller: Core, a: Axis) -> float:
 
 
 def suspend(controller: Core, a: Axis, reason: int) -> None:
-    """Ramp to rest and keep the moves; motion started meanwhile waits too.
+    """Ramp to rest and keep the moves; motion commanded meanwhile waits too.
 
-    A keyword concerns all axes of a path, an input its own axis, and the path with it. If a keyword would be
-    rejected, an input raises a run-time fault: its reason remains and holds the axis once that motion is
-    over.
+    A keyword suspends all axes of a path. An input suspends its own axis, together with the path that it is on. If a
+    keyword would be rejected, an input raises a run-time fault: its reason remains and suspends the axis once the
+    present motion is over.
     """
     move, sharing = a.move, _sharing(a)
     fresh = not any(each.suspended for each in sharing)
@@ -117,7 +117,7 @@ def suspend(controller: Core, a: Axis, reason: int) -> None:
 
 
 def resume(controller: Core, a: Axis, reason: int) -> None:
-    """Remove a reason; if none remains, continue to the target."""
+    """Remove a reason for suspension; if none remains, continue to the target."""
     sharing = _sharing(a)
     if reason == BY_WORD:
         if not any(each.held & reason for each in sharing):

@@ -25,7 +25,7 @@ _ROUNDING = 1e-12
 
 
 class Jog(Action):
-    """Running at a velocity, counts/s; with `ends` a velocity of 0 ends the jog."""
+    """Motion at a velocity, counts/s; with `ends` a velocity of 0 ends the jog."""
 
     __slots__ = ("_ramp_settings", "ends", "velocity")
     live_limits = ("max_speed", "max_accel", "max_decel")
@@ -43,7 +43,7 @@ class Jog(Action):
         self.aim(a)
 
     def aim(self, a: Axis) -> None:
-        """Set the known end of a jog that ends."""
+        """Set the target of a jog that comes to an end, now that its end is known."""
         end = a.profiles[-1].end
         if self.ends and abs(end) < INFINITY and a.move is not None:
             a.target = a.move.target = end
@@ -93,9 +93,9 @@ class Jog(Action):
 def jog(
     controller: Core, a: Axis, velocity: float, command: str, line: int, own: Rates | None, ends: bool
 ) -> None:
-    """Ramp to a velocity and keep it, at given rates or those of the axis.
+    """Ramp to a velocity and keep it, at the rates `own` or those of the axis.
 
-    Repeating the command, as the loop of a jog panel does, is a no-op for profile and log.
+    Repeating the command, as the loop of a jog panel does, changes neither profile nor log.
     """
     present = a.move
     if present is None:

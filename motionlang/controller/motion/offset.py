@@ -25,7 +25,7 @@ STANDARD, SPEED_LIMIT, ACCEL_MODE, SPEED_MODE = range(4)
 
 
 class OffsetMove(Move):
-    """The log entry of an offset, with positions relative to the slave without it."""
+    """The log entry of an offset; positions are relative to the slave without offset."""
 
     __slots__ = ()
     overlaid = True
@@ -34,7 +34,7 @@ class OffsetMove(Move):
 def offset(
     controller: Core, a: Axis, distance: float, mode: int, over: float, command: str, line: int
 ) -> None:
-    """Superpose `distance` on a slave's motion; another axis moves by it.
+    """Superpose `distance` on a slave's motion; move any other axis by `distance`.
 
     Modes 2 and 3 spread it over `over` counts of the master.
     """
@@ -66,7 +66,7 @@ def offset(
 
 
 def crossing_time(controller: Core, a: Axis, left: float) -> float:
-    """Return when `left` remains of the offset in progress; infinite if never."""
+    """Return when `left` counts of the present offset remain; infinite if never."""
     tie = tie_of(a)
     if tie is None or tie.offset is None:
         return INFINITY
@@ -111,9 +111,10 @@ def _limits(
 def _triangle(
     controller: Core, a: Axis, distance: float, time: float, most: float, slower: bool
 ) -> tuple[float, float, float] | None:
-    """Return speed and rates of a triangle, or of a plateau if that is too fast.
+    """Return speed and rates of a triangular profile that takes `time`.
 
-    The triangle speeds up for half the time and slows down for the other half.
+    It speeds up for half the time and slows down for the other half. If its peak is too fast, the profile is a
+    trapezoid. None if that is impossible; the status gives the reason.
     """
     peak = 2.0 * distance / time
     speed = _clipped(controller, a, peak, most, slower)

@@ -1,7 +1,7 @@
-"""Playback of a ready-made profile; suspension slows its time to a standstill.
+"""Playback of a ready-made profile; a suspension slows its time to a standstill.
 
 So an axis stays on its profile, and axes that play together stay together, however often they are suspended.
-A spline continues with the rest of its segment in a time of its own.
+A spline that is resumed covers the rest of its segment in the axis's `suspend_time`.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ class Playback(Action):
     """The playback of a profile.
 
     With `on_path` a stop also comes to rest on it, in the axis's `suspend_time`. `ordered` are the points,
-    velocities and times that it was made of, if any. `step` is the velocity at which a stepper starts and
-    stops at once, 0.0 for none.
+    velocities and times that it was made from, if any. `step` is the velocity at which a stepper starts and
+    stops abruptly, 0.0 for none.
     """
 
     __slots__ = ("_is_paced", "on_path", "ordered", "step")
@@ -57,9 +57,9 @@ class Playback(Action):
         return self._made(controller, profile, with_rest(hold(0.0).cut(0.0), "suspend"), "suspend")
 
     def plan(self, controller: Core, a: Axis) -> Profile:
-        """Return the rest at full rate.
+        """Return the rest of the profile at full rate.
 
-        On a path the rest of the segment comes first, in the axis's `suspend_time`.
+        With `on_path` the rest of the segment comes first, in the axis's `suspend_time`.
         """
         path, place, rate = self.state(controller, a)
         if self.on_path and a.suspend_time > 0.0 and rate < 1.0 and place < path.knots[-1]:
@@ -77,7 +77,7 @@ class Playback(Action):
     def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         """Come to rest on the profile and empty the buffer.
 
-        False for a fault, and if it is not on a path.
+        False, without effect, in a fault or without `on_path`.
         """
         if not self.on_path or ended == "fault":
             return False
@@ -115,7 +115,7 @@ class Playback(Action):
     def _segment_in_time(self, controller: Core, a: Axis, path: Profile, place: float) -> Profile:
         """Return the rest of the present segment as one cubic, then the path unchanged.
 
-        The segment is the one that contains `place`; the cubic takes `suspend_time`.
+        The segment is the one that contains `along`; the cubic takes `suspend_time`.
         """
         state = a.at(controller.clock.now)
         self._count_from_here(controller, a, path, place, a.suspend_time)
@@ -128,9 +128,9 @@ class Playback(Action):
     def _count_from_here(
         self, controller: Core, a: Axis, path: Profile, place: float, time: float = 0.0
     ) -> None:
-        """Restart the points at the axis, followed by those of the path after `place`.
+        """Let the points begin at the axis, followed by those of the path after `along`.
 
-        The next one comes after `time`, by default at its time on the path.
+        The next point comes after `time`, or if that is 0 at its time on the path.
         """
         if self.ordered is None:
             return
@@ -144,9 +144,9 @@ class Playback(Action):
         )
 
     def _with_continuation(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
-        """Return the profile with its continuation, and its playback time.
+        """Return the profile with its continuation, and playback time over machine time.
 
-        The playback comes to rest, or runs to the end if nothing follows.
+        The playback comes to rest, or runs to the end of the profile if that comes first.
         """
         path, place, rate = self.state(controller, a)
         pace = self._slowing(a, place, rate)
@@ -169,7 +169,7 @@ class Playback(Action):
             a.target = a.move.target = path.end
 
     def _slowing(self, a: Axis, place: float, rate: float) -> Profile:
-        """Return a playback time that comes to rest."""
+        """Return a playback time, over machine time, that slows down to a standstill."""
         if a.suspend_time <= 0.0 or rate <= 0.0:
             return hold(place).cut(0.0)
         return plan_stop("trapezoid", place, rate, 1.0 / a.suspend_time)
@@ -194,7 +194,7 @@ class _StoppingOnPath(Stopping):
 def _to_the_end(path: Profile, pace: Profile) -> Profile:
     """Return a playback time that ends exactly at the end of the profile.
 
-    Rounding must not end it elsewhere.
+    Rounding must not make it end before or after.
     """
     end = pace.crossing(path.duration)
     assert end is not None, "a playback rate above zero reaches every end"

@@ -1,4 +1,4 @@
-"""References: an axis with a velocity or position that is written repeatedly.
+"""References: a program writes the velocity or position of an axis repeatedly.
 
 A speed reference ramps to the new velocity; a position reference moves there in a straight line within one
 period of the profiler. All writes until another motion form one entry of the log.
@@ -28,7 +28,7 @@ PERIOD = 1e-3
 
 
 class Reference(Action):
-    """The motion by a reference; a new one replaces the rest of its profile."""
+    """Motion to a reference; a new reference replaces the rest of its profile."""
 
     __slots__ = ("move",)
     keeps_rates = False
@@ -53,9 +53,9 @@ class Reference(Action):
 
 
 class SpeedReference(Reference):
-    """A velocity, counts/s, reached by the slopes `up` and `down`.
+    """A velocity, counts/s, reached with the slopes `up` and `down`.
 
-    `error_rate` brakes after an error; 0 for none.
+    `error_rate` is the deceleration after an error; 0 for none.
     """
 
     __slots__ = ("error_rate", "slopes", "velocity")
@@ -83,7 +83,7 @@ class SpeedReference(Reference):
     def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         """Brake at `error_rate`, counts/s², after an error.
 
-        False if that is 0, and for other stops.
+        False, without effect, if that is 0, and for other stops.
         """
         if ended != "fault" or not hard or not self.error_rate:
             return False
@@ -127,7 +127,7 @@ def _steady(controller: Core, a: Axis) -> bool:
 
 
 class PositionReference(Reference):
-    """A position, counts, reached in a straight line within a period."""
+    """A position, counts, reached in a straight line within a period of the profiler."""
 
     __slots__ = ("place",)
 
@@ -147,7 +147,7 @@ class PositionReference(Reference):
 
 
 def refer_position(controller: Core, a: Axis, place: float, command: str, line: int) -> None:
-    """Move an axis to a position within a period; a no-op if it is there."""
+    """Move an axis to a position within a period; a no-op if it is there already."""
     if not abs(place) < INFINITY:
         raise Rejected("range", f"axis {a.index} cannot go to {place:g}")
     action = a.move.action if a.move is not None else None
@@ -171,7 +171,7 @@ def refer_position(controller: Core, a: Axis, place: float, command: str, line: 
 
 
 def _last(controller: Core, a: Axis, command: str) -> FollowMove | None:
-    """The log entry to extend: the axis's last one, if no other motion followed."""
+    """Return the axis's last log entry, to be extended, if no other motion followed."""
     if a.move is not None:
         return None
     for move in reversed(controller.log.moves[-len(controller.axes) :]):

@@ -1,7 +1,7 @@
 """A velocity recomputed at every profiler tick, as for an analogue input.
 
-Between two ticks the velocity changes linearly, within the rates of the axis. At standstill with nothing to
-do there are no ticks; the cause of the next motion wakes it.
+Between two ticks the velocity changes linearly, within the rates of the axis. There are no ticks while the axis
+is at standstill and is to stay there; the cause of the next motion calls `wake`.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class Track(Reference):
 
     @property
     def holds(self) -> bool:
-        """True while the axis is under its control."""
+        """True while this motion controls the axis."""
         return self.a.move is self.move and self.move.action is self
 
     def wake(self) -> None:
@@ -83,7 +83,7 @@ class Track(Reference):
             self._await()
 
     def _within(self, velocity: float, wanted: float) -> float:
-        """Return the velocity a period later: the desired one, within the rates."""
+        """Return the velocity one period later: the desired one, limited by the rates."""
         accel, decel = self.controller.rates(self.a, self.a.speed)
         change = wanted - velocity
         rises = change * velocity >= 0.0
@@ -94,7 +94,7 @@ class Track(Reference):
 def track(
     controller: Core, a: Axis, decide: Callable[[], tuple[float, bool]], command: str, line: int
 ) -> Track:
-    """Move an axis at standstill by `decide`, from the next tick on."""
+    """Let the function `decide` move an axis at standstill, from the next tick on."""
     if a.move is not None:
         raise Rejected("moving", f"axis {a.index} is moving", f"{command} needs the axis at rest")
     controller.rates(a, a.speed)

@@ -1,4 +1,4 @@
-"""Backlash taken up by the motor: its amount, and the last direction of the axis."""
+"""Backlash taken up by the motor: how much so far, and the axis's last direction."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ _MOMENT = 1e-9
 class Takeup:
     """The backlash of one axis, counts, taken up in `ramp` seconds.
 
-    With a positive `size` the motor rests at the negative end: forward motion needs the complete size,
-    reverse motion nothing. A negative size is the opposite. Backlash is taken up only while the axis moves.
+    With a positive `size` the motor rests at the negative end: forward motion must take up the complete size,
+    reverse motion nothing. A negative size means the opposite. Backlash is taken up only while the axis moves.
     """
 
     __slots__ = ("_axis", "_time", "heading", "ramp", "size", "taken")
@@ -26,7 +26,7 @@ class Takeup:
         self.heading = 0
 
     def advance(self, now: float, on: bool) -> float:
-        """Return the amount taken up by now, counts."""
+        """Advance to a time and return the backlash taken up by then, counts."""
         while self._time < now:
             end, heading = self._stretch(now)
             if heading:
@@ -37,7 +37,7 @@ class Takeup:
         return self.taken
 
     def rate(self) -> float:
-        """Return its rate of change, counts/s, at the time of the last `advance`."""
+        """Return the rate, counts/s, of taking up backlash after the last `advance`."""
         left = self._goal(self.heading) - self.taken
         if not left or not self.ramp or not self._axis.velocity(self._time):
             return 0.0
@@ -69,5 +69,5 @@ class Takeup:
 
 
 def _next_knot(profile: Profile, after: float) -> float | None:
-    """Return the start of the next piece; a profile at rest does not move before it."""
+    """Return the time of the next knot of a profile; None after the last one."""
     return next((knot for knot in profile.knots if knot > after), None)

@@ -21,7 +21,7 @@ def put(a: Axis, move: Move) -> None:
 
 
 def put_action(a: Axis, action: Action, command: str, line: int) -> None:
-    """Load an entry that is no move; it ends where the entry before it does."""
+    """Load an entry that is not a move; it ends where the entry before it does."""
     move = counted(a, 0.0, command, line)
     move.action = action
     put(a, move)
@@ -37,7 +37,7 @@ def counted(a: Axis, distance: float, command: str, line: int) -> Move:
 
 
 def resolve(a: Axis, move: Move) -> None:
-    """Fix the end of a relative entry, counted from the axis's position at its start."""
+    """Compute the end of a relative entry from the axis's position at its start."""
     move.target = _end_from(move, a.target)
 
 
@@ -46,7 +46,7 @@ def _end_from(move: Move, start: float) -> float:
 
 
 def keep_ends(a: Axis, shift: float) -> None:
-    """Preserve the ends of relative entries when the present move ends further on."""
+    """Preserve the ends of relative entries when the present move's end shifts."""
     for move in a.buffer:
         if move.base is None:
             return
@@ -58,7 +58,7 @@ def keep_ends(a: Axis, shift: float) -> None:
 
 
 def stamped(a: Axis, move: Move) -> Move:
-    """Return the move with the settings at the time it is loaded."""
+    """Return the move with the axis's settings at the time of loading."""
     move.id = a.move_id
     mode = a.feedrate_mode
     if mode & 1:
@@ -90,18 +90,18 @@ def known_end(a: Axis) -> float:
 
 
 def taken(controller: Core, a: Axis) -> None:
-    """Notify if the removal of an entry makes the free entries exceed the level set."""
+    """Notify if removing an entry makes the number of free ones exceed the level set."""
     if a.buffer_size - len(a.buffer) == a.buffer_low + 1:
         controller.tell("buffer-low", a.index)
 
 
 def motions(a: Axis) -> list[Move]:
-    """Return the entries without the outputs, which delay no path."""
+    """Return the entries other than outputs, which do not delay a path."""
     return [move for move in a.buffer if not isinstance(move.action, (Outputs, Pulse))]
 
 
 def reach(controller: Core, a: Axis, move: Move) -> None:
-    """Remove an entry from the buffer; set the outputs before it."""
+    """Remove an entry from the buffer, and execute the outputs before it."""
     while a.buffer[0] is not move:
         head = a.buffer[0]
         assert head.action is not None
@@ -111,7 +111,7 @@ def reach(controller: Core, a: Axis, move: Move) -> None:
 
 
 class Dwell(Action):
-    """Rest for `duration` seconds."""
+    """A rest of `duration` seconds."""
 
     __slots__ = ("duration",)
 
@@ -127,7 +127,7 @@ class Dwell(Action):
 
 
 class Outputs(Action):
-    """Set digital outputs, without duration."""
+    """A change of digital outputs, which takes no time."""
 
     __slots__ = ("values",)
 
@@ -140,7 +140,7 @@ class Outputs(Action):
 
 
 class Pulse(Action):
-    """Turn a digital output on for `duration` seconds; another pulse prolongs it."""
+    """A digital output turned on for `duration` seconds; another pulse prolongs it."""
 
     __slots__ = ("channel", "duration")
 

@@ -43,10 +43,10 @@ class CurveFollow(Follow):
     """A slave on `curve` (counts over counts of the master).
 
     `direction` is the master's direction of travel. `origin` is the master's position at which the curve
-    begins. It moves with the master's zero, and if the master's commanded position is set to its motor:
-    neither is a motion that the slave follows. `lift` is added to the positions of the curve, so that the
-    cycles of a cam share one. `ordered` is the source of the curve: master positions, slave
-    values there, and how they are joined.
+    begins. `origin` moves with the master's zero, and when the master's commanded position is set to that of its
+    motor: the slave follows neither change. `lift` is added to the positions of the curve, so that the cycles of a
+    cam share one curve. `ordered` is the source of the curve: master positions, the slave's values there, and how
+    they are joined.
     """
 
     __slots__ = ("_event", "curve", "datum", "direction", "lift", "ordered", "origin")
@@ -61,15 +61,15 @@ class CurveFollow(Follow):
         self._event: Event | None = None
 
     def over(self, forward: bool) -> bool:
-        """Handle the end of the curve, or its beginning in reverse; True to continue."""
+        """Handle the end of the curve, or in reverse its beginning; True to continue."""
         raise NotImplementedError
 
     # -- the tie
 
     def base(self, coming: Profile, position: float) -> Profile:
-        """Return the slave's position on the curve at the master's position.
+        """Return the slave's motion on the curve for the master's motion `coming`.
 
-        `position` equals it.
+        `position`, where it begins, is already on the curve.
         """
         along = self._along(coming)
         if along.shape == "hold":
@@ -81,7 +81,7 @@ class CurveFollow(Follow):
         return self._along(self.coming()).start
 
     def arm(self, coming: Profile) -> None:
-        """Schedule the master's exit from the curve, at either end if it may reverse."""
+        """Schedule when the master leaves the curve, at either end if it may reverse."""
         along, clock = self._along(coming), self.controller.clock
         length = self.curve.duration
         times: list[tuple[float, bool]] = []
@@ -110,7 +110,7 @@ class CurveFollow(Follow):
         self.lift += shift
 
     def resume(self, controller: Core, a: Axis) -> None:
-        """Start the offsets that waited: the curve itself was never suspended."""
+        """Start the waiting offsets; the curve itself was never suspended."""
         self.more(controller, a)
 
     def fold(self, distance: float) -> None:
@@ -124,7 +124,7 @@ class CurveFollow(Follow):
         return self.curve.end + self.lift
 
     def next_curve(self, curve: Profile, forward: bool) -> None:
-        """Continue on a curve after the end of this one, or before its beginning."""
+        """Continue on another curve after the end of this one, or before its beginning."""
         if forward:
             self.lift += self.curve.end - curve.start
             self.origin += self.direction * self.curve.duration
@@ -183,12 +183,12 @@ class CurveFollow(Follow):
 
 
 def _datum(master: Axis) -> float:
-    """Return how far a master's positions have changed without motion."""
+    """Return how far a master's positions have been shifted without motion."""
     return master.datum + (master.feedback.demand_shift if master.feedback is not None else 0.0)
 
 
 class Cam(CurveFollow):
-    """A cam table, once or repeatedly."""
+    """Following a cam table, once or repeatedly."""
 
     __slots__ = ("cyclic", "first")
 
@@ -240,7 +240,7 @@ class Fly(Action):
             raise
 
     def follow(self, controller: Core, a: Axis, move: Move, ratio: float) -> Shear:
-        """Return the tie of this segment, which begins at a ratio of slave to master."""
+        """Return the tie of this segment, with `ratio` of slave to master at its start."""
         here = a.position(controller.clock.now)
         entry = FollowMove(a.index, move.command, move.line, "fly", here + self.distance)
         entry.id = move.id
@@ -251,12 +251,15 @@ class Fly(Action):
 
 
 class Shear(CurveFollow):
-    """One segment of a flying shear; the next one in the buffer continues at its end."""
+    """One segment of a flying shear; at its end the next one in the buffer continues."""
 
     __slots__ = ()
 
     def over(self, forward: bool) -> bool:
-        """Continue with the next segment of the buffer at the present ratio; or False."""
+        """Continue with the next segment of the buffer at the present ratio.
+
+        False if there is none.
+        """
         controller, a = self.controller, self.a
         head = self._next_entry()
         if head is None or not isinstance(head.action, Fly):
@@ -280,7 +283,7 @@ class Shear(CurveFollow):
         return True
 
     def _next_entry(self) -> Move | None:
-        """Return the next entry; outputs before it are set."""
+        """Return the next entry of the buffer, and execute the outputs before it."""
         buffered = self.a.buffer
         while buffered and buffered[0].released:
             head = buffered[0]
@@ -299,9 +302,9 @@ class Shear(CurveFollow):
 
 
 def _runs_back(along: Profile, edge: float, least: float) -> float | None:
-    """Return when a master that starts at `edge` is `least` before it.
+    """Return when a master near `edge` reaches `least` before it, running backwards.
 
-    None if it first travels as far forward.
+    None if it first reaches `least` beyond it, or never does.
     """
     if along.start < edge - least:
         return 0.0
@@ -314,8 +317,8 @@ def _runs_back(along: Profile, edge: float, least: float) -> float | None:
 def _beginning(along: Profile, least: float) -> float | None:
     """Return when a master passes the beginning of a cycle backwards.
 
-    None if it stays within `least` of it. A cycle is left for the one before it only if that does not end
-    again at once. So `least` exceeds the distance that counts as a reversal at the end of that one.
+    None if it never goes back by more than `least`: the previous cycle is entered only if it does not end again at
+    once. So `least` exceeds the distance that counts as a reversal at the end of that cycle.
     """
     if along.extrema()[0] >= -least:
         return None
@@ -331,7 +334,7 @@ def _beginning(along: Profile, least: float) -> float | None:
 
 
 def _segment(start: float, distance: float, over: float, ratio: float) -> Profile:
-    """Return a curve from `ratio` on with a linear change of the ratio.
+    """Return a curve whose ratio begins at `ratio` and changes linearly.
 
     The slave travels `distance` while the master travels `over`.
     """
@@ -355,7 +358,7 @@ def start_cam(
     command: str,
     line: int,
 ) -> None:
-    """Follow a table from segment `first` to `last`, from both axes' positions."""
+    """Follow a table from segment `first` to `last`, starting at both axes' positions."""
     check_chain(a, master)
     end = len(places) if last is None else last + 2
     if not 0 <= first < end - 1 < len(places):

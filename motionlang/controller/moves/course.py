@@ -1,4 +1,4 @@
-"""A course: one path in progress and those ahead that it enters without a stop.
+"""A course: the path in progress and the paths that it enters without a stop.
 
 A course plans the distance along its paths over time and derives the motion of each axis. It schedules no
 event and moves no axis: `path_run.PathRun` does that, with the superposition of all blended courses.
@@ -33,18 +33,18 @@ SLACK = 1e-9
 
 
 class Course:
-    """The path `here`, laid out as `segment`, and the paths `ahead`.
+    """The path in progress, `here`, laid out as `segment`, and the paths `ahead`.
 
-    `profile` is the distance along `segment` over the time since `began`; distances beyond its length are
-    those of the paths ahead. It was planned to the end of the path `goal` (None: to rest anywhere). Times and
-    distances are rounded in between, so they cannot decide which path has ended or if it was the last
-    one. `part` is the profile up to the end of `here`, which comes at the time `due`.
+    `profile` is the distance along `segment` over the time since `began`; distances beyond its length are on the
+    paths ahead. It was planned to the end of the path `goal` (None: to rest anywhere). Times and distances are
+    rounded in between, so they cannot decide which path has ended or whether it was the last one. `present` is the
+    profile up to the end of `here`, which comes at the time `end_time`.
 
-    `starts` is where the course was laid out from, on each axis. `begins` is where it begins: at the end of
-    the course that it is blended with, which may be cut short. `entered` are the paths that it has run along
-    since. `planned_at` is when its profile was last planned: settings that do not act at once have no effect
-    on it before the next plan. `is_stopping` is set once it only has to come to rest, and `is_over` when it
-    is done, before or after a course that it is blended with.
+    `starts` are the positions of the axes from which the course was laid out. `begins` are those at which it really
+    begins, the end of the course that it is blended with: that may be cut short. `entered` are the paths that it has
+    been on since. `planned_at` is when its profile was last planned: settings that do not act at once have no effect
+    until the next plan. `is_stopping` is set once it only has to come to rest, and `is_over` when it is done, before
+    or after a course that it is blended with.
     """
 
     __slots__ = (
@@ -112,14 +112,14 @@ class Course:
         return bool(self.ahead) and self.profile.end > self.segment.length * (1.0 + SLACK)
 
     def following(self) -> PathMove | None:
-        """The next path of the same axes, if it is released and next on all of them."""
+        """The next path, if it has the same axes, is released and is next on all of them."""
         entries = motions(self.axes[0])
         action = entries[0].action if entries else None
         return action if _continues(action, self.axes, 0) else None  # type: ignore[return-value]
 
     @property
     def stops_at_corner(self) -> bool:
-        """True if it stops at the end of this path only because of the angle to the next."""
+        """True if only the angle to the next path makes it stop at the end of this one."""
         following, master = self.following(), self.axes[0]
         if following is None or not master.contour_mode or self.ahead:
             return False
@@ -161,19 +161,19 @@ class Course:
         return [self._at(k, each) for k, each in enumerate(places)]
 
     def _at(self, k: int, place: float) -> float:
-        """The position of axis index k at a laid-out position, for the actual start."""
+        """Convert a laid-out position of axis index k for the actual start of the course."""
         begin, start = self.begins[k], self.starts[k]
         return place if begin == start else begin + (place - start)
 
     # -------------------------------------------------------------------------------------------- execution
 
     def change(self, profile: Profile, goal: PathMove | None) -> None:
-        """Use a profile that was planned now."""
+        """Adopt a profile that has just been planned."""
         self.planned_at = self._controller.clock.now
         self.follow(profile, goal)
 
     def follow(self, profile: Profile, goal: PathMove | None) -> None:
-        """Use another profile, or the rest of the present one, from now on."""
+        """Adopt another profile, or the rest of the present one, from now on."""
         self.profile, self.goal, self.began = profile, goal, self._controller.clock.now
         self.part = self.profile
         if self.leads_on:
@@ -181,7 +181,7 @@ class Course:
             self.part = profile if time is None else profile.cut(time)
 
     def leave(self, whole: bool) -> None:
-        """Leave the path; `whole` is true if it has reached its end."""
+        """Leave the path; `whole` is true if its end has been reached."""
         if self.here.policy is not None:
             self.here.policy.ends(whole)
 
@@ -197,9 +197,9 @@ class Course:
         self.entered.append(self.here)
 
     def go_on(self, rest: Profile) -> None:
-        """Follow the rest of the profile along the path just reached.
+        """Run the path just reached on `rest`, the rest of the profile.
 
-        Paths released since may change it.
+        Paths released since the last plan cause a new one.
         """
         known = len(self.ahead)
         self.look_ahead()
@@ -208,14 +208,14 @@ class Course:
             self.plan_afresh()
 
     def shift(self, k: int, by: float) -> None:
-        """Shift positions of axis index k by `by` counts for a new zero; the course stays."""
+        """Shift positions of axis index k by `by` counts for a new zero, without motion."""
         self.starts[k] += by
         self.begins[k] += by
         for segment in (self.segment, *(each for _, each in self.ahead)):
             segment.shift(k, by)
 
     def begin_at(self, places: Sequence[float]) -> None:
-        """Begin at `places`, the new end of the course it is blended with; adjust the log."""
+        """Begin at `positions`, the changed end of the course before; adjust the log."""
         if list(places) == self.begins:
             return
         self.begins = list(places)
@@ -234,7 +234,7 @@ class Course:
     def look_ahead(self, begins: bool = False) -> None:
         """Lay out the paths of the buffers that can be entered without a stop.
 
-        A course that `begins` superposed on another one still has its own path in the buffers.
+        If the course `begins` superposed on another one, its own path is still in the buffers and is skipped.
         """
         if not self.here.may_join or self.is_stopping:
             return
@@ -251,17 +251,17 @@ class Course:
             self.ahead.append(before)
 
     def plan_afresh(self) -> None:
-        """Plan from the start of the profile; without enough distance it stays unchanged."""
+        """Plan again from the start of the profile; a no-op if the distance is too short."""
         planned = self.planned(0.0)
         if planned is not None:
             self.profile, self.goal = planned
             self.planned_at = self._controller.clock.now
 
     def planned(self, time: float) -> tuple[Profile, PathMove | None] | None:
-        """Return a profile from the state at `time` to rest, and its last path.
+        """Return a profile from the state at `time` to rest, and the last path it reaches.
 
-        None if the distance does not suffice to stop there. A ramp to rest whose acceleration can only be
-        reduced to zero at rest continues from that rest.
+        None if the distance does not suffice to stop there. If a ramp to rest can reduce its acceleration to zero only
+        at rest, the profile completes that ramp and continues from rest.
         """
         pace = self.here.pace(self._controller, self.segment)
         if self.is_suspended or not pace.speed:
@@ -282,7 +282,10 @@ class Course:
     def _from_rest(
         self, time: float, stretches: list[tuple[float, Pace]], goal: PathMove
     ) -> tuple[Profile, PathMove | None] | None:
-        """Plan from the rest that a stop reaches within the paths; None if there is none."""
+        """Complete the present ramp to rest, and plan from there.
+
+        None if it does not come to rest within the paths, or leads to a path's end.
+        """
         still = self.profile.velocity_crossing(0.0, time)
         if self.goal is not None or still is None or still == INFINITY:
             return None
@@ -290,9 +293,9 @@ class Course:
         return None if profile is None else (self.profile.cut(still).after(time).then(profile), goal)
 
     def _stretches(self, pace: Pace) -> tuple[list[tuple[float, Pace]], PathMove]:
-        """Return length and pace of the paths run as one, and the last path.
+        """Return the (length, pace) of each run of paths of equal pace, and the last path.
 
-        They end at a path that may not move now.
+        They end before a path that may not move now.
         """
         stretches, goal = [(self.segment.length, pace)], self.here
         for action, segment in self.ahead:
@@ -308,7 +311,7 @@ class Course:
         return stretches, goal
 
     def stopped(self, decel: float | None, beyond: bool = False) -> Profile | None:
-        """A stop as soon as possible, by `braking`; None if the plan does not change."""
+        """Return the earliest possible stop, by `braking`; None to keep the present plan."""
         profile = self.braking(self.elapsed, decel, beyond)
         if profile is None and self.profile.duration == INFINITY:
             # A profile that rested at its end until it is resumed ends there.
@@ -317,19 +320,19 @@ class Course:
         return profile
 
     def with_standstill(self, time: float) -> Profile | None:
-        """A stop from the state at `time`, followed by rest; None if the paths end first."""
+        """Return a stop from the state at `time`, then rest; None if the paths end first."""
         profile = self.braking(time)
         return None if profile is None else with_rest(profile, "suspend")
 
     def braking(
         self, time: float, decel: float | None = None, beyond: bool = False, first: int = 0
     ) -> Profile | None:
-        """Return a stop from the state at `time`, at `decel` or that of its paths.
+        """Return a stop from the state at `time`, at `decel` or at the rates of its paths.
 
-        The limits of the axes apply to both, unless it goes `beyond` them, as in a fault. The profile is then
-        on path number `first`. A stop that would enter a path ahead faster than allowed begins there, since
-        the present plan brakes harder before it. None if the paths end before, for which the course brakes by
-        itself.
+        The limits of the axes apply to both, unless it goes `beyond` them, as in a fault. At `time` the course is on
+        path number `first`. A stop that would enter a path ahead faster than allowed is delayed to the start of that
+        path, since the present plan brakes harder before it. None if the paths end before rest: the course then
+        comes to rest at their end as planned.
         """
         if self.profile.velocity(time) <= 0.0:
             return hold(self.profile.position(time)).cut(0.0)
@@ -356,9 +359,9 @@ class Course:
 
 
 def _least_jerk(state: State) -> float:
-    """Return the jerk that reduces a deceleration to zero just as it comes to rest.
+    """Return the least jerk that ends a deceleration before the velocity is zero.
 
-    A lower one, set in between, would lead back along the path: J = A²/(2 V).
+    With a lower one, as set during the stop, the axis would run back along the path: J = A²/(2 V).
     """
     if state.acceleration >= 0.0:
         return 0.0

@@ -1,7 +1,7 @@
 """Buffer entries that are neither moves nor paths: cams, offsets, timed points.
 
 Each begins when it is first in its buffer and released. An offset on an axis that follows a master does not
-wait for that to end: it begins as soon as it is released and the offset before it is done.
+wait for the following to end: it begins as soon as it is released and the previous offset is done.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ _MIN_CYCLE = 1.0
 class TableCam(Cam):
     """A cam that reads its table again in every cycle, so a program may change it.
 
-    Its curve begins at 0. It is used again as long as `table` returns the same `points`.
+    Its curve begins at 0. The curve is reused as long as `table` returns the same `points`.
     """
 
     __slots__ = ("points", "table")
@@ -50,7 +50,7 @@ class TableCam(Cam):
     points: Points
 
     def over(self, forward: bool) -> bool:
-        """Continue with the next cycle, whose table is read now, or with the one before."""
+        """Continue with the next cycle or the previous one, whose table is read now."""
         points = self.table(self.end) if self.cyclic and forward else self.points
         if points is not self.points:
             self.next_curve(curve_of(self.a, points), True)
@@ -80,7 +80,7 @@ class CamEntry(Action):
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
         """Tie the axis to its master on a table read now.
 
-        Raises Rejected if it cannot be followed.
+        Raises Rejected if the table cannot be followed.
         """
         check_chain(a, self.master)
         here = a.position(controller.clock.now)
@@ -117,9 +117,9 @@ def load_cam(
     command: str,
     line: int,
 ) -> None:
-    """Load a cam; `table` gives its points for the slave's position then.
+    """Load a cam; `table` returns its points for the slave's position at its start.
 
-    Only the differences of the slave's positions count. The same object means the same curve.
+    Only differences between the slave's positions count. If `table` returns the same object, the curve is the same.
     """
     start = _start(controller, a)
     curve = curve_of(a, table(start))
@@ -130,7 +130,7 @@ def load_cam(
 
 
 def _start(controller: Core, a: Axis) -> float:
-    """Return where an entry will begin, if that is known when it is loaded."""
+    """Return where an entry will begin, if that is known at loading."""
     end = buffer.end(a)
     return end if abs(end) < INFINITY else a.position(controller.clock.now)
 
@@ -139,7 +139,7 @@ def _start(controller: Core, a: Axis) -> float:
 
 
 class OffsetEntry(Action):
-    """Superpose a distance on a slave's motion; another axis moves by it."""
+    """Superposition of a distance on a slave's motion; another axis moves by it."""
 
     __slots__ = ("distance", "mode", "over")
     lies_on_top = True
@@ -169,7 +169,7 @@ def load_offset(
 
 
 class PointsEntry(Action):
-    """Run through points made from the axis's position at the start.
+    """Motion through points made from the axis's position at the start.
 
     If `again` is set, it repeats with new points.
     """
@@ -187,7 +187,7 @@ class PointsEntry(Action):
         return plan_pvt(*self.make(end)) if self.again is not None else None
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
-        """Make the profile and play it; an entry for `again` waits in the buffer."""
+        """Make the profile and play it; with `again` the next entry waits in the buffer."""
         points = self.make(a.position(controller.clock.now))
         profile = through(a, points)
         if self.again is not None:
@@ -202,7 +202,7 @@ class PointsEntry(Action):
 
 
 def through(a: Axis, points: Timed) -> Profile:
-    """Return the profile through timed points; Rejected for unreachable points."""
+    """Return the profile through timed points; raise Rejected if it is impossible."""
     try:
         return plan_pvt(*points)
     except ValueError as problem:

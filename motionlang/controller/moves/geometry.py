@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 class Segment:
     """One path laid out: `length` in user units and each axis's curve in counts.
 
-    `entry` and `leaving` are tangents in user units per unit of length; `turn` is the curvature (1/radius) of
-    the path. `starts` are the exact start positions of an arc whose end a language gives.
+    `entry` and `leaving` are the tangents at its ends, in user units per unit of length; `curvature` is the curvature
+    (1/radius) of the path. `starts` are the exact start positions of an arc whose end a language gives.
     """
 
     __slots__ = ("curves", "ends", "entry", "leaving", "length", "starts", "turn")
@@ -61,7 +61,7 @@ class Segment:
 
 
 class Line:
-    """A line to `targets`, counts; `length` replaces the distance in space, if given."""
+    """A line to `targets`, counts; `length`, if given, replaces the distance in space."""
 
     __slots__ = ("length", "targets")
 
@@ -69,7 +69,7 @@ class Line:
         self.targets, self.length = targets, length
 
     def moved(self, starts: Sequence[float]) -> Line:
-        """Return the geometry with its numbers counted from `starts`."""
+        """Return the geometry with its coordinates counted from `starts`."""
         return Line([start + target for start, target in zip(starts, self.targets, strict=True)], self.length)
 
     def shift(self, k: int, by: float) -> None:
@@ -94,9 +94,9 @@ class Line:
 class Arc:
     """An arc about `centre` (counts of two axes) by `angle` degrees.
 
-    The angle is positive from the first of them to the second. Further axes move linearly to `rest`: a helix,
-    whose length is that of the line in space unless `length` is given. `plane` are the indices of the two
-    among the axes; `arrives` is their end, if a language gives it.
+    A positive angle turns from the first of them to the second. Further axes move linearly to `rest`: a helix, whose
+    length is that of the curve in space unless `length` is given. `plane` are the indices of the two among the axes;
+    `arrives` is their end, if a language gives it.
     """
 
     __slots__ = ("angle", "arrives", "centre", "length", "plane", "rest")
@@ -114,7 +114,7 @@ class Arc:
         self.length, self.plane, self.arrives = length, plane, arrives
 
     def moved(self, starts: Sequence[float]) -> Arc:
-        """Return the geometry with its numbers counted from `starts`."""
+        """Return the geometry with its coordinates counted from `starts`."""
         (x, y), others = self._split(starts)
         rest = [start + value for start, value in zip(others, self.rest, strict=True)]
         arrives = None if self.arrives is None else (self.arrives[0] + x, self.arrives[1] + y)
@@ -175,12 +175,12 @@ class Arc:
         return laid
 
     def _split(self, values: Sequence[float]) -> tuple[tuple[float, float], list[float]]:
-        """Return the values of the two axes of the circle, and those of the others."""
+        """Return the values of the two axes of the circle and of the other axes."""
         i, j = self.plane
         return (values[i], values[j]), [each for k, each in enumerate(values) if k not in self.plane]
 
     def _joined(self, plane: Sequence[_Value], others: Sequence[_Value]) -> list[_Value]:
-        """Merge the values of the circle and of the others, one for each axis."""
+        """Merge the values of the circle and of the other axes, one for each axis."""
         left = iter(others)
         i, j = self.plane
         return [plane[0] if k == i else plane[1] if k == j else next(left) for k in range(2 + len(others))]
@@ -200,11 +200,11 @@ def corner(before: Segment, after: Segment) -> float:
 def limits(
     segment: Segment, speeds: Sequence[float], accels: Sequence[float], decels: Sequence[float]
 ) -> tuple[float, float, float]:
-    """Return speed and rates along the path at which every axis observes its limits.
+    """Return the highest speed and rates along the path that respect every axis limit.
 
-    Infinite means no limit. On an arc an axis changes direction and speed at once. Each may use the same
-    share of its limit, as large as observes it wherever on the arc they coincide (half of its square each, on
-    a complete circle).
+    Infinite means no limit. On an arc an axis accelerates both by the curvature and by the change of speed. Each of
+    the two may use the same share of the axis's limit, the largest that respects it where they add up most (1/√2 on a
+    complete circle).
     """
     speed = accel = decel = inf
     if not segment.length:
@@ -223,9 +223,9 @@ def limits(
 
 
 def _bend(curve: Profile) -> tuple[float, float]:
-    """Return the largest second derivative of a curve, and its shares of a limit.
+    """Return the largest second derivative of a curve, and the share of a limit.
 
-    The shares are those of the curvature and of the slope.
+    Curvature and change of speed may each use that share of an acceleration limit.
     """
     slope = bend = 0.0
     angles: list[float] = []

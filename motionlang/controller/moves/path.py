@@ -29,10 +29,9 @@ if TYPE_CHECKING:
 class PathMove(Action):
     """One path: its `moves`, one per axis, its geometry, and its `run` once started.
 
-    The geometry of a `relative` one counts from the positions of its axes at its start. A path with a `policy`
-    uses that and not the settings of its axes. `scales` are the counts per user unit of each axis as it was
-    loaded. `displaced` is how far it was moved from its geometry, on each axis, since a path that it is
-    blended with was cut short.
+    The geometry of a `relative` path counts from the positions of its axes at its start. A `policy` replaces the
+    settings of the axes. `scales` are the counts per user unit of each axis when the path was loaded. `displaced` is
+    how far it was moved from its geometry, on each axis, because a path that it is blended with was cut short.
     """
 
     __slots__ = ("axes", "displaced", "geometry", "moves", "policy", "relative", "run", "scales")
@@ -57,11 +56,11 @@ class PathMove(Action):
 
     @property
     def may_join(self) -> bool:
-        """True if it may join the next path."""
+        """True if the path may continue into the next one without a stop."""
         return self.policy is not None or self.axes[0].contour_mode
 
     def joins(self, own: Segment, following: PathMove, its: Segment) -> bool:
-        """True if it continues into the next path, both laid out, without a stop."""
+        """True if the path continues into the next one without a stop; both are laid out."""
         if not its.length or self.scales != following.scales:
             return False
         if self.policy is None or following.policy is None:
@@ -69,14 +68,14 @@ class PathMove(Action):
         return self.policy.joins(own, following.policy, its)
 
     def lay(self, starts: Sequence[float]) -> Segment:
-        """Lay out the path from the positions of its axes, now or later."""
+        """Lay out the path from `starts`, the positions of its axes."""
         geometry = self.geometry.moved(starts) if self.relative else self.geometry
         return geometry.lay(starts, self.scales)
 
     def pace(self, controller: Core, segment: Segment) -> Pace:
         """Return speed and rates along the path in user units.
 
-        They are the master's, within the limits of each axis.
+        They are those of the master, within the limits of each axis.
         """
         if self.policy is not None:
             return self.policy.pace()
@@ -130,7 +129,7 @@ class PathMove(Action):
         return True
 
     def purge(self, a: Axis) -> list[Move]:
-        """Remove the entries of the other axes when one has been discarded."""
+        """Remove the path from the buffers of its other axes once one has discarded it."""
         gone = []
         for other, move in zip(self.axes, self.moves, strict=True):
             if move in other.buffer:
@@ -139,7 +138,7 @@ class PathMove(Action):
         return gone
 
     def is_next_at(self, place: int) -> bool:
-        """True if it is released and number `place` in every buffer, without outputs."""
+        """True if it is released and has `index` in every buffer, not counting outputs."""
         return all(
             move.released and buffer.motions(a)[place : place + 1] == [move]
             for a, move in zip(self.axes, self.moves, strict=True)
@@ -161,7 +160,7 @@ class PathMove(Action):
         return (move,) if self.run is None else self.run.entries(a)
 
     def displace(self, controller: Core, by: Sequence[float]) -> None:
-        """Displace the path, as the one that it is blended with was cut short."""
+        """Displace the path because the one that it is blended with was cut short."""
         self.displaced = by
         if controller.orders is not None:
             controller.orders.displace(self)
@@ -193,7 +192,7 @@ class PathMove(Action):
             self.run.resume()
 
     def leave(self, controller: Core, a: Axis, ended: str) -> None:
-        """Abandon the path on all axes; reject a new target for one of them."""
+        """Abandon the path on all axes; a new target for one of them is rejected."""
         if self.run is None:
             return
         if ended == "retarget":
@@ -205,9 +204,9 @@ class PathMove(Action):
         self.run.abandon(a, ended)
 
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
-        """Shift the positions of guided paths for a new zero of the axis.
+        """Shift the positions of a path with a policy for a new zero of the axis.
 
-        Other paths do not get a new zero.
+        Raises Rejected on other paths.
         """
         if self.policy is not None and self.run is not None:
             self.run.shift(a, shift)
@@ -233,7 +232,7 @@ def load_line(
 def load_line_by(
     controller: Core, axes: Sequence[int], distances: Sequence[float], command: str, line: int
 ) -> None:
-    """Load a straight line by `distances`, counted from the ends of the moves before."""
+    """Load a straight line by `distances` from the ends of the moves before it."""
     members = _members(controller, axes)
     targets = [start + distance for start, distance in zip(_starts(members), distances, strict=True)]
     _put(members, Line(list(distances)), targets, command, line, relative=True)
@@ -266,7 +265,7 @@ def load_arc(
 def load_guided(
     controller: Core, axes: Sequence[int], geometry: Line | Arc, policy: PathPolicy, command: str, line: int
 ) -> None:
-    """Load a guided path, with its geometry in counts, into the buffers of its axes."""
+    """Load a path with a policy into the buffers of its axes; geometry in counts."""
     members = [controller.movable(axis) for axis in axes]
     ends = geometry.ends(_starts(members), policy.scales)
     _put(members, geometry, ends, command, line, policy=policy)

@@ -1,4 +1,4 @@
-"""Path policies of a language, in place of the settings of the first axis."""
+"""Path policies of a language, which replace the settings of the first axis."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ if TYPE_CHECKING:
 
 
 class PathPolicy:
-    """The pace and the joins of a path, with notifications of its progress.
+    """The pace and joins of a path; its methods are called as the path progresses.
 
-    `scales` are the counts per user unit of each of its axes when the path was described.
+    `scales` are the counts per user unit of each axis when the path was described.
     """
 
     __slots__ = ("scales",)
@@ -30,13 +30,13 @@ class PathPolicy:
         raise NotImplementedError
 
     def starts(self) -> None:
-        """Handle the planning of a run that starts with the path, at rest."""
+        """Handle the planning of a run from rest whose first path this is."""
 
     def begins(self) -> None:
         """Handle the start of the path."""
 
     def stops(self) -> None:
-        """Handle a stop before the end of the path, or at it if that is nearer."""
+        """Handle a stop before the end of the path, or at its end if that comes first."""
 
     def ends(self, whole: bool) -> None:
-        """Handle the end of motion on the path; `whole` is true if it reached its end."""
+        """Handle the end of motion on the path; `whole` is true if its end was reached."""

@@ -3,12 +3,12 @@ r"""Running along paths: several axes on one path after another, joined or blend
 Problem. The axes of a path stay on one line or arc, while the program sets the speed along it. Between two
 paths the axes come to rest, run through the corner (contour mode), or blend: the next path begins while the
 one before still has a distance to go. A stop, a suspension or another speed must change all axes at the same
-time, and the log must record what was run of each path.
+time, and the log must record how far each path was run.
 
 Idea. One profile is planned for the distance along the path; axis k is at curve[k](distance(t)). A `Course`
 (`course.py`) is the path in progress, the paths ahead that it runs into without coming to rest, and that
-profile. A run has one course. It has two while a path is blended into the next, and each axis then does the
-sum of both.
+profile. A run has one course. It has two while a path is blended into the next, and each axis then adds up
+both.
 
     speed      course 1          course 2
              _____________     _____________
@@ -33,10 +33,10 @@ Invariants.
 - All axes of a run get their new profiles at the same time, and limits are checked when all have theirs
   (`together`).
 - At most two courses overlap. A blend that is due earlier waits for the end of the one before.
-- BLENDDISTANCE counts up to `MAX_SHARE` of a path; an explicit `blend` takes effect at any distance.
+- BLENDDISTANCE is limited to `MAX_SHARE` of a path; an explicit `blend` takes effect at any distance.
 - A course that runs through corners rejects `blend`.
 - A course begins where the one before it ends. If a stop cuts the first one short, the second is moved back
-  by what is missing (`_join`). So the last entry of the log ends where the axis comes to rest.
+  by the missing distance (`_join`). So the last entry of the log ends where the axis comes to rest.
 - If new settings leave too little distance to stop at the end, the course continues as planned.
 
 Cost. A change plans each course again over all its paths ahead, linear in their number, and makes one profile
@@ -77,7 +77,7 @@ MAX_SHARE = 0.5
 class PathRun:
     """A run of `axes` along paths, from rest to rest.
 
-    `ended` is the cause of an early end, `hard` its manner.
+    `ended` is the cause of an early end; `hard` is true if a hard stop ended it.
     """
 
     __slots__ = (
@@ -111,20 +111,20 @@ class PathRun:
     # -------------------------------------------------------------------------------------------- commands
 
     def start(self) -> None:
-        """Begin."""
+        """Begin the run with its first course."""
         course = self.courses[0]
         _prepare(course)
         self._enter(course)
 
     def replan(self) -> None:
-        """Apply the present settings; a change that would overshoot comes too late."""
+        """Apply the present settings, unless they would cause an overshoot."""
         if self._over or self.ended:
             return
         plans = [(course, course.planned(course.elapsed)) for course in self._live]
         self._change([(course, *planned) for course, planned in plans if planned is not None])
 
     def more(self) -> None:
-        """Handle a further release, which may prolong the run or be blended into."""
+        """Handle the release of a further path, which may prolong the run or be blended."""
         newest = self.courses[-1]
         if self._over or self.ended or newest.is_over or newest.is_suspended:
             return
@@ -137,7 +137,7 @@ class PathRun:
     def stop(self, a: Axis, ended: str, hard: bool) -> None:
         """Come to rest on the paths and empty the buffer of `a`.
 
-        The rates are those of the first axis, whichever axis is stopped: DECEL as of the path, ERRORDECEL for
+        The rates are those of the first axis, whichever axis is stopped: the DECEL of the path, or ERRORDECEL for
         a hard stop.
         """
         for each in self.axes:
@@ -166,7 +166,7 @@ class PathRun:
         self._aim()
 
     def suspend(self) -> None:
-        """Come to rest on the paths, and keep them."""
+        """Come to rest on the paths and retain them."""
         if self.ended:
             return
         self._cancel_blend()
@@ -174,12 +174,12 @@ class PathRun:
         self._change([(course, profile, None) for course, profile in plans if profile is not None])
 
     def resume(self) -> None:
-        """Continue."""
+        """Continue after `suspend`."""
         self.replan()
         self.more()
 
     def abandon(self, leaving: Axis, ended: str) -> None:
-        """Halt all axes where they are, because one is."""
+        """Halt all axes at once, because `leaving` has been halted."""
         if self._over:
             return
         self._over = True
@@ -206,8 +206,8 @@ class PathRun:
     def blend(self) -> None:
         """Begin the next path now, superposed on the rest of this one.
 
-        At most two paths overlap: while the path before this one is still blended with it, the next one
-        begins as soon as that has ended.
+        At most two paths overlap: while the previous path is still blended with this one, the next one begins as
+        soon as the previous one has ended.
         """
         newest = self.courses[-1]
         if self._over or self.ended or newest.is_over or newest.is_suspended or newest.following() is None:
@@ -237,7 +237,7 @@ class PathRun:
 
     @property
     def stops_at_corner(self) -> bool:
-        """True if it stops at the end of this path only because of the angle to the next."""
+        """True if only the angle to the next path makes it stop at the end of this one."""
         return not self.ended and self.present.stops_at_corner
 
     # -----------------------------------------------------------------------------------------------
@@ -248,7 +248,7 @@ class PathRun:
         return [course for course in self.courses if not course.is_over]
 
     def _enter(self, course: Course) -> None:
-        """Put every axis on its curve of the path that a course has just reached."""
+        """Start every axis on its curve of the path that a course has just reached."""
         controller = self._controller
         course.here.run = self
         if course.here.policy is not None:
@@ -266,7 +266,7 @@ class PathRun:
             self._aim()
 
     def _change(self, plans: Sequence[Plan]) -> None:
-        """Put other profiles of courses in force from now on."""
+        """Put new profiles of courses in force from now on."""
         if not plans:
             return
         controller = self._controller
@@ -291,7 +291,7 @@ class PathRun:
             before = course
 
     def _aim(self) -> None:
-        """Set the targets of a stop to its rest positions, from which later ones count."""
+        """Set the targets to the positions at rest, from which later moves count."""
         if self._over:
             return
         for a, place in zip(self.axes, self.courses[-1].positions_at_rest(), strict=True):
@@ -300,7 +300,7 @@ class PathRun:
     def _total(self, k: int, made: Profile) -> Profile:
         """Return the motion of axis index k.
 
-        It is that of the newest course, `made`, with the rest of the one before.
+        It is the sum of `made`, the motion of the newest course, and the rest of the course before.
         """
         now = self._controller.clock.now
         made = made.after(now - self.courses[-1].began)
@@ -324,7 +324,7 @@ class PathRun:
     def _reached(self) -> None:
         """Handle the end of a path of a course.
 
-        If the later one of two is over first, the move in progress is that of the earlier one again.
+        If the newer of two courses is over first, the move of the older one is in progress again.
         """
         self._event = None
         now, newest = self._controller.clock.now, self.courses[-1]
@@ -364,7 +364,7 @@ class PathRun:
         self._enter(course)
 
     def _finish(self) -> None:
-        """Finish with all axes at rest, at their ends or where they were stopped."""
+        """End the run with all axes at rest, at their ends or where they were stopped."""
         controller = self._controller
         self._over = True
         self._cancel()
@@ -389,7 +389,7 @@ class PathRun:
     def _plan_blend(self) -> None:
         """Schedule the next blend at its distance before the end of the path, or now.
 
-        BLENDDISTANCE counts up to `MAX_SHARE` of a path. No blend begins before the one before it is over.
+        BLENDDISTANCE is limited to `MAX_SHARE` of a path. No blend begins before the previous one is over.
         """
         self._cancel_blend()
         newest, master, clock = self.courses[-1], self.axes[0], self._controller.clock
@@ -442,7 +442,7 @@ class PathRun:
         self._enter(course)
 
     def _limited(self, asked: float, got: float) -> None:
-        """Report a blend that is shorter than commanded."""
+        """Report a blend over `got` user units, less than `commanded`."""
         if got < asked * (1.0 - SLACK):
             line = self.courses[-1].here.moves[0].line
             clamped_blend(self._controller, self.axes[0], line, asked, got)
@@ -457,7 +457,7 @@ class PathRun:
 def _prepare(course: Course, begins: bool = False) -> None:
     """Plan a course from rest on its first path.
 
-    One that `begins` superposed on another has not left the buffers.
+    If it `begins` superposed on another one, its path is still in the buffers.
     """
     if course.here.policy is not None:
         course.here.policy.starts()

@@ -1,8 +1,8 @@
 """Conditions that stop an axis: errors, and reasons for suspension.
 
-No kind of motion knows of a limit. Every new profile of an axis passes `Core.extend_track`, which checks its
-conditions. A condition is also checked when its state, position, mode or enablement changes. If a profile
-reverses into one that is met, an event checks again at that time.
+No kind of motion knows of a limit. Every new profile of an axis passes `Core.extend_track`, which checks the
+conditions of the axis. A condition is also checked when its state, position, mode or enablement changes. If a
+profile reverses into a condition that is met, an event checks the condition again at that time.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _NOW = 1e-9
 
 
 class Condition:
-    """A condition that is the fault `bit` of an axis while it is `met`.
+    """A condition that raises the fault `bit` of an axis while it is `met`.
 
     `sign` is the direction that it bars, +1 or -1; it ignores motion the other way, and an axis at rest. With
     0 the direction does not matter. It acts once when it becomes true, and again when it becomes true again
@@ -42,12 +42,12 @@ class Condition:
 
     @property
     def met(self) -> bool:
-        """True if the switch is closed, the position passed, or a value out of bounds."""
+        """True if the switch is closed, the position passed, or the value out of bounds."""
         raise NotImplementedError
 
     @property
     def action(self) -> str:
-        """The action of the axis; a change takes effect at once."""
+        """The action that the axis takes; a change applies at once."""
         return self._action
 
     @action.setter
@@ -59,7 +59,7 @@ class Condition:
 
     @property
     def enabled(self) -> bool:
-        """True if it is in force."""
+        """True if the condition is in force."""
         return self._enabled
 
     @enabled.setter
@@ -68,9 +68,9 @@ class Condition:
         self.check()
 
     def check(self, towards: int = 0) -> None:
-        """Act if it has become true; within `together`, act at the end of the block.
+        """Act if the condition has become true; in a `together` block, act at its end.
 
-        `towards` is the direction in which the axis has just reached it.
+        `towards` is the direction in which the axis has just reached the condition.
         """
         self.controller.axes[self.axis].watches.free = None
         if self._event is not None:
@@ -89,11 +89,11 @@ class Condition:
 
     @property
     def is_quiet(self) -> bool:
-        """True if it cannot concern an axis that neither moves nor passes anything."""
+        """True if it stays inactive while the axis neither moves nor passes a watch."""
         return self._event is None and not self._raised and not self.met
 
     def act(self) -> None:
-        """Raise the fault."""
+        """Raise the fault of the condition."""
         self.controller.fault(self.axis, self.bit, self._action)
 
     def forget(self) -> None:
@@ -102,7 +102,10 @@ class Condition:
             self._raised = False
 
     def _bars(self, towards: int) -> bool:
-        """True if the axis moves in the barred direction; a reversal checks again."""
+        """True if the axis moves in the barred direction.
+
+        If a reversal will lead there, an event checks again.
+        """
         if not self.sign:
             return True
         a, clock = self.controller.axes[self.axis], self.controller.clock
@@ -130,13 +133,13 @@ class Undirected(Condition):
         return self._active
 
     def set_active(self, active: bool) -> None:
-        """Set its state."""
+        """Set the state of the error."""
         self._active = active
         self.check()
 
 
 class Together:
-    """A block in which several axes get their motion; its end checks conditions."""
+    """A block that starts several axes; conditions are checked at its end."""
 
     __slots__ = ("_controller", "_outer")
 
@@ -159,7 +162,7 @@ class Together:
 
 
 def release(controller: Core, a: Axis) -> tuple[Axis, ...]:
-    """End suspension by a keyword for an axis and those suspended with it.
+    """End the suspension by a keyword of an axis and of the axes suspended with it.
 
     Return these axes.
     """

@@ -1,6 +1,6 @@
 """Reported events of an axis: limits, faults, clamps, velocity jumps, stops.
 
-Each is written to the log where it happens, as an `Event` in user units by the scale of that time.
+Each is logged when it happens, as an `Event` in user units by the scale of that time.
 """
 
 from __future__ import annotations
@@ -69,25 +69,31 @@ def cleared(controller: Core, a: Axis) -> None:
 
 
 def jumped(controller: Core, a: Axis, ended: str) -> None:
-    """Log an immediate stop; at a velocity it is an infinite acceleration."""
+    """Log an immediate stop; in motion it means infinite acceleration."""
     velocity = a.velocity(controller.clock.now)
     if velocity:
         note(controller, "velocity jump", a, _speed(a, velocity), 0.0, f"{ended}, an infinite acceleration")
 
 
 def stopped(controller: Core, a: Axis, kind: str) -> None:
-    """Log a stop by a keyword: "stop" decelerates, "cancel" is immediate."""
+    """Log a stop by a keyword: "stop" decelerates, "cancel" is immediate.
+
+    A stop that changes nothing, because the axis is stopping already, is no event.
+    """
     if a.move is not None:
         note(controller, kind, a, _speed(a, a.velocity(controller.clock.now)))
 
 
 def clamped(controller: Core, a: Axis, line: int, speed: float) -> None:
-    """Log a commanded speed, counts/s, above the limit of the axis; reported once."""
+    """Log, once, a commanded speed, counts/s, above the limit of the axis."""
     _clamped(controller, a, "speed", line, _speed(a, speed), _speed(a, a.max_speed))
 
 
 def clamped_blend(controller: Core, a: Axis, line: int, asked: float, got: float) -> None:
-    """Log a path of master `a` blended over less than commanded, user units; once."""
+    """Log, once, a path of master `a` blended over `got` instead of `commanded`.
+
+    Both are user units.
+    """
     _clamped(controller, a, "blend distance", line, asked, got)
 
 

@@ -1,9 +1,9 @@
 """Homing: find the switch, leave it slowly, take an edge or index mark as datum.
 
-This is the sequence of a MintMT controller as its users know it: run at the homing speed towards the switch
-and stop on it, back off at a lower speed until it opens, then, for an index, creep on in the same direction
-to the next mark. The position becomes that of the datum at the exact time of the last edge. The axis runs on
-to its stop and, if an offset is given, moves to the position that far from the datum.
+A MintMT controller homes in this sequence: run at the homing speed towards the switch and stop on it, back off
+at a lower speed until it opens, then, for an index, continue at creep speed in the same direction to the next mark.
+The position becomes that of the datum at the exact time of the last edge. The axis continues to its stop and, if
+an offset is given, moves to the position that far from the datum.
 """
 
 from __future__ import annotations
@@ -48,9 +48,9 @@ class Homing:
     """One homing in progress on one axis; `found` is set when the datum is known.
 
     `direction` is that of the search, speeds are counts/s, `datum` is the position given to the datum,
-    `offset` how far from it the axis ends (None: where it stops). `before` is the datum's position until
-    then; `line` is that of the program that began it, `provided` is true if the machine has the target of the
-    search. `ended` is called at the end, whatever its cause.
+    `offset` how far from the datum the axis ends (None: where it stops). `before` is the datum's position until
+    then; `line` is the program line that began the homing. `provided` is true if the machine has the switch or mark
+    that the homing searches for. `ended` is called at the end, whatever its cause.
     """
 
     __slots__ = (
@@ -121,7 +121,7 @@ class Homing:
         return self._controller.axes[self.axis]
 
     def cancel(self) -> None:
-        """End the homing, complete or not; the cause of its end controls the axis."""
+        """End the homing, complete or not; the cause of its end then controls the axis."""
         self.state = "done"
         if self._heard not in self._controller.listeners:
             return
@@ -130,7 +130,7 @@ class Homing:
             self._ended(self)
 
     def _release(self) -> None:
-        """Give the axis and its limits back."""
+        """Return the control of the axis and of its limits."""
         self._controller.listeners.remove(self._heard)
         self._controller.homings.pop(self.axis, None)
         self._allow_limit(True)
@@ -167,7 +167,7 @@ class Homing:
         self._move = self._axis.move
 
     def _search(self) -> None:
-        """Move towards the switch; an axis already on it backs off at once."""
+        """Move towards the switch; if the axis is already on it, back off at once."""
         if self._on_switch():
             self._back_off()
             return
@@ -179,14 +179,14 @@ class Homing:
         self._jog(-self._direction * self.back_off_speed)
 
     def _seek_index(self, direction: int, speed: float) -> None:
-        """Move on to the next mark of the encoder, a position of the machine."""
+        """Continue to the next mark of the encoder, a machine position."""
         self.state = "index"
         mark = next_index(self._controller, self.axis, direction)
         self._jog(direction * speed)
         self._watch = self._controller.watch(self.axis, mark, lambda _: self._datum_found(), physical=True)
 
     def _datum_found(self) -> None:
-        """Set the datum at the last edge; the axis runs on to its stop and counts from it."""
+        """Set the datum at the last edge; the axis continues to its stop."""
         controller = self._controller
         self._unwatch()
         self.state = "stopping"
@@ -218,7 +218,7 @@ class Homing:
         return any(limit.active for limit in self._limits())
 
     def _allow_limit(self, allowed: bool) -> None:
-        """Permit or forbid the limit switch of the search, and software limits until then."""
+        """Enable or disable the software limits, and a limit switch used for homing."""
         looked_for = self._limits() if self._switch == LIMIT else []
         for limit in [*looked_for, *(each for each in self._axis.limits if each.bit in _SOFT)]:
             limit.enabled = allowed
@@ -242,7 +242,7 @@ class Homing:
                 self._datum_found()
 
     def at_rest(self) -> None:
-        """Handle a stop: past the switch or on it after the search, or at the end."""
+        """Handle a stop: after the search, on the switch or past it, or at the end."""
         if self.state == "on-switch":
             self._back_off()  # also if the stop ran across the complete switch: it returns across it
             return
@@ -255,7 +255,7 @@ class Homing:
 
 
 def next_index(controller: Controller, axis: int, direction: int) -> float:
-    """The next index mark in a direction, counts of the machine; infinite if none."""
+    """Return the next index mark in a direction, machine counts; infinite if none."""
     a = controller.axes[axis]
     pitch = a.index_pitch
     if not pitch > 0:

@@ -20,7 +20,7 @@ RISING, FALLING, BOTH = 1, -1, 0
 
 
 class Latch:
-    """One latch channel: `value` is the position at the last valid edge, `time` when.
+    """One latch channel: the position and time, `value` and `time`, of the last edge.
 
     `enabled` arms it. If it is `automatic` it latches repeatedly; if not, one edge disarms it. After an edge,
     others are ignored for `inhibit_time` seconds and `inhibit_distance` counts. An edge sets `fired`, `take`
@@ -99,7 +99,7 @@ class Latch:
 
 
 class IndexMarks:
-    """Watches of the index marks next to the axis, moved on when it passes one."""
+    """Watches of the index marks next to the axis, which move with it."""
 
     __slots__ = ("_controller", "_latch", "_watches", "axis")
 
@@ -124,7 +124,7 @@ class IndexMarks:
         self._window([mark for mark in marks if abs(mark) < inf])
 
     def _window(self, marks: list[float]) -> None:
-        """Watch these marks only; existing watches of them stay."""
+        """Watch these marks only; present watches of them remain."""
         for mark in [mark for mark in self._watches if mark not in marks]:
             self._controller.unwatch(self.axis, self._watches.pop(mark))
         for mark in marks:
@@ -166,7 +166,7 @@ class Compare:
         self._moved(self._cells.index)
 
     def enable(self, enabled: bool) -> None:
-        """Enable or disable control of the output."""
+        """Let the comparison control the output, or not."""
         self.enabled = enabled
         if enabled:
             self._show()
@@ -178,7 +178,7 @@ class Compare:
             self._cells = None
 
     def _moved(self, index: int) -> None:
-        """Handle a change between below, between and above; a new zero may skip one."""
+        """Handle a change between below, inside and above; a new zero may skip inside."""
         inside = index == 1
         if inside is not self._inside:
             self._inside = inside

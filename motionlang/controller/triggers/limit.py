@@ -1,7 +1,7 @@
 """Travel limits: software limits of the program and limit switches of the machine.
 
-A limit that is passed, or already active when a motion begins towards it, raises a fault on its axis, and the
-axis takes the limit's `action`. Moving away from an active limit is always allowed.
+A limit raises a fault on its axis if the axis passes it, or starts a motion towards it while it is active. The
+axis then takes the limit's `action`. Moving away from an active limit is always allowed.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ class Limit(Condition):
     """One end of an axis's travel: `sign` is +1 or -1, `bit` its fault.
 
     `position` is in counts; a `physical` limit stays at its position on the machine. A limit without a
-    position is a switch that is operated from outside. Listeners of the controller get "limit" when it
-    changes.
+    position is a switch that is operated from outside. Listeners of the controller are notified of the kind "limit"
+    when it changes.
     """
 
     __slots__ = ("_switch", "physical", "watch")

@@ -1,7 +1,7 @@
 """Watches of an axis at a new profile: only the nearest are solved, others later.
 
-The passes, their times, order and directions equal those of solving all of them: an axis reaches the far ones
-after the near ones, and each has its order number from the beginning of the profile on.
+Passes have the same times, order and directions as if all watches were solved at once: an axis reaches the far
+ones after the near ones, and each has its order number from the start of the profile.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _MAX_SOLVED = 6
 class NextWatches:
     """The next watches above (`direction` 1) or below (-1) an axis.
 
-    Solved are the first, those that may coincide with it, and one that is certainly later.
+    Solved are the first watch, those that may coincide with it, and one that is certainly later.
     """
 
     __slots__ = ("_axis", "_base", "_clock", "_datum", "_direction", "_here", "_keys", "_last", "_over", "_profile",
@@ -56,7 +56,7 @@ class NextWatches:
         self.extend()
 
     def extend(self) -> bool:
-        """Solve as many as are needed; True if one is waiting."""
+        """Solve as many watches as needed; True if one of them has an event."""
         while not self._over and not self._enough():
             watch = self._following()
             if watch is None:
@@ -97,7 +97,7 @@ class NextWatches:
             self._over = True
 
     def _misses(self, position: float) -> bool:
-        """True if a watch that is not reached proves that none beyond it is."""
+        """True if an unreached watch is so far away that those beyond are not reached."""
         if self._waiting:
             near = self._waiting[0][1]
         else:
@@ -110,7 +110,10 @@ def _sorted_by(key: Key) -> tuple[float, int]:
 
 
 def free_interval(axis: Axis, here: float) -> tuple[float, float]:
-    """Return the interval around `here` without a watch or limit check, and cache it."""
+    """Return and cache the interval around `here` that has no watch.
+
+    It is empty if a limit has to be checked.
+    """
     low, high = -float("inf"), float("inf")
     if all(limit.is_quiet for limit in axis.limits):
         for watch in axis.watches:
@@ -127,7 +130,7 @@ def free_interval(axis: Axis, here: float) -> tuple[float, float]:
 
 
 def follow(axis: Axis, clock: Clock) -> None:
-    """Solve the next watches on a new profile, after the events due at this time."""
+    """Solve the next watches on a new profile; passes due now happen first."""
     watches, now = axis.watches, clock.now
     if len(watches.all) <= _MAX_SOLVED:
         _each(axis, clock)
@@ -181,7 +184,7 @@ def follow(axis: Axis, clock: Clock) -> None:
 
 
 def _each(axis: Axis, clock: Clock) -> None:
-    """Solve every watch in the order of creation; a pass due now may end others."""
+    """Solve every watch in order of creation; a pass due now may end others."""
     every, now = axis.watches.all, clock.now
     each = tuple(every)
     for watch in each:

@@ -1,8 +1,7 @@
 """The interval of its travel that a track is in; the edges may repeat cyclically.
 
 Only the two edges next to the track are watched, however many there are. Each change is notified at the exact
-time at which the track reaches an edge, in either direction. A new zero that puts the track elsewhere is
-notified too.
+time at which the track reaches an edge, in either direction. A new zero that changes the interval is notified too.
 """
 
 from __future__ import annotations
@@ -24,10 +23,10 @@ if TYPE_CHECKING:
 class Cells:
     """The `index` of the present interval: the number of edges below the track.
 
-    Edge 0 is the first of the cycle that begins at 0. `edges` rise; with a `period` above 0 they repeat, and
-    span less than it. They are counts of the program, or with `physical` of the machine. `change(index)` is
-    called when the track enters another interval. With a `view`, the position is that of a transformed
-    commanded motion: a position further on, or a velocity.
+    Edge 0 is the first of the cycle that begins at 0. `edges` rise; with a positive `period` they repeat, and
+    span less than it. They are counts of the program, or with `physical` machine counts. `change(index)` is
+    called when the track enters another interval. A `view` transforms the commanded motion first, for example to a
+    position further on, or to a velocity.
     """
 
     __slots__ = ("_controller", "_follow", "_source", "_track", "_watches", "change", "edges", "index", "period",
@@ -71,7 +70,7 @@ class Cells:
     # ------------------------------------------------------------------------------------------------- inside
 
     def _seen(self, view: Callable[[Profile], Profile]) -> Axis:
-        """Return a track of the source's motion transformed by a view."""
+        """Return a track of the source's motion, transformed by a view."""
         source, controller = self._source, self._controller
         made = Axis(source.index)
         made.put_on(source.starts[-1], view(source.profiles[-1]))
@@ -92,7 +91,7 @@ class Cells:
         return place - track.datum if self.physical else place
 
     def _count(self) -> int:
-        """Return the number of edges below the track; an edge at its position counts."""
+        """Return the number of edges below or at the track's position."""
         here = self._here()
         here += margin(here)
         if not self.period:
@@ -101,7 +100,7 @@ class Cells:
         return turn * len(self.edges) + bisect_right(self.edges, here - turn * self.period)
 
     def _window(self) -> None:
-        """Watch the edges next to the track only; existing watches of them stay."""
+        """Watch only the edges next to the track; present watches of them remain."""
         wanted = [k for k in (self.index - 1, self.index) if self.edge(k) is not None]
         for k in [k for k in self._watches if k not in wanted]:
             self._unwatch(k)

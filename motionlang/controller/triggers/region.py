@@ -13,9 +13,10 @@ INFINITY = float("inf")
 
 
 class Region:
-    """`low` to `high` counts on an axis, possibly infinite; calls `change(inside)`.
+    """A region from `low` to `high` counts of an axis; calls `change(inside)`.
 
-    A region stays where the machine has it when the program gives the axis a new zero.
+    Either end may be infinite. The region stays at its position on the machine when the program gives the axis a new
+    zero.
     """
 
     __slots__ = ("_controller", "_watches", "axis", "change", "high", "inside", "low")
@@ -54,7 +55,7 @@ class Region:
         return self._controller.position(self.axis) - self._controller.axes[self.axis].datum
 
     def _pass(self, direction: int) -> None:
-        """Handle a change of side: inside is above the low end and below the high one."""
+        """Handle a pass of an end; inside is above the low end and below the high one."""
         sides = [watch.side for watch in self._watches]
         if len(sides) == 2:
             self._set(sides[0] >= 0 >= sides[1])

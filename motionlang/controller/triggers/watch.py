@@ -24,8 +24,8 @@ _ON = 1e-6
 class Watch:
     """Calls `call(direction)`, +1 or -1, when the axis passes `position`.
 
-    Reaching the position counts as passing it. Leaving it again the same way is passing it back, so the
-    directions always alternate. A `physical` position is one of the machine (a switch, a mark): it does not
+    Reaching the position counts as passing it. Leaving it again on the side it came from counts as passing it back, so
+    the directions always alternate. A `physical` position is one of the machine (a switch, a mark): it does not
     move when the program gives the axis a new zero. Others, such as software limits, are positions of the
     program.
     """
@@ -43,8 +43,8 @@ class Watch:
 def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
     """Solve one watch on the axis's present profile from `now` on.
 
-    A simulated motor is watched instead. A pass that is due now, such as arriving at the position, happens
-    first.
+    If the axis has a simulated motor, the watch applies to the motor instead. A pass that is due now, such as arrival
+    at the position, happens first.
     """
     if axis.feedback is not None:
         axis.feedback.arm(watch)
@@ -64,9 +64,9 @@ def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
 
 
 def take_side(axis: Axis, watch: Watch, here: float) -> int:
-    """Set and return the side of a watch for an axis at `here`; on it the side stays.
+    """Set and return the side of a watch on which an axis at `here` is.
 
-    The result is then 0.
+    If the axis is at the position, the side stays and the result is 0.
     """
     position = place(axis, watch)
     side = side_of(here - position, position)
@@ -79,7 +79,7 @@ def solve_reserved(axis: Axis, watch: Watch, clock: Clock, start: float, profile
                order: int) -> None:  # fmt: skip
     """Schedule the first change of sides on a profile that began at `start`.
 
-    It gets its reserved order number. `at` was the watch's position then, `side` the side of the axis.
+    The event gets its reserved order number. `at` is the watch's position at `start`, `side` the side of the axis.
     """
     found, after = _next(profile, at, 0.0, side)
     if found is not None:
@@ -89,7 +89,7 @@ def solve_reserved(axis: Axis, watch: Watch, clock: Clock, start: float, profile
 
 
 def _solve(axis: Axis, watch: Watch, clock: Clock, now: float, side: int) -> None:
-    """Schedule the next change of sides from the present `side` (0: on the position)."""
+    """Schedule the next change from the present `side` (0: at the position)."""
     if watch.event is not None:
         watch.event.cancel()
         watch.event = None
@@ -116,9 +116,9 @@ def _next(profile: Profile, position: float, elapsed: float, side: int) -> tuple
 def _crossing(profile: Profile, position: float, elapsed: float, direction: int) -> float | None:
     """Return when the axis next crosses a position in a direction.
 
-    An event's time has the resolution of the clock, which after some hours at high speed is coarser than a
-    position. The axis may then be slightly before a position that it has passed; passing it once more is no
-    new event.
+    The time of an event has the resolution of the clock. After some hours at high speed, that is coarser than the
+    resolution of a position, so the axis may be slightly before a position that it has just passed. Passing it once
+    more is not a new event.
     """
     found = profile.crossing(position, elapsed)
     step = ulp(elapsed + 1.0)
@@ -147,11 +147,11 @@ def place(axis: Axis, watch: Watch) -> float:
 
 
 def side_of(distance: float, position: float) -> int:
-    """Return the side of a position that a distance is on; 0 at the position."""
+    """Return the side of `position` at the signed `distance` from it; 0 if reached."""
     within = margin(position)
     return (distance > within) - (distance < -within)
 
 
 def margin(position: float) -> float:
-    """Return the counts within which an axis is at a position."""
+    """Return how many counts from a position an axis counts as being at it."""
     return _ON + 1e-12 * abs(position)

@@ -23,7 +23,7 @@ def missing_axes(settings: Mapping[str, object], axes: int, first: int) -> list[
 
 
 def _named(settings: Mapping[str, object]) -> Iterator[tuple[str, int]]:
-    """Iterate over the axes that the settings name, each after its key or table."""
+    """Yield the axes that the settings name, each with its key or table."""
     for key, value in settings.items():
         parts = key.split(".")
         if parts[0] == "axis" and len(parts) > 2:

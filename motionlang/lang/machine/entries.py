@@ -1,7 +1,7 @@
 """Machine-file entries as texts: `--input 2=1@0.5`, `--answer "Turns=200"`.
 
-A text becomes an entry of `[[input]]`, `[[analogue]]`, `[[answer]]` or `[[key]]`, so an option can do what the
-machine file can and nothing else. The entries are laid over the machine file as a scenario is (`layers.py`).
+A text becomes an entry of `[[input]]`, `[[analogue]]`, `[[answer]]` or `[[key]]`, so an option can do exactly
+what the machine file can. The entries override the machine file as a scenario does (`layers.py`).
 
     CHANNEL[=VALUE][@WHEN]   an input; CHANNEL is a number or a name of the machine file
     CHANNEL=outN[+DELAY]     a digital input that follows output N
@@ -38,7 +38,7 @@ _LEVELS = {"1": 1, "on": 1, "true": 1, "0": 0, "off": 0, "false": 0}
 
 
 class WrongEntry(ValueError):
-    """A text that is no entry: what is wrong, and a `hint` that says what to write."""
+    """A text that is not an entry: the error, and a `hint` with the correct form."""
 
     def __init__(self, message: str, hint: str) -> None:
         super().__init__(f"{message}; {hint}")
@@ -52,10 +52,10 @@ def with_entries(
     answers: Given = (),
     keys: Given = (),
 ) -> dict[str, object]:
-    """Return settings of a machine file with further entries on top; raise WrongEntry.
+    """Return machine-file settings with further entries on top; raise WrongEntry.
 
-    Inputs of a channel replace its entries in the machine file. An answer to any INPUT replaces all answers, one with
-    a prompt those with the same prompt.
+    An input entry replaces all entries of its channel in the machine file. An answer to any INPUT replaces
+    all answers; an answer with a prompt replaces those with the same prompt.
     """
     return layered(settings, entries(settings, inputs, analog, answers, keys))
 
@@ -67,9 +67,9 @@ def entries(
     answers: Given = (),
     keys: Given = (),
 ) -> dict[str, object]:
-    """Return the entries by table.
+    """Parse the texts and return the entries by table.
 
-    The settings of the machine file have the names of channels. Raise WrongEntry for a wrong text.
+    The settings of the machine file provide the names of channels. Raises WrongEntry for an invalid text.
     """
     above: dict[str, object] = {
         "input": [e for text in _texts(inputs) for e in _input(text, _names(settings, "input"))],
@@ -86,9 +86,9 @@ def entries(
 
 
 def _texts(given: Given) -> list[str]:
-    """Return the texts of what a caller gives.
+    """Return the texts from a list or a mapping.
 
-    A mapping has the channel, name or prompt as its keys.
+    The keys of a mapping are channels, names or prompts.
     """
     if isinstance(given, (str, int, float)):
         return [_text(given)]
@@ -106,18 +106,18 @@ def _text(value: Value) -> str:
 
 
 def _names(settings: Mapping[str, object], table: str) -> dict[str, int]:
-    """Return the channels that the machine file names, by name in lower case."""
+    """Return the channels with a name in the machine file, by name in lower case."""
     entries: Iterable[Mapping[str, object]] = settings.get(table, ())  # type: ignore[assignment]
     return {str(each["name"]).lower(): each["channel"] for each in entries if "name" in each}  # type: ignore[misc]
 
 
 def _quoted(text: str) -> str:
-    """Return a text that was typed, in quotes and no longer than a message takes."""
+    """Return a text in quotes, shortened to fit a message."""
     return f'"{clipped(text.strip())}"'
 
 
 def _channel(text: str, names: Mapping[str, int], what: str, form: str) -> int:
-    """Return the number of a channel that is given as a number or a name."""
+    """Return the number of a channel given as a number or a name."""
     name = text.strip()
     if name.isascii() and name.isdigit() and len(name) <= 3:
         return int(name)
@@ -131,7 +131,7 @@ def _channel(text: str, names: Mapping[str, int], what: str, form: str) -> int:
 
 
 def _input(text: str, names: Mapping[str, int]) -> list[Entry]:
-    """Return the entries of one `--input`; a pulse of 0 takes three."""
+    """Return the entries of one `--input`; a pulse to 0 takes three."""
     head, at, when = text.partition("@")
     name, equals, value = head.partition("=")
     channel = _channel(name, names, "an input", INPUT_FORM)
@@ -203,7 +203,7 @@ def _key(text: str) -> Entry:
 def _times(text: str, form: str) -> tuple[float | None, float | None, float | None]:
     """Return the start, the end and the period of `0.5..0.9 every 2`.
 
-    Each is None if it is left out.
+    Each is None if it is omitted.
     """
     found = _WHEN.fullmatch(text)
     if found is None or not text.strip():
@@ -215,7 +215,7 @@ def _times(text: str, form: str) -> tuple[float | None, float | None, float | No
 
 
 def _length(begin: float, end: float) -> float:
-    """Return how long a pulse lasts; raise WrongEntry if it ends before it begins."""
+    """Return the duration of a pulse, s; WrongEntry if it ends before it begins."""
     if not end > begin:
         raise WrongEntry(f"the pulse ends at {end:g} s, not after it begins at {begin:g} s", "write 0.5..0.9")
     return round(end - begin, 12)

@@ -54,8 +54,8 @@ _LONG_KEY = rf"(?<![\w-]){_PART}(?:[ \t]*\.[ \t]*{_PART}){{{_MAX_COMPONENTS}}}"
 def read_machine(source: Source, *, is_layer: bool = False) -> dict[str, object]:
     """Return the settings of a machine file by dotted key, with tables as lists.
 
-    A file that `is_layer`, such as a scenario, may name an input in place of its channel; `layered` finds the
-    channel in the file below. Raises ProgramError with every mistake.
+    A file that `is_layer`, such as a scenario, may name an input instead of its channel; `layered` looks the
+    channel up in the file below. Raises ProgramError with every mistake.
     """
     tree = read_toml(source)
     settings: dict[str, object] = {}
@@ -77,7 +77,7 @@ def read_machine(source: Source, *, is_layer: bool = False) -> dict[str, object]
 
 
 def _with_some_channel(key: str, value: object) -> object:
-    """Return the entries of a layer as if those with a name had a channel."""
+    """Return a layer's entries with a placeholder channel where they have only a name."""
     if key not in NAMED or not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
         return value
     return [{"channel": 0, **each} if "name" in each else each for each in value]
@@ -111,7 +111,7 @@ def read_value(text: str) -> object:
 def current_key(key: str) -> str:
     """Return a key under the present name of its section.
 
-    An old name is reported once as a note.
+    The first use of an old name is reported as a note.
     """
     for old, new in OLD_SECTIONS.items():
         if key.startswith(old):
@@ -148,7 +148,7 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
 
 
 def first_mistake(settings: Mapping[str, object]) -> str:
-    """Return the first problem of settings that a program gives, with a hint.
+    """Return the first problem, with a hint, of settings from a Python program.
 
     Returns an empty text if all are valid.
     """
@@ -159,7 +159,7 @@ def first_mistake(settings: Mapping[str, object]) -> str:
 
 
 def _problems(key: str, value: object) -> Iterator[tuple[str, str, str, int]]:
-    """Iterate over the mistakes in one key or table.
+    """Yield the mistakes in one key or table.
 
     Each has a message, a hint, the name to search for in the file and the index of its entry.
     """
@@ -273,7 +273,7 @@ def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, st
 
 
 def _expect_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
-    """Check that an entry expects one thing and has only keys that go with it."""
+    """Check that an entry expects one thing and has only keys that apply to it."""
     what = [name for name in EXPECTED if name in entry]
     if len(what) != 1:
         yield f"[[expect]] expects one thing: {', '.join(EXPECTED)}", "write an entry for each", "[[expect]]"
@@ -356,12 +356,12 @@ def _are_registers(value: object) -> bool:
 
 
 def _is_number(text: str) -> bool:
-    """True if a segment of a key is a number of at most 6 digits, no leading zeros."""
+    """True if a key segment is a number of at most 6 digits without leading zeros."""
     return text.isascii() and text.isdigit() and len(text) <= 6 and (text == "0" or text[0] != "0")
 
 
 def generic(key: str) -> str:
-    """Return the key as the table spells it.
+    """Return the key in the spelling of the table.
 
     For example, `axis.3.travel` is `axis.N.travel`.
     """
@@ -378,7 +378,7 @@ def generic(key: str) -> str:
 
 
 def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str, object]]:
-    """Iterate over the values by dotted key; tables nested too deep stay whole."""
+    """Yield the values by dotted key; tables nested too deep are not split."""
     for key, value in tree.items():
         if isinstance(value, dict) and prefix.count(".") < _MAX_DEPTH:
             yield from _flatten(value, f"{prefix}{key}.")
@@ -387,7 +387,7 @@ def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str
 
 
 def _located(source: Source, key: str, message: str, hint: str, name: str, entry: int = 0) -> Diagnostic:
-    """Return the diagnostic on the line of the mistake, found by the file's spelling.
+    """Return the diagnostic with the line of the mistake, searched for in the text.
 
     A mistake in a table is searched for in one entry. If its line is not found, the diagnostic has the line
     of that entry's `[[key]]`. A mistake in a section, or in a value nested too deep, has the first line of
@@ -439,7 +439,7 @@ def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
 
 
 def _too_many_digits(source: Source) -> Diagnostic:
-    """Return the diagnostic for a number with more digits than Python reads."""
+    """Return the diagnostic for a number with more digits than Python can parse."""
     import re
 
     digits = re.search("[0-9_]{1000,}", source.text)

@@ -1,6 +1,7 @@
 """Overlay of one machine file on another.
 
-The keys of the upper file take precedence, and its entries replace those about the same subject.
+The keys of the upper file take precedence, and its entries replace the lower file's entries about the same
+subject.
 """
 
 from __future__ import annotations
@@ -18,8 +19,8 @@ if TYPE_CHECKING:
 def layered(below: Mapping[str, object], above: Mapping[str, object]) -> dict[str, object]:
     """Merge the settings of two machine files; those of `above` take precedence.
 
-    An entry such as `[[input]]` of channel 3 replaces all entries of that channel. An input of `above` may have
-    its name in `below` in place of its channel. Raises ProgramError for a name that is not there.
+    An entry such as `[[input]]` of channel 3 replaces all entries of that channel. An input of `above` may
+    refer to its channel by the name that `below` gives it. Raises ProgramError for a name that is not there.
     """
     out = dict(below)
     for key, value in above.items():
@@ -33,7 +34,7 @@ def layered(below: Mapping[str, object], above: Mapping[str, object]) -> dict[st
 
 
 def _with_channel(table: str, entry: Entry, below: object) -> Entry:
-    """Return an entry with the channel that its name has in the file below."""
+    """Return an entry with its name resolved to the channel in the file below."""
     if "channel" in entry:
         return entry
     known = (
@@ -60,7 +61,8 @@ def _with_channel(table: str, entry: Entry, below: object) -> Entry:
 def _replaces(table: str, above: Entry, below: Entry) -> bool:
     """True if two entries are about the same subject.
 
-    An answer to any INPUT replaces all answers, one with a prompt those whose prompts are part of it or contain it.
+    An answer to any INPUT replaces all answers. An answer with a prompt replaces those whose prompts contain
+    it or are contained in it.
     """
     if _about(table, above) != _about(table, below):
         return False
@@ -69,5 +71,5 @@ def _replaces(table: str, above: Entry, below: Entry) -> bool:
 
 
 def _about(table: str, entry: Entry) -> tuple[object, ...]:
-    """Return the subject of an entry; a missing number has its default, such as bus 1."""
+    """Return the subject of an entry; missing numbers have defaults, such as bus 1."""
     return tuple(entry.get(name, otherwise) for name, otherwise in ABOUT[table].items())

@@ -185,7 +185,7 @@ class Machine:
         self._world.wire_inputs(settings)
 
     def at_power_up(self, call: Callable[[Controller], None]) -> None:
-        """Let `call` prepare the controller: now, or when it is built."""
+        """Have `call` prepare the controller: now, or once it is built."""
         if self._controller is None:
             self._power_up.append(call)
         else:
@@ -205,7 +205,7 @@ class Machine:
             del self._told[diagnostic.key]
 
     def _hurried(self, move: Move, count: int, span: float) -> None:
-        """Warn about a line that starts motion after motion without waiting."""
+        """Warn about a line that starts one move after another without waiting."""
         from motionlang.errors import Diagnostic
 
         message = f"{move.command} starts motions without waiting for them: {count} in {span:.3g} s"
@@ -246,15 +246,15 @@ class Machine:
         return any(".plant." in key for key in self.settings)
 
     def settling(self) -> list[int]:
-        """The idle axes whose simulated motors are not at rest yet."""
+        """The idle axes whose simulated motors are not yet at rest."""
         return [] if self._controller is None else self._controller.settling()
 
     def rest_time(self, axis: int) -> float:
-        """Return the time at which an idle axis's motor is at rest, or is to be checked."""
+        """Return when an idle axis's motor is at rest, or when to check it next."""
         return self.controller.rest_time(axis)
 
     def idle_time(self, axis: int) -> float:
-        """The time at which an axis will be idle if nothing else happens."""
+        """Return the time at which an axis will be idle if nothing else happens."""
         return self.controller.idle_time(axis)
 
     @property
@@ -292,7 +292,7 @@ class Machine:
         return self.operator_at(CONSOLE)
 
     def operator_at(self, number: int) -> Operator:
-        """Return the operator at one of several terminals, created on first use."""
+        """Return the operator at terminal `number`, created on first use."""
         found = self._operators.get(number)
         if found is None:
             from motionlang.lang.machine.operator import Operator
@@ -303,7 +303,7 @@ class Machine:
         return found
 
     def unasked(self) -> list[str]:
-        """Return the answers of the settings that no INPUT has used."""
+        """Return the answers in the settings that no INPUT has used."""
         answers = self.settings.get("answer", ())
         return [
             text
@@ -312,11 +312,11 @@ class Machine:
         ]
 
     def terminal_at(self, number: int) -> Terminal:
-        """Return one of several terminals; one of them is the console."""
+        """Return terminal `number`; one of the terminals is the console."""
         return self.terminal if number == CONSOLE else self.stream(f"terminal {number}")
 
     def stream(self, label: str) -> Terminal:
-        """Return the terminal of other output; its lines are shown with their label."""
+        """Return the terminal of other output; its lines are shown with a label."""
         found = self.terminals.get(label)
         if found is None:
             found = self.terminals[label] = labelled(
@@ -325,13 +325,13 @@ class Machine:
         return found
 
     def close_terminals(self) -> None:
-        """End all unfinished lines, the console's last."""
+        """End all unfinished lines, that of the console last."""
         for terminal in (*self.terminals.values(), self.terminal):
             terminal.close()
 
 
 def _world(controller: Controller, settings: Mapping[str, object]) -> World | None:
-    """Return the world of a machine file, or None if it sets only the controller."""
+    """Return the world of a machine file, or None if it describes only the controller."""
     if _is_plain(settings):
         return None
     from motionlang.controller.io.wiring import World

@@ -1,7 +1,7 @@
 """Data that outlives a run: variables declared `nv`, and numbered words.
 
-They are in a JSON file next to the program: the values by the names of the variables, and the words, 32 bits
-each, by their addresses. Without a file, they last as long as the run.
+They are in a JSON file next to the program: variables by name, and words of 32 bits by address. Without a
+file, they last only as long as the run.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ class NonVolatile:
 
     @property
     def names(self) -> list[str]:
-        """The variables of the program that outlive it."""
+        """The nonvolatile variables of the program, by name."""
         return [*self._live, *(["NVLONG"] if self._words else [])]
 
     def word(self, address: int) -> int:
@@ -95,7 +95,7 @@ class NonVolatile:
         self._words[address] = word
 
     def real(self, address: int) -> float:
-        """Return a word as the float that has the same bits."""
+        """Return a word as the float with the same bits."""
         found: float = unpack("<f", pack("<i", self.word(address)))[0]
         return found
 
@@ -119,7 +119,7 @@ class NonVolatile:
             file.write((dumps(tree, indent=1, ensure_ascii=False) + "\n").encode())
 
     def close(self) -> None:
-        """Release the file for other runs."""
+        """Unlock the file for other runs."""
         if self._lock is not None:
             self._lock.release()
 

@@ -1,8 +1,8 @@
 """The operator at the terminal, from the machine file or live.
 
-A key in the machine file is an event of the clock, so that a wait for it need not poll. Typed lines exist
-from the start and are consumed when the program asks for one. A live operator's keys make a line while the
-program asks for one.
+A key in the machine file is an event of the clock, so that a wait for it need not poll. Lines in the machine
+file are available from the start and consumed when the program asks for one. The keys of a live operator form
+a line while the program asks for one.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _ENTER, _BACK = "\r\n", "\b\x7f"
 class Operator:
     """Keys and lines of one terminal that the program has not read yet.
 
-    The program sets `asking` while it waits for a line. `number` is that of the terminal.
+    The program sets `asking` while it waits for a line. `number` is the number of the terminal.
     """
 
     def __init__(
@@ -66,7 +66,7 @@ class Operator:
             self._clock.at(moment, partial(self.press, str(entry["text"]), held))
 
     def press(self, text: str, held: float = HELD) -> None:
-        """Press keys one after the other and hold the last one for `held` seconds."""
+        """Press keys one after another and hold the last one for `duration` seconds."""
         codes = [ord(each) & 0xFF for each in text]
         if not codes or len(self.keys) + len(codes) > MAX_KEYS:
             return
@@ -81,14 +81,14 @@ class Operator:
         return self.keys.pop(0) if self.keys else 0
 
     def held_key(self) -> int:
-        """Return the key that is held down now, or 0 if none is."""
+        """Return the key that is held down now, or 0."""
         return self._held if self._clock.now < self._until else 0
 
     @property
     def question(self) -> str:
-        """Return the prompt of the INPUT that asks now.
+        """Return the prompt of the current INPUT.
 
-        It is the unfinished line, or else the line above it.
+        It is the unfinished line, or the line above it if that is empty.
         """
         begun = self._terminal.begun
         if begun.strip(" ?") or not self._terminal.prints:
@@ -96,11 +96,11 @@ class Operator:
         return self._terminal.prints[-1].text
 
     def has_answer(self) -> bool:
-        """True if a line answers the INPUT that asks now."""
+        """True if a line answers the current INPUT."""
         return self._matching() is not None
 
     def take_answer(self) -> str:
-        """Remove the first line that answers the INPUT that asks now, and return its text."""
+        """Remove the first line that answers the current INPUT, and return its text."""
         found = self._matching()
         assert found is not None, "an INPUT goes on when there is an answer"
         return self.lines.pop(found)[0]
@@ -135,4 +135,4 @@ class Operator:
 
 
 def _nothing() -> None:
-    """Do nothing, at a time when something may have changed."""
+    """Do nothing; an event at which something may have changed."""

@@ -1,6 +1,6 @@
 """Assumptions that the machine file's `[assumptions]` can set, with their values.
 
-The evidence files, which no run loads, explain each assumption and the reason for its default.
+The evidence files, which are not loaded in a run, explain each assumption and the reason for its default.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ LIST = "docs/contributing/assumptions.md"
 
 
 class Switch:
-    """The values of an assumption: one of `choices`, or a number in a range.
+    """The allowed values of an assumption: one of `choices`, or a number in a range.
 
     The first choice is the default. A number lies from `low` to `high`, and is an integer if `whole` is set.
     """
@@ -45,10 +45,7 @@ class Switch:
 
 
 def problem(key: str, value: object) -> tuple[str, str] | None:
-    """Return the problem of a key of `[assumptions]` and a hint.
-
-    None if it is valid.
-    """
+    """Return the problem of a key of `[assumptions]` and a hint; None if it is valid."""
     name = key.removeprefix(ASSUMPTIONS)
     found = switch(name)
     if found is not None:
@@ -61,7 +58,7 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
 
 
 def switch(name: str) -> Switch | None:
-    """Return the values of an assumption, or None if it does not exist or has none."""
+    """Return the allowed values of an assumption; None if it cannot be set."""
     language = name.partition(".")[0]
     return dialect(language).switches().get(name) if language in PACKAGES else None
 

@@ -1,4 +1,4 @@
-"""Terminal that stores what a program prints, by line, and shows it as it comes."""
+"""A terminal, which stores a program's output by line and shows it immediately."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class LineBuffer:
         self._open = StringIO()
 
     def completed(self, text: str) -> list[str]:
-        """Add a fragment, and return the lines that it ends, without `\\n`."""
+        """Add a fragment and return the lines that it completes, without line feeds."""
         *lines, rest = text.split("\n")
         if lines and self._open.tell():
             lines[0] = self._open.getvalue() + lines[0]
@@ -47,7 +47,8 @@ class LineBuffer:
 class Terminal:
     """The complete lines of a terminal in `prints`.
 
-    `show(text)`, if given, is called with each fragment of text as it is written.
+    `show(text)`, if given, is called with each fragment of text as it is written. With `repeats`, a text for
+    a row of the screen is written even if the row already shows it, because hosts see every character.
     """
 
     __slots__ = ("_clock", "_open", "_size", "prints", "show")
@@ -87,9 +88,9 @@ class Terminal:
             self.show(f"\n{text}" if self._open else text)
 
     def forget(self) -> None:
-        """Drop the printed lines, which a session has already shown.
+        """Discard the printed lines, which a session has already shown.
 
-        Each command of a session may then print as much as a run.
+        Each command of a session may therefore print as much as a whole run.
         """
         self.prints.forget(0)
         self._size = len(self._open)
@@ -101,7 +102,7 @@ class Terminal:
 
 
 def labelled(label: str, console: Terminal, clock: Clock, prints: Stream[Printed]) -> Terminal:
-    """Return another terminal whose complete lines appear on the console, labelled."""
+    """Return a terminal whose complete lines appear on the console with a label."""
     other = Terminal(clock, prints)
     buffer = LineBuffer()
 

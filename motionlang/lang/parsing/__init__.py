@@ -1,1 +1,1 @@
-"""Table-driven parsing: from a `.lark` grammar to tables, from a text to its tree."""
+"""Table-driven parsing: from `.lark` grammars to tables, and from texts to trees."""

@@ -1,10 +1,10 @@
 """Generator of `_run`, the loop in a `tables` module that runs a grammar's table.
 
-The loop is written for one grammar, because a function call takes longer than the work of most reducers. The
-most frequent reductions are inlined. So are the tokens that usually are values by themselves; their nodes are
-made when the token is shifted. Every other reduction calls its reducer. The stack is a linked list with one
-tuple per symbol. The value of the topmost symbol is `top` and its state is `moves`, so few values are pushed
-only to be popped again.
+The loop is generated for one grammar, because a function call takes longer than the work of most reducers.
+The most frequent reductions are inlined. So are tokens that usually form a value on their own; their nodes
+are created when the token is shifted. Every other reduction calls its reducer. The stack is a linked list
+with one tuple per symbol. The value of the topmost symbol is `top` and its state is `moves`, so few values
+are pushed only to be popped again.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ S, top = reducer(S, moves, top, T)"""
 def popped(length: int, used: set[int]) -> list[str]:
     """Return the line that pops the values below the topmost of `length` off S.
 
-    It names the values in `used` and drops the others.
+    It assigns names to the values in `used` and drops the others.
     """
     if length < 2:
         return []
@@ -67,7 +67,7 @@ def popped(length: int, used: set[int]) -> list[str]:
 def loop(reductions: Iterable[list[str]], leaves: Iterable[list[str]]) -> str:
     """Return the text of `_run`.
 
-    Each item of `reductions` and `leaves` is the lines that leave their result in S and `top`.
+    Each item of `reductions` and `leaves` has the lines that leave their result in S and `top`.
     """
     chosen = [("code", number, lines) for number, lines in enumerate(reductions)]
     made = [("made", number, lines) for number, lines in enumerate(leaves, 1)]

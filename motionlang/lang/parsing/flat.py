@@ -1,6 +1,6 @@
 """Compile a rule that is not recursive into one regular expression.
 
-`re` matches in one step what a table matches in several. The pattern is built from Lark's own compiled rules
+`re` matches in one step what takes a table several steps. The pattern is built from Lark's own compiled rules
 and terminals, just like its LALR(1) table.
 """
 
@@ -23,7 +23,7 @@ _FIRST = re.compile(r"\[((?!\^)(?:\\.|[^\]\\])++)\]|(\\?[^\[\](){}?*+|.^$\\])")
 
 
 def _first(pattern: str) -> str:
-    """Return the characters that may begin a terminal, as they are written in a set."""
+    """Return the characters that may begin a terminal, in the notation of a set."""
     match = _FIRST.match(pattern)
     if match is None:
         raise ValueError(f"{pattern} must begin with a character or a set of characters")
@@ -31,7 +31,7 @@ def _first(pattern: str) -> str:
 
 
 def _ends_everywhere(pattern: str) -> bool:
-    """True if each character that may begin a terminal is one by itself."""
+    """True if every character that may begin a terminal is also a complete terminal."""
     begins = re.compile(f"[{_first(pattern)}]")
     return all(
         re.fullmatch(pattern, character) for character in map(chr, range(128)) if begins.match(character)
@@ -41,7 +41,7 @@ def _ends_everywhere(pattern: str) -> bool:
 class Flat:
     """A rule of a grammar as a pattern.
 
-    Its groups are the rules and terminals named in `kept`.
+    The groups of the pattern are the rules and terminals named in `kept`.
     """
 
     def __init__(self, lark: Lark, rule: str, kept: Collection[str]) -> None:
@@ -68,7 +68,7 @@ class Flat:
     def begins(self) -> dict[str, str]:
         """Map each group that is a terminal to the character with which it begins.
 
-        Groups with several such characters are left out.
+        Groups with several possible first characters are left out.
         """
         found = (
             (name, _FIRST.match(self._terminals[name])) for name in self._kept if name in self._terminals
@@ -78,9 +78,9 @@ class Flat:
     def chunk(self, quoted: str) -> str:
         """Return the pattern of a text that ends where a match should end.
 
-        The text need not be a match. It ends at what the rule does not use, and at the end of the line. The
-        terminal `quoted` begins and ends with the same character; without its end it continues to the end of
-        the line.
+        The text need not match the rule. It ends before anything that the rule does not use, and at the end
+        of the line. The terminal `quoted` begins and ends with the same character; if its end is missing, it
+        continues to the end of the line.
         """
         quote = _first(self._terminals[quoted])
         ends = [pattern for pattern in self.outside() if not pattern.startswith(_LINE_START)]
@@ -105,7 +105,7 @@ class Flat:
     def _choice(self, ways: Sequence[tuple[str, ...]]) -> str:
         """Return the pattern of alternatives, with common prefixes merged.
 
-        Merging ensures that a group occurs in the pattern only once.
+        Merging ensures that each group occurs in the pattern only once.
         """
         firsts = dict.fromkeys(way[0] for way in ways if way)
         found = []

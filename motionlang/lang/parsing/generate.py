@@ -36,7 +36,7 @@ def grammar_path(name: str) -> str:
 
 
 def build_lark(name: str, lexer: str = "basic", **options: Any) -> Lark:
-    """Build Lark's parser of a grammar: source of the tables, reference of the tests."""
+    """Build Lark's parser of a grammar: the source of tables, the reference in tests."""
     path = grammar_path(name)
     with open(path, encoding="utf-8") as file:
         return Lark(
@@ -68,10 +68,10 @@ def _heading(name: str) -> list[str]:
 def _with_pattern(name: str, rule: str, kept: tuple[str, ...], quoted: str) -> str:
     """Return the tables of a grammar in which one pattern matches a whole rule.
 
-    The table then parses only what the pattern does not match. PIECE cuts a line into the texts that should
-    match, as group 1, and matches nothing at the end of the line. SEPARATORS matches what may separate them,
-    except comments. COMMENT matches a line up to its comment, which is group 1. BEGINS has the character with
-    which a terminal begins.
+    The table then parses only text that the pattern does not match. PIECE cuts a line into the texts that
+    should match, as group 1, and matches nothing at the end of the line. SEPARATORS matches what may separate
+    them, except comments. COMMENT matches a line up to its comment, which is group 1. BEGINS has the
+    character with which a terminal begins.
     """
     lark = build_lark(name, lexer="contextual")
     flat = Flat(lark, rule, kept)
@@ -101,7 +101,7 @@ def _with_pattern(name: str, rule: str, kept: tuple[str, ...], quoted: str) -> s
 
 
 def _with_reducers(name: str, package: str, actions: ModuleType) -> str:
-    """Return the tables of a grammar that parses the whole text, with its reducers.
+    """Return the tables, with reducers, of a grammar that parses the whole text.
 
     Each alternative of the grammar has an action.
     """
@@ -155,9 +155,9 @@ _JOINED = re.compile(r"(?:\\.|[^\\()\[\]+*?.])+")  # "<>" | "<=": literal texts 
 
 
 def _terminals(lark: Lark) -> tuple[dict[str, str], dict[str, str]]:
-    """Split the terminals into literal texts and the patterns of other kinds of token.
+    """Split the terminals into literal texts and patterns for other kinds of token.
 
-    Literal texts are keywords, in lower case, and operators.
+    Literal texts are operators, and keywords in lower case.
     """
     literals, classes = {}, {}
     for terminal in lark.terminals:
@@ -180,7 +180,7 @@ def _spellings(lark: Lark) -> dict[str, str]:
 
 
 def _token_patterns(lark: Lark, literals: dict[str, str], classes: dict[str, str]) -> tuple[str, str]:
-    """Return a pattern that matches any token, without and with continued lines.
+    """Return two patterns that match any token: without and with continued lines.
 
     Keywords are recognized afterwards.
     """
@@ -197,7 +197,7 @@ def _token_patterns(lark: Lark, literals: dict[str, str], classes: dict[str, str
 def _signs(literals: dict[str, str], classes: dict[str, str]) -> str:
     """Return the set of one-character tokens with which no other token begins.
 
-    These are the most frequent tokens; a set matches them in one step.
+    These tokens are the most frequent; a set matches them in one step.
     """
     others = [text[0] for text in literals if len(text) > 1]
     firsts = [re.compile(_FIRST.match(pattern)[0]) for pattern in classes.values()]  # type: ignore[index]

@@ -1,8 +1,8 @@
 """The parser's stack as a linked list, for texts with mistakes.
 
 `motionlang.lang.parsing.parser` parses at full speed and does not record how it reached its state. Here every
-state is preserved: a stack is an immutable `Cell`, and feeding a token makes a new one. To undo a mistake, go
-back to the cell before it. To find which tokens may come next, try each of them.
+state is preserved: a stack is an immutable `Cell`, and feeding a token creates a new one. To recover from a
+mistake, return to the cell before it. To find which tokens may come next, try each of them.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Cell:
 
 
 def empty(tables: Automaton) -> Cell:
-    """The stack before the first token."""
+    """Return the stack before the first token."""
     return Cell(tables.start, None, "", 0)
 
 
@@ -75,5 +75,5 @@ def feed_all(top: Cell, kinds: tuple[str, ...], at: int) -> Cell | None:
 
 
 def expected(tables: Automaton, top: Cell) -> set[str]:
-    """The kinds of token that may come next."""
+    """Return the kinds of token that may come next."""
     return {kind for kind in tables.kinds if feed(top, kind, 0)[1]}

@@ -1,6 +1,6 @@
 """The table parser, which runs the LALR tables that `generate` writes.
 
-Lark's own driver is exact, but ten times slower, and it costs 40 ms at start-up. Lark still decides which
+Lark's own driver is exact, but ten times slower, and it adds 40 ms to start-up. Lark still decides which
 states there are, what they shift and what they reduce. This module does the rest:
 
 * One `re.findall` splits the text; the kind of a token is looked up once for every distinct text.
@@ -53,19 +53,19 @@ CALL = 99  # call a reducer; the argument is the reduction's key. Lower codes ar
 
 
 class Stuck(Exception):
-    """No action exists for a token: the text has a mistake."""
+    """Raised if no action exists for a token, so that the text has a mistake."""
 
 
 class TooDeep(Exception):
-    """The blocks of the program are nested deeper than later stages can follow."""
+    """Raised if blocks are nested deeper than later stages can handle."""
 
 
 class State:
     """The actions on each kind of token, and the transitions after reductions.
 
     `moves` caches those that the driver has met so far. It is a plain dict, because the driver reads it at
-    every token. It has the action on a kind under that kind, the transition after a reduction that began here
-    under the key of the reduction, and the state itself under "".
+    every token. The action on a kind is stored under that kind, the transition after a reduction that began
+    here under the key of the reduction, and the state itself under "".
     """
 
     __slots__ = ("_actions", "_row", "default", "moves", "number", "tables")
@@ -77,7 +77,7 @@ class State:
         self.moves: Moves = {"": self}
 
     def step(self, kind: str) -> State | Rule | None:
-        """Return the state to shift to, the rule to reduce by, or None for a wrong kind."""
+        """Return the state to shift to, the rule to reduce by, or None if neither exists."""
         if self._row:
             self._fill()
         return self._actions.get(kind, self.default)
@@ -87,7 +87,7 @@ class State:
         return self._actions[rule[1]]  # type: ignore[return-value]  # the beginning of the rule has been read
 
     def end(self) -> None:
-        """Shift the end of the text like any token."""
+        """Shift the end of the text like any other token."""
         self._actions[END] = self
 
     def _fill(self) -> None:
@@ -111,7 +111,7 @@ class State:
 
 
 def move(moves: Moves, kind: str) -> tuple[int, Any]:
-    """Return the action on a kind; a kind that does not fit shifts to a dead state."""
+    """Return the action on a kind; a kind that does not fit leads to a dead state."""
     if not moves:
         raise Stuck
     state: State = moves[""]
@@ -134,7 +134,7 @@ def _reduction(tables: Automaton, rule: Rule, kind: str) -> tuple[int, Any]:
 
 
 def _same(stack: Stack, moves: Moves, top: Any, texts: list[str]) -> tuple[Stack, Any]:
-    """Leave the value unchanged: the reducer of a symbol that is only renamed."""
+    """Keep the value; this is the reducer of a symbol that is only renamed."""
     return stack, top
 
 
@@ -153,9 +153,9 @@ def goto(below: Moves, key: str) -> tuple[Moves, int, Any]:
 
 
 def leaf(target: dict[str, Any], kind: str) -> tuple[int, Moves, int, Any]:
-    """Return the value that a token is by itself, as the kind after it shows.
+    """Return the value that a token forms by itself, if the kind after it allows that.
 
-    Returns its number or 0, the state after it and the action of that state.
+    Returns the number of the value or 0, the state after it and the action of that state.
     """
     state, action, own = target[""]
     number, reducer = state.tables.leaves[own]
@@ -169,7 +169,7 @@ def leaf(target: dict[str, Any], kind: str) -> tuple[int, Moves, int, Any]:
 
 
 class Kinds(dict[str, str]):
-    """Map of the text of a token to its kind, computed once per text."""
+    """Map from the text of a token to its kind, computed once per text."""
 
     __slots__ = ("_classes", "_literals", "limit")
 
@@ -238,7 +238,7 @@ class Tables(Automaton):
     def continues(self, text: str) -> bool:
         """True if lines of the text may continue on the next line.
 
-        The pattern that supports continued lines is slower.
+        The pattern for continued lines is slower.
         """
         if text is not self._asked[0]:
             found = "\\" in text or text.endswith("_") or any(sign in text for sign in CONTINUING)
@@ -256,7 +256,7 @@ class Tables(Automaton):
         return self._token
 
     def end(self, text: str) -> str:
-        """Return the text that ends the last line, even if that line is to be continued."""
+        """Return the text that ends the last line, even if that line is continued."""
         return "\n\n" if self.continues(text) else "" if text.endswith("\n") else "\n"
 
     def matches(self, text: str) -> Iterator[re.Match[str]]:
@@ -264,7 +264,7 @@ class Tables(Automaton):
         return self.pattern(text).finditer(text + self.end(text))
 
     def texts(self, text: str) -> list[str]:
-        """Return the tokens of a text, with an empty one for its end.
+        """Return the texts of the tokens, with an empty one for the end.
 
         The last line need not end with a line break.
         """
@@ -273,15 +273,15 @@ class Tables(Automaton):
         return texts
 
     def spans(self, text: str) -> list[tuple[int, int]]:
-        """Return the offsets of the tokens of `texts`, without those added for the end."""
+        """Return the offsets of the tokens of `texts`, except those added for the end."""
         return [match.span(1) for match in self.matches(text)]
 
     def kinds_of(self, texts: list[str]) -> list[str]:
-        """The kinds of the tokens of a text."""
+        """Return the kinds of the tokens `texts`."""
         self.kind_of.trim()
         return [*map(self.kind_of.__getitem__, texts)]
 
     def parse(self, texts: list[str], kinds: list[str]) -> Any:
-        """The value of the start rule; raises `Stuck` or `TooDeep`."""
+        """Return the value of the start rule; raise `Stuck` or `TooDeep`."""
         with CollectorOff():  # a tree has no cycles
             return self._driver(self.start.moves, [*kinds, END], texts)

@@ -1,4 +1,4 @@
-"""From the rules of a grammar and their actions to reducers.
+"""Reducers, generated from the rules of a grammar and their actions.
 
 Each distinct shape of an alternative has one function.
 """
@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 
 
 class Rules:
-    """Number the rules in the order in which they are met, and write their reducers.
+    """Numbers the rules in the order in which they are met, and writes their reducers.
 
     Without actions there are no reducers. For the first shape of each action in `inlined` the lines are
-    stored for the driver instead. `leaves` are the actions of tokens that are values by themselves; the
+    stored for the driver instead. `leaves` are the actions of tokens that are complete values; the
     driver has their lines, too.
     """
 
@@ -47,7 +47,7 @@ class Rules:
         self._written: dict[tuple[str, ...], str] = {}
 
     def number(self, rule: Any) -> int:
-        """Return the number of a rule of Lark's."""
+        """Return the number of a Lark rule."""
         if rule not in self._numbers:
             self._numbers[rule] = len(self.rows)
             self.rows.append(f"({len(rule.expansion)}, {str(rule.origin.name)!r}, {self._reducer(rule)})")
@@ -85,7 +85,7 @@ class Rules:
         return name
 
     def _expression(self, rule: Any, alias: str) -> str:
-        """Return the action, with `v…` counting only the symbols that are present."""
+        """Return the action; its `v…` count only the symbols that are present."""
         present = rule.options.empty_indices or (False,) * len(rule.expansion)
         places: list[str] = []
         symbols = iter(range(len(rule.expansion)))
@@ -98,7 +98,7 @@ class Rules:
         return re.sub(r"\bv(\d+)", lambda found: places[int(found[1])], self.actions[alias])
 
     def _body(self, expression: str, length: int) -> list[str]:
-        """Return the lines that make `top` from `length` values.
+        """Return the lines that compute `top` from `length` values.
 
         There are no lines if the only value stays unchanged.
         """
@@ -112,7 +112,7 @@ class Rules:
         return [*made, f"top = {'n' if made else value}"]
 
     def _made(self, value: str) -> list[str]:
-        """Return the body of a node's constructor inlined, which is a third faster.
+        """Return a node's constructor inlined as lines, which is a third faster.
 
         Returns no lines for any other value.
         """
@@ -149,5 +149,5 @@ def _used(lines: list[str]) -> set[int]:
 
 
 def _with_top(lines: list[str], length: int, name: str = "top") -> list[str]:
-    """Return the lines with the topmost value under its own name."""
+    """Return the lines with the topmost value renamed to `name`."""
     return [re.sub(rf"\bv{length - 1}\b", name, line) for line in lines]

@@ -1,7 +1,7 @@
 """From the ordinal of a token to its line and column, computed on demand.
 
-A tree stores ordinals, because they cost nothing to make. The compiler needs lines, which take one pass over
-the texts of the tokens. Only messages need columns; to find them the text is split into tokens again.
+A tree stores ordinals, because they cost nothing to create. The compiler needs lines, which take one pass
+over the texts of the tokens. Only messages need columns; to find them the text is split into tokens again.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _SIGNS = frozenset("+-~")
 
 
 class SourceOffsets:
-    """Positions of the tokens of a source, from 1; ordinals count from 0."""
+    """Positions of the tokens of a source: lines and columns from 1, ordinals from 0."""
 
     __slots__ = ("_lines", "_matches", "_spans", "_tables", "_tokens", "source")
 
@@ -44,7 +44,7 @@ class SourceOffsets:
     def tokens(self) -> tuple[list[str], list[str]]:
         """Return the texts and kinds of all tokens.
 
-        They are split again if the lines are known, which replace them.
+        They are split again if they were discarded once the lines were known.
         """
         texts, kinds = self._tokens
         if not texts:
@@ -53,37 +53,37 @@ class SourceOffsets:
         return texts, kinds
 
     def line(self, at: int) -> int:
-        """The line of a token."""
+        """Return the line of a token."""
         if not self._lines:
             self._find_lines()
         return self._lines[min(at, len(self._lines) - 1)]
 
     def lines(self, ats: Iterable[int]) -> list[int]:
-        """The lines of many tokens of the source."""
+        """Return the lines of many tokens of the source."""
         if not self._lines:
             self._find_lines()
         lines = self._lines
         return [lines[at] for at in ats]
 
     def column(self, at: int) -> int:
-        """The column of a token."""
+        """Return the column of a token."""
         start = self.span(at)[0]
         return start - self.source.text.rfind("\n", 0, start)
 
     def length(self, at: int) -> int:
-        """The number of characters of a token."""
+        """Return the number of characters of a token."""
         start, end = self.span(at)
         return max(1, end - start)
 
     def text(self, at: int) -> str:
-        """The text of a token."""
+        """Return the text of a token."""
         start, end = self.span(at)
         return self.source.text[start:end]
 
     def value_length(self, at: int) -> int:
         """Return the length of the value that begins with a token.
 
-        The value includes its signs and a parenthesised expression.
+        The value includes signs, and an expression in parentheses after them.
         """
         start, last = self.span(at)[0], at
         while self.text(last) in _SIGNS:
@@ -96,7 +96,7 @@ class SourceOffsets:
     def _closing(self, at: int) -> int:
         """Return the bracket that closes the one at a token.
 
-        Returns the token itself if no bracket on its line does.
+        Returns the token itself if its line has no closing bracket.
         """
         depth, last = 0, at
         while (piece := self.text(last)) and "\n" not in piece:

@@ -1,9 +1,9 @@
 """From Lark's LALR(1) table to rows of text, in a fixed order.
 
-Each state has a default reduction. This makes the table a quarter of the size. A mistake is then found after
-the text before it has been fully reduced, so that "expected" lists what a reader would. Lark numbers states
-by the order of its sets, which varies. Here they are numbered in the order in which they are reached, so that
-the same grammar always gives the same text.
+Each state has a default reduction, which makes the table a quarter of the size. A mistake is then found after
+the text before it has been fully reduced, so that "expected" lists the tokens that a reader would list. Lark
+numbers states by the order of its sets, which varies. Here they are numbered in the order in which they are
+reached, so that the same grammar always gives the same text.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class States:
-    """The rows of a table, beginning with `start`; the text may end in state `finish`."""
+    """The states of a parse table as rows; the first is the start, `finish` accepts."""
 
     def __init__(self, table: Any, rules: Rules) -> None:
         self._states = table.states
@@ -44,9 +44,9 @@ class States:
         return self._numbers.setdefault(state, len(self._numbers))
 
     def _renaming(self) -> dict[int, str]:
-        """Map each state that can only rename one symbol to its new name.
+        """Map each state that can only rename one symbol to the symbol's new name.
 
-        A shift to such a state continues where the renaming leads.
+        A shift to such a state is replaced by one to where the renaming leads.
         """
         found = {}
         for state, actions in self._states.items():
@@ -76,6 +76,6 @@ class States:
         return " ".join([*row, f"d{self.rules.number(default)}"] if default else row)
 
     def _default(self, actions: dict[str, tuple[Any, Any]]) -> Any:
-        """Return the rule that most kinds reduce by; in a tie, the first by its symbols."""
+        """Return the rule by which most kinds reduce; in a tie, the first by its symbols."""
         counts = Counter(rule for kind, rule in actions.values() if kind is not Shift)
         return min(counts, key=lambda rule: (-counts[rule], str(rule)), default=None)

@@ -1,4 +1,4 @@
-"""The functions of MCAPI, a file a subject.
+"""The functions of MCAPI, one file per subject.
 
 Importing this package registers them all.
 """

@@ -1,4 +1,4 @@
-"""Blocks, and the paths of a contour."""
+"""Functions for blocks and contour paths."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @at_once("MCBlockBegin")
 def begin(session: Session, call: Call, mode: int, num: int) -> bool | None:
-    """Begin a block, or act at once by the mode."""
+    """Begin a block, or act at once, depending on the mode."""
     assert call.handle is not None
     found = block.begin(call.handle.interface, call.handle, mode, num)
     if not found:
@@ -37,7 +37,7 @@ def end(session: Session, call: Call) -> bool:
 
 @commands("MCRepeat")
 def repeat(interface: Interface, count: int) -> list[Command]:
-    """Repeat the block so far; alone it would repeat nothing, for ever."""
+    """Repeat the block so far; raise Refused outside a block."""
     if interface.block is None:
         raise Refused(mc.MCERR_BLOCK_MODE)
     return [command("RP", value=count)]
@@ -60,7 +60,7 @@ def breakpoint_at(interface: Interface, axis: int, mode: int, position: float) -
 
 @commands("MCContourPath")
 def contour_path(interface: Interface, axis: int, wMode: int, buffer: str) -> list[Command]:  # noqa: N803
-    """Carry out the commands in a text as a path."""
+    """Carry out the commands in a text as a contour path."""
     if wMode not in (mc.MC_LINEAR, mc.MC_CIRC_CW, mc.MC_CIRC_CCW):
         raise Refused(mc.MCERR_CONSTANT)
     body = line_of(buffer)

@@ -1,6 +1,6 @@
-"""Digital and analogue channels.
+"""Functions for digital and analogue channels.
 
-An analogue channel is 12 bits over ±10 V: 0 is -10 V, 4095 is +10 V.
+An analogue channel has 12 bits over ±10 V: 0 is -10 V, 4095 is +10 V.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""The description of a model: its type, axes, modules and abilities.
+"""The description of a model: its type, axes, modules and capabilities.
 
-A board has the modules that its model takes: one per axis, servo or stepper as the machine file says.
+A board has the modules that its model accepts: one per axis, servo or stepper as the machine file says.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def _has(board: Board, name: str) -> int:
 
 @reading("MCGetConfigurationEx")
 def configuration(interface: Interface) -> tuple[float, ...]:
-    """Give the abilities of the model, in the order of MCPARAMEX."""
+    """Return the capabilities of the model, in the order of MCPARAMEX."""
     board = interface.board
     axes = len(board.numbers)
     multiflex = int(board.model.words)
@@ -61,7 +61,7 @@ def configuration(interface: Interface) -> tuple[float, ...]:
 
 @reading("MCGetConfiguration")
 def old_configuration(interface: Interface) -> tuple[int, ...]:
-    """Give the abilities of the model, in the order of MCPARAM."""
+    """Return the capabilities of the model, in the order of MCPARAM."""
     board = interface.board
     kinds = [mc.MC_TYPE_STEPPER if _is_stepper(board, axis) else mc.MC_TYPE_SERVO for axis in board.numbers]
     abilities = (_has(board, "US"), _has(board, "CP"), _has(board, "PS"), _has(board, "HS"))
@@ -74,9 +74,9 @@ def old_configuration(interface: Interface) -> tuple[int, ...]:
 
 @reading("MCGetAxisConfiguration")
 def axis_configuration(interface: Interface, axis: int) -> tuple[float, ...]:
-    """Give the module of an axis.
+    """Return the module of an axis.
 
-    A servo has loop rates, a stepper ranges of step rates as well.
+    A servo module has loop rates, a stepper module also ranges of step rates.
     """
     board = interface.board
     stepper = _is_stepper(board, axis)
@@ -93,7 +93,7 @@ def axis_configuration(interface: Interface, axis: int) -> tuple[float, ...]:
 
 @reading("MCGetInstalledModules")
 def modules(interface: Interface, size: int) -> tuple[int, ...]:
-    """Give the module of each site; sites without one are empty."""
+    """Return the module of each site; 15 is an empty site."""
     board = interface.board
     if size <= 0:
         raise Refused(mc.MCERR_RANGE)

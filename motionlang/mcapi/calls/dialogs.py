@@ -1,7 +1,7 @@
-"""Save and restore an axis, and download a file: what MCDLG does without a dialog.
+"""Save and restore an axis, download a file: MCDLG's functions without dialogs.
 
 The file has a section for each axis, such as `[Axis 1]`, with lines of `name = value`. Numbers are written so
-that they are read back exactly. The library of the host reads and writes the file; here it is a text.
+that they are read back exactly. The host's library reads and writes the file; here it is a text.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _FILTER = [
 
 @reading("MCDLG_SaveAxis")
 def save(interface: Interface, axis: int, iFlags: int) -> str:  # noqa: N803
-    """Give the settings of an axis, or of all, as a text."""
+    """Return the settings of an axis, or of all, as a text."""
     board = interface.board
     return "\n".join(_section(interface, number, iFlags) for number in ([axis] if axis else board.numbers))
 
@@ -71,7 +71,7 @@ def _section(interface: Interface, axis: int, flags: int) -> str:
 
 @commands("MCDLG_RestoreAxis")
 def restore(interface: Interface, axis: int, iFlags: int, PrivateIniFile: str) -> list[Command]:  # noqa: N803
-    """Return the commands that set what was saved."""
+    """Return the commands that set the saved values."""
     sections = _sections(PrivateIniFile)
     found: list[Command] = []
     for number in [axis] if axis else interface.board.numbers:
@@ -82,9 +82,9 @@ def restore(interface: Interface, axis: int, iFlags: int, PrivateIniFile: str) -
 
 
 def _restored(interface: Interface, axis: int, flags: int, saved: dict[str, float]) -> list[Command]:
-    """Return the commands of one axis.
+    """Return the commands that restore one axis.
 
-    Units come first. As they take effect when the axis is next switched on, it is switched on and off.
+    Units come first. They take effect when the axis is next switched on, so it is switched on and off.
     """
     board = interface.board
     found: list[Command] = []
@@ -113,7 +113,7 @@ def _restored(interface: Interface, axis: int, flags: int, saved: dict[str, floa
 def _sections(text: str) -> dict[int, dict[str, float]]:
     """Return the numbers of a file by axis and name.
 
-    Raise Refused for a line that is none.
+    Raises Refused for a line that is neither a section nor a number.
     """
     found: dict[int, dict[str, float]] = {}
     section: dict[str, float] = {}

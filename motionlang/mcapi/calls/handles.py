@@ -1,4 +1,4 @@
-"""Handles: open, close, their errors and time-outs."""
+"""Functions for handles: open and close, errors, time-outs."""
 
 from __future__ import annotations
 
@@ -42,9 +42,9 @@ def last_error(session: Session, call: Call) -> None:
 
 @at_once("MCTranslateErrorEx")
 def translate(session: Session, call: Call, nError: int, length: int) -> None:  # noqa: N803
-    """Give the text of an error.
+    """Return the text of an error code.
 
-    It is cut to a short buffer, which is an error itself.
+    It is truncated to a buffer that is too short, which is an error itself.
     """
     if length <= 0:
         raise Refused(mc.MCERR_RANGE)

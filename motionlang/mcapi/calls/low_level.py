@@ -1,6 +1,6 @@
-"""Registers, characters of the ASCII interface, numeric commands.
+"""Low-level functions: registers, ASCII characters, numeric commands, the lock.
 
-Variables and the lock.
+They also look up variables of the board.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ CODES = "mccl.codes."
 
 
 def _typed(value: Value, kind: int) -> float | int:
-    """Return a value as its type; raise Refused if it is none of the types of numbers."""
+    """Return a value converted to a numeric type; raise Refused for any other type."""
     if kind not in NUMBERS or isinstance(value, str):
         raise Refused(mc.MCERR_CONSTANT)
     return wrapped(int(value)) if kind == mc.MC_TYPE_LONG else float(value)
@@ -41,7 +41,7 @@ def _typed(value: Value, kind: int) -> float | int:
 
 @commands("MCSetRegister")
 def set_register(interface: Interface, reg: int, value: Value, type: int) -> list[Command]:
-    """Load the accumulator and store it, which is the only way."""
+    """Load the accumulator and store it, the only way to write a register."""
     found = [command("AL", value=_typed(value, type))]
     return found if reg == 0 else [*found, command("AR", value=reg)]
 
@@ -92,7 +92,7 @@ def get_character(session: Session, call: Call) -> None:
 def get_text(session: Session, call: Call, size: int) -> Polled:
     """Wait for text up to a CR or prompt.
 
-    One character of the buffer is for the zero at the end.
+    The buffer needs one character for the terminating zero.
     """
     interface = _ascii(call)
     if size <= 0:
@@ -117,9 +117,9 @@ def ready(session: Session, call: Call) -> None:
 
 
 def _name_of(board: Board, code: int) -> str:
-    """Return the command with a numeric code.
+    """Return the name of the command with a numeric code.
 
-    The one known, or that of the machine file.
+    Codes of the machine file override the known ones. Raises Refused for any other code.
     """
     given = {
         value: key.removeprefix(CODES).upper()
@@ -143,7 +143,7 @@ def _by_code(interface: Interface, axis: int, code: int, value: Value | None, ki
 
 @at_once("pmccmdex")
 def numeric(session: Session, call: Call, axis: int, command: int, argument: Value, type: int) -> bool | None:
-    """Carry out a command by its code; in a block it joins it."""
+    """Carry out a command by its code, or add it to an open block."""
     handle = _handle(call)
     found = _by_code(handle.interface, axis, command, argument, type)
     if handle.interface.block is not None:
@@ -157,7 +157,7 @@ def numeric(session: Session, call: Call, axis: int, command: int, argument: Val
 def numeric_with_reply(
     session: Session, call: Call, axis: int, cmd: int, arg: Value, arg_type: int, rpy_type: int
 ) -> bool:
-    """Carry out a command by its code, and give its reply."""
+    """Carry out a command by its code, and return its reply."""
     handle = _handle(call)
     found = _by_code(handle.interface, axis, cmd, arg, arg_type)
 
@@ -186,7 +186,7 @@ def _store(task: CommandTask, handle: Handle) -> None:
 
 
 def _give(call: Call, text: str, kind: int) -> None:
-    """Make the last number of a reply the result."""
+    """Make the last number of a reply the result of the call."""
     words = text.split()
     try:
         value = float(words[-1])
@@ -204,7 +204,7 @@ def _give(call: Call, text: str, kind: int) -> None:
 
 @poll("pmclock")
 def lock(session: Session, call: Call, wait_msec: int) -> Polled:
-    """Reserve the interface; the handle that has it keeps it."""
+    """Reserve the interface for this handle; wait while another handle has it."""
     handle = _handle(call)
     interface = handle.interface
 

@@ -1,4 +1,4 @@
-"""Axes on and off, modes, motion, and waits."""
+"""Functions for motors on and off, modes, motion, and waits."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ LEARNS = {mc.MC_LRN_POSITION: "LP", mc.MC_LRN_TARGET: "LT"}
 
 
 def of(constants: Mapping[int, str], value: int) -> str:
-    """Return the command of a constant; raise Refused if there is none."""
+    """Return the command for a constant; raise Refused if there is none."""
     if value not in constants:
         raise Refused(mc.MCERR_CONSTANT)
     return constants[value]
@@ -102,7 +102,7 @@ def set_profile(interface: Interface, axis: int, mode: int) -> list[Command]:
 
 @commands("MCWaitForEdge")
 def wait_edge(interface: Interface, axis: int, state: int) -> list[Command]:
-    """Wait for the home switch; WE counts the other way round."""
+    """Wait for the home switch; the argument of WE has the opposite sense."""
     return [command("WE", axis, 0 if state else 1)]
 
 
@@ -117,7 +117,7 @@ def _condition(
     holds: Callable[[Board, AxisState], bool],
     due: Callable[[Board, AxisState], float],
 ) -> Polled:
-    """Return the poll of a condition of one axis, or of all."""
+    """Return the poll of a condition for one axis, or for all."""
     board = session.desk.board
     axes = board.all_axes if axis == 0 else (board.axis(axis),)
 
@@ -135,7 +135,7 @@ def _condition(
 
 @poll("MCIsStopped")
 def is_stopped(session: Session, call: Call, axis: int, timeout: float) -> Polled:
-    """Poll whether the trajectory is complete."""
+    """Poll until the trajectory is complete."""
     return _condition(
         session,
         call,
@@ -148,7 +148,7 @@ def is_stopped(session: Session, call: Call, axis: int, timeout: float) -> Polle
 
 @poll("MCIsAtTarget")
 def is_at_target(session: Session, call: Call, axis: int, timeout: float) -> Polled:
-    """Poll whether the axis is at target."""
+    """Poll until the axis is at target."""
     return _condition(
         session,
         call,

@@ -1,4 +1,4 @@
-"""Readings of an axis: positions, status words, and flags in them."""
+"""Functions that read an axis: positions, status words and their flags."""
 
 from __future__ import annotations
 
@@ -95,9 +95,9 @@ def decode_words(session: Session, call: Call, status: tuple[int, ...], bit: int
 
 
 def _decoded(model: Model, words: tuple[int, ...], flag: int) -> int:
-    """Return a flag of status words.
+    """Return a flag of the status words.
 
-    Bit 2 of word 0 has a meaning that depends on the model.
+    The meaning of bit 2 of word 0 depends on the model.
     """
     if not mc.MC_STAT_BUSY <= flag <= mc.MC_STAT_AUX_IDX_FND:
         raise Refused(mc.MCERR_CONSTANT)

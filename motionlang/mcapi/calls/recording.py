@@ -1,4 +1,4 @@
-"""Recorded motion, and counts."""
+"""Functions for recorded motion, and counts."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def capture(interface: Interface, axis: int, points: int, period: float, delay: 
 
 @reading("MCGetCaptureData")
 def captured(interface: Interface, axis: int, type: int, start: int, points: int) -> tuple[float, ...]:
-    """Return points of a recording; raise Refused unless it has them all."""
+    """Return points of a recording; raise Refused unless all of them are recorded."""
     board = interface.board
     times = recorded_times(board, axis)
     if points <= 0 or start < 0 or start + points > len(times):
@@ -57,7 +57,7 @@ def capture_settings(interface: Interface, axis: int) -> tuple[int, float, float
 
 @reading("MCGetCount")
 def count(interface: Interface, axis: int, type: int) -> int:
-    """Give the number of contour paths, or of recorded points."""
+    """Return the number of contour paths, or of recorded points."""
     if type == mc.MC_COUNT_CONTOUR:
         return interface.board.axis(axis).segments
     if type == mc.MC_COUNT_RECORD:

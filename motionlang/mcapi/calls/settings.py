@@ -1,10 +1,7 @@
-"""Settings of an axis.
+"""Settings of an axis: one command writes each, one value of the board reads it.
 
-Each is one command to write, and one value of the board to read.
-
-
-`SETTINGS` is what the structures are read and written by. A command that a model does not have is left out of
-a structure; called by itself it is not supported.
+The structures are read and written by `SETTINGS`. A structure omits a command that the model does not have;
+a function for that command alone is not supported.
 """
 
 from __future__ import annotations
@@ -57,19 +54,19 @@ def _kept(name: str) -> Get:
 
 
 def _by(name: str) -> Put:
-    """Return the writer of a setting with a command of its own."""
+    """Return the writer of a setting that has its own command."""
     return lambda board, axis, value: [command(name, axis, value)]
 
 
 def _chosen(names: dict[int, str]) -> Put:
-    """Return the writer of a constant; 0 leaves the setting as it is."""
+    """Return the writer of a setting chosen by a constant; 0 does not change it."""
     return lambda board, axis, value: [command(of(names, int(value)), axis)] if value else []
 
 
 def _derivative_period(board: Board, axis: AxisState) -> float:
     """Return the sampling period of the derivative term, s.
 
-    Which FR counts in servo periods less one.
+    FR stores it in servo periods, minus one.
     """
     return (axis.kept.get("kept_derivative_period", 0.0) + 1.0) * board.model.update
 
@@ -200,7 +197,7 @@ def _writer(function: str, structure: str, argument: str, settings: dict[str, tu
 
 
 def only_known(interface: Interface, found: Iterable[Command]) -> list[Command]:
-    """Return the commands that the model has."""
+    """Return those of the commands that the model has."""
     return [each for each in found if not lacks(interface.board.model, each.name)]
 
 
@@ -223,10 +220,7 @@ _ABRUPT_OR_SMOOTH = mc.MC_LIMIT_ABRUPT | mc.MC_LIMIT_SMOOTH
 
 
 def get_limits(board: Board, axis: AxisState) -> tuple[int, int, float, float]:
-    """Return the modes of hard and soft limits.
-
-    The positions of the low and the high one.
-    """
+    """Return the modes of hard and soft limits, then low and high position."""
     mode, shown = axis.limit_mode, axis.flags
     hard = (mode & 3) << 2 | mode & mc.MC_LIMIT_INVERT
     hard |= mc.MC_LIMIT_PLUS if shown & flags.HARD_PLUS_ENABLED else 0
@@ -240,7 +234,7 @@ def get_limits(board: Board, axis: AxisState) -> tuple[int, int, float, float]:
 def put_limits(axis: int, hard: float, soft: float, low: float, high: float) -> list[Command]:
     """Return the commands that set the limits.
 
-    The positions come before what makes them effective.
+    The positions are set before the modes that activate them.
     """
     hard, soft = int(hard), int(soft)
     known = mc.MC_LIMIT_BOTH | _ABRUPT_OR_SMOOTH

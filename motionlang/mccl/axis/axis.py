@@ -1,6 +1,6 @@
-"""The state of an axis that the controller does not have.
+"""The MCCL state of an axis, in addition to the controller's.
 
-This is user units, mode, limits and flags.
+It consists of user units, mode, limits and flags.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def nearest_whole(value: float) -> float:
 
 
 class Units:
-    """The user units set for an axis; they take effect at the next MN."""
+    """The user units set for an axis, which take effect at the next MN."""
 
     def __init__(self) -> None:
         self.counts = self.rate = self.constant = 1.0
@@ -45,7 +45,7 @@ class JogSettings:
 class VectorSettings:
     """Velocity, acceleration and deceleration along contour paths, counts and seconds.
 
-    `override` multiplies the velocity.
+    `override` is a factor on the velocity.
     """
 
     def __init__(self) -> None:
@@ -53,7 +53,7 @@ class VectorSettings:
 
 
 class Writers(dict[str, "Writer"]):
-    """Writers of the controller's settings of an axis, each made on first use.
+    """Functions that write the controller's settings of an axis, created on first use.
 
     They take counts and seconds.
     """
@@ -70,7 +70,7 @@ class AxisState:
     """One axis of the board; positions without a unit in their name are counts.
 
     `flags` holds the bits of the status word that only events and commands change. `rested` is the time at
-    which the axis last came to rest, `controlling` the axis whose contour it belongs to.
+    which the axis last came to rest, `controlling` the axis that controls its contour.
     """
 
     __slots__ = (
@@ -178,7 +178,7 @@ class AxisState:
         self.scaled = scale.counts != 1.0 or scale.rate != 1.0 or scale.zero != 0.0
 
     def distance(self, value_uu: float) -> float:
-        """Convert a distance to counts, rounded to an integer like the board's."""
+        """Convert a distance to counts, rounded to an integer as on the board."""
         return nearest_whole(value_uu * self.scale.counts)
 
     def position(self, value_uu: float) -> float:
@@ -188,7 +188,7 @@ class AxisState:
     def rate(self, value_uu: float, unit: str) -> float:
         """Convert a velocity or acceleration to counts and seconds.
 
-        It is an integer only while no scale is set.
+        The result is rounded to an integer only if no scale is set.
         """
         value = self.scale.to_counts(value_uu, unit)
         return nearest_whole(value) if self.model.rounds and not self.scaled else value
@@ -206,12 +206,12 @@ class AxisState:
         return value if self.scaled else nearest_whole(value)
 
     def say(self, counts: float, unit: str = "position") -> str:
-        """Format a quantity like the board: integer counts, or user units to six decimals."""
+        """Format a quantity as the board does: integer counts, or user units, 6 decimals."""
         value = self.told(counts, unit)
         return real(value) if self.scaled else str(int(value))
 
 
 def real(value: float) -> str:
-    """Format a real number like the board."""
+    """Format a real number as the board does."""
     text = f"{value:.6f}"
     return "0.000000" if text == "-0.000000" else text

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class Backlash:
-    """The backlash of one axis from BN on, where it is in the middle.
+    """The backlash of one axis, which BN sets to its middle.
 
     Positions of the controller are those of the load.
     """
@@ -25,6 +25,6 @@ class Backlash:
         return self._takeup.advance(self._clock.now, True) - 0.5 * self._takeup.size
 
     def resize(self, half: float) -> None:
-        """Apply BD while compensation is on; the motor does not move until the axis does."""
+        """Apply BD while compensation is on; the motor moves only when the axis next does."""
         taken = self.shift() + half
         self._takeup.size, self._takeup.taken = 2.0 * half, taken

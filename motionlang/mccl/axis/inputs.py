@@ -1,11 +1,10 @@
 """The digital inputs of an axis, as channels.
 
 They are home switch, limit switches, amplifier fault, index, auxiliary and user inputs. A MultiFlex has four
-channels per axis from channel 17 on. The limits are the second and third (two telescope axes are wired so).
-It is inferred that home is the first and the amplifier fault the fourth. Our choices are the channels of axes
-beyond the fourth, which follow the outputs, and those of the auxiliary and user inputs. The switches of the
-machine file, home and travel, also work without a channel. The index input is on where the encoder has a
-mark.
+channels per axis from channel 17 on. The limits are the second and third, as two telescope axes are wired. We
+infer that home is the first and the amplifier fault the fourth. The channels of axes beyond the fourth, which
+follow the outputs, and those of the auxiliary and user inputs are our choice. The switches of the machine
+file, home and travel, also work without a channel. The index input is on where the encoder has a mark.
 """
 
 from __future__ import annotations
@@ -42,7 +41,7 @@ def channel_of(axis: int, name: str) -> int:
 
 
 def is_active(board: Board, axis: AxisState, name: str) -> bool:
-    """True if the input is on logically.
+    """True if the input is logically on.
 
     An input that nothing drives is off, whatever its polarity.
     """
@@ -64,7 +63,7 @@ def active_bits(board: Board, axis: AxisState, bits: dict[str, int]) -> int:
 
 
 def is_channel_active(board: Board, axis: AxisState, name: str) -> bool:
-    """True if the channel of the input is on, apart from any switch."""
+    """True if the channel of the input is on, regardless of any switch."""
     channel = channel_of(axis.number, name)
     if not board.is_driven(channel):
         return False
@@ -75,9 +74,9 @@ def is_channel_active(board: Board, axis: AxisState, name: str) -> bool:
 
 
 def index_input(board: Board, axis: AxisState) -> tuple[bool, float]:
-    """Return whether the encoder is on an index mark, and until when that holds.
+    """Return True if the encoder is on an index mark, and until when that holds.
 
-    The time holds if nothing else happens.
+    The time is valid if nothing else happens.
     """
     controller, number = board.controller, axis.number
     a = controller.axes[number]
@@ -95,7 +94,7 @@ def index_input(board: Board, axis: AxisState) -> tuple[bool, float]:
 
 
 def _between(here: float, mark: float, every: float) -> tuple[float, float]:
-    """Return the edges of the marks on both sides of a position between marks.
+    """Return the edges of the two marks around a position between marks.
 
     `mark` is the nearer mark.
     """

@@ -1,4 +1,4 @@
-"""Start of position moves, in which a stepper starts and stops at MV at once."""
+"""Start of position moves; a stepper starts and stops at velocity MV at once."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ INFINITY = float("inf")
 
 
 def aim(controller: Controller, axis: AxisState) -> float:
-    """Return the target, counts.
+    """Return the target of an axis, counts.
 
-    For a slave it is the target implied by its master's. While the axis runs without a target, it is the
+    For a slave it follows from the target of its master. While the axis runs without a target, it is the
     current position.
     """
     target = controller.target(axis.number)
@@ -38,7 +38,7 @@ def launch(board: Board, axis: AxisState, target: float, word: str, line: int) -
 
 
 def _from_minimum(controller: Controller, axis: AxisState, target: float) -> tuple[Profile, float] | None:
-    """Return the trapezoid between two velocity steps of MV, and the steps' size.
+    """Return the trapezoid between two velocity steps of MV, and the step size.
 
     Returns None if MV does not apply. The trapezoid is the one from rest with both ends cut off: v from MV to
     the peak, v² = MV² + distance/(1/2A + 1/2D).
@@ -70,7 +70,7 @@ def _going_on(
 ) -> Profile:
     """Return the profile of a moving axis until it has slowed down to `low`.
 
-    It is the trapezoid that would come to rest beyond the target.
+    It is the beginning of the trapezoid that would come to rest beyond the target.
     """
     from motionlang.planners import plan_trapezoid
     from motionlang.planners.curve import from_curve

@@ -101,11 +101,11 @@ class Limits:
         return self._amplifier.enabled
 
     def watch_amplifier(self, on: bool) -> None:
-        """Let the amplifier-fault input switch the motor off, or not (FN, FF)."""
+        """Set whether the amplifier-fault input switches the motor off (FN, FF)."""
         self._amplifier.enabled = on
 
     def check(self, name: str) -> None:
-        """Update the limits after an input has changed its level or its meaning."""
+        """Update the limits after the level or the meaning of an input has changed."""
         active = is_channel_active(self._board, self._axis, name)
         if name == "limit_plus":
             self._hard[HARD_PLUS].set_active(active)
@@ -115,7 +115,7 @@ class Limits:
             self._amplifier.set_active(active)
 
     def happened(self) -> None:
-        """Show a fault that the controller has raised in the status word."""
+        """Set the status bits for a fault that the controller has raised."""
         axis, faults = self._axis, self._board.controller.faults(self._axis.number)
         for bit, shown in _FAULT_BITS.items():
             if faults & bit:
@@ -126,7 +126,7 @@ class Limits:
         return self._hard[bit] if bit in self._hard else self._soft[bit]
 
     def _switch(self, sign: int, bit: int) -> Limit:
-        """Return the machine's own switch, or make one that only the channel trips."""
+        """Return the machine's own switch, or create one that only the channel trips."""
         for limit in self._board.controller.axes[self._axis.number].limits:
             if limit.physical and limit.bit == bit:
                 return limit
@@ -138,7 +138,7 @@ class Limits:
 
 
 class Inputs:
-    """Updates the limits of an axis after one of its channels has changed."""
+    """Updates the limits of an axis when one of its channels changes."""
 
     def __init__(self, board: Board) -> None:
         self._board = board
@@ -146,7 +146,7 @@ class Inputs:
         board.controller.inputs.listeners.append(lambda channel, value: self.check(channel))
 
     def check(self, channel: int) -> None:
-        """Update after a channel has changed its level or its polarity."""
+        """Update the limits after the level or polarity of a channel has changed."""
         found = self._names.get(channel)
         if found is None:
             return

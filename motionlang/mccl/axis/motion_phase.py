@@ -1,4 +1,4 @@
-"""Queries on the current motion: its phase, next reversal, nearness to the end."""
+"""Queries on the current motion: phase, next reversal, arrival near the target."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def phase(controller: Controller, axis: int) -> tuple[str, float]:
 
 
 def next_reversal(controller: Controller, axis: int) -> float:
-    """Return the earliest time at which the velocity may change its sign.
+    """Return the earliest time at which the velocity may change sign.
 
     A reversal is always at a knot.
     """
@@ -49,7 +49,7 @@ def heading(controller: Controller, axis: int) -> int:
 def band_entry(controller: Controller, axis: int, band: float) -> float:
     """Return when the current motion comes within `band` of its target.
 
-    The time may be past; it is infinite if this never happens.
+    The time may be in the past; it is infinite if this never happens.
     """
     a = controller.axes[axis]
     profile, start = a.profiles[-1], a.starts[-1]

@@ -1,6 +1,6 @@
-"""The simulated motor of an axis: gains, limits and torque mode.
+"""The motor of an axis: on or off; if simulated, its gains, limits, torque mode.
 
-Only axes with a motor in the machine file have one.
+Only axes with a motor in the machine file have a simulated one.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def power_up(board: Board, axis: AxisState) -> None:
 
 
 def tune(board: Board, axis: AxisState) -> None:
-    """Apply the gains that the program has set to the loop."""
+    """Apply the gains set by the program to the servo loop."""
     controller, number = board.controller, axis.number
     if controller.axes[number].feedback is None:
         return
@@ -55,19 +55,19 @@ def tune(board: Board, axis: AxisState) -> None:
 
 
 def limit_error(board: Board, axis: AxisState) -> None:
-    """Set the following error, counts, that switches the motor off; 0 means none (SE)."""
+    """Set the following error, counts, that switches the motor off; 0 for none (SE)."""
     limit = axis.kept.get("kept_error_limit", ERROR_LIMIT)
     board.controller.set_error_limit(axis.number, limit or INFINITY)
 
 
 def settle(board: Board, axis: AxisState) -> None:
-    """Set how near its target, and for how long, a motor must be (DB, DT)."""
+    """Set how near its target, and for how long, a motor has to be (DB, DT)."""
     error = max(axis.deadband, _COUNT)
     board.controller.settle_within(axis.number, error, INFINITY, axis.deadband_delay, True)
 
 
 def drive(board: Board, axis: AxisState) -> None:
-    """Set the output SQ, in the direction of DI (torque mode)."""
+    """Set the output to SQ, in the direction of DI (torque mode)."""
     controller, number = board.controller, axis.number
     if controller.axes[number].feedback is not None and controller.is_enabled(number):
         controller.open_loop(number, axis.direction * _largest_output(axis))
@@ -79,7 +79,7 @@ def _largest_output(axis: AxisState) -> float:
 
 
 def changed_mode(board: Board, axis: AxisState, before: str) -> None:
-    """Update the loop after a change of mode; `before` is the old mode."""
+    """Update the servo loop after a change of mode; `before` is the old mode."""
     if board.controller.axes[axis.number].feedback is None or axis.mode == before:
         return
     if before == TORQUE and board.controller.is_enabled(axis.number):

@@ -46,7 +46,7 @@ INDEX_FOUND, EDGE_FOUND = 1 << 15, 1 << 18
 def word(board: Board, axis: AxisState, which: int) -> tuple[int, float]:
     """Return a status word, and the time until which it is valid.
 
-    The time holds if no event and no command comes before.
+    The time applies if no event and no command comes before.
     """
     if which == 0:
         return _primary(board, axis)

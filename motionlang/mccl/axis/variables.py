@@ -63,7 +63,7 @@ def _segments(board: Board, axis: AxisState) -> tuple[float, float]:
 
 
 def _moving(board: Board, axis: AxisState, value: float) -> tuple[float, float]:
-    """Return a value that changes while the axis moves, with its validity."""
+    """Return a value that changes while the axis moves, and its period of validity."""
     controller = board.controller
     return value, INFINITY if controller.is_still(axis.number) else controller.clock.now
 
@@ -164,7 +164,7 @@ _BY_ADDRESS = {NAMES[name]: reading for name, reading in _READINGS.items()}
 
 
 def read_until(until: float, here: int, axis: AxisState, address: int) -> float:
-    """Return until when a variable is valid that command `here` of a line has read."""
+    """Return until when a variable read by command `here` of a line stays valid."""
     return until
 
 
@@ -206,7 +206,7 @@ _SIGNED = frozenset({"POSITION", "HIGHLIMIT", "LOWLIMIT", "AUXPOSITION"})
 def write(board: Board, axis: AxisState, address: int, value: float) -> None:
     """Write the variable at an address, in counts and seconds.
 
-    The effect is that of the corresponding command.
+    The effect is the same as that of the corresponding command.
     """
     name = next((each for each, place in NAMES.items() if place == address), "")
     writing = _WRITINGS.get(name)

@@ -1,4 +1,4 @@
-"""Conversion between volts and analogue channels, which are percent of full scale.
+"""Conversion between volts and values of analogue channels, in % of full scale.
 
 Full scale is 10 V on PMC boards.
 """

@@ -1,1 +1,1 @@
-"""A board behind an ASCII interface: ports, the console of a server, downloads."""
+"""A board behind an ASCII interface: ports, a server's console, and downloads."""

@@ -1,4 +1,4 @@
-r"""A board with its ports, which a server feeds and runs.
+r"""A board with its ports, driven by a server.
 
 It runs in real time, or only while hosts wait.
 
@@ -41,8 +41,8 @@ SELDOM = 50
 class Console:
     """One board for any number of hosts.
 
-    `run(until)` lets machine time pass to `until`, whatever the hosts do. It is for a server in real time.
-    `settle()` lets it pass until no port is busy. It is for tests and for servers in lock step, in which time
+    `run(until)` lets machine time pass to `until`, whatever the hosts do, for a server in real time.
+    `settle()` lets it pass until no port is busy, for tests and for servers in lock step, in which time
     stops between lines.
     """
 
@@ -66,15 +66,15 @@ class Console:
 
     @property
     def working(self) -> bool:
-        """True if a port is carrying out a line, or a file is being downloaded."""
+        """True if a port is executing a line, or a file is being downloaded."""
         return any(port.working for port in self.ports) or any(not each.done for each in self._downloads)
 
     def start(self, task: Task) -> None:
-        """Start a task that belongs to no port, such as a call of MCAPI."""
+        """Start a task that does not belong to a port, such as a call of MCAPI."""
         self._scheduler.start(task)
 
     def open(self, echo: bool | None = None) -> Port:
-        """Open a port for another host; `echo` None leaves the echo to the model."""
+        """Open a port for another host; with `echo` None the model decides about the echo."""
         port = Port(self.board, echo)
         self.ports.append(port)
         self.board.join(port.task)
@@ -82,11 +82,11 @@ class Console:
         return port
 
     def join(self, port: HostPort) -> None:
-        """Add a port whose host speaks another language than MCCL."""
+        """Add a port whose host speaks a language other than MCCL."""
         self.ports.append(port)
 
     def close(self, port: HostPort) -> None:
-        """Close the port of a host that is gone.
+        """Close the port of a host that has disconnected.
 
         An unfinished line is abandoned; motion and background tasks continue.
         """
@@ -141,7 +141,7 @@ class Console:
     def _pass(self, limit: float, enough: Callable[[], bool]) -> bool:
         """Let time pass until `enough` holds.
 
-        If an action of an event is rejected, long after its command, that only sets an error code.
+        If an event's action is rejected, long after its command, only an error code is set.
         """
         self._gate.open_at(enough)
         while True:
@@ -153,7 +153,7 @@ class Console:
                 self.board.last_error = codes.PARAMETER
 
     def next_time(self) -> float:
-        """Return when something will next happen without input; 0 means at once.
+        """Return when something will next happen without input; 0 means immediately.
 
         A server need not poll the board before that.
         """
@@ -166,14 +166,14 @@ class Console:
         return time
 
     def _forget(self) -> None:
-        """Trim unused history now and then, because a served board may run for days."""
+        """Discard unused history now and then, because a served board may run for days."""
         self._passes += 1
         if self._passes % SELDOM == 0:
             self.machine.controller.forget_history(MEMORY)
 
 
 class _Gate(Task):
-    """The scheduler's parent task, which only ends a run when its condition holds."""
+    """The scheduler's parent task; it is done as soon as its condition holds."""
 
     def __init__(self, console: Console) -> None:
         super().__init__("console")

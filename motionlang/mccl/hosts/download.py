@@ -1,6 +1,6 @@
 """A file sent to a board with connected hosts.
 
-Its lines run one after the other, and its answers go to the sender.
+Its lines run one after another, and the replies go to the sender.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Download(FileTask):
-    """The task of a download, which is done with the last line.
+    """The task of a download, which ends with the last line.
 
     `complain` is called for every rejected command, with its position in the file.
     """
@@ -42,7 +42,7 @@ class Download(FileTask):
             self._complain(diagnostic)
 
     def _rest(self, now: float) -> Wait | None:
-        """End the download; the background tasks that the file has started continue."""
+        """End the download; background tasks that the file has started continue."""
         self.board.complain = None
         self.board.ended(self)
         self.done = True

@@ -1,8 +1,8 @@
 """A port: a host's characters in, the board's out, like its ASCII interface.
 
-The port accepts the characters of a line while it is idle. While it carries out a line they wait, except the
+While the port is idle it accepts the characters of a line. While it executes a line they wait, except the
 control characters: ESC abandons the line (?-7), a blank pauses or resumes it, Ctrl-B single-steps. A blank
-behind characters that wait belongs to a line that was sent ahead, and waits with it. Every line is answered
+after waiting characters belongs to a line that was sent ahead, and waits with it. Every line is answered
 with at least one line, then the prompt.
 """
 
@@ -53,9 +53,9 @@ MAX_STORED = 8 * MAX_UNREAD
 class Port:
     """One host's connection.
 
-    `feed` takes characters, `take` returns the board's output, and `busy` is true while a line is carried
-    out. `echo` True sends back all input, like boards with a terminal. False never does, for hosts that send
-    whole lines. None leaves it to the model.
+    `feed` takes characters, `take` returns the board's output, and `busy` is true while a line is being
+    executed. With `echo` True all input is sent back, as by boards with a terminal. False is for hosts that
+    send whole lines; nothing is sent back. With None the model decides.
     """
 
     def __init__(self, board: Board, echo: bool | None = None) -> None:
@@ -77,17 +77,17 @@ class Port:
 
     @property
     def busy(self) -> bool:
-        """True while a line is carried out."""
+        """True while a line is being executed."""
         return self.task.occupied
 
     @property
     def waiting(self) -> Wait | None:
-        """The wait of the line that is carried out, if it has one."""
+        """The wait of the current line, if it has one."""
         return self.task.wait if self.working else None
 
     @property
     def working(self) -> bool:
-        """True while a line is carried out without need of the host.
+        """True while a line is being executed and does not need the host.
 
         A line that waits for a key, or for its output to be read, needs the host.
         """
@@ -95,22 +95,22 @@ class Port:
 
     @property
     def full(self) -> bool:
-        """True if the host leaves so much unread that the board suspends its commands."""
+        """True if so much output is unread that the board suspends the host's commands."""
         return len(self._out) >= MAX_UNREAD
 
     def accepts(self, data: bytes | bytearray) -> bool:
-        """True if the port would accept some of the characters that a host has sent."""
+        """True if the port would accept at least the first of a host's characters."""
         return not self.busy or ESC in data
 
     def drop_abandoned(self, data: bytearray) -> None:
-        """Remove what a busy board has not accepted and an ESC behind it abandons."""
+        """Remove what a busy board has not accepted and a following ESC abandons."""
         if self.busy and ESC in data:
             del data[: data.rindex(ESC)]
 
     def at_once(self, data: bytes | bytearray) -> bytes:
         """Return the characters at the start of `data` that a busy port accepts.
 
-        This is one key if the port is single-stepping, and otherwise control characters and blanks.
+        While single-stepping, this is one key; if not, it is control characters and blanks.
         """
         if self.task.stepping or data[0] == ESC:
             return bytes(data[:1])
@@ -120,7 +120,7 @@ class Port:
         return bytes(data[:count])
 
     def next_entry(self, data: bytes | bytearray) -> tuple[bytes, bool]:
-        """Return the first line of `data` and True, or its beginning and False."""
+        """Return the first line of `data` and True, or an incomplete line and False."""
         for k, code in enumerate(data):
             if code in (CR, LF):
                 complete = code == CR or not (self._entered_cr and k == 0)
@@ -134,7 +134,7 @@ class Port:
         self.feed(bytes([ESC]))
 
     def feed(self, data: bytes) -> int:
-        """Accept characters and return how many.
+        """Accept characters and return their number.
 
         The rest must be sent again when the port is idle.
         """
@@ -164,7 +164,7 @@ class Port:
     # ----------------------------------------------------------------------------------------- for the task
 
     def send(self, text: str) -> None:
-        """Send text with the line ends of the model."""
+        """Send text with the model's line ends."""
         if self._closed or len(self._out) >= MAX_STORED:
             return
         if self.board.model.line_end != "\n":
@@ -172,7 +172,7 @@ class Port:
         self._out += text.encode("latin-1", "replace")
 
     def line_done(self, answered: bool) -> None:
-        """End a line: send at least one line of answer, then the prompt."""
+        """End a line: send at least one line of reply, then the prompt."""
         if not answered and not self._ended:
             self.send("\n")
         self._prompt()
@@ -247,7 +247,7 @@ class Port:
 
 
 class PortTask(CommandTask):
-    """Carries out the lines of one port and waits between them."""
+    """Executes the lines of one port and waits between them."""
 
     def __init__(self, board: Board, port: Port) -> None:
         super().__init__("port", board)
@@ -263,7 +263,7 @@ class PortTask(CommandTask):
     # ------------------------------------------------------------------------------------------ for the port
 
     def enter_text(self, text: str, dropped: int) -> None:
-        """Begin to carry out a line."""
+        """Begin to execute a line."""
         self.occupied, self._answered = True, False
         try:
             if dropped:
@@ -285,7 +285,7 @@ class PortTask(CommandTask):
         self.reply(f"?{codes.CANCELLED}")
 
     def pause(self) -> None:
-        """Suspend the next command, or resume (a blank)."""
+        """Suspend execution before the next command, or resume it (a blank)."""
         self.paused = not self.paused
 
     def set_stepping(self, on: bool) -> None:
@@ -293,12 +293,12 @@ class PortTask(CommandTask):
         self.stepping, self._granted = on, False
 
     def step(self) -> None:
-        """Carry out one command (a key)."""
+        """Execute one command (a key)."""
         self._granted = True
 
     @property
     def held(self) -> bool:
-        """True if the next command waits for the host to send a key or to read."""
+        """True if the next command waits for a key from the host, or for the host to read."""
         return self._holds and not self._may_go_on()
 
     def hang_up(self) -> None:

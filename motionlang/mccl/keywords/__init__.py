@@ -1,7 +1,7 @@
 """The vocabulary of MCCL: one row per mnemonic, one file per subject.
 
 No other package contains a mnemonic. In the rows of MCCL `index` is the meaning of the number in front of a
-command. "axes" is one axis, or all of them if there is no number. "axis" is one axis, which is required.
+command: "axes" is one axis, or all axes if there is no number; "axis" is one axis, which is required;
 "none" is no number. `access` "C" takes no parameter, "W" takes one (0 if it is omitted), "R" reports. The
 function of a command is called with the task and the `Command`.
 """
@@ -45,5 +45,5 @@ def tuning() -> tuple[Keyword, ...]:
 
 
 def of_families(families: Collection[str]) -> frozenset[str]:
-    """Return the commands of some families."""
+    """Return the commands that belong to some families."""
     return frozenset(row.name for row in table() if row.family in families) if families else frozenset()

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def contour_mode(task: CommandTask, command: Command) -> None:
-    """Let the axis join the contour of axis n (CM).
+    """Make the axis join the contour of axis n (CM).
 
     Raises Fault while it moves, has a master, or belongs to another contour.
     """
@@ -70,7 +70,7 @@ def vector_decel(task: CommandTask, command: Command) -> None:
 
 
 def override(task: CommandTask, command: Command) -> None:
-    """Multiply the vector velocity, including that of the current path.
+    """Set a factor on the vector velocity, including that of the current path.
 
     Raises Fault for 0, which would suspend the path for ever.
     """

@@ -32,7 +32,7 @@ FULL, HALF = 1.0, 0.5
 def output_mode(task: CommandTask, command: Command) -> None:
     """Set how the amplifier is driven (OM).
 
-    A simulated motor stays bipolar, with a warning.
+    A simulated motor stays bipolar, and a warning is reported.
     """
     mode = task.whole(command)
     if mode not in OUTPUT_MODES:
@@ -65,7 +65,7 @@ def _keep_parameter(name: str) -> Action:
 def _rate(hertz: float) -> Action:
     """Return an action that sets the rate of the servo loop.
 
-    A simulated motor changes its rate at once. Profiles are exact and have no rate.
+    A simulated motor changes its loop rate at once. Profiles are exact and have no rate.
     """
 
     def switch(task: CommandTask, command: Command) -> None:

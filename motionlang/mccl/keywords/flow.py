@@ -1,7 +1,7 @@
 """Repetition, jumps and conditions inside a line.
 
-Every `I.` command has the same rule: if the condition holds, the next command is carried out, and if not, two
-are skipped.
+Every `I.` command follows the same rule: if the condition holds, the next command is executed; if not, two
+commands are skipped.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @pure
 def repeat(task: CommandTask, command: Command) -> Wait | None:
-    """Carry out the line up to here n more times (RP).
+    """Repeat the line up to here n more times (RP).
 
     Without n, or with 0, it repeats for ever.
     """
@@ -71,7 +71,7 @@ def nothing(task: CommandTask, command: Command) -> None:
 
 
 def skip(task: CommandTask) -> None:
-    """Skip the commands that a false condition governs."""
+    """Skip the commands that depend on a false condition."""
     task.pc += task.board.assumptions.get("mccl.skipped", 2)  # type: ignore[operator]
 
 

@@ -1,6 +1,6 @@
-"""Waits for a time, for axes to stop, for a position.
+"""Waits for a time, for axes to stop, and for a position.
 
-Each ends at its exact time, without polling.
+Each wait ends at its exact time, without polling.
 """
 
 from __future__ import annotations
@@ -65,9 +65,9 @@ def wait_relative(task: CommandTask, command: Command) -> Wait | None:
 
 
 def passing(board: Board, axis: AxisState, position: float) -> Wait | None:
-    """Wait until the axis reaches or passes a position, counts.
+    """Return a wait until the axis reaches or passes a position, counts.
 
-    The breakpoint bit shows it.
+    The breakpoint bit is set then.
     """
     controller, number = board.controller, axis.number
     axis.breakpoint, axis.breakpoint_reached = position, False
@@ -95,7 +95,7 @@ def passing(board: Board, axis: AxisState, position: float) -> Wait | None:
 
 
 def passing_flag(board: Board, ready: Callable[[], bool], why: str) -> Wait:
-    """Wait for a condition that an event makes true."""
+    """Return a wait for a condition that an event makes true."""
     return Wait(board.controller.clock.now, ready, lambda: INFINITY, why)
 
 
@@ -147,7 +147,7 @@ def break_after(task: CommandTask, command: Command) -> None:
 
 
 def _breakpoint(board: Board, axis: AxisState, position: float) -> None:
-    """Set status bit 10 when the axis passes the position, without a wait."""
+    """Have status bit 10 set when the axis passes the position, without a wait."""
     controller, number = board.controller, axis.number
     old = board.breakpoints.pop(number, None)
     if old is not None:

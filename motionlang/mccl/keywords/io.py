@@ -1,6 +1,6 @@
 """Digital and analogue channels.
 
-Digital ones are logical: a low-true channel is on if its level is low.
+Digital levels are logical: a low-true channel is on if its level is low.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ INFINITY = float("inf")
 def is_on(board: Board, channel: int) -> bool:
     """True if a channel is on.
 
-    An output has the level that was set, an input the level from the world.
+    An output has the level that the program has set, an input the level from the world.
     """
     controller = board.controller
     level = controller.output(channel) if channel in board.outputs else controller.input(channel)
@@ -81,7 +81,7 @@ def get_analog(task: CommandTask, command: Command) -> None:
 
 
 def set_analog(task: CommandTask, command: Command) -> None:
-    """Set an analogue output to the accumulator in volts, clamped to ±10 V."""
+    """Set an analogue output to the accumulator's value in volts, clamped to ±10 V."""
     task.board.controller.set_analogue_output(task.whole(command), percent(float(task.registers[0])))
 
 

@@ -18,7 +18,7 @@ MAX_TASKS = 32
 
 
 def define_macro(task: CommandTask, command: Command) -> None:
-    """Define a macro from the rest of the line, replacing any of the same number."""
+    """Define a macro from the rest of the line, replacing any with the same number."""
     if task.here:
         raise Fault(
             codes.DEFINE_NOT_FIRST,
@@ -38,7 +38,7 @@ def call_macro(task: CommandTask, command: Command) -> None:
 
 @pure
 def jump_macro(task: CommandTask, command: Command) -> Wait | None:
-    """Jump to a macro without return; one that jumps to itself is a loop."""
+    """Jump to a macro without return; a macro that jumps to itself is a loop."""
     macro = _macro(task, command)
     log = task.loop_log
     if task.line is not macro:
@@ -88,7 +88,7 @@ def end_task(task: CommandTask, command: Command) -> None:
 
 
 def tell_macro(task: CommandTask, command: Command) -> None:
-    """List one macro as the line that defines it, or all of them."""
+    """List one macro, or all of them, in the form of the lines that define them."""
     board, number = task.board, task.whole(command)
     if number != -1:
         task.reply(f"MD{number},{_macro(task, command).text}")

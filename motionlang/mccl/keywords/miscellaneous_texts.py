@@ -1,7 +1,7 @@
-"""OT, FT and FD: a line of text, with the accumulator where the text has a format.
+"""OT, FT and FD: a line of text, with the accumulator in place of a format.
 
-It is remembered that these commands output text. The format of their texts, which is that of printf, is our
-choice.
+That these commands output text is known from memory only. The format in their texts, which is that of printf,
+is our choice.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def _whole(form: str, kind: str, value: int) -> str:
 
 
 def _filled(text: str, show: Callable[[str, str], str] | None, kinds: str) -> str:
-    """Return the text with its escapes, and the value in a format such as %6.2f."""
+    """Return the text with escapes replaced, and formats such as %6.2f by the value."""
     out: list[str] = []
     k = 0
     while k < len(text):
@@ -69,9 +69,9 @@ def _escape(character: str) -> str:
 
 
 def _form(text: str, k: int, kinds: str) -> tuple[str, str, int]:
-    """Parse a format at `k`.
+    """Parse a format at index `k`.
 
-    Returns the flags and width between % and its letter, the letter, and the offset after it.
+    Returns the flags and width between % and its letter, the letter, and the index after it.
     """
     begin = k
     while k < len(text) and (text[k] in _FLAGS or text[k].isdecimal() or text[k] == "."):
@@ -85,7 +85,7 @@ def _form(text: str, k: int, kinds: str) -> tuple[str, str, int]:
 
 
 def _is_small(digits: str, most: int) -> bool:
-    """True if a width or a number of decimals fits on a line."""
+    """True if a width or a number of decimals is small enough for a line."""
     return not digits or (digits.isdecimal() and len(digits) <= 2 and int(digits) <= most)
 
 

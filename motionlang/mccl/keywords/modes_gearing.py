@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def slave(task: CommandTask, command: Command) -> None:
-    """Let the axis follow axis n; 0 frees it (SM).
+    """Make the axis follow axis n; 0 frees it (SM).
 
     Raises Fault if the axis is off, and Rejected if it would follow itself.
     """
@@ -33,14 +33,14 @@ def slave(task: CommandTask, command: Command) -> None:
 
 
 def slave_ratio(task: CommandTask, command: Command) -> None:
-    """Set the slave's counts per count of its master from now on (SS)."""
+    """Set the slave's counts per count of its master, with immediate effect (SS)."""
     axis = task.axis(command)
     axis.slave_ratio = float(task.value(command)) if task.given(command) else 1.0
     task.board.controller.set_ratio(axis.number, axis.slave_ratio)
 
 
 def check_unslaved(task: CommandTask, axis: AxisState) -> None:
-    """Raise Fault if the axis has a master, because it then takes no other motion."""
+    """Raise Fault if the axis has a master, because it then accepts no other motion."""
     master = task.board.controller.master_of(axis.number)
     if master is not None:
         words = f"axis {axis.number} is slaved to axis {master}"

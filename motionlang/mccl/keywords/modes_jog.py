@@ -1,4 +1,4 @@
-"""Jogging: an axis follows its joystick, the analogue input of its own number."""
+"""Jogging: an axis follows its joystick, the analogue input with its own number."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 """Switching axes on and off, moving and stopping them.
 
-There is no queue of single-axis moves: a move command replaces the target. With the trapezoidal profile that
-happens in motion, unless the axis must reverse. Then the interpreter stalls until it has stopped (DCX-PCI
-firmware 1.0a). With the other profiles the interpreter stalls until the axis is at rest. An axis that keeps
-running in velocity mode rejects the move.
+There is no queue of single-axis moves: a move command replaces the target. With the trapezoidal profile this
+happens in motion, unless the axis must reverse. In that case the interpreter stalls until the axis has
+stopped (DCX-PCI firmware 1.0a). With the other profiles the interpreter stalls until the axis is at rest. An
+axis that runs continuously in velocity mode rejects the move.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ INFINITY = float("inf")
 
 
 def motor_on(task: CommandTask, command: Command) -> None:
-    """Apply the pending units, clear faults and switch the axes on (MN)."""
+    """Apply the pending units, clear faults and switch on the axes (MN)."""
     controller = task.board.controller
     for axis in task.axes(command):
         axis.apply_units()
@@ -55,9 +55,9 @@ def move_to(task: CommandTask, command: Command) -> Wait | None:
 
 
 def move_by(task: CommandTask, command: Command) -> Wait | None:
-    """Move by n user units from the target (MR).
+    """Move by n user units relative to the target (MR).
 
-    On a path, move from the end of the path so far.
+    On a path, the move is relative to the end of the path so far.
     """
     value = float(task.value(command))
     controller = task.board.controller
@@ -74,7 +74,7 @@ def go_home(task: CommandTask, command: Command) -> Wait | None:
 
 
 def go(task: CommandTask, command: Command) -> None:
-    """Run in velocity mode, or start the waiting paths in contour mode."""
+    """Run in velocity mode, or start the queued paths in contour mode."""
     for axis in task.axes(command):
         if axis.mode == VELOCITY:
             _check_fit(task, axis)
@@ -90,7 +90,7 @@ def go(task: CommandTask, command: Command) -> None:
 
 
 def stop(task: CommandTask, command: Command) -> None:
-    """Come to rest (ST).
+    """Stop with deceleration (ST).
 
     A contour stops as a whole; gearing and joysticks are switched off.
     """
@@ -147,7 +147,7 @@ def gain_mode(task: CommandTask, command: Command) -> None:
 
 
 def reset(task: CommandTask, command: Command) -> None:
-    """Reset the axis, or without one the whole board, its outputs and every task (RT)."""
+    """Reset the axis, or without an axis the board, its outputs and all tasks (RT)."""
     if command.axis:
         task.board.reset_axis(task.axis(command))
         return
@@ -174,7 +174,7 @@ def _mode(task: CommandTask, command: Command, mode: str) -> None:
 
 
 def movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
-    """Return the axis that the command names, or all that are on."""
+    """Return the axis that the command names, or all axes that are on."""
     axes = task.axes(command)
     if command.axis:
         return axes
@@ -184,7 +184,7 @@ def movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
 def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> Wait | None:
     """Start moves to targets, counts.
 
-    An axis that must reverse comes to rest first. Raises Fault unless in PM.
+    An axis that must reverse comes to rest first. Raises Fault unless in position mode (PM).
     """
     path = task.path_open
     if path is not None:
@@ -228,9 +228,9 @@ def _check_fit(task: CommandTask, axis: AxisState) -> None:
 
 
 def _check_rest(task: CommandTask, command: Command, stalled: list[int]) -> None:
-    """Raise Fault if the rest that a move waits for never comes.
+    """Raise Fault if the standstill that a move waits for never comes.
 
-    This is so if its axis keeps running in velocity mode.
+    This is the case if its axis runs continuously in velocity mode.
     """
     for number in stalled:
         if task.board.controller.idle_time(number) == INFINITY:
@@ -243,7 +243,7 @@ def _check_rest(task: CommandTask, command: Command, stalled: list[int]) -> None
 def _must_rest(task: CommandTask, axis: AxisState, target: float) -> bool:
     """True if the axis must come to rest before it can accept the target.
 
-    For a reversal it begins to brake at once.
+    For a reversal it begins to decelerate at once.
     """
     controller = task.board.controller
     number = axis.number

@@ -1,7 +1,7 @@
 """The auxiliary encoder of an axis.
 
-The machine file moves it: `[[encoder]]` with `aux` as the number of the axis. It counts in the axis's scale
-and is independent of its zeros. It has index marks if the machine file defines them.
+The machine file moves it: `[[encoder]]` with `aux` as the number of the axis. It uses the scale of the axis
+and is independent of the axis's zeros. It has index marks if the machine file defines them.
 """
 
 from __future__ import annotations
@@ -40,7 +40,10 @@ def tell_auxiliary_index(task: CommandTask, command: Command) -> None:
 
 
 def find_auxiliary_index(task: CommandTask, command: Command) -> Wait:
-    """Wait for the next mark, at which the position becomes the parameter."""
+    """Wait for the next index mark, and define the encoder's position there.
+
+    The position at the mark becomes the parameter.
+    """
     axis, value = task.axis(command), float(task.value(command))
     controller = task.board.controller
     encoder, began = controller.encoder(AUXILIARY + axis.number), controller.clock.now
@@ -84,7 +87,7 @@ def _passed(start: float, mark: float, here: float) -> bool:
 
 
 def _crossing(task: CommandTask, axis: AxisState, position: float) -> float:
-    """Return when the encoder will be at a position, if nothing else happens to it."""
+    """Return when the encoder will be at a position if nothing else happens to it."""
     controller = task.board.controller
     encoder = controller.encoder(AUXILIARY + axis.number)
     start = encoder.starts[-1]

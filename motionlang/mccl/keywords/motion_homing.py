@@ -1,6 +1,6 @@
 """Homing to an index mark or a home edge.
 
-FI and FE search at once; IA and EL arm the search, and WI and WE wait later.
+FI and FE search at once; IA and EL arm the search, and a later WI or WE waits for it.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def arm_edge(task: CommandTask, command: Command) -> None:
 def wait_index(task: CommandTask, command: Command) -> Wait | None:
     """Wait for the index mark (WI).
 
-    A mark armed by IA gives the position its value.
+    If IA armed the search, the position at the mark gets the value that IA gave.
     """
     axis = task.axis(command)
     seek = task.board.seeks.get(axis.number)
@@ -51,9 +51,9 @@ def wait_index(task: CommandTask, command: Command) -> Wait | None:
 
 
 def wait_edge(task: CommandTask, command: Command) -> Wait | None:
-    """Wait for the home input, 0 on or 1 off.
+    """Wait for the home input to be on (0) or off (1).
 
-    An armed edge that has been caught is applied.
+    If an armed edge has been caught, it is applied.
     """
     board, axis = task.board, task.axis(command)
     wanted = not task.value(command)
@@ -85,7 +85,7 @@ def _begin(task: CommandTask, command: Command, kind: str) -> Seek:
 
 
 def _complete(task: CommandTask, axis: AxisState, seek: Seek) -> Wait | None:
-    """Wait until the position is caught, and give it its value."""
+    """Wait until the position is caught, then assign its value."""
     board = task.board
 
     def finish(now: float) -> None:

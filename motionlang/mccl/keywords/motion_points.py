@@ -32,7 +32,7 @@ def learn_target(task: CommandTask, command: Command) -> None:
 def move_to_point(task: CommandTask, command: Command) -> Wait | None:
     """Move to a point.
 
-    Without an axis, every axis that has learned it moves.
+    Without an axis, every axis for which the point was learned moves.
     """
     point, points = task.whole(command), task.board.points
     axes = movable(task, command)

@@ -1,4 +1,4 @@
-"""Recording, computed from the motion when it is reported.
+"""Recording of motion, computed when it is reported.
 
 Nothing is sampled while the machine runs.
 """
@@ -56,9 +56,9 @@ def _tell(reading: Callable[[CommandTask, AxisState, list[float]], list[str]]) -
 
 
 def recorded_times(board: Board, axis: int) -> list[float]:
-    """Return the machine times of the points that have been recorded of an axis.
+    """Return the machine times of the points recorded so far of an axis.
 
-    None without a recording.
+    Empty without a recording.
     """
     if axis not in board.records:
         return []

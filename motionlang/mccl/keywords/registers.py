@@ -67,7 +67,7 @@ def _with(operation: Operation) -> Action:
 
 
 def limited(task: CommandTask, value: float | int) -> float | int:
-    """Return a result in 32 bits, wrapped or clamped as on this board."""
+    """Return a result limited to 32 bits, wrapped or clamped as on this board."""
     if task.board.assumptions.get("mccl.overflow") == "stays" and isinstance(value, int):
         return max(-0x80000000, min(value, 0x7FFFFFFF))
     return wrapped(value)
@@ -101,7 +101,7 @@ def _quotient(value: float | int, divisor: float | int) -> float | int:
 
 
 def _bits(value: float | int) -> int:
-    """Return the 32 bits of a number; a real number loses its fraction first."""
+    """Return the 32 bits of a number; a real number is truncated first."""
     return int(value)
 
 

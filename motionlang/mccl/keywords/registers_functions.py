@@ -1,6 +1,6 @@
 """AV: a function of the accumulator, by number.
 
-Angles are in degrees, like those of contour arcs. The board's function numbers are not known; these are ours.
+Angles are in degrees, as in contour arcs. The board's function numbers are not known; these are ours.
 """
 
 from __future__ import annotations
@@ -53,9 +53,9 @@ FUNCTIONS: tuple[tuple[str, Function], ...] = (
 
 @pure
 def evaluate(task: CommandTask, command: Command) -> None:
-    """Replace the accumulator by function n of it.
+    """Replace the accumulator with the value of function n of it.
 
-    Raises Fault if the function has no value.
+    Raises Fault if the function is undefined there.
     """
     name, function = FUNCTIONS[task.whole(command)]
     value = task.registers[0]

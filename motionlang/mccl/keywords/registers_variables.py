@@ -1,6 +1,6 @@
 """The controller's variables by name (LU) and by address.
 
-The address commands are RB RW RL RV RD to read and WB WW WL WV WD to write.
+RB RW RL RV RD read the variable at an address; WB WW WL WV WD write it.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ def get_auxiliary(task: CommandTask, command: Command) -> None:
 
 
 def _write_low(task: CommandTask, command: Command, mask: int) -> None:
-    """Replace the low bits of a variable by those of the accumulator."""
+    """Replace the low bits of a variable with those of the accumulator."""
     old, _ = read(task.board, task.axis(command), task.whole(command))
     _write(task, command, int(old) & ~mask | int(task.registers[0]) & mask)
 

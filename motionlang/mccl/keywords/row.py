@@ -22,10 +22,10 @@ def pure(action: Action) -> Action:
 
 
 def forms(row: Keyword) -> tuple[str, ...]:
-    """Return how a command is written, as TN1069 does: a is an axis, n a number.
+    """Return the spellings of a command, as in TN1069: a is an axis, n a number.
 
-    A missing number is 0, so a command that accepts 0 has a form without one. A command that only answers has
-    none: what follows it depends on what it reads.
+    A missing number is 0, so a command that accepts 0 has a form without it. A command that only replies has
+    no forms: the syntax after it depends on what it reads.
     """
     bare = f"{'a' if row.index in ('axis', 'axes') else ''}{row.name}"
     if row.access == "C":
@@ -50,7 +50,7 @@ def not_simulated(task: CommandTask, command: Command) -> None:
 
 
 class Group:
-    """Makes the rows of one group."""
+    """Creates the rows of one group."""
 
     def __init__(self, title: str) -> None:
         self.title = title
@@ -75,7 +75,7 @@ class Group:
         meant: str = "",
         family: str = "",
     ) -> Keyword:
-        """Return one simulated command; the name of its function is its verb."""
+        """Return one simulated command, whose verb is the name of its function."""
         return Keyword(
             name,
             "",

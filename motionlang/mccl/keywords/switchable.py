@@ -1,4 +1,4 @@
-"""The assumptions of MCCL that can be set.
+"""The assumptions about MCCL that can be set.
 
 They include the format of replies, codes, the origin of jumps and settings at power-up.
 """

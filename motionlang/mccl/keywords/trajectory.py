@@ -47,7 +47,7 @@ def shape_parabolic(task: CommandTask, command: Command) -> None:
 def shape_scurve(task: CommandTask, command: Command) -> None:
     """Select the sinusoidal S-curve (PS, TN1069).
 
-    With n select the trapezoidal S-curve of ramp ratio n.
+    With n, select the trapezoidal S-curve with ramp ratio n.
     """
     ramp = float(task.value(command))
     if ramp == 0.0:

@@ -17,14 +17,17 @@ def backlash_distance(task: CommandTask, command: Command) -> None:
 
 
 def backlash_on(task: CommandTask, command: Command) -> None:
-    """Set the axis to the middle of its backlash; the next move takes it up (BN)."""
+    """Define the axis as in the middle of its backlash (BN).
+
+    The next move takes the backlash up.
+    """
     for axis in task.axes(command):
         _forget(task, axis.number)
         axis.play = Backlash(task.board.controller, axis.number, axis.backlash)
 
 
 def backlash_off(task: CommandTask, command: Command) -> None:
-    """Make the position of the motor that of the axis from now on (BF)."""
+    """Use the motor's position as the position of the axis from now on (BF)."""
     for axis in task.axes(command):
         _forget(task, axis.number)
 

@@ -1,6 +1,6 @@
 """User units: scale, time base, zeros.
 
-Those of an axis take effect when it is next switched on.
+The units of an axis take effect when it is next switched on.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Checks of digital channels.
 
-They find outputs switched on input channels, and waits for inputs that nothing drives.
+They report outputs switched on input channels, and waits for inputs that nothing drives.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""All errors in a file that are visible without running it, in one pass."""
+"""All errors in a file that can be found without running it, in one pass."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ _WORD = re.compile("[A-Za-z]+")
 def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
     """Return the diagnostics of a file in text order.
 
-    A file without errors gets the warnings of the linter.
+    A file without errors also gets the warnings of the linter.
     """
     from motionlang.lang.lint import silence
 
@@ -84,20 +84,20 @@ def _line(source: Source, line: Line, model: Model, axes: int) -> Iterator[Diagn
 
 
 def _unknown_to(model: Model, command: Command) -> Fault | None:
-    """Return the fault of a command that this board does not have."""
+    """Return the fault of a command that this board does not have, or None."""
     row = command.row
     return missing(model, row) if row is not None and row.family in model.lacks else None
 
 
 def _no_axis(command: Command, axes: int) -> Fault | None:
-    """Return the fault of an axis that this board does not have."""
+    """Return the fault of an axis that this board does not have, or None."""
     if command.row is None or command.row.index not in ("axis", "axes") or command.axis <= axes:
         return None
     return Fault(codes.NOT_ASSIGNED, f"there is no axis {command.axis}", f"the axes are 1 to {axes}", "axis")
 
 
 def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | None:
-    """Return the fault of a command at its position in the line."""
+    """Return the fault of a command at its position in the line, or None."""
     row = command.row
     assert row is not None
     if row.index == "axis" and command.axis == 0:
@@ -128,7 +128,7 @@ def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | N
 
 
 def _defines(line: Line) -> bool:
-    """True if the line is the definition of a macro."""
+    """True if the line defines a macro."""
     row = line.commands[0].row
     return row is not None and row.verb == _DEFINES
 
@@ -145,9 +145,9 @@ def _jump(line: Line, k: int, verb: str, number: int) -> Fault | None:
 
 
 def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
-    """Warn of calls of macros that no line of the file defines.
+    """Yield warnings about calls of macros that no line of the file defines.
 
-    These are not errors, because the controller may already have them.
+    These are not errors, because the controller may already have the macros.
     """
     defined = {line.commands[0].number for line in lines if _defines(line)}
     for line in lines:

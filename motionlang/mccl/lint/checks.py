@@ -1,7 +1,6 @@
 """The linter of MCCL.
 
-It finds commands that never run, motors never switched on, axes that keep running, and waits that are never
-satisfied.
+It reports commands that never run, motors never switched on, axes that never stop, and waits that never end.
 """
 
 from __future__ import annotations
@@ -78,7 +77,7 @@ def _unreachable(why: str, what: str = "command") -> Fault:
 
 
 def _reached(line: Line) -> set[int]:
-    """Return the commands that can run.
+    """Return the indices of the commands that can run.
 
     The number of commands stands for the end of the line.
     """
@@ -95,7 +94,7 @@ def _reached(line: Line) -> set[int]:
 
 
 def _next(line: Line, k: int) -> list[int]:
-    """Return the commands at which the line may continue after command k."""
+    """Return the commands that may follow command k."""
     command, first, count = line.commands[k], int(_is_macro(line)), len(line.commands)
     verb, number = _verb(command), command.number
     if verb in _SKIPS:
@@ -150,7 +149,7 @@ def _motors(lines: list[Line], add: Add) -> None:
 
 
 def _starts(lines: list[Line], add: Add) -> None:
-    """Warn of each GO of an axis for which the file selects no mode that GO starts."""
+    """Warn of each GO of an axis for which the file never selects a mode that uses GO."""
     modes = {command.axis for command, _ in _commands(lines) if _verb(command) in _STARTED}
     for command, at in _commands(lines):
         if _verb(command) == "go" and not modes & {0, command.axis} and (command.axis or not modes):
@@ -189,7 +188,7 @@ def _has_moved(command: Command, moved: set[int]) -> bool:
 
 
 def _moved(line: Line, bodies: dict[int | None, Line], seen: set[int]) -> set[int]:
-    """Return the axes that a line moves; 0 is all axes or an unknown one."""
+    """Return the axes that a line moves; 0 stands for all axes or an unknown one."""
     return {axis for command in line.commands for axis in _moved_by(command, bodies, seen)}
 
 

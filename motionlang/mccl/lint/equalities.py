@@ -2,7 +2,7 @@
 
     LU"POSITION",1RL@0,IE500,BK,NO,JR-4
 
-The axis passes a count between two readings, so IE may never find it.
+The axis may pass a count between two readings, so IE may never see it.
 """
 
 from __future__ import annotations

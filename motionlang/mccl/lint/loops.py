@@ -23,7 +23,7 @@ _LEAVES = ("if_", "do_if_", "jump", "leave", "call_macro", "start_task", "wait",
 
 
 def endless_lines(lines: Iterable[Line], add: Add) -> None:
-    """Warn, once per line, of an endless repetition in which nothing takes time."""
+    """Warn, once per line, of an endless loop in which nothing takes time."""
     for line in lines:
         for k, command in enumerate(line.commands):
             begin = _repeats_from(line, k, command)
@@ -33,9 +33,9 @@ def endless_lines(lines: Iterable[Line], add: Add) -> None:
 
 
 def _repeats_from(line: Line, k: int, command: Command) -> int | None:
-    """Return the command to which a command always goes back, None if it does not.
+    """Return the index to which a command always jumps back, or None.
 
-    An `MJ` to the macro that it is in repeats the macro.
+    An `MJ` to the macro that contains it repeats the macro.
     """
     verb, number = _verb(command), command.number
     is_macro = _verb(line.commands[0]) == "define_macro"

@@ -1,6 +1,7 @@
 """Checks of axes in motion: velocity mode without a stop, and waits beyond a move.
 
-Commands that need a running axis at rest are reported, and a WR for a longer distance than its move.
+Commands are reported that need an axis at rest while it runs, and a WR for a longer distance than the axis's
+move.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ _ELSEWHERE = frozenset(
 
 
 class _Axis:
-    """The state of an axis so far in the file."""
+    """The state of an axis at the current position in the file."""
 
     def __init__(self) -> None:
         self.velocity_mode = self.running = False
@@ -45,9 +46,9 @@ class _Axis:
 
 
 def running_axes(lines: Iterable[Line], add: Add) -> None:
-    """Warn of rejected moves and endless waits because their axis keeps running.
+    """Warn of rejected moves and endless waits due to an axis that keeps running.
 
-    There is one warning per run of the axis.
+    There is one warning each time the axis runs.
     """
     axes: dict[int, _Axis] = {}
     for line in lines:
@@ -99,7 +100,7 @@ def _after(axis: _Axis, number: int, command: Command) -> Fault | None:
 
 
 def _waits_too_far(axis: _Axis, number: int, command: Command) -> Fault | None:
-    """Follow the distance of a move, and return the fault of a WR for a longer one."""
+    """Track the distance of a move, and return the fault of a WR for a longer one."""
     verb = _verb(command)
     if verb == "move_by":
         known = axis.distance == 0.0 and command.kind == NUMBER

@@ -1,4 +1,4 @@
-"""MCCL motion built from several verbs of the controller.
+"""MCCL motion built from several operations of the controller.
 
 It covers contours, joysticks and searches.
 """

@@ -1,7 +1,7 @@
 """Arc geometry: from MCCL's descriptions to centre and angle in degrees.
 
-MCCL describes arcs by centre, radius, end point or angles, in user units. Points are those of the two axes of
-the arc, in the order of their numbers. `turn` is +1 anticlockwise.
+MCCL describes arcs by centre, radius, end point or angles, in user units. Points have the coordinates of the
+two axes of the arc, in the order of the axis numbers. `sense` is +1 anticlockwise, -1 clockwise.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ def centre_between(start: Point, end: Point, centre: Point, turn: int) -> Point:
     """Return the point nearest to `centre` at equal distances from start and end.
 
     One circle then passes through both. Raises ValueError if the end misses the circle about the centre by
-    too much. This is also so if it misses it near the start of an almost full turn, because that would shift
-    the circle.
+    too much, or misses it near the start of an almost full circle, because correcting that would shift
+    the circle too far.
     """
     radius, reach = radius_of(start, centre), hypot(end[0] - centre[0], end[1] - centre[1])
     distances = f"the end point is {reach:g} from the centre, the starting point {radius:g}"
@@ -95,6 +95,6 @@ def _direction(point: Point, centre: Point) -> float:
 
 
 def _round(angle: float, turn: int) -> float:
-    """Return an equal angle in the direction of `turn`, a full turn instead of none."""
+    """Return an equal angle in the direction of `sense`; 0 becomes a full circle."""
     found = angle * turn % 360.0
     return turn * (360.0 if found < _NONE or found > 360.0 - _NONE else found)

@@ -1,7 +1,8 @@
 """Contour motion: the queue of paths of one controlling axis.
 
-It also answers the controller's path planner. Consecutive paths in the same direction with the same vector
-settings are run without slowing down. At a change of direction the axes come to rest in the corner.
+It also answers the queries of the controller's path planner. Consecutive paths in the same direction with the
+same vector settings are run without slowing down. At a change of direction the axes come to rest in the
+corner.
 """
 
 from __future__ import annotations
@@ -32,8 +33,8 @@ _SAME = 1e-3
 class Vector(PathPolicy):
     """Path policy of a contour.
 
-    It has the vector settings from the description of the path, and the current override. `length` is the
-    length that the vector velocity refers to, in user units.
+    It has the vector settings at the time when the path was described, and the current override. `length` is
+    the length to which the vector velocity refers, in user units.
     """
 
     def __init__(
@@ -69,8 +70,8 @@ class Vector(PathPolicy):
 class Contour:
     """The paths that one axis controls, queued in the order of their description.
 
-    Paths that can be run as one are passed to the controller's buffers. The others wait here until those are
-    done.
+    Paths that can be run as one are passed to the controller's buffers. The others wait here until those have
+    ended.
     """
 
     def __init__(self, board: Board, axis: AxisState) -> None:
@@ -89,7 +90,7 @@ class Contour:
 
     @property
     def stopping(self) -> bool:
-        """True if it comes to rest before its end."""
+        """True if the current path comes to rest before its end."""
         return self._stopping
 
     @property
@@ -98,7 +99,7 @@ class Contour:
         return self._members
 
     def end(self, axis: AxisState) -> float:
-        """Return the position of the axis after all paths so far, counts."""
+        """Return the position of the axis after all paths queued so far, counts."""
         end = self._ends.get(axis.number)
         return self._board.controller.target(axis.number) if end is None else end
 
@@ -134,9 +135,9 @@ class Contour:
             controller.go([self._members[0]])
 
     def _may_follow(self, axes: tuple[int, ...], vector: Vector) -> bool:
-        """True if a path may follow those of the controller.
+        """True if a path may follow the paths that the controller has.
 
-        A path with an S-curve is not extended.
+        A path with an S-curve is never extended.
         """
         if self._stopping or axes != self._members or vector.length == 0.0:
             return False
@@ -155,13 +156,13 @@ class Contour:
             self._board.controller.abort(self._members[0], ended)
 
     def set_speed(self) -> None:
-        """Apply a changed override, if the shape allows a change of speed in motion."""
+        """Apply a changed override, if the profile's shape allows a change in motion."""
         if self._under_way is not None and not self._stopping and self._under_way.shape == "trapezoid":
             self.take_override()
             self._board.controller.replan_path(self._members[0])
 
     def shift(self, number: int, by: float) -> None:
-        """Shift the queued paths by `by` counts when an axis changes its zero.
+        """Shift the queued paths by `by` counts when the zero of an axis changes.
 
         Their physical positions stay the same.
         """
@@ -172,7 +173,7 @@ class Contour:
                 geometry.shift(axes.index(number), by)
 
     def forget(self, number: int) -> None:
-        """Clear the queue if the leaving axis is in it, because its start is lost."""
+        """Clear the queue if it contains the leaving axis, because its start is unknown."""
         if any(number in axes for axes, *_ in self._queue):
             self._forget("cancel")
 
@@ -193,7 +194,7 @@ class Contour:
         self.override = self._axis.vector.override
 
     def begun(self, vector: Vector) -> None:
-        """Begin a path."""
+        """Handle the start of a path."""
         self._handed -= 1
         self._under_way, self._stopping = vector, False
         self._axis.on_arc, self._axis.on_line = vector.is_arc, not vector.is_arc
@@ -204,7 +205,7 @@ class Contour:
         self._forget("stop")
 
     def ended(self, whole: bool) -> None:
-        """End a path."""
+        """Handle the end of a path; `whole` is true if it was completed."""
         self._under_way = None
         self._axis.segments += whole
         self._axis.on_arc = self._axis.on_line = False

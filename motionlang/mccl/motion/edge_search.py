@@ -1,7 +1,7 @@
 """Search for an index mark or a home edge.
 
-The position is caught at the exact time, whatever the program does then. The search does not move the axis:
-the program must do so, usually in velocity mode.
+The position is caught at the exact time, whatever the program does at that moment. The search does not move
+the axis: the program must do so, usually in velocity mode.
 """
 
 from __future__ import annotations
@@ -19,14 +19,15 @@ if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
-# A mark nearer than this, in counts, is the one that the axis is on: the next one counts.
+# A mark nearer than this, in counts, is the mark that the axis is on: the search is for the next one.
 _ON = 1e-6
 
 
 class Seek:
     """One search on one axis.
 
-    `caught` is the position, in counts, once it is known, and `value` the position that it is to become.
+    `caught` is the position of the mark or edge in counts, once known, and `value` the position to be
+    assigned to it.
     """
 
     def __init__(self, board: Board, axis: AxisState, kind: str, value: float) -> None:
@@ -73,7 +74,7 @@ class Seek:
         self._axis.flags |= flags.HOMED
 
     def _watch_marks(self) -> None:
-        """Watch the two marks next to the axis; it must pass one of them first."""
+        """Watch the marks on both sides of the axis, which must pass one of them first."""
         controller, number = self._board.controller, self._axis.number
         a = controller.axes[number]
         every = a.index_pitch

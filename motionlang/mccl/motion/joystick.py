@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Joysticks:
-    """The joysticks of all axes; each is the analogue input of the axis's number."""
+    """The joysticks of all axes: the joystick of an axis is the input with its number."""
 
     def __init__(self, board: Board) -> None:
         self._board = board
@@ -21,7 +21,7 @@ class Joysticks:
         board.controller.analogue_inputs.listeners.append(self._moved)
 
     def switch_on(self, axis: AxisState, line: int) -> None:
-        """Let the axis follow its joystick; raise Rejected if it is off."""
+        """Make the axis follow its joystick; raise Rejected if the axis is off."""
         if not self._board.controller.is_enabled(axis.number):
             raise Rejected("disabled-axis", f"axis {axis.number} is off")
         axis.jogging = True
@@ -51,7 +51,7 @@ class Joysticks:
             self._follow(axis)
 
     def _follow(self, axis: AxisState) -> None:
-        """Ramp to the velocity at JA without changing the axis's own rates."""
+        """Ramp to the commanded velocity at JA without changing the axis's own rates."""
         controller, number = self._board.controller, axis.number
         velocity = self.velocity(axis)
         if velocity == 0.0 and controller.is_idle(number):

@@ -1,6 +1,6 @@
 """A contour path while the commands of a line describe it.
 
-CP opens it, and the first other command closes it.
+CP opens it, and the first command that is not part of the description closes it.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ DESCRIBES = frozenset(
 class Path:
     """The description so far, by axis number.
 
-    `targets` are in counts, all else in user units and degrees.
+    `targets` are in counts; all other values are in user units and degrees.
     """
 
     def __init__(self, axis: AxisState, contour: Contour, kind: int, word: str, line: int) -> None:
@@ -77,7 +77,7 @@ class Path:
             )
 
     def move(self, task: CommandTask, targets: list[tuple[AxisState, float]]) -> None:
-        """Set the ends of the axes, counts, from MA and MR."""
+        """Set the end positions of the axes, counts, from MA and MR."""
         for axis, target in targets:
             self.member(axis)
             if axis.number in self.targets:
@@ -191,7 +191,7 @@ class Path:
     def _plane(self, numbers: list[int]) -> tuple[int, int]:
         """Return the indexes of the two axes of an arc.
 
-        These are the axes with a centre, or else the first two of the path.
+        They are the axes with a centre, or the first two of the path if none has one.
         """
         axes = sorted(self.center or numbers)
         if len(axes) < 2:

@@ -1,1 +1,1 @@
-"""From the text of a command to its action: look-up of words and parameters."""
+"""From the text of a command to its action: lookup of mnemonics and parameters."""

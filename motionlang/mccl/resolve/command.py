@@ -1,4 +1,4 @@
-"""A decoded command, or the reason why the text is not one."""
+"""A decoded command, or the fault of a text that is not a command."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ NONE, NUMBER, REGISTER, TEXT = range(4)
 class Command:
     """A command of a line, ready to run.
 
-    `text` is the source text. `axis` is 0 if none, or 0, was given. `value` is the number, register or text.
-    `pure` commands read and write only the accumulator: a loop of them only polls. `action` carries the
-    command out; for an invalid command it raises the fault.
+    `text` is the source text. `axis` is 0 if none was given. `value` is the number, register or text.
+    `pure` commands read and write only the accumulator: a loop of them only polls. `action` executes the
+    command; for an invalid command it raises the fault.
     """
 
     text: str
@@ -36,7 +36,7 @@ class Command:
 
     @property
     def number(self) -> int | None:
-        """The parameter, if it is an integer that is known before the program runs."""
+        """The parameter, if it is an integer known before the program runs."""
         if self.kind == NONE:
             return 0
         if self.kind != NUMBER or self.value != int(self.value):

@@ -65,7 +65,7 @@ class Word:
 
 
 def problem(command: Command) -> Fault | None:
-    """Return the fault of a command that does not depend on the program."""
+    """Return the fault of a command that is invalid in any program, or None."""
     fault = getattr(command.action, "fault", None)
     return fault if isinstance(fault, Fault) else None
 
@@ -81,9 +81,9 @@ class _Wrong:
 
 
 class Commands(dict[str, Command]):
-    """Cache from the text of a command to the command.
+    """Cache from the text of a command to its `Command`.
 
-    An invalid one is a command that raises its fault when it runs.
+    An invalid text gives a command that raises its fault when it runs.
     """
 
     def __missing__(self, text: str) -> Command:
@@ -126,12 +126,12 @@ def _decoded(
 
 
 def _wrong(text: str, word: Word, fault: Fault) -> Command:
-    """Return a command without parameter that raises its fault."""
+    """Return a command without parameter that raises a fault."""
     return Command(text, word.name, word.row, word.axis, NONE, 0, _Wrong(fault), word.pure)
 
 
 def _no_command(text: str) -> Command:
-    """Return the command of a text that does not have the form of one."""
+    """Return the invalid command for a text that does not have the form of one."""
     from motionlang.lang.typography import typographic, unclosed
     from motionlang.mccl.syntax.mistakes import stuck
 

@@ -1,4 +1,4 @@
-"""The names of an MCCL file for an editor: macros and registers with every use."""
+"""The names of an MCCL file, for an editor: macros and registers with every use."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _LOCAL = 10
 
 
 def names(source: Source, settings: Mapping[str, object] | None = None) -> Names:
-    """Return the macros and registers of a file; unreadable commands have none."""
+    """Return the macros and registers of a file; invalid commands are skipped."""
     return _Finder(source, settings or {}).found()
 
 

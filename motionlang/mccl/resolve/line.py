@@ -22,7 +22,7 @@ class Line:
     """The commands of one source line, with its `number`.
 
     `origin` is the text that contained it, beginning at `start`; a macro outlives that text. `places` are the
-    offsets of the commands in it. The commands of a macro are those of the line from index `first` on.
+    offsets of the commands in it. The commands of a macro are those of its line from index `first` on.
     """
 
     __slots__ = ("_places", "commands", "first", "number", "origin", "start")
@@ -69,7 +69,7 @@ def too_long(length: int) -> Fault:
 
 
 class Lines(dict[str, "tuple[Command, ...]"]):
-    """Cache from the text of a line to its commands, because hosts repeat their lines.
+    """Cache from the text of a line to its commands, because hosts repeat lines.
 
     Raises Fault if the line is too long.
     """
@@ -98,7 +98,7 @@ def line_of(text: str, start: int = 0, number: int = 1, origin: str | None = Non
 
 
 def lines_of(text: str) -> Iterator[Line | tuple[Fault, int, int]]:
-    """Iterate over the lines of a file.
+    """Yield the lines of a file.
 
     A line that is too long yields its fault, offset and number instead.
     """

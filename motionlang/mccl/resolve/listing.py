@@ -1,4 +1,4 @@
-"""The commands of a program as text, each with the function that carries it out."""
+"""The commands of a program as text, each with the function that executes it."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ _KINDS = {
 
 
 def asked(source: Source) -> Callable[[int], LoopDependencies | None]:
-    """Return a function from the offset of a jump back to the reads of its loop."""
+    """Return a function that maps the offset of a jump back to the reads of its loop."""
     lines = [line for line in lines_of(source.text) if isinstance(line, Line)]
     macros: dict[int, Line] = {}
     for line in lines:
@@ -86,7 +86,7 @@ def _verb(command: Command) -> str:
 
 
 def input_reads(source: Source) -> list[InputRead]:
-    """Return where a program depends on inputs, in the order of its lines."""
+    """Return where a program depends on inputs, in line order."""
     found = []
     for line in lines_of(source.text):
         if not isinstance(line, Line):

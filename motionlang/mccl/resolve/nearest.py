@@ -16,7 +16,7 @@ def candidates(word: str) -> list[str]:
 
 
 def hint(word: str) -> str:
-    """Return a hint, or an empty text."""
+    """Return a hint for an unknown word, or an empty text."""
     upper, meant = word.upper(), candidates(word)
     if len(meant) > 1 or (meant and meant[0] != upper[::-1]):
         return f"did you mean {' or '.join(filter(None, (', '.join(meant[:-1]), meant[-1])))}?"

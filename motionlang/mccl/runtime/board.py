@@ -1,6 +1,6 @@
 """The board: all state that outlives a line.
 
-This is the axes' units and modes, registers, macros, tasks, and the last error.
+It consists of the axes' units and modes, registers, macros, tasks, and the last error.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Board:
 
     `write` takes the output of tasks that have no writer of their own. `complain` is called with every
     diagnostic and the task that caused it. If it is None, as on a served board, the `?` codes are the only
-    report.
+    report of errors.
     """
 
     def __init__(
@@ -158,10 +158,10 @@ class Board:
         axis.controlling = None
 
     def release(self, axis: AxisState, ended: str = "cancel") -> None:
-        """Release an axis from its path, joystick and search.
+        """Detach an axis from its path, joystick and search.
 
-        The operation that stops it also removes its master. After a fault that stops smoothly, the path still
-        comes to rest along itself.
+        The operation that stops it also removes its master. After a fault that stops smoothly, the contour
+        still comes to rest along its path.
         """
         seek = self.seeks.pop(axis.number, None)
         if seek is not None:
@@ -173,12 +173,12 @@ class Board:
         self._forget_paths(axis)
 
     def _forget_paths(self, axis: AxisState) -> None:
-        """Remove the queued paths of the axis, which have lost their start."""
+        """Remove the queued paths of the axis, whose start is no longer known."""
         if axis.controlling in self.contours:
             self.contours[axis.controlling].forget(axis.number)
 
     def define_position(self, axis: AxisState, position: float) -> None:
-        """Make the current position of the axis `position`, counts.
+        """Define the current position of the axis as `position`, counts.
 
         The stored positions of its motion are shifted with it.
         """
@@ -192,7 +192,7 @@ class Board:
             seek.caught += shift
 
     def home_changed(self, number: int) -> None:
-        """Check a pending search after the home input of an axis has changed."""
+        """Check a pending search after a change of an axis's home input."""
         seek = self.seeks.get(number)
         if seek is not None:
             seek.check()
@@ -226,7 +226,7 @@ class Board:
         return world is not None and channel in world.driven
 
     def seconds(self, value: float) -> float:
-        """Convert a time from the unit of UT to seconds."""
+        """Convert a time in the unit of UT to seconds."""
         return value * self.time_unit
 
     def is_shared(self, task: CommandTask) -> bool:
@@ -234,13 +234,13 @@ class Board:
         return any(other.wait is None and other is not task and not other.done for other in self.tasks)
 
     def count_time_slice(self, task: CommandTask) -> None:
-        """Count a time slice if another task than the last one begins to run."""
+        """Count a time slice if a task other than the last one begins to run."""
         if self.at_work is not task:
             self.at_work = task
             self.turns += 1
 
     def jumped(self, task: CommandTask) -> None:
-        """Skip rounds of commands, as a task jumps back while another one can run."""
+        """Skip whole rounds of commands when a task jumps back while another one can run."""
         if self._rounds is None:
             make = self.machine.accelerators.rounds
             if make is None:
@@ -261,17 +261,17 @@ class Board:
     # -------------------------------------------------------------------------------------------------- tasks
 
     def foreground(self, task: CommandTask) -> None:
-        """Replace the task that carries out the host's lines."""
+        """Replace the task that executes the host's lines."""
         self.tasks = [task, *self.background.values()]
 
     def join(self, task: CommandTask) -> None:
-        """Add another task that carries out a host's lines."""
+        """Add another task that executes a host's lines."""
         self.tasks.append(task)
 
     def start_task(self, macro: Line, issuer: CommandTask) -> int:
-        """Run a macro in the background and return its number.
+        """Run a macro in the background and return the task's number.
 
-        Its replies go where the issuer's go.
+        Its replies go to the same writer as the issuer's.
         """
         scheduler = self.machine.scheduler
         assert scheduler is not None, "background tasks need a scheduler"
@@ -305,7 +305,7 @@ class Board:
     # ------------------------------------------------------------------------------------------------ answers
 
     def whole(self, value: int) -> str:
-        """Format an integer as DM or HM require."""
+        """Format an integer in the base set by DM or HM."""
         if not self.hexadecimal:
             return str(value)
         small = self.assumptions.get("mccl.hex-letters") == "small"
@@ -329,12 +329,12 @@ class Board:
         return True
 
     def _code(self, code: int) -> int:
-        """Return the code of this board for what others call `code`."""
+        """Return the code that this board gives for the usual `code`."""
         name = CODES.get(code)
         return code if name is None else self.assumptions.get(name, code)  # type: ignore[return-value]
 
     def forget_complaints(self) -> None:
-        """Report repeated diagnostics again, because the text is a new one."""
+        """Report repeated diagnostics again, because a new text begins."""
         self._seen.clear()
 
     def warn(

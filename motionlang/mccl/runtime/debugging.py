@@ -16,7 +16,7 @@ _LOW, _HIGH = -(2**31), 2**31 - 1
 
 
 class Inspection:
-    """The registers of a board, and the lines and macros that its tasks are in."""
+    """The registers of a board, and the current lines and macros of its tasks."""
 
     __slots__ = ("_board", "_foreground")
 
@@ -24,7 +24,7 @@ class Inspection:
         self._board, self._foreground = board, foreground
 
     def module(self) -> list[Variable]:
-        """Return the registers that all tasks share, without those that are 0."""
+        """Return the registers that all tasks share, except those that are 0."""
         numbers = range(PRIVATE, len(self._board.registers))
         return [
             _register(self._foreground, number) for number in numbers if self._board.registers[number] != 0
@@ -33,7 +33,7 @@ class Inspection:
     def frames(self, task: Task, place: int | None) -> list[Frame]:
         """Return the macro calls of a task, the innermost first.
 
-        `place` is the source offset of a task that is stopped in the hook; None for one that waits.
+        `offset` is the source offset of a task that is stopped in the hook; None for one that waits.
         """
         assert isinstance(task, CommandTask)
         private = [_register(task, number) for number in range(PRIVATE)]
@@ -44,12 +44,12 @@ class Inspection:
         return found
 
     def depth(self, task: Task) -> int:
-        """Return how many macros the task is in."""
+        """Return the number of macro calls that the task is in."""
         assert isinstance(task, CommandTask)
         return len(task.calls)
 
     def unlisted(self, task: Task | None, name: str) -> Variable | None:
-        """Return a register by its name, such as R10, as a task sees it."""
+        """Return a register by its name, such as R10, as seen by a task."""
         task = task or self._foreground
         assert isinstance(task, CommandTask)
         number = name[1:]

@@ -1,6 +1,6 @@
 """Log of the times of a task's loops.
 
-A jump back makes a loop of the commands from its target to itself. A loop that begins with the first command
+A jump back and the commands from its target up to it form a loop. A loop that begins with the first command
 of a line or macro starts with that line, any other at its first jump back. It ends at the first command after
 its last jump, or when its line ends. The innermost loop is last. The only cost per command is one comparison.
 """
@@ -32,7 +32,7 @@ class LoopLog:
     """The loops of one task.
 
     `target` and `end` are the indexes of the first and the last command of the innermost loop, valid only
-    while its line is carried out. A jump back from `end` to `target` is the next iteration.
+    while its line is being executed. A jump back from `end` to `target` is the next iteration.
     """
 
     __slots__ = ("_task", "end", "entered", "running", "target")
@@ -66,7 +66,7 @@ class LoopLog:
         self.find_end()
 
     def passed(self) -> None:
-        """Close the loops that the next command is not in."""
+        """Close the loops that do not contain the next command."""
         task, around = self._task, self.running
         while around and around[-1].depth == len(task.calls):
             last = around[-1]
@@ -76,7 +76,7 @@ class LoopLog:
         self.find_end()
 
     def left(self) -> None:
-        """Close the loops of a line that has ended or is abandoned."""
+        """Close the loops of a line that has ended or been abandoned."""
         while self.running and self.running[-1].depth >= len(self._task.calls):
             self._close()
         self.find_end()
@@ -91,7 +91,7 @@ class LoopLog:
     def find_end(self) -> None:
         """Find the last command of the innermost loop.
 
-        There is none in the line of a macro that the loop calls.
+        There is none while the task is in a macro that the loop calls.
         """
         last = self.running[-1] if self.running else None
         task = self._task

@@ -1,10 +1,10 @@
 """Skipping of polling loops: iterations that would repeat the last one.
 
-A jump back starts an iteration. If the accumulator equals that of the last jump back, and the commands in
-between only read, the result stays the same until an event. This also holds if the accumulator changes,
-provided that an iteration sets it before it uses it, and only compares it after reading what changes by
-itself: then it repeats until one of these comparisons changes. The command that follows is that of the last
-whole iteration before the event.
+A jump back starts an iteration. If the accumulator equals its value at the last jump back, and the commands
+in between only read, the result stays the same until an event. This also holds if the accumulator changes,
+provided that an iteration sets it before using it, and only tests it after reading a value that changes by
+itself: the iterations then repeat until the result of one of these tests changes (`loop_tests.py`). Execution
+resumes after the last whole iteration before the event.
 
 An iteration that waits for a time (WA) is skipped, too. Its times are sums that round, so they are added up
 one by one.
@@ -63,9 +63,9 @@ MAX_WAITS = 100
 
 
 class Poll:
-    """Watches one task's loops; `dependencies` has the dependencies that were read.
+    """Watches one task's loops; `dependencies` records the values that they read.
 
-    `hopeless` is the time since which all iterations were alike, and only another task or an event can change
+    `hopeless` is the time since which all iterations were equal, if only another task or an event can change
     that.
     """
 
@@ -111,9 +111,9 @@ class Poll:
         self._alone = self._left = 0
 
     def again(self) -> Wait | None:
-        """Skip the iterations that repeat; called at each jump back.
+        """Skip the iterations that would repeat; called at each jump back.
 
-        Returns a wait if they repeat for ever.
+        Returns a wait if they would repeat for ever.
         """
         task = self._task
         if self._alone:
@@ -167,16 +167,16 @@ class Poll:
         return wait
 
     def wait(self, seconds: float) -> None:
-        """Record a wait for a time that begins now."""
+        """Record a wait for `seconds` that begins now."""
         self._task.board.waited += 1
         if len(self._waits) >= MAX_WAITS:
             self._waits.clear()
         self._waits.append((self._task.count, seconds))
 
     def is_hopeless(self) -> bool:
-        """True if only a task or an event can change the loop, and neither has come.
+        """True if only a task or an event can change the loop, and neither has acted.
 
-        This is about the last iteration.
+        This refers to the last iteration.
         """
         done = self._task.board.effects, self.dependencies.clock.fired
         return self.hopeless is not None and done == self._done[:2]
@@ -199,7 +199,7 @@ class Poll:
     def _give_up(self) -> None:
         """Mark the loop as hopeless, unless it switches outputs.
 
-        The iteration that ends here has no effect and repeats for ever, as far as this task can know.
+        The iteration that ends here has no effect and, as far as this task knows, repeats for ever.
         """
         if self._writes:
             return
@@ -213,7 +213,7 @@ class Poll:
     def _skip(self, until: float, length: int, waits: list[tuple[int, float]], counters: Any) -> Wait | None:
         """Skip equal iterations, of `length` commands or with `waits`, until a time.
 
-        They are equal but for `counters`, which advance.
+        They are equal except for `counters`, which advance.
         """
         task, clock = self._task, self.dependencies.clock
         board, now, turns = task.board, clock.now, task.board.turns
@@ -240,7 +240,7 @@ class Poll:
         return None
 
     def _skip_waits(self, until: float, waits: list[tuple[int, float]]) -> None:
-        """Skip iterations that wait for a time, all but the last one before a time."""
+        """Skip all but the last of the iterations that wait, up to the time `until`."""
         task = self._task
         rest = task.count * task.cost
         before = last = base = task.base
@@ -294,7 +294,7 @@ class Poll:
 
 
 def after(base: float, waits: list[tuple[int, float]], cost: float) -> float:
-    """Return the base of a task's commands after some waits."""
+    """Return the base of a task's command times after some waits."""
     for count, seconds in waits:
         base = base + count * cost + seconds
     return base

@@ -1,6 +1,6 @@
-"""A file of commands, downloaded line by line like by a terminal program.
+"""A file of commands, downloaded line by line as by a terminal program.
 
-The next line is sent when the last one is done.
+Each line is sent when the previous one has ended.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ INFINITY = float("inf")
 
 
 class MacroFile(Program):
-    """The lines of a file."""
+    """The lines of a file, as a program."""
 
     __slots__ = ("debug", "lines", "source")
 
@@ -38,7 +38,7 @@ class MacroFile(Program):
 
     @property
     def entries(self) -> list[int]:
-        """The first commands of macros, which follow their definitions in a line."""
+        """The first command of each macro that is defined within a line."""
         found = []
         for line in self.lines:
             if isinstance(line, Line):
@@ -56,7 +56,7 @@ class MacroFile(Program):
     def start(self, machine: Machine) -> FileTask:
         """Return the foreground task.
 
-        Its board is as at power-up, except for the registers that `--set` gives.
+        Its board is in the state at power-up, except for registers set by `--set`.
         """
 
         def complain(diagnostic: Diagnostic, task: CommandTask) -> None:
@@ -79,7 +79,7 @@ class MacroFile(Program):
 
 
 class FileTask(CommandTask):
-    """Sends the lines of a file, and at the end waits for remaining background tasks."""
+    """Sends the lines of a file, and finally waits for remaining background tasks."""
 
     __slots__ = ("_lines", "_next", "_source", "_stray")
 
@@ -96,11 +96,11 @@ class FileTask(CommandTask):
         return super().at if self.line is not None else self._stray
 
     def override(self, values: dict[str, float | str]) -> None:
-        """Set registers by their names."""
+        """Set registers by name."""
         override(self, values)
 
     def next_line(self) -> Line | None:
-        """Return the next valid line, and report the faults of others."""
+        """Return the next valid line, reporting the faults of invalid ones."""
         while self._next < len(self._lines):
             line = self._lines[self._next]
             self._next += 1
@@ -123,7 +123,7 @@ class FileTask(CommandTask):
         return Wait(now, self._nothing_left, lambda: INFINITY, f"for background task {names} to end", "task")
 
     def _nothing_left(self) -> bool:
-        """True if no background task can do any more.
+        """True if no background task can do anything more.
 
         Each has ended, or polls for something that nothing on this machine can cause.
         """
@@ -145,7 +145,7 @@ def _only_watches(task: CommandTask) -> bool:
 
 
 def remark_on(source: Source, task: CommandTask) -> str:
-    """Return the remark on a background task that outlasts the foreground by polling."""
+    """Return a remark on a background task that still polls after the foreground ends."""
     line, _, _ = locate(source, task.at)
     poll = task.poll
     if poll.is_hopeless():

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Session(Interactive):
-    """One board for the whole session: macros, registers and units stay between lines."""
+    """One board for the whole session: macros, registers and units outlive a line."""
 
     keeps_columns = True
 
@@ -32,7 +32,7 @@ class Session(Interactive):
     def task(self, source: Source) -> Task:
         """Return the task for `source`.
 
-        An error is a `?` code and a diagnostic of the machine.
+        An error gives a `?` code and a diagnostic of the machine.
         """
         self.board.forget_complaints()
         task = LineTask(self.board, source)
@@ -51,7 +51,7 @@ class Session(Interactive):
 
 
 class LineTask(CommandTask):
-    """Carries out the lines of a text; background tasks run independently."""
+    """Executes the lines of a text; background tasks run independently."""
 
     __slots__ = ("_entered", "_lines", "_stray", "source")
 
@@ -64,7 +64,7 @@ class LineTask(CommandTask):
 
     @property
     def at(self) -> int:
-        """The offset of the command in the text.
+        """The offset of the current command in the text.
 
         For a macro from an earlier text, this is the offset of the command that called it.
         """
@@ -78,7 +78,7 @@ class LineTask(CommandTask):
         return self._entered
 
     def next_line(self) -> Line | None:
-        """Return the next valid line that was entered, and report the faults of others."""
+        """Return the next valid line entered, reporting the faults of invalid ones."""
         while self._lines:
             line = self._lines.pop(0)
             if isinstance(line, Line):

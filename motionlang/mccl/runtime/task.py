@@ -1,6 +1,6 @@
 """A task of the controller's interpreter.
 
-It has a line of commands, a program counter, and the time that each command takes. Time is `base + count *
+It has a line of commands, a program counter, and the duration of a command. Time is `base + count *
 cost`, so that it is the same number whether commands are run one by one or skipped together.
 """
 
@@ -49,10 +49,10 @@ SLICE = 20_000
 
 
 class CommandTask(Task):
-    """Carries out lines one after another; `next_line` supplies them.
+    """Executes lines one after another; `next_line` supplies them.
 
     `line` is the current line or macro, `pc` the index of its next command, `calls` the lines to return to.
-    `registers` 0 to 9 are the task's own. `then` continues after the wait that the task is in.
+    `registers` 0 to 9 are the task's own. `then` is called after the wait that the task is in.
     """
 
     __slots__ = (
@@ -107,7 +107,7 @@ class CommandTask(Task):
 
     @property
     def place(self) -> int:
-        """The offset of the current command in the text that its line came from."""
+        """The offset of the current command in the text that contained its line."""
         line = self.line
         return line.places[self.here] if line is not None and self.here < len(line.places) else 0
 
@@ -140,7 +140,7 @@ class CommandTask(Task):
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         """Run commands until the horizon, a wait or another task's time slice.
 
-        Returns the time, s, and the wait.
+        Returns the time, s, and the wait, if any.
         """
         if now != self.base + self.count * self.cost:
             self.base, self.count = now, 0
@@ -209,7 +209,7 @@ class CommandTask(Task):
     # ----------------------------------------------------------------------------------------- for the actions
 
     def reply(self, text: str) -> None:
-        """Write one line of an answer."""
+        """Write one line of a reply."""
         self.write(text + "\n")
 
     def tell(self, axis: int, text: str) -> None:
@@ -220,7 +220,7 @@ class CommandTask(Task):
         self.write(FORMS[self.board.assumptions.get("mccl.reply-form", "01 1234")].format(axis, text))
 
     def value(self, command: Command) -> float | int:
-        """Return the parameter as a number, that of a register after `@`; 0 if none."""
+        """Return the parameter as a number, or the register's value after `@`; 0 if none."""
         if command.kind == REGISTER:
             assert command.row is not None
             return checked(self.register(int(command.value)), command.row)
@@ -231,7 +231,7 @@ class CommandTask(Task):
         return command.kind != NONE
 
     def whole(self, command: Command) -> int:
-        """Return the parameter as an integer; a fraction is a parameter error."""
+        """Return the parameter as an integer; a fraction is a parameter error (Fault)."""
         value = self.value(command)
         if value != int(value):
             raise Fault(codes.PARAMETER, f"{command.name} needs a whole number, not {value:g}", kind="range")
@@ -244,7 +244,7 @@ class CommandTask(Task):
         return (self.board.axis(command.axis),)
 
     def axis(self, command: Command) -> AxisState:
-        """Return the one axis that the command must name."""
+        """Return the axis that the command has to name."""
         if command.axis == 0:
             raise Fault(
                 codes.NO_AXIS,
@@ -276,7 +276,7 @@ class CommandTask(Task):
         self.board.registers[number] = value
 
     def call(self, line: Line) -> None:
-        """Carry out a macro, then return."""
+        """Execute a macro, then return."""
         if len(self.calls) >= MAX_DEPTH:
             raise Fault(
                 codes.PARAMETER,
@@ -289,7 +289,7 @@ class CommandTask(Task):
         self.enter(line)
 
     def enter(self, line: Line) -> None:
-        """Carry out a line from its first command."""
+        """Execute a line from its first command."""
         self.line, self.pc, self.repeats = line, 0, {}
         self.loop_log.entered = self.base + self.count * self.cost
         if self.loop_log.running:
@@ -315,14 +315,14 @@ class CommandTask(Task):
         return self.poll.again()
 
     def abandon(self) -> None:
-        """Leave the line and every macro that it is in."""
+        """Leave the current line and all macros around it."""
         self.calls.clear()
         self.loop_log.left()
         self.line, self.repeats, self.then, self.paid = None, {}, None, False
         self.path_open = None
 
     def comes_to_rest(self, axes: tuple[int, ...]) -> bool:
-        """Let time pass within the slice until axes are at rest; false to yield."""
+        """Let time pass within the slice until axes are at rest; False to yield."""
         scheduler = self.board.machine.scheduler
         if scheduler is None:
             return False
@@ -337,7 +337,7 @@ class CommandTask(Task):
     # ----------------------------------------------------------------------------------------- for subclasses
 
     def next_line(self) -> Line | None:
-        """Return the next line to carry out, or None at the end."""
+        """Return the next line to execute, or None at the end."""
         return None
 
     # True if `_gate` is called before each command.
@@ -382,7 +382,7 @@ class CommandTask(Task):
         return left
 
     def _continue(self, scheduler: Scheduler) -> float:
-        """Continue at the present machine time, and return it."""
+        """Continue at the present machine time and return that time."""
         clock = scheduler.clock
         now, horizon, until = clock.now, clock.horizon, scheduler.until
         if now != self.base + self.count * self.cost:
@@ -395,7 +395,7 @@ class CommandTask(Task):
             self.abandon()
 
     def close_path(self) -> None:
-        """Complete the contour path that the line was describing."""
+        """Complete the contour path that the line describes."""
         path, self.path_open = self.path_open, None
         if path is not None:
             path.close(self)

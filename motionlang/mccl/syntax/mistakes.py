@@ -1,4 +1,4 @@
-"""The offset at which a text stops being a command.
+"""The offset at which a text is no longer a valid command.
 
 It is found with the table of `grammars/mccl.lark`.
 """
@@ -15,7 +15,7 @@ _PATTERNS = {name: re.compile(pattern, re.ASCII) for name, pattern in TERMINALS.
 
 
 def stuck(text: str) -> tuple[int, set[str]]:
-    """Return the length of a valid beginning of a command, and what could follow.
+    """Return the length of the valid beginning of a command, and what could follow.
 
     The latter is a set of kinds of token.
     """
@@ -32,7 +32,7 @@ def stuck(text: str) -> tuple[int, set[str]]:
 def _could_follow(top: Cell) -> set[str]:
     """Return the kinds of token that could come next.
 
-    They are tried out once for each stack, because a command has few.
+    The result is cached per stack, because commands have few different stacks.
     """
     states = tuple([cell.state.number for cell in top])
     kinds = _FOLLOW.get(states)

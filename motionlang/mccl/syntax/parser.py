@@ -1,4 +1,4 @@
-"""From MCCL text to lines and commands, by `grammars/mccl.lark`.
+"""From MCCL text to lines and commands, with `grammars/mccl.lark`.
 
 This module contains no mnemonic.
 """
@@ -31,27 +31,27 @@ def pieces(line: str) -> list[str]:
 
 
 def spans(line: str) -> Iterator[tuple[int, int]]:
-    """Return the start and end of each of these texts."""
+    """Yield the start and end of the text of each command of a line."""
     for match in PIECE.finditer(line):
         if match[1]:
             yield match.span(1)
 
 
 def parts(piece: str) -> Parts | None:
-    """Return the parts of a command, or None if the text is not one."""
+    """Return the components of a command, or None if the text is not a command."""
     match = COMMAND.fullmatch(piece)
     return match and match.groups()
 
 
 def without_comment(line: str) -> str:
-    """Return the line as a downloader sends it."""
+    """Return the line without its comment, as a downloader sends it."""
     end = max((end for _, end in spans(line)), default=0)
     separators = SEPARATORS.match(line, end)
     return line[: separators.end()] if separators else line[:end]
 
 
 def head(text: str) -> tuple[str, str]:
-    """Return the axis number and mnemonic with which a command begins.
+    """Return the axis number and mnemonic at the beginning of a command.
 
     The mnemonic is "" if it has none.
     """

@@ -19,7 +19,7 @@ _ARGUMENTS = {BEGINS["TEXT"]: "text", BEGINS["REGISTER"]: "register"}
 
 
 def tokens(text: str) -> Iterator[tuple[str, str, int]]:
-    """Return kind, text and offset of each token; together they are all of `text`."""
+    """Yield kind, text and offset of each token; together they make up all of `text`."""
     start = 0
     for line in text.splitlines(keepends=True):
         body = line.rstrip("\r\n")

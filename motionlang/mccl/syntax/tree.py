@@ -12,7 +12,7 @@ from motionlang.record import record
 
 
 class Node:
-    """A node of the tree; its fields are those of its class, without `at`."""
+    """A node of the tree; its fields are those of its class, except `at`."""
 
     __slots__ = ()
     _fields: tuple[str, ...] = ()
@@ -42,8 +42,8 @@ class Register(Node):
 class Command(Node):
     """A command.
 
-    `axis` is the number in front, None without one. `word` is the mnemonic in capital letters. `argument` is an
-    int, a float, a text in quotes as a str, a Register, or None.
+    `axis` is the number in front, or None. `word` is the mnemonic in capital letters. `argument` is an
+    int, a float, a str for a text in quotes, a Register, or None.
     """
 
     axis: int | None
@@ -63,13 +63,13 @@ class Line(Node):
 
 @record
 class Module(Node):
-    """A whole text; blank lines and comments are not in it."""
+    """A whole text, without blank lines and comments."""
 
     lines: list[Line]
 
 
 class NotACommand(Exception):
-    """Some texts of a module are not commands: `found` has the offset of each."""
+    """Raised if texts of a module are not commands: `found` has the offset of each."""
 
     def __init__(self, found: list[int]) -> None:
         super().__init__(f"{len(found)} texts are not commands")
@@ -77,7 +77,7 @@ class NotACommand(Exception):
 
 
 def parse(text: str) -> Module:
-    """Return the tree of a text; raise NotACommand if it has another form."""
+    """Return the tree of a text; raise NotACommand if some texts are not commands."""
     lines, wrong, start = [], [], 0
     for number, line in enumerate(text.split("\n"), 1):
         commands = []

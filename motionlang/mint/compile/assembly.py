@@ -1,6 +1,6 @@
 """Assemble the function bodies into units for compilation, with a source map.
 
-The source map has the source offset of each line of Python.
+The source map gives the source offset of each generated line of Python.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ _DEEP = "\n" + " " * DEEP
 class TypedLine:
     """A line typed at a prompt: its functions, its source map, and its operations.
 
-    `first` sets the first values of its variables. `blocks` are the tasks and event handlers by "task blink",
-    "event timer", with their names in the code.
+    `first` sets the initial values of its variables. `blocks` maps each task and event handler ("task blink",
+    "event timer") to its name in the code.
     """
 
     __slots__ = ("blocks", "first", "operations", "places", "specs", "unit")
@@ -70,7 +70,7 @@ def assemble(whole: SharedData, bodies: dict[Function, Body]) -> Code:
 
 
 def _compile_now(code: Code, risky: set[Unit], problems: Problems) -> None:
-    """Compile what is called at once, and what CPython may reject."""
+    """Compile the units that run at once, and those that CPython may reject."""
     for number, unit in enumerate(code.units):
         if number == 0 or len(code.places) <= SHORT or unit in risky:
             _checked(unit.compile, code.places, unit.before, problems)
@@ -85,7 +85,7 @@ def _key(function: Function) -> str:
 
 
 def _shared(whole: SharedData, bodies: dict[Function, Body]) -> list[str]:
-    """Return the names of the variables that are cells of the program."""
+    """Return the names of the variables that all units share as cells."""
     names = [symbol.python for symbol in _of_module(whole)]
     for function, b in bodies.items():
         if function.kind != "sub":
@@ -99,7 +99,7 @@ def _of_module(whole: SharedData) -> list[Symbol]:
 
 
 def _first_values(whole: SharedData) -> str:
-    """Return Python that sets the first values of the module's shared variables."""
+    """Return Python that sets the initial values of the module's shared variables."""
     plain: dict[str, list[str]] = {}
     lines = []
     for symbol in _of_module(whole):
@@ -114,7 +114,7 @@ def _first_values(whole: SharedData) -> str:
 class _Units:
     """The units of a program during assembly.
 
-    `places[n]` is the source offset of line n of all units together. `shared` are the names of all cells.
+    `offsets[n]` is the source offset of line n, counted over all units. `shared` are the names of all cells.
     `risky` are units that CPython may reject.
     """
 
@@ -134,14 +134,14 @@ class _Units:
         self._lines += lines
 
     def add_chunk(self, part: Chunk) -> None:
-        """Add a part of the function before it."""
+        """Add a chunk of the preceding function."""
         self.close()
         self._names = [part.name]
         self._lines = part.written({*TIME, *(part.names & self.shared)}, 0)
         self.close()
 
     def close(self) -> None:
-        """End the unit; the next function begins another one."""
+        """End the unit; the next function starts a new one."""
         if not self._lines:
             return
         lines, before = self._lines, len(self.places) - 1
@@ -164,7 +164,7 @@ def _places(lines: list[Line], places: list[int]) -> list[int]:
 def _checked(work: Callable[[], Made], places: Sequence[int], before: int, problems: Problems) -> Made:
     """Compile a unit; report blocks that are nested too deeply for Python.
 
-    Python allows twenty nested loops, which limits the blocks around a statement that leaves them all.
+    Python allows twenty nested loops, which limits how deeply a statement may be nested that leaves all of them.
     """
     try:
         return work()
@@ -198,7 +198,7 @@ def assemble_line(
 
 
 def _dispatched(whole: SharedData, b: Body) -> list[Line]:
-    """Return the lines of a function; with labels they contain its dispatcher."""
+    """Return the lines of a function, including its dispatcher if it has labels."""
     if not b.function.jumps:
         return b.lines
     function = b.function
@@ -220,7 +220,7 @@ def _dispatched(whole: SharedData, b: Body) -> list[Line]:
 
 
 def _label_handler(b: Body, label: str, number: int) -> list[str]:
-    """Return the v4 event handler for a label.
+    """Return the event handler of Mint v4 that begins at a label.
 
     The label has the name of an event, and no jump leads to it.
     """
@@ -232,9 +232,9 @@ def _label_handler(b: Body, label: str, number: int) -> list[str]:
 
 
 def _shared_names(whole: SharedData, own: set[str], outer: set[str]) -> list[str]:
-    """Return the declarations of the outer names to which a function assigns.
+    """Declare the outer names to which a function assigns (`nonlocal`, `global`).
 
-    These are names of the function around it, which has the time, and of the module.
+    They belong to the module or to the enclosing function, which holds the time.
     """
     if whole.typed:
         return [f"nonlocal {', '.join(sorted(own))}"] + (
@@ -244,12 +244,12 @@ def _shared_names(whole: SharedData, own: set[str], outer: set[str]) -> list[str
 
 
 def _count(whole: SharedData) -> tuple[str, ...]:
-    """Return the names of a debug build that its functions assign to."""
+    """Return the statement counter that functions of a debug build assign to."""
     return COUNTING[:1] if whole.debugging is not None else ()
 
 
 def _variables(function: Function) -> list[Symbol]:
-    """Return the variables of a function that hold data of the program."""
+    """Return the variables of a function that hold the program's data."""
     return [symbol for symbol in _own(function) if symbol.home is function]
 
 
@@ -260,7 +260,7 @@ def _own(function: Function) -> list[Symbol]:
 
 
 def _head(whole: SharedData, b: Body) -> list[Line]:
-    """Return the line `def …` and the statements on entry."""
+    """Return the `def` line of a function and the statements on entry."""
     function = b.function
     is_unit = bool(b.parts) and function.kind != "sub"
     outside = set() if function.jumps else set(b.outside)
@@ -285,7 +285,7 @@ def _head(whole: SharedData, b: Body) -> list[Line]:
 
 
 def _known_in(function: Function) -> set[str]:
-    """Return the names that parts inside a sub may share with the sub."""
+    """Return the names that chunks inside a sub may share with the sub."""
     known = {name for symbol in _own(function) for name in _spellings(symbol)}
     scope = function.scope.outer
     while scope is not None:
@@ -308,9 +308,9 @@ def _spellings(symbol: Symbol) -> list[str]:
 
 
 def _own_variables(function: Function, b: Body) -> list[str]:
-    """Return the first values of the variables that live in the function.
+    """Return the initial values of the variables that live in the function.
 
-    Variables of the parent task may live around it.
+    Shared variables of the parent task live outside its function.
     """
     lines = []
     for symbol in function.scope.names.values():

@@ -104,12 +104,12 @@ class Value:
 
     @property
     def bare(self) -> str:
-        """The text without brackets, for a context in which no operator adjoins it."""
+        """Return the text without brackets, for use where no operator is next to it."""
         return self.text[1:-1] if self.binds else self.text
 
     @property
     def truth(self) -> str:
-        """The text for a context in which only the truth value counts."""
+        """Return the text for use where only the truth value counts."""
         return self.text
 
     @property
@@ -118,7 +118,7 @@ class Value:
 
 
 class Reading(Value):
-    """A reading whose condition can say how long it holds."""
+    """The value of a keyword whose comparison can predict how long its result holds."""
 
     __slots__ = ("solved", "unsigned")
 
@@ -130,7 +130,7 @@ class Reading(Value):
 class Answer(Value):
     """A truth value in Python: the Integer 1 or 0, or the bare test in a condition.
 
-    `joined`: it consists of several tests or is negated, so a Not in front of it needs brackets.
+    `joined` is true if it consists of several tests or is negated, so a Not in front of it needs brackets.
     """
 
     __slots__ = ("_truth", "joined")
@@ -205,7 +205,7 @@ class SharedData:
         self.checks = False
 
     def use(self, *spec: object) -> str:
-        """Return the name in the generated text for `spec`; its use may fail."""
+        """Return the name in the generated text for `spec`, an operation that may fail."""
         self.checks = True
         return self._named(*spec)
 
@@ -219,7 +219,7 @@ class SharedData:
     def described(self) -> list[Spec]:
         """Return the final descriptions of the `kN`.
 
-        By now it is known which of them polling loops use, and which functions were split into parts.
+        By now it is known which of them polling loops use, and which functions were split into chunks.
         """
         if self.rewritten:
             numbers = {name: number for number, name in enumerate(self.spec_names.values())}
@@ -235,7 +235,7 @@ class SharedData:
         """Return the text of the operation on a keyword, and its arguments.
 
         `how` is "read", "write", "load" or "do". An operation on one axis is bound to the number of the axis.
-        A read or a write is also bound by a text that finds the axis at run time.
+        If the axis is computed at run time, the text of a read or a write looks the operation up by axis.
         """
         if row.index not in ("axis", "axes") or not row.simulated:
             return self._operation(how, row, None), where
@@ -248,7 +248,7 @@ class SharedData:
         return f"{self._operation(how, row, EACH)}[{axis}]", rest
 
     def called_together(self, how: str, row: Keyword, axes: list[str]) -> tuple[str, list[str]]:
-        """Return the operation on several axes at once, like `called`.
+        """Return one operation on several axes at once; see `called`.
 
         It is bound to the axes if they are known.
         """
@@ -360,7 +360,7 @@ class Body:
     def emit(self, text: str, kind: str = PLAIN, cost: int = 0) -> None:
         """Write a line.
 
-        A line that calls a sub after part of its expression has been evaluated counts that (`E.midway`).
+        If the line calls a sub after it has evaluated part of its expression, the call is counted in `E.midway`.
         """
         if CALL in text and self.whole.others and not _calls_first(text):
             text = text.replace(CALL, f"{CALL}E.midway or ")
@@ -391,11 +391,11 @@ class Body:
     # --------------------------------------------------------------------------------------------- time
 
     def begin(self) -> None:
-        """Begin a statement with no known properties."""
+        """Begin a statement, whose properties are not known yet."""
         self.observes = self.calls = self.whole.checks = False
 
     def flush(self) -> None:
-        """Bring `t` up to date."""
+        """Write the line that brings `t` up to date."""
         if self.pending:
             self.emit(f"t += {self.pending}.0", cost=self.pending)
             self.pending = 0
@@ -409,7 +409,7 @@ class Body:
         self.lines.append(Line(self.indent, text, self.at, HORIZON, names))
 
     def horizon(self, answer: str = "t", then: str = "") -> None:
-        """Bring `t` up to date and let others run if they are due; then carry out `then`."""
+        """Bring `t` up to date and yield to tasks that are due; then carry out `then`."""
         now = "t"
         if self.pending:
             now, self.pending = f"(t := t + {self.pending}.0)", 0
@@ -419,8 +419,8 @@ class Body:
     def settle(self, tell: bool = True) -> None:
         """Write the check before a statement that observes time.
 
-        It lets everything happen that is due before the statement. `tell`: it also sets the clock, which the
-        statement reads.
+        Everything that is due before the statement happens first. With `sets_clock` the check also sets the clock,
+        which the statement reads.
         """
         if self.observes and tell:
             self._give_way(f"if T({self.pending}.0): yield")
@@ -434,7 +434,7 @@ class Body:
     def operate(self, calls: Sequence[tuple[str, list[str]]]) -> None:
         """Write a statement made of operations, which themselves check for earlier events.
 
-        The check comes before the arguments if these read the time, may fail, or may change in the meantime.
+        The check comes before the arguments if these read the time, may fail, or may be changed by another task.
         """
         if (
             not calls
@@ -456,21 +456,21 @@ class Body:
     def operation(self, operation: str, arguments: list[str]) -> None:
         """Write the call of an operation, which brings `t` up to date.
 
-        If the operation is put off, others run.
+        If the operation must wait for earlier events, the task yields.
         """
         self._give_way(f"if {operation}({', '.join([f'{self.pending}.0', *arguments])}): yield")
         self.pending = 0
 
     def act(self, text: str) -> None:
-        """Write a statement of one line that may observe time."""
+        """Write a one-line statement that may observe time."""
         self.settle()
         self.emit(text)
         self.pending += 1
 
     def wait(self, expression: str, at_once: str = "") -> None:
-        """Write a wait: give way until the `Wait` is over.
+        """Write a wait: yield until the `Wait` is over.
 
-        `at_once or` returns its result at once if nothing else could happen before the end of the wait.
+        If nothing else can happen before the end of the wait, `at_once` returns its result without a yield.
         """
         self.flush()
         self.gives_way()
@@ -537,7 +537,7 @@ class Body:
 
 
 def _calls_first(text: str) -> bool:
-    """True if a line evaluates nothing before its one call of a sub that may wait."""
+    """True if a line evaluates nothing before its only call of a sub that may wait."""
     before, _, after = text.partition(CALL)
     words = before.rpartition(" = ")[2].replace("(", " ").split()
     return CALL not in after and all(each in _WORKS_NOTHING_OUT for each in words)

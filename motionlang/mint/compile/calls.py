@@ -18,7 +18,7 @@ _NOTHING = Value("0", FLOAT, intervals.ANY)
 
 
 def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
-    """Return the call of a sub, as a value (`wanted`) or as a statement."""
+    """Return the call of a sub: a value if `wanted`, otherwise a statement."""
     callee = symbol.home
     if wanted and callee.result is None:
         b.problem("type", f"{symbol.name} is a sub and has no value", node, "a Function has a value")
@@ -50,7 +50,7 @@ def room_below(b: Body) -> str:
 
 
 def whole_stack(b: Body) -> str:
-    """Return the stack depth with which a task begins."""
+    """Return the stack depth available to a task when it begins."""
     return b.whole.use("env", "stack")
 
 
@@ -89,7 +89,7 @@ def _array(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
 
 
 def array(b: Body, node: nodes.Expr) -> tuple[str, Type, tuple[int, ...]] | None:
-    """Return text, type and sizes of an array named as a whole, also of a member."""
+    """Return text, type and sizes of a whole array, which may be a member of a record."""
     if type(node) is nodes.Name and node.args is None:
         symbol = node.symbol
         if symbol is not None and symbol.is_array:
@@ -119,7 +119,7 @@ def _reference(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
 
 
 def _pair(text: str) -> str:
-    """Return `name[place]` as the two arguments `name, place`."""
+    """Split `name[place]` into the two arguments `name, place`."""
     if not text.endswith("]"):
         return f"[{text}], 0"
     depth = 0

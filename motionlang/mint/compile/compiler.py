@@ -46,8 +46,8 @@ DEFAULT_AXES = 8
 class Compiled:
     """A compiled program: its code, its names and its problems.
 
-    `outline` holds, packed, its blocks and the line of each source offset in the code, so a profile need not
-    parse it again. `stops` is the payload of `Debugging` in a debug build.
+    `outline` is packed: the program's blocks and the line of each source offset, so a profile need not parse
+    the text again. `stops` is the payload of `Debugging` in a debug build.
     """
 
     __slots__ = ("code", "names", "outline", "problems", "stops")
@@ -66,8 +66,8 @@ def compile_module(
 ) -> Compiled:
     """Compile a program; raise ProgramError with all errors.
 
-    With `debug` it counts its statements, and a debugger may stop it. With `recall` functions that it knows are
-    not compiled, so the code is incomplete.
+    With `debug` the program counts its statements, and a debugger can stop it. With `recall` the functions that it
+    already has are not compiled, so the code is incomplete.
     """
     problems = Problems(module)
     _mark_faults(module, settings, problems)
@@ -81,7 +81,7 @@ def compile_module(
 
 
 def _new_bodies(whole: SharedData, recall: Recall | None) -> dict[Function, Body]:
-    """Write the functions that are not recalled; report the problems of all."""
+    """Write the functions that are not recalled; report the problems of all functions."""
     if recall is None:
         return {function: _function(whole, function) for function in whole.names.functions}
     names, problems = whole.names, whole.problems
@@ -130,7 +130,7 @@ def compile_line(
 
 
 def _mark_faults(module: Module, settings: Mapping[str, object] | None, problems: Problems) -> None:
-    """Mark the lines at which the machine file has a fault."""
+    """Mark the lines at which the machine file triggers a fault."""
     if settings and "fault" in settings:
         from motionlang.mint.compile.line_triggers import mark
 
@@ -183,7 +183,7 @@ def _function(whole: SharedData, function: Function) -> Body:
 def warn_of_misspellings(whole: SharedData) -> None:
     """Report names that are only assigned to and resemble a keyword.
 
-    Such a name is a typing error rather than a variable.
+    Such a name is more likely a typing error than a variable.
     """
     words: Spellings | None = None
     for function in whole.names.functions:

@@ -52,7 +52,7 @@ def as_integer(b: Body, found: Value) -> str:
 def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool = True) -> str:
     """Return the text of a value converted for a variable of a type.
 
-    `exact`: a Float must be a Python float.
+    With `exact` a Float must be a Python float, not an int.
     """
     if type.name == FLOAT and found.type in NUMERIC:
         return as_float(found) if exact else found.text
@@ -75,5 +75,5 @@ def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool =
 
 
 def article(type: str) -> str:
-    """Return the name of a type with its article."""
+    """Return the name of a type with its indefinite article."""
     return f"an {type}" if type[:1] in "AEIOaeio" else f"a {type}"

@@ -38,7 +38,7 @@ _OF_A_STATEMENT = frozenset(
 def with_other_lines(
     source: Source, settings: dict[str, object] | None, unreadable: ProgramError, known: Known | None = None
 ) -> ProgramError:
-    """Return the errors of a text, and compile errors of its readable lines.
+    """Return the syntax errors of a text and the compile errors of its readable lines.
 
     The unreadable lines are removed. A name in a removed line may have been declared there, so lines that use
     it are not reported. `known` is as in `check`.
@@ -68,5 +68,5 @@ def _names(line: str) -> set[str]:
 
 
 def _is_unrelated(mistake: Diagnostic, lines: list[str], names: set[str]) -> bool:
-    """True if an error would remain if the removed lines were right."""
+    """True if an error would remain if the removed lines were correct."""
     return mistake.code in _OF_A_STATEMENT and not _names(lines[mistake.line - 1]) & names

@@ -1,4 +1,4 @@
-"""Compile expressions from a node to a `Value`, with necessary run-time checks."""
+"""Compile an expression node to a `Value`, with the run-time checks it needs."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def number(b: Body, node: nodes.Expr, what: str = "a number") -> Value:
 def condition(b: Body, node: nodes.Expr) -> str:
     """Return the text of a condition; only its truth value counts.
 
-    Next to another operator it needs brackets.
+    The text needs brackets next to another operator.
     """
     if type(node) is nodes.Binary and node.op in ("And", "Or"):
         return f"{_part(b, node.left, node.op)} {node.op.lower()} {_part(b, node.right, node.op)}"
@@ -149,7 +149,7 @@ def _name(b: Body, node: nodes.Name) -> Value:
 
 
 def _remembered(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
-    """Return the value of a variable, cached if it has the same text at each read."""
+    """Return the value of a variable, cached if its text is the same at each read."""
     found = load(b, node, symbol)
     if found.text == symbol.python and symbol.type.name in _SAME and symbol not in b.analysed:
         b.values[node.name] = found
@@ -200,7 +200,10 @@ def place(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol |
 def element(
     b: Body, node: nodes.Node, text: str, name: str, sizes: tuple[int, ...], args: list[nodes.Expr] | None
 ) -> str:
-    """Return the text of an array element, with checks of uncertain subscripts."""
+    """Return the text of an array element, with checks of uncertain subscripts.
+
+    A subscript is uncertain if it may be out of range.
+    """
     if args is None:
         b.problem("index", f"{name} is an array and needs a subscript", node)
         return f"{text}[1]"
@@ -217,9 +220,9 @@ def element(
 
 
 def counted(text: str, sizes: tuple[int, ...]) -> list[str]:
-    """Return the texts of an array's sizes.
+    """Return Python texts for the sizes of an array.
 
-    The sizes of an array parameter are known when the sub is called.
+    The sizes of an array parameter are known only when the sub is called.
     """
     if sizes == (0,):
         return [f"len({text}) - 1"]
@@ -353,8 +356,8 @@ def _binary(b: Body, node: nodes.Binary) -> Value:
 def _shifted(b: Body, op: str, left: Value, right: Value) -> Value:
     """Return a reading plus or minus a value, or a value minus a reading.
 
-    If it is compared with a level, the reading is compared with the level minus the value. If the value changes
-    by itself, that records a dependency of its own.
+    A comparison of the result with a level becomes one of the reading with the shifted level. A value that
+    changes by itself adds a dependency of its own.
     """
     plain = operators.arithmetic(b, op, left, right)
     reading, other = (left, right) if left.solved is not None else (right, left)
@@ -385,7 +388,7 @@ def _shifted(b: Body, op: str, left: Value, right: Value) -> Value:
 
 
 class _Done(nodes.Node):
-    """The first operations of a chain, already compiled."""
+    """The operations at the start of a chain that are already compiled."""
 
     __slots__ = ("value",)
 
@@ -398,16 +401,16 @@ def _done(b: Body, node: _Done) -> Value:
 
 
 def _nested(first: nodes.Expr, links: list[nodes.Link]) -> nodes.Expr:
-    """Return some operations of a chain, nested as the grammar does it."""
+    """Return some operations of a chain as nested nodes, as the grammar defines them."""
     for link in links:
         first = nodes.Binary(first.at, link.op, first, link.value)
     return first
 
 
 def _chain(b: Body, node: nodes.Chain) -> Value:
-    """Compile a chain in groups; each assigns its result to a variable.
+    """Compile a long chain of operators in groups, each assigned to a variable.
 
-    Python limits nesting, too.
+    A single expression would exceed Python's limit on nesting.
     """
     steps: list[str] = []
     first: nodes.Expr = node.first
@@ -442,7 +445,7 @@ def _comparison(b: Body, node: nodes.Binary) -> Value:
 
 
 def _known(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
-    """Return an operation on known values, or on operands that are not numbers."""
+    """Evaluate an operation on known values, or compile one on non-numeric operands."""
     op = node.op
     if not (left.is_number and right.is_number):
         return _other_than_numbers(b, node, left, right)
@@ -458,9 +461,9 @@ def _known(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
 
 
 def _compared(b: Body, reading: Value, level: Value, level_first: bool = False) -> tuple[Value, Value]:
-    """Return a reading with the level that it is compared with, and that level.
+    """Return a reading to which the compared level is passed, and the level.
 
-    The level is evaluated once.
+    The level is evaluated only once.
     """
     assert reading.solved is not None
     given = text = level.text

@@ -1,4 +1,4 @@
-"""The first values of variables and arrays, as Python text."""
+"""The initial values of variables and arrays, as Python text."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def zero(kind: Type) -> str:
-    """Return the text of a new variable's value."""
+    """Return the text of a new variable's initial value."""
     if kind.name == RECORD and kind.record is not None:
         members = [fresh(member, sizes) for _, member, sizes in kind.record.members.values()]
         return f"[{', '.join(members)}]"

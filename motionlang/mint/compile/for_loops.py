@@ -1,8 +1,8 @@
 """Compile `For`, as a simple loop or in chunks.
 
-A counted loop whose body neither waits nor observes time is run in chunks: as many iterations at once as
-cannot reach the horizon at the highest cost of an iteration. Nothing is tested within a chunk, the cost is
-counted in whole statements, and the loop gives way after exactly the same iteration as without chunks.
+A counted loop whose body neither waits nor observes time runs in chunks. A chunk is as many iterations as are
+certain to end before the horizon, even if each takes the most expensive path. Nothing is tested within a chunk,
+the cost is counted in whole statements, and the loop yields after exactly the same iteration as without chunks.
 
     n = (stop - i) // step + 1           iterations that remain
     w = (H - t) / worst                 iterations that surely fit
@@ -113,7 +113,7 @@ def _plain(b: Body, node: nodes.For, counter: Counter, body: list[Line]) -> None
 
 
 def _known(b: Body, node: nodes.For, counter: Counter) -> intervals.Range:
-    """Return the range of the variable at Next."""
+    """Return the range of the loop variable at Next."""
     known = b.facts.get(id(node))
     if known is not None:
         return known
@@ -148,7 +148,10 @@ def _next(b: Body, counter: Counter, known: intervals.Range) -> None:
 
 
 def _can_be_cut(b: Body, node: nodes.For, counter: Counter) -> bool:
-    """True if the variable only counts, in integers that cannot overflow."""
+    """True if the loop can run in chunks.
+
+    Its variable must only count, in integers that cannot overflow.
+    """
     step, stop = counter.step.const, counter.stop.range
     if b.whole.debugging is not None or counter.exact or type(step) is not int or step == 0 or stop[2] != "i":
         return False

@@ -1,4 +1,4 @@
-"""The counters of a handler, which it only counts and compares with constants."""
+"""Find the counters of a handler: variables that it only advances and compares."""
 
 from __future__ import annotations
 
@@ -18,12 +18,13 @@ HANDLERS = ("timer",)
 
 
 def describe(b: Body) -> None:
-    """Pass the counters of a handler, with the constants compared, on to the run.
+    """Describe to the runtime the counters of a handler and their compared constants.
 
         ticks = ticks + 1
         If ticks >= 100 Then ticks = 0
 
-    A counter adds a constant to itself at one place. Elsewhere it is only set to constants.
+    A counter is advanced by a constant in one statement, and set only to constants elsewhere. Two facts are
+    described with it: whether a loop that may poll uses it, and whether the handler sets it.
     """
     if b.function.kind != "event" or b.function.name.lower() not in HANDLERS or b.whole.typed:
         return
@@ -56,7 +57,7 @@ def describe(b: Body) -> None:
 
 
 def _variable(node: object) -> Symbol | None:
-    """Return the numeric variable that functions share, if a node is its name."""
+    """Return the shared numeric variable that a node names, None for any other node."""
     symbol = node.symbol if isinstance(node, nodes.Name) and node.args is None else None
     if symbol is None or symbol.kind != "variable" or not symbol.shared or symbol.type.name not in NUMERIC:
         return None
@@ -64,7 +65,7 @@ def _variable(node: object) -> Symbol | None:
 
 
 def _is_step(own: Symbol, value: nodes.Expr) -> bool:
-    """True if an expression is a variable plus or minus a whole constant."""
+    """True if an expression is the variable `own` plus or minus a whole constant."""
     if not isinstance(value, nodes.Binary) or value.op not in ("+", "-"):
         return False
     is_whole = isinstance(value.right, nodes.Number) and isinstance(value.right.value, int)

@@ -1,9 +1,8 @@
-"""Intervals of numbers before the program runs: the domain of the range analysis.
+"""Intervals of numbers: the domain of the range analysis before a program runs.
 
 A `Range` is `(low, high, kind)`. Kind "i" means that the value is certainly a Python int (and no bool)
 between low and high; "f" that it is certainly a Python float; "a" that it may be either, with infinite
-bounds. A Float that is stored as an int never exceeds 2^53, up to which ints and doubles do the same
-arithmetic.
+bounds. A Float that is stored as an int never exceeds 2^53, up to which ints and doubles give the same results.
 """
 
 from __future__ import annotations

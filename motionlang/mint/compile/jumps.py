@@ -8,8 +8,18 @@
       except J as jump: pc = jump.args[0]
 
 A Goto sets `pc`, a Gosub calls the dispatcher at a label, and Return leaves that call. Labels are between
-statements of the outermost level. A jump out of loops is an exception, because Python has no other way out of
+statements of the outermost level. A jump out of loops is an exception, because Python has no other way to leave
 several loops at once.
+
+CPython needs 10 to 25 kB to compile a stretch, and a jump tests `pc` against each earlier stretch. If there are
+many, they are divided into groups, each a chunk of the function (`splitting.py`). The dispatcher calls the group
+that contains `pc`. The group returns the number of the next stretch outside itself, or None for a Return:
+
+    def q1(pc):
+     while 0 <= pc < 60:
+      if pc == 0: …; pc = 1
+      …
+     return pc
 """
 
 from __future__ import annotations
@@ -71,7 +81,7 @@ def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
 
 
 def _end(b: Body) -> None:
-    """Write the end of the text, which ends the task, also within a Gosub."""
+    """Write the end of the program text; it ends the task even within a Gosub."""
     if b.function.kind in ("sub", "event"):
         b.emit("return")
     else:
@@ -144,7 +154,7 @@ def jump(b: Body, node: nodes.Jump) -> None:
 
 
 def _unless(b: Body, node: nodes.Jump) -> str:
-    """Return the text in front of a jump with a condition, "" without one."""
+    """Return the `if` in front of a conditional jump, "" for an unconditional one."""
     if node.unless is None:
         return ""
     test = condition(b, node.unless)
@@ -162,4 +172,4 @@ def return_(b: Body, node: nodes.Return) -> None:
 
 
 def label(b: Body, node: nodes.Label) -> None:
-    """Do nothing: labels begin stretches, and misplaced ones have been reported."""
+    """Write nothing: labels begin stretches, and misplaced ones have been reported."""

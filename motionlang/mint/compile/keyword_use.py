@@ -1,7 +1,7 @@
 """Compile simulated keywords: reads in expressions, writes with `=`, commands.
 
-The row of the table has all data: access, index, unit, range. At run time `motionlang.mint.runtime.binding`
-finds the operation by the row's verb.
+The keyword's row in the table gives its access, index, unit and range. At run time
+`motionlang.mint.runtime.binding` finds the operation by the row's verb.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
 
 
 def can_be_read(b: Body, node: nodes.Name, row: Keyword) -> bool:
-    """True if a program may read a keyword; report it if not."""
+    """True if a program may read a keyword; report an error if not."""
     if "R" in row.access:
         return True
     what = "is a command and has no value" if row.access == "C" else "can be written but not read"
@@ -83,14 +83,14 @@ def can_be_read(b: Body, node: nodes.Name, row: Keyword) -> bool:
 
 
 def read_at(b: Body, node: nodes.Name, row: Keyword) -> list[str]:
-    """Return the indices of a read; without brackets, the first axis of AXES."""
+    """Return the indices of a read, by default the first axis of AXES."""
     if by_default(b, node, row):
         return [f"{b.whole.use('env', 'default_axes')}()[0]"]
     return indices(b, node, row, single=True)
 
 
 def answer(row: Keyword, text: str) -> Reading:
-    """Return the value read from a keyword, for the text that reads it."""
+    """Return a keyword's value as a Reading, given the text that reads it."""
     if row.unit == "text":
         return Reading(text, STRING, intervals.ANY)
     kind = type_of(row)
@@ -233,7 +233,7 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> str:
 
 
 def _name_of_task(b: Body, node: nodes.Expr) -> str:
-    """Return the name of a task, which is not an expression."""
+    """Return the name of the task that an index gives; it is not an expression."""
     named = node if type(node) is nodes.Name and node.args is None else None
     word = node.name if type(node) is nodes.Name else ""
     if named is not None and named.symbol is None and word.lower() == PARENT.lower():
@@ -243,7 +243,7 @@ def _name_of_task(b: Body, node: nodes.Expr) -> str:
 
 
 def task(b: Body, node: nodes.Name | nodes.Run | nodes.End, name: str) -> Symbol | None:
-    """Return the task that a node names; report it if there is no such task."""
+    """Return the task that a node names; report an error if there is none."""
     if node.symbol is not None and node.symbol.kind == "task":
         return node.symbol
 
@@ -289,9 +289,9 @@ def refuse(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> Non
 
 
 def give(b: Body, node: nodes.Assign, row: Keyword, where: list[str] | None, last: list[str]) -> None:
-    """Write values to the axes or to the other indices; None means the axes of AXES.
+    """Write values to the axes or other indices in `where`; None means AXES.
 
-    `last` are arguments of each operation after its value.
+    `last` are arguments that follow the value in each operation.
     """
     if where is None:
         _write_to_defaults(b, node, row, last)
@@ -394,7 +394,7 @@ def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
 def _storing(
     b: Body, row: Keyword, where: list[str], text: str, last: list[str], copy: bool = False
 ) -> tuple[str, list[str]]:
-    """Return the operation that writes a value or loads a move, and its arguments."""
+    """Return the operation that writes a value or loads a move, with its arguments."""
     how = "copy" if copy else "load" if row.kind == "move" else "write" if "W" in row.access else "do"
     operation, where = b.whole.called(how, row, where)
     return operation, [*where, text, *last]
@@ -424,9 +424,9 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
 def done_at(
     b: Body, target: nodes.Name, row: Keyword, indices: Callable[..., list[str]]
 ) -> tuple[str, list[str]]:
-    """Return the operation of a command, and its index arguments.
+    """Return the operation of a command, and the texts of its indices.
 
-    `indices` returns their texts.
+    The indices come from the function `indices`.
     """
     if by_default(b, target, row):
         default = f"{b.whole.use('env', 'default_axes')}()"

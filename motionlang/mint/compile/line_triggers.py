@@ -1,7 +1,7 @@
-"""Lines that trigger an event of the machine file: report when one is reached.
+"""Report when the program reaches a line with a fault of the machine file.
 
-Before the first statement of such a line a call of a hidden keyword is inserted, which no program can write.
-To the compiler it is a command like any other, so it is executed between statements at its own time.
+A call of a hidden keyword, which no program can write, is inserted before the first statement of such a line.
+To the compiler it is a command like any other, so it is executed between statements, at its own time.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ WORD = "(line)"
 
 
 def mark(module: nodes.Module, settings: Mapping[str, object], problems: Problems) -> None:
-    """Insert the calls into the tree.
+    """Insert the calls of the hidden keyword into the tree.
 
     A line without a statement is reported as an error of the machine file.
     """

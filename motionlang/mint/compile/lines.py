@@ -20,9 +20,9 @@ JUST_YIELDS: Sequence[str] = (YIELDS,)
 class Line:
     """A line of Python.
 
-    It is indented by `indent` blanks. `at` is its source offset in the program. `kind` is one of those above.
-    `names` are the variables in it, and `YIELDS`. `cost` is the number of statements that it pays for, if it
-    does nothing else.
+    It is indented by `indent` blanks. `at` is its source offset in the program. `kind` is one of the kinds above.
+    `names` are the variables in it, and `YIELDS` if it yields. `cost` is the number of statements that it pays
+    for, if it does nothing else.
     """
 
     __slots__ = ("at", "cost", "indent", "kind", "names", "text")
@@ -41,7 +41,7 @@ class Line:
 
 
 def moved(found: list[Line], by: int) -> list[Line]:
-    """Indent lines by some more blanks."""
+    """Indent lines by `by` more blanks."""
     if by:
         for line in found:
             line.indent += by

@@ -9,9 +9,9 @@ The profile needs this for loops that poll or compute.
 
 The variable is named after the source offset of the loop. If a task is still in a loop, or has left it by an
 exception, the frame shows when the loop began. A loop shorter than `MIN_STATEMENTS` statements that never waited
-leaves no record. Nothing is added to an iteration.
+leaves no record. Iterations do not become slower, as nothing is added to them.
 
-A call of a sub outside loops is logged in the same way, for computing outside the sub's own loops.
+A call of a sub outside loops is logged in the same way, so that computing outside the sub's loops is charged, too.
 
 A backward Goto makes a loop of the stretches from its label to the last jump back to it. The loop begins when
 its label is reached. It ends after the statement with that last jump, or at a jump to a stretch outside the
@@ -36,7 +36,7 @@ MAX_LABELS = 200
 class Region:
     """A loop of Gotos: the stretches `first` to `last`.
 
-    The last jump back is in statement `end`.
+    `end` is the statement with the last jump back.
     """
 
     __slots__ = ("at", "end", "first", "last")
@@ -60,8 +60,8 @@ def end(b: Body) -> None:
 def call(b: Body, node: nodes.Stmt, begin: int) -> None:
     """Log a statement that calls a sub, like a loop.
 
-    The statement was written from line `begin` on. Not if the sub waits, because the source offsets of its
-    waits identify it. Not in a loop, whose iterations must not change, and not if a sub calls itself: the
+    The statement's lines start at line `begin`. It is not logged if the sub waits, because the source offsets of
+    the waits identify it; in a loop, whose iterations must not change; or if the sub calls itself, because the
     first call is enough.
     """
     if type(node) not in (nodes.Call, nodes.Assign) or b.callee is None or b.callee is b.function:
@@ -76,7 +76,7 @@ def call(b: Body, node: nodes.Stmt, begin: int) -> None:
 
 
 def leave(b: Body) -> None:
-    """End the records of all loops before the function returns from within them."""
+    """Close the records of all loops that a return from the function leaves."""
     for at in reversed(b.timed):
         _close(b, at)
     for region in b.regions:
@@ -87,7 +87,7 @@ def leave(b: Body) -> None:
 
 
 def regions(b: Body) -> list[Region]:
-    """Return the loops that the Gotos of a function make, none with too many labels."""
+    """Return the loops formed by the Gotos of a function."""
     found: dict[int, Region] = {}
     labels = [node for node in b.function.body if type(node) is nodes.Label]
     if len(labels) > MAX_LABELS:
@@ -132,7 +132,7 @@ def left(b: Body, number: int) -> list[Region]:
 
 
 def jump(b: Body, number: int) -> None:
-    """Close the records of the loops that a jump leaves; no other loop is around it."""
+    """Close the records of the loops that a jump leaves; no other loop encloses it."""
     for region in left(b, number):
         _close_region(b, region)
 
@@ -140,7 +140,7 @@ def jump(b: Body, number: int) -> None:
 def thrown(b: Body) -> None:
     """Close the records of loops that a jump has left by an exception.
 
-    Other functions may have counted some of them. Loops of Gotos are closed, too.
+    Some of these loops may be in other functions. Loops of Gotos are closed, too.
     """
     b.emit("E.thrown(t, jump)")
     for at in sorted(b.thrown):

@@ -41,7 +41,7 @@ def turn(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
 
 
 def flag_for(b: Body, kind: str, body: list[nodes.Stmt]) -> str:
-    """Create a flag for an Exit that must leave inner loops first, "" without one."""
+    """Create a flag for an Exit that must first leave inner loops; "" if none does."""
     if not (b.function.exits and leaves(body, kind, inside=True)):
         return ""
     flag = b.temp()
@@ -50,14 +50,14 @@ def flag_for(b: Body, kind: str, body: list[nodes.Stmt]) -> str:
 
 
 def go_on_leaving(b: Body) -> None:
-    """After a loop, continue an Exit that leaves a loop further out."""
+    """Write the code after a loop that continues an Exit from an outer loop."""
     for _, flag in b.loops:
         if flag:
             b.emit(f"if {flag}: break", BREAK)
 
 
 def _opened(b: Body, kind: str, body: list[nodes.Stmt], *conditions: nodes.Expr) -> tuple[str, Poll | None]:
-    """Write the code before a loop; return the flag of an Exit and the watch, if any."""
+    """Write the code before a loop; return the flag of an Exit and any polling watch."""
     b.flush()
     flag = flag_for(b, kind, body)
     b.noted = True
@@ -172,7 +172,7 @@ def branches(node: nodes.If) -> list[nodes.If]:
 
 
 def is_long(node: nodes.If) -> bool:
-    """True if a chain of ElseIf becomes a Python loop of one iteration.
+    """True if an If with many ElseIfs becomes a Python loop of one iteration.
 
     A long Select becomes one, too.
     """
@@ -193,7 +193,8 @@ _KINDS: dict[type, str] = {nodes.For: "for", nodes.While: "while", nodes.Repeat:
 def _leaves(node: nodes.Stmt, kind: str, inside: bool, in_loop: bool, nested: bool) -> bool:
     """True if an Exit in a statement leaves a block of `kind`.
 
-    `in_loop`: a Mint loop is between. `nested`: a Python loop is between, which may also be that of a Select.
+    `in_loop`: the Exit is in an inner Mint loop. `nested`: it is in an inner Python loop, which may also come
+    from a Select.
     """
     if type(node) is nodes.Exit:
         wanted = node.kind or ("" if in_loop or kind == "select" else kind)

@@ -1,4 +1,4 @@
-"""Compile operators: from the values of both sides to the result, with checks."""
+"""Compile operators: combine the values of both sides, with the checks they need."""
 
 from __future__ import annotations
 

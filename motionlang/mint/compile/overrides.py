@@ -32,7 +32,10 @@ def override(
 
 
 def override_if_there(module: nodes.Module, overrides: Mapping[str, float | str]) -> None:
-    """Override values in a typed line; a missing name may come in another line."""
+    """Override values in a typed line; missing names are not errors.
+
+    They may be declared in a later line.
+    """
     wanted: dict[str, float | str | bool] = {name.lower(): value for name, value in overrides.items()}
     if wanted:
         _replace(module.body, wanted, set(), [])
@@ -52,10 +55,10 @@ def _unknown(name: str, names: list[str]) -> Diagnostic:
 def _replace(
     body: Iterable[nodes.Stmt], wanted: dict[str, float | str | bool], done: set[str], names: list[str]
 ) -> None:
-    """Replace the first value of each name, in the order of the text.
+    """Replace the initial value of each name, in the order of the text.
 
-    If that value is computed from the name itself (`n = n + 1`), or is not assigned in the parent task, Dim
-    gets the value.
+    If that value is computed from the name itself (`n = n + 1`), or is not assigned in the parent task, the value
+    is put into the Dim.
     """
     bare: dict[str, nodes.Variable] = {}
     own: set[str] = set()  # names that the program declares, also those of keywords
@@ -88,7 +91,10 @@ def _reads_itself(node: nodes.Assign, key: str) -> bool:
 
 
 def _take(name: str, wanted: Collection[str], done: set[str], names: list[str]) -> bool:
-    """True if a value belongs here; record the name for the message on unknown names."""
+    """True if `name` is still to be overridden, which marks it as done.
+
+    Each name is also recorded for the message on unknown names.
+    """
     if name not in names:
         names.append(name)
     key = name.lower()

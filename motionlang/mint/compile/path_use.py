@@ -1,4 +1,4 @@
-"""Compile keywords with several values for an axis: paths, and tables in arrays."""
+"""Compile keywords with several values per axis: paths, and tables in arrays."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) ->
 
 
 def _check(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword, axes: int) -> None:
-    """Check the number of axes and of values, if the axes are given in the text."""
+    """Check the number of axes and of values, if the axes are literals."""
     units = row.unit.split(", ")
     wanted = units.count("uu") if len(units) > 1 else 0
     if (wanted and axes != wanted) or axes < 2:
@@ -49,7 +49,7 @@ def _form(row: Keyword) -> str:
 
 
 def with_arrays(b: Body, node: nodes.Name, row: Keyword, names: list[str]) -> list[str]:
-    """Return the index texts of a keyword that takes arrays, NULL for omitted ones."""
+    """Return the index texts of a keyword that takes arrays; an omitted one is NULL."""
     args = list(node.args or [])
     least = len(names) - names.count("array") + 1
     if not least <= len(args) <= len(names):

@@ -1,4 +1,4 @@
-"""Compile `Pause condition`: tested when a dependency changes, without polling."""
+"""Compile `Pause condition`, tested only when a dependency changes: no polling."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def pause(b: Body, node: nodes.Pause) -> None:
-    """Write the wait: test once, then give way until the condition is true."""
+    """Write the wait: test once, then yield until the condition is true."""
     b.begin()
     test = condition(b, node.condition)
     calls = b.calls
@@ -38,9 +38,10 @@ def pause(b: Body, node: nodes.Pause) -> None:
 
 
 def _ignores_data(node: nodes.Expr) -> bool:
-    """True if a condition reads the world alone.
+    """True if a condition reads only axes, inputs and the like.
 
-    It has no variable, setting or memory of the program."""
+    It reads no variable, setting or memory of the program.
+    """
     names = [each for each in walk([node]) if isinstance(each, nodes.Name)]
     return all(
         each.row is not None and each.symbol is None and each.definition is None

@@ -8,8 +8,8 @@ Loop` does.
     if (t := t + 2.0) >= w2: t, H, w1, w2, (v_n,) = k1.turn_at(t, H, w1, (E.acts, v_state), (v_n,))
     if t >= H: yield; w2 = k1.due; w1 = None
 
-`w1` is the state at the beginning of the iteration. No check is made before statement `w2`. It is read again
-wherever others may have run in the loop, because statements may count from another time after a wait. In a
+`w1` is the state at the beginning of the iteration. No check is made before statement `w2`. After each yield in
+the loop `w2` is set again from `k1.due`, because statements may count from another time after a wait. In a
 loop that itself waits, `w2` is a number of iterations (`if w2: w2 -= 1.0`, `else: … k1.turn(…)`). Variables
 that decide nothing (`idle`) are not part of the state. Counters are passed separately, and are returned with
 the values that they have after the skipped iterations.
@@ -54,8 +54,8 @@ HOST_MEMORY = frozenset(("comms", "netdata", "dpr"))
 class Idle:
     """Values that change in each iteration of a loop and decide nothing.
 
-    `counters` are variables with the constants that they are compared with, `mere` all such variables, both
-    by their spelling. `copies` is true if the loop writes to host memory that it does not read.
+    `counters` maps variables to the constants that they are compared with; `mere` are all such variables. Both
+    use Python names. `copies` is true if the loop writes to host memory that it does not read.
     """
 
     counters: dict[str, list[float]]
@@ -67,7 +67,7 @@ NO_IDLE = Idle({}, frozenset(), False)
 
 
 class Poll:
-    """The watch on a loop: the line before its `first` iteration, and the end of each."""
+    """The watch on a loop: the line before its `first` iteration, and iteration ends."""
 
     __slots__ = ("_asks", "_begin", "_compared", "_counted", "_look", "_named", "_next", "_site", "first")
 
@@ -104,7 +104,7 @@ class Poll:
         b.horizon(then=f"{again}; {self._look} = None" if self._asks else again)
 
     def counted(self, b: Body) -> None:
-        """Write the end of an iteration that counts unchecked iterations."""
+        """Write the end of an iteration in a loop that waits: count unchecked iterations."""
         b.flush()
         b.emit(f"if {self._next}: {self._next} -= 1.0")
         self._spell(b)
@@ -121,7 +121,7 @@ class Poll:
 
 
 def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | None:
-    """Write the watch on a loop; return None if nothing could ever be skipped."""
+    """Write the watch on a loop; return None if no iteration could ever be skipped."""
     if any(map(_plainly_acts, body)):
         return None
     turn = list(reached(b, [*body, *conditions]))
@@ -141,8 +141,8 @@ def left_behind(
 
     `endless`: the loop has no condition.
 
-    The result has the variables as text, True if the loop reads what others can change, True if it assigns to
-    variables of others, and the names of what it reads. The variables are all those named in the statements
+    The result has the variables as text, True if the loop reads data that others can change, True if it assigns to
+    variables that others read, and the names of its readings. The variables are all those named in the statements
     that an iteration reaches. The result is None if there are too many, or if the loop only computes.
     """
     names = [node for node in turn if isinstance(node, (nodes.Name, nodes.Variable))]
@@ -195,15 +195,16 @@ def _alters(b: Body, node: nodes.Node) -> bool:
 
 
 def idle(b: Body, turn: Sequence[nodes.Node]) -> Idle:
-    """Return what changes in each iteration and decides nothing.
+    """Return the values that change in each iteration and decide nothing.
 
         n = n + 1                               If POS(0) > peak Then peak = POS(0)                 x = POS(0)
 
-    A counter may be compared with constants, as in `If n > 1000 Then STOP(0)`. The readings assigned are
-    called with a level. Iterations that differ only in these variables can be skipped, except for the last
-    one: it assigns the values to the copy and the extremum, and a counter is advanced by the number of
-    iterations. The condition of an extremum does not change until the reading reverses, so its assignment is
-    called with that in place of a level. A mere copy depends on nothing.
+    A counter may be compared with constants, as in `If n > 1000 Then STOP(0)`. Iterations that differ only in
+    these variables can be skipped, except for the last one, which assigns the values to the copy and the extremum.
+    A counter is advanced by the number of skipped iterations.
+
+    The readings assigned are called with a level. The condition of an extremum does not change until the reading
+    reverses, so its reading is called with that in place of a level. A mere copy depends on nothing.
     """
     if b.function.kind == "sub" or b.function.jumps or b.watching:
         return NO_IDLE
@@ -253,10 +254,10 @@ def idle(b: Body, turn: Sequence[nodes.Node]) -> Idle:
 
 
 def _copies(b: Body, turn: Sequence[nodes.Node]) -> bool:
-    """Find writes to host memory that decide nothing; True if there are any.
+    """True if an iteration writes to host memory in a way that decides nothing.
 
-    There are none in a loop that reads memory of a host or a bus.
-    The readings that they write are called regardless of the level.
+    This is never so in a loop that reads the memory of a host or a bus. The readings that are written are called
+    regardless of the level.
     """
     writes = [node for node in turn if isinstance(node, nodes.Assign) and _is_host_memory(node.target)]
     targets = {id(node.target) for node in writes}
@@ -277,10 +278,10 @@ def _is_host_memory(node: object) -> bool:
 
 
 def is_repeated(row: Keyword) -> bool:
-    """True if a keyword may be a no-op in a loop.
+    """True if a keyword may be a no-op when a loop repeats it.
 
-    It may be written with its present value, or stop an axis at rest. The operation itself reports if that
-    was a no-op.
+    It may write the present value again, or stop an axis at rest. The operation itself reports whether it was a
+    no-op.
     """
     return row.kind != "move" and (row.access == "RW" or row.effect.startswith("stop"))
 
@@ -314,14 +315,14 @@ def reached(b: Body, turn: Sequence[object]) -> Iterator[nodes.Node]:
 def _outlasts(b: Body, symbol: Symbol) -> bool:
     """True if a variable persists between iterations.
 
-    A variable of a sub that the iteration calls does not.
+    A local variable of a sub that the iteration calls does not.
     """
     is_variable = symbol.kind in ("variable", "parameter")
     return is_variable and (symbol.home is b.function or symbol.home.kind != "sub")
 
 
 def _text(b: Body, symbol: Symbol) -> str:
-    """Return the value of a variable as the Python text of an immutable copy."""
+    """Return the Python text of an immutable copy of a variable's value."""
     if symbol.is_array and symbol.type.name in PLAIN:
         return f"tuple({symbol.python})"
     if symbol.is_array or symbol.boxed or symbol.by_ref or symbol.type.name not in PLAIN:
@@ -330,7 +331,7 @@ def _text(b: Body, symbol: Symbol) -> str:
 
 
 def _own(b: Body, node: nodes.Node) -> Symbol | None:
-    """Return the numeric variable of this function alone that a name refers to."""
+    """Return the numeric variable of this function that a node names, if any."""
     symbol = node.symbol if isinstance(node, nodes.Name) and node.args is None else None
     if symbol is None or symbol.kind != "variable" or symbol.home is not b.function:
         return None
@@ -339,7 +340,10 @@ def _own(b: Body, node: nodes.Node) -> Symbol | None:
 
 
 def _reading(node: nodes.Node) -> tuple[object, ...]:
-    """Return a key for a reading of one axis or channel that accepts a level, else ()."""
+    """Return a key for a reading that accepts a level, () for any other node.
+
+    The reading must be of one axis or channel.
+    """
     row = node.row if isinstance(node, nodes.Name) else None
     args = getattr(node, "args", None) or ()
     if row is None or not row.solved or not all(isinstance(each, nodes.Number) for each in args):

@@ -1,15 +1,15 @@
-"""Split long blocks into parts, each a function of its own.
+"""Split long blocks into chunks, each a function of its own.
 
 The time that CPython's compiler takes for one function grows with the square of its jumps: ten thousand
 statements in a row would take a second, and a hundred thousand would take minutes. Statements that no Exit,
-Return or jump leaves are moved into a part, and replaced by a call of it:
+Return or jump leaves are moved into a chunk, and replaced by a call of it:
 
     yield from q1()
 
-The text of the statements does not change, so virtual time passes in the same steps. A part shares the time
-and the variables of its function. Tasks and event handlers run once at a time, so their shared variables
-become cells of the program and their parts are separate units. A sub may be called again before it ends, so
-its parts are inside it.
+The text of the statements does not change, so virtual time passes in the same steps. A chunk shares the time
+and the variables of its function. Tasks and event handlers never run twice at a time, so their shared variables
+become cells of the program and their chunks are separate units. A sub may be called again before it ends, so
+its chunks are nested inside it.
 """
 
 from __future__ import annotations
@@ -33,10 +33,9 @@ MAX_LOOPS = 8
 
 
 class Chunk:
-    """A part; its lines are indented for the body of an outermost function.
+    """A chunk of a function; its lines are indented as in an outermost function.
 
-    `names` are the variables in it. `inside`: it is inside its function, else it receives the remaining stack
-    depth.
+    `given` are its parameters and `names` the variables in it. `inside` is true if it is nested in its function.
     """
 
     __slots__ = ("given", "inside", "lines", "name", "names", "waits")
@@ -48,7 +47,7 @@ class Chunk:
         self.given = ROOM if ROOM in self.names and not inside else ""
 
     def written(self, shared: Iterable[str], indent: int) -> list[Line]:
-        """Return the whole function; `shared` are the names that are not its own."""
+        """Return the whole function; `shared` are names that belong to other functions."""
         at = self.lines[0].at
         names = sorted(shared)
         head = [
@@ -62,7 +61,10 @@ class Chunk:
 
 
 def cut(b: Body, first: int, ends: list[int]) -> None:
-    """Split the lines of a block from `first` on; its statements end before `ends`."""
+    """Split the lines of a block from `first` on into chunks, if they are many.
+
+    `ends` are the line numbers at which its statements end.
+    """
     if b.whole.typed:
         return
     statements = [b.lines[start:end] for start, end in zip([first, *ends], ends, strict=False)]
@@ -75,7 +77,7 @@ def cut(b: Body, first: int, ends: list[int]) -> None:
 
 
 def fold(b: Body, first: int) -> bool:
-    """Move all lines from `first` on into a part, if that is possible."""
+    """Move all lines from `first` on into a chunk, if possible; return True if moved."""
     lines = b.lines[first:]
     if b.whole.typed or not lines or _is_left(lines):
         return False
@@ -102,7 +104,7 @@ def _shortened(b: Body, statements: list[list[Line]]) -> list[list[Line]]:
 
 
 def _is_left(statement: list[Line]) -> bool:
-    """True if some path leads out of the statement to another place than behind it."""
+    """True if some path leaves the statement other than to the next statement."""
     loops: list[int] = []
     for line in statement:
         while loops and line.indent <= loops[-1]:
@@ -115,7 +117,7 @@ def _is_left(statement: list[Line]) -> bool:
 
 
 def _moved(b: Body, run: list[list[Line]], length: int) -> list[list[Line]]:
-    """Return a run of statements as the call of a part, if it is long enough."""
+    """Return a run of statements as the call of a chunk, if it is long enough."""
     if len(run) < 2 or length < SIZE // 2:
         return run
     return [_part(b, [line for statement in run for line in statement])]

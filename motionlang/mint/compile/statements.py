@@ -58,14 +58,14 @@ def block(b: Body, body: list[nodes.Stmt]) -> None:
 
 
 def _handles_errors(b: Body) -> bool:
-    """True for statements of ONERROR itself, whose own failures end the program."""
+    """True within ONERROR itself, where a failing statement ends the program."""
     return b.function.name.lower() == "onerror" or (
         b.function.jumps and b.stretches()[b.stretch][0] == "onerror"
     )
 
 
 def _guard(b: Body, node: nodes.Stmt) -> None:
-    """Write a statement with its failure reported to ONERROR; the next one then runs."""
+    """Write a statement whose failure goes to ONERROR; then the next statement runs."""
     b.flush()
     b.emit("try:")
     b.indent += 1
@@ -273,7 +273,7 @@ _FIRST_WORDS = ("Pause", "Print", "Return", "Input", "Repeat")
 def unknown_command(b: Body, target: nodes.Name) -> None:
     """Report an unknown word used as a statement.
 
-    A word that only has a value is not suggested.
+    A word that is only a value is not suggested.
     """
 
     def known() -> list[str]:
@@ -338,7 +338,7 @@ def _if(b: Body, node: nodes.If) -> None:
 
 
 def _long_if(b: Body, node: nodes.If) -> None:
-    """Write a chain of many ElseIf as tests in a loop of one iteration.
+    """Write a long chain of ElseIfs as tests in a loop of one iteration.
 
     The chosen branch leaves the loop.
     """
@@ -367,9 +367,9 @@ def _long_if(b: Body, node: nodes.If) -> None:
 
 
 def _warn_of_else_if(b: Body, orelse: list[nodes.Stmt]) -> None:
-    """Warn of `Else If b Then x = 1` that may mean an Else with a one-line If.
+    """Warn of `Else If b Then x = 1`, which may mean an Else with a one-line If.
 
-    The statements after it then belong to the Else.
+    In that case the statements after it belong to the Else.
     """
     chained = orelse[0] if len(orelse) == 1 else None
     if type(chained) is not nodes.If or len(chained.body) < 2:
@@ -439,7 +439,7 @@ def _one_test(b: Body, test: nodes.CaseTest, subject: Value, name: str) -> str:
 
 
 def handle_errors(b: Body) -> None:
-    """Let ONERROR handle an error of the last statement at the end of the program."""
+    """Write code at the end of the program that reports a last error to ONERROR."""
     if b.function.kind == "main" and b.whole.guarded:
         b.horizon()
 
@@ -463,7 +463,7 @@ def _end(b: Body, node: nodes.End) -> None:
 
 
 def leave(b: Body) -> None:
-    """Leave the function."""
+    """Write the exit from the function."""
     b.flush()
     b.noted = True
     loop_times.leave(b)

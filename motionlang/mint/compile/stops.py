@@ -2,12 +2,12 @@
 
     if (n := n + 1) >= N or (D is not None and 17 in D): B(t + 2.0, 17)
 
-`n` counts the statements of all tasks; 17 is the source offset, and `t + 2.0` the statement as time counts it. `n`, `N`
-and `D` are cells of a `Hook`, and `B` calls it (`mint/runtime/debugging.py`). Time is counted in whole statements, so
-that paying for some of them earlier changes no bit of it.
+`n` counts the statements of all tasks. 17 is the source offset, and `t + 2.0` is the statement's number on the
+time scale. `n`, `N` and `D` are cells of a `Hook`, and `B` calls it (`mint/runtime/debugging.py`). Time is counted
+in whole statements, so paying for some of them earlier gives exactly the same time.
 
-The variables that live in a Python function are made cells by a lambda that names them, because a frame cannot be
-written to before Python 3.13:
+A lambda names the variables that live in a Python function and so makes them cells, because the locals of a
+frame cannot be assigned before Python 3.13:
 
     m_ = lambda: (v_i, p_n)
 """
@@ -39,8 +39,8 @@ _SILENT = (nodes.Const, nodes.Define, nodes.Label, nodes.Auto)
 class Debugging:
     """The description of a program for a debugger.
 
-    `places` are the source offsets of the statements, and `functions` the title and the variables of each function by
-    its name in Python.
+    `offsets` are the source offsets of the statements. `functions` maps the Python name of each function to its
+    title and its variables.
     """
 
     __slots__ = ("functions", "places")
@@ -50,7 +50,7 @@ class Debugging:
         self.functions: dict[str, tuple[str, tuple[Described, ...]]] = {}
 
     def payload(self) -> Stops:
-        """Return all of it in a form that `marshal` accepts."""
+        """Return the whole description in a form that `marshal` accepts."""
         return sorted(self.places), self.functions
 
 
@@ -79,7 +79,7 @@ def _hook(b: Body, at: int) -> None:
 
 
 def cells(b: Body, symbols: Iterable[Symbol]) -> str:
-    """Return the line that makes variables of a function cells, "" for none."""
+    """Return the line that makes cells of a function's variables, "" for none."""
     names = [name for symbol in symbols for name in _spelled(symbol)]
     return f"{CELLS} = lambda: ({', '.join(names)},)" if names else ""
 

@@ -29,21 +29,21 @@ def print_(b: Body, node: nodes.Print) -> None:
 
 
 def _terminal(b: Body, node: nodes.Expr | None) -> str:
-    """Return the text of the number after a `#`, "" if there is none."""
+    """Return the text of the terminal number after a `#`, "" if there is none."""
     if node is None:
         return ""
     return converted(b, number(b, node, "the number of a terminal"), Type(INTEGER), node)
 
 
 def _use(b: Body, name: str) -> str:
-    """Return an operation on terminals, under a keyword that only the compiler knows."""
+    """Return the name of a terminal operation, a keyword internal to the compiler."""
     return b.whole.use("read", f"({name})")
 
 
 def _printed(b: Body, text: str, where: str = "") -> str:
     """Return the call that prints a text.
 
-    If the program uses no terminals, only the console prints.
+    A program that uses no terminals prints to the console only.
     """
     if not where and not b.whole.names.uses_terminal:
         return f"P({text})"
@@ -51,7 +51,7 @@ def _printed(b: Body, text: str, where: str = "") -> str:
 
 
 def _together(texts: list[str]) -> str:
-    """Return the concatenation of texts; Python nests a sum of many too deeply."""
+    """Return the concatenation of texts; a long sum would nest too deeply for Python."""
     joined = _joined(texts)
     return " + ".join(joined) if len(joined) <= LINKS else f"''.join(({', '.join(joined)}))"
 
@@ -82,7 +82,7 @@ def _shown(b: Body, item: nodes.PrintItem) -> str:
 
 
 def _in_whole_counts(b: Body, node: nodes.Expr, found: Value) -> Value:
-    """Return a position as a controller would show it at the prompt: whole counts.
+    """Round a printed position to whole counts, as a controller's prompt shows it.
 
     The value that a program reads keeps its fraction.
     """

@@ -1,8 +1,8 @@
-"""Compile keywords that are known but not simulated: warning and operation.
+"""Compile keywords that are known but not simulated: a warning and an operation.
 
-Their treatment at run time is defined by the operations of `mint/keywords/no_effect` and
-`mint/keywords/unsimulated`. The rows of the latter classify them. Their indices are not known for certain, so
-any number of values is accepted in brackets.
+The operations of `mint/keywords/no_effect` and `mint/keywords/unsimulated` define what they do at run time. The
+rows of the latter classify them. Their indices are not known for certain, so any number of values is accepted
+in brackets.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _WHEN_WRITTEN = {
 
 
 def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
-    """Return the value of such a keyword."""
+    """Return the value of an unsimulated keyword."""
     if not keyword_use.can_be_read(b, node, row):
         return NOTHING
     _warn(b, node, row)
@@ -50,7 +50,7 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
 
 
 def command(b: Body, node: nodes.Call, row: Keyword) -> None:
-    """Compile such a keyword as a statement."""
+    """Compile an unsimulated keyword as a statement."""
     target = node.target
     if row.access != "C":
         keyword_use.not_a_command(b, target, row)
@@ -78,7 +78,7 @@ def _indices(b: Body, node: nodes.Name, row: Keyword, single: bool = False) -> l
 
 
 def _whatever(b: Body, node: nodes.Name) -> list[str]:
-    """Return the texts of everything in brackets, "0" for an array."""
+    """Return the texts of all values in brackets, "0" for an array."""
     texts = []
     for arg in node.args or ():
         if type(arg) is nodes.Name and arg.args is None and _is_whole(b, arg):
@@ -90,7 +90,7 @@ def _whatever(b: Body, node: nodes.Name) -> list[str]:
 
 
 def _is_whole(b: Body, node: nodes.Name) -> bool:
-    """True if a name refers to an array or to nothing."""
+    """True if a name refers to a whole array or is NULL."""
     symbol = node.symbol
     return node.name.lower() == "null" if symbol is None else symbol.is_array
 
@@ -99,7 +99,7 @@ def _is_whole(b: Body, node: nodes.Name) -> bool:
 
 
 def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call | None = None) -> None:
-    """Warn that a keyword is not simulated, and state its treatment.
+    """Warn that a keyword is not simulated, and state what it does instead.
 
     `by` is the statement that writes it or carries it out.
     """
@@ -112,7 +112,7 @@ def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call
 
 
 def _is_stored(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
-    """True if a keyword stores its value without any effect, as far as can be seen."""
+    """True if a keyword only stores its value, as far as is known."""
     if by is None:
         return False
     values = getattr(by, "values", ())

@@ -1,4 +1,4 @@
-"""Dispatch keywords to the compiler of simulated or of unsimulated ones.
+"""Pass keywords on to the compiler of simulated or of unsimulated ones.
 
 The name was resolved to the row of the keyword, which decides. Neither compiler looks it up again.
 """

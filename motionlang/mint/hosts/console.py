@@ -1,8 +1,8 @@
-r"""A Mint controller with its lines, which a server feeds and runs.
+r"""A Mint controller and the lines of its hosts, which a server feeds and runs.
 
 The controller has one program memory and runs one thing at a time: its program, or a line that a host has typed. Each
-host has a line of its own. What a program prints goes to all of them, as to everything on one cable; what a typed line
-prints goes to the host that typed it.
+host has a serial line of its own. The output of a program goes to all hosts, as if they shared one cable. The output of
+a typed line goes to the host that typed it.
 
     console = MintConsole(settings)
     console.load(Source("packer.mnt", text))
@@ -11,8 +11,8 @@ prints goes to the host that typed it.
     port.feed(b"\5")          # Ctrl-E
     port.take()               # b"Break at line 7\r\nP>"
 
-Time is that of the machine. `run` lets it pass to a given time, `settle` until no typed line is being carried out.
-Between two calls every axis is consistent, so that is when frames, keys and breaks act.
+Time is machine time. `run` advances it to a given time, `settle` until no typed line runs. Frames, keys and breaks act
+between two calls, when every axis is consistent.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ INTERNAL = "internal error, see the output of the server"
 class MintConsole:
     """One controller for any number of hosts.
 
-    `complain(diagnostics, source)` is called with the errors of its programs, for the person who serves it.
+    `complain(diagnostics, source)` is called with the errors of its programs, for the person who runs the server.
     """
 
     break_key = "Ctrl-E"
@@ -92,12 +92,12 @@ class MintConsole:
 
     @property
     def now(self) -> float:
-        """Machine time, seconds."""
+        """The machine time in seconds."""
         return self.machine.clock.now
 
     @property
     def is_busy(self) -> bool:
-        """True while the program runs or a line is carried out."""
+        """True while the program or a typed line runs."""
         return self._source is not None
 
     @property
@@ -112,22 +112,22 @@ class MintConsole:
 
     @property
     def working(self) -> bool:
-        """True while a typed line is carried out without need of the host."""
+        """True while a typed line runs and does not wait for input from the host."""
         return self.is_busy and not self._is_program and not self.asks
 
     @property
     def wait(self) -> Wait | None:
-        """The wait of what runs, if it waits."""
+        """The wait of the running program or line, None if it does not wait."""
         return self._scheduler.parent.wait if self.is_busy else None
 
     def serves(self, port: MintPort) -> bool:
-        """True while a line of this host is carried out."""
+        """True while a line typed by this host runs."""
         return self._by is port and not self._is_program
 
     # --------------------------------------------------------------------------------------- for the server
 
     def load(self, source: Source) -> None:
-        """Put a program into the memory and run it, as at power-up.
+        """Store a program in the memory and run it, as at power-up.
 
         Raises ProgramError if it has errors.
         """
@@ -136,9 +136,10 @@ class MintConsole:
         self._begin(source, self._interactive.program(source, strict=True), None, program=True)
 
     def open(self, echo: bool | None = None) -> MintPort:
-        """Open a line for another host; without `echo` nothing that it sends comes back.
+        """Open a line for another host.
 
-        None echoes, as a line to a terminal does. The first host gets what was printed before it came.
+        With `echo` False the characters that it sends are not echoed; None echoes, as on a terminal. The first host
+        receives the output printed before it connected.
         """
         port = MintPort(self, echo is not False)
         self.ports.append(port)
@@ -149,7 +150,7 @@ class MintConsole:
         return port
 
     def close(self, port: MintPort) -> None:
-        """Close the line of a host that is gone, and end what it was running.
+        """Close the line of a host that has disconnected, and end the line it was running.
 
         The program and motion continue.
         """
@@ -161,16 +162,15 @@ class MintConsole:
                 self._go_on()
 
     def run(self, until: float) -> None:
-        """Let time pass to `until`."""
+        """Advance time to `until`, in seconds."""
         self._pass(until, settle=False)
         self.machine.clock.advance(until)
         self._forget()
 
     def settle(self, limit: float = INFINITY) -> bool:
-        """Let time pass until no typed line is carried out, but not beyond `limit`.
+        """Advance time until no typed line runs, but not beyond `limit`.
 
-        Returns False if one still is. A line that waits for its host counts as carried out. A running program
-        does not.
+        Returns False if one still runs. Neither a line that waits for its host nor a running program counts.
         """
         if self.working:
             self._pass(limit, settle=True)
@@ -178,7 +178,7 @@ class MintConsole:
         return not self.working
 
     def next_time(self) -> float:
-        """Return when something will next happen without input; 0 means at once."""
+        """Return the time of the next thing to happen without input; 0 means at once."""
         time = self.machine.clock.next_time()
         for task in (*self._scheduler.tasks, *self._scheduler.interrupts):
             if task is not self._idle:
@@ -188,13 +188,13 @@ class MintConsole:
         return time
 
     def drop_broken(self, error: Exception) -> None:
-        """End what ran when an internal error happened; the controller continues."""
+        """End the program or line after an internal error; the controller continues."""
         self._ended([Diagnostic("crash", INTERNAL)])
 
     # ---------------------------------------------------------------------------------------- for the lines
 
     def enter(self, port: MintPort, text: str) -> None:
-        """Carry out a line that a host has typed at the prompt."""
+        """Execute a line that a host has typed at the prompt."""
         if not port.block:
             if not port.editor.number and text.strip().upper() == "RUN":
                 self._run_program(port)
@@ -214,7 +214,7 @@ class MintConsole:
         port.prompt()
 
     def break_off(self, port: MintPort) -> None:
-        """End the program or line that runs (Ctrl-E); motion continues."""
+        """End the running program or line (Ctrl-E); motion continues."""
         text = "Break"
         if self.runs and self._source is not None:
             line, _, _ = DIALECT.locate(self._source, self._scheduler.parent.at)
@@ -234,7 +234,7 @@ class MintConsole:
         self.machine.operator.press(chr(code))
 
     def answer(self, text: str) -> None:
-        """Give the line for which an INPUT waits."""
+        """Supply the line that an INPUT waits for."""
         operator = self.machine.operator
         operator.lines.append((text, ""))
         operator.asking = False
@@ -242,7 +242,7 @@ class MintConsole:
         self.touched()
 
     def touched(self) -> None:
-        """Let polling loops notice that a host has changed something."""
+        """Make polling loops check again, because a host has changed something."""
         clock = self.machine.clock
         clock.at(clock.now, _nothing)
 
@@ -259,7 +259,7 @@ class MintConsole:
         self._start(sources[0], port)
 
     def _start(self, source: Source, port: MintPort | None) -> None:
-        """Start a text of the memory; all hosts learn of its errors."""
+        """Start a text of the memory; its errors are reported to all hosts."""
         try:
             task = self._interactive.program(source)
         except ProgramError as error:
@@ -288,7 +288,7 @@ class MintConsole:
         self._source, self._by, self._is_program = source, port, program
 
     def _pass(self, limit: float, settle: bool) -> None:
-        """Let time pass to `limit`, or until no typed line is carried out."""
+        """Advance time to `limit` or, with `settle`, until no typed line runs."""
         while True:
             over = True
             try:
@@ -310,7 +310,7 @@ class MintConsole:
                 return
 
     def _takes_keys(self) -> bool:
-        """Give an INPUT the keys that the program has not read; True if they answer it."""
+        """Pass the program's unread keys to an INPUT; True if they answer it."""
         if self.asks and self.ports:
             keys, port = self.machine.operator.keys, self._by or self.ports[0]
             while keys and self.asks:
@@ -325,7 +325,7 @@ class MintConsole:
         return explain(DIALECT, source, task if known else None, error)
 
     def _finish(self) -> None:
-        """End a text that has run to its end."""
+        """End a text that is complete; start the next one, if any."""
         if self._next:
             self._stop_tasks()
             self._start(self._next.popleft(), self._by)
@@ -333,7 +333,7 @@ class MintConsole:
             self._ended([])
 
     def _ended(self, diagnostics: list[Diagnostic]) -> None:
-        """End what runs: report its errors and send the prompt."""
+        """End the running program or line, report its errors, and send the prompt."""
         self._end_line()
         source, by, program = self._source, self._by, self._is_program
         told = self.ports if program or by is None else [by]
@@ -349,7 +349,10 @@ class MintConsole:
         self._go_on()
 
     def _stop(self) -> None:
-        """End what runs; motion continues, and so do tasks that a typed line has started."""
+        """End the running program or line.
+
+        Motion continues, and so do tasks that a typed line has started.
+        """
         if self._is_program:
             self._stop_tasks()
             self._interactive.environment.forget_program()
@@ -374,7 +377,7 @@ class MintConsole:
             task.done = True
 
     def _go_on(self) -> None:
-        """Let hosts that have typed ahead continue."""
+        """Process the characters that hosts have typed ahead."""
         for port in list(self.ports):
             port.go_on()
 
@@ -396,7 +399,7 @@ class MintConsole:
         self.machine.terminal.close()
 
     def _forget(self) -> None:
-        """Trim unused history now and then, because a served controller may run for days."""
+        """Trim unused history at intervals, because a served controller may run for days."""
         self._passes += 1
         if self._passes % SELDOM == 0:
             machine = self.machine
@@ -410,14 +413,14 @@ class MintConsole:
 
 
 class _Idle(Task):
-    """The scheduler's parent task while nothing runs: it waits for the hosts."""
+    """The scheduler's parent task while nothing runs; it waits for the hosts."""
 
     def __init__(self) -> None:
         super().__init__("prompt")
         self.rest(0.0)
 
     def rest(self, now: float) -> None:
-        """Wait again."""
+        """Start another wait."""
         self.done = False
         self.wait = Wait(now, lambda: False, lambda: INFINITY, "for a host to send a line", "host")
 
@@ -426,7 +429,7 @@ class _Idle(Task):
 
 
 class _Hosts:
-    """Hosts as a world that acts by itself, but only between two calls of the console."""
+    """The hosts in the role of a world, which acts only between calls of the console."""
 
     def __init__(self, machine: Machine) -> None:
         self._clock = machine.clock
@@ -435,7 +438,7 @@ class _Hosts:
         """Do nothing: hosts come and go at any time."""
 
     def may_act(self) -> bool:
-        """False, because no host acts while time passes."""
+        """Return False, because no host acts while time passes."""
         return False
 
     def advance(self, time: float) -> None:
@@ -443,7 +446,7 @@ class _Hosts:
 
 
 def _sentence(diagnostic: Diagnostic, with_line: bool = False) -> str:
-    """Return a diagnostic as the line that a controller prints."""
+    """Return the line that a controller prints for a diagnostic."""
     number = NUMBERS.get(diagnostic.code)
     kind = "Warning" if diagnostic.severity != "error" else f"Error {number[0]}" if number else "Error"
     place = f" at line {diagnostic.line}" if with_line and diagnostic.line else ""
@@ -452,4 +455,4 @@ def _sentence(diagnostic: Diagnostic, with_line: bool = False) -> str:
 
 
 def _nothing() -> None:
-    """Do nothing, at a time when something has changed."""
+    """Do nothing: the event only makes polling loops check again."""

@@ -1,13 +1,14 @@
-"""The line editor of a Mint controller, by which hosts download a program.
+"""The line editor of a Mint controller, with which hosts download a program.
 
     PROG, CON     choose the program or the configuration; the prompt is P> or C>
     NEW           clear the chosen one
-    EDIT [n]      enter lines, from line n or behind the last one; the prompt is the number of the line
+    EDIT [n]      enter lines, from line n or after the last one; the prompt is the number of the line
     (empty line)  end EDIT
     LIST          list the chosen one
     RUN           run the configuration, then the program
 
-A line of one blank is an empty line of the text, because hosts send empty lines so.
+A line of one blank stands for an empty line of the text. Hosts send empty lines in this form, because an empty line
+ends EDIT.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ class Texts:
         self._lines[which], self._sizes[which] = [], 0
 
     def put(self, which: str, number: int, line: str) -> bool:
-        """Write line `number`, from 1; False if the text would be too long."""
+        """Write line `number`, from 1; return False if the text would be too long."""
         lines = self._lines[which]
         size = self._sizes[which] + len(line) + 1
         if number <= len(lines):
@@ -50,13 +51,13 @@ class Texts:
         return True
 
     def sources(self) -> list[tuple[str, str]]:
-        """Return name and text of what RUN runs, in order."""
+        """Return name and text of the texts that RUN runs, in order."""
         found = [(which, "\n".join(lines)) for which, lines in self._lines.items()]
         return [(which, text) for which, text in found if text.strip()]
 
 
 class Editor:
-    """The editor of one line; `number` is the line that comes next, 0 outside EDIT."""
+    """The editor of one host's line; `number` is the next line in EDIT, otherwise 0."""
 
     def __init__(self, texts: Texts) -> None:
         self._texts = texts
@@ -75,7 +76,7 @@ class Editor:
         self.number = 0
 
     def take(self, line: str) -> str | None:
-        """Carry out a line; return its output, or None if it is no command of the editor."""
+        """Execute an editor command; return its output, None for any other line."""
         if self.number:
             return self._enter(line)
         command, _, argument = line.strip().upper().partition(" ")

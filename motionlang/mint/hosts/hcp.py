@@ -3,11 +3,11 @@
     write   EOT c c STX n n text ETX x     answer: ACK or NAK
     read    EOT c c STX n n ENQ            answer: STX n n text ETX x, or NAK
 
-`cc` is the number of the card, `nn` the element, each two digits. `x` is the exclusive or of all bytes from the
-first digit of the element to ETX. The layout is that of public host programs; the text of a number is that of PRINT.
+`cc` is the number of the card and `nn` the element, with two digits each. `x` is the exclusive or of all bytes from the
+first digit of the element to ETX. The layout is taken from public host programs; numbers are formatted as by PRINT.
 
 A line carries frames between the characters that a person types. `Receiver` separates them, byte by byte. ENQ is
-also Ctrl-E: it belongs to a frame only where a read request ends.
+also Ctrl-E: it belongs to a frame only at the end of a read request.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def write_frame(element: int, text: str, card: int = 0) -> bytes:
 
 
 def read_frame(element: int, card: int = 0) -> bytes:
-    """Return the frame that asks for an element."""
+    """Return the frame that requests an element."""
     return _begin(card) + bytes([STX]) + _digits(element) + bytes([ENQ])
 
 
@@ -48,7 +48,7 @@ def answer_frame(element: int, text: str) -> bytes:
 
 
 def text_of_answer(frame: bytes) -> tuple[int, str] | None:
-    """Return element and text of an answer; None if its sum or layout is wrong."""
+    """Return element and text of an answer, None if its checksum or layout is wrong."""
     if len(frame) < 5 or frame[0] != STX or frame[-2] != ETX or checksum(frame[1:-1]) != frame[-1]:
         return None
     element, text = frame[1:3], frame[3:-2]
@@ -61,7 +61,7 @@ def checksum(data: bytes | bytearray) -> int:
 
 
 def number(text: str) -> float | None:
-    """Return the number that a text is, or None; blanks around it are allowed."""
+    """Return the number in a text, which may have blanks around it, or None."""
     if _NUMBER.fullmatch(text) is None:
         return None
     value = float(text)
@@ -69,13 +69,13 @@ def number(text: str) -> float | None:
 
 
 class Elements:
-    """The comms array as HCP reads and writes it; `shown` formats a number."""
+    """The elements of the comms array for HCP; `shown` formats a number."""
 
     def __init__(self, memory: Callable[[], HostMemory], shown: Callable[[float], str]) -> None:
         self._memory, self._shown = memory, shown
 
     def write(self, element: int, text: str) -> bool:
-        """Write an element and raise its event; False if the text is no number."""
+        """Write an element and raise its event; return False if the text is not a number."""
         value = number(text)
         if value is None or not FIRST <= element <= LAST:
             return False
@@ -99,9 +99,9 @@ class Receiver:
         self._frame: bytearray | None = None
 
     def take(self, code: int) -> bytes | None:
-        """Take a byte; return the answer, or None if it belongs to no frame.
+        """Take a byte; return the answer, or None if the byte belongs to no frame.
 
-        Within a frame the answer is empty.
+        The answer is empty until the frame ends.
         """
         frame = self._frame
         if frame is not None and len(frame) > 3 and frame[-1] == ETX:
@@ -138,7 +138,7 @@ class Receiver:
         return self._ended(frame, bytes([ACK if done else NAK]))
 
     def _ended(self, frame: bytearray, answer: bytes) -> bytes:
-        """End a frame; frames for another card get no answer."""
+        """End a frame and return its answer, which is empty for another card."""
         self._frame = None
         return answer if bytes(frame[:2]) == self._card else b""
 
@@ -148,7 +148,7 @@ def _begin(card: int) -> bytes:
 
 
 def _sealed(data: bytes) -> bytes:
-    """Return data between STX and ETX, with its checksum."""
+    """Return data between STX and ETX, followed by its checksum."""
     data += bytes([ETX])
     return bytes([STX]) + data + bytes([checksum(data)])
 

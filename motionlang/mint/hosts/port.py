@@ -1,13 +1,13 @@
-"""A host's line to a Mint controller: its characters in, the controller's out.
+"""A host's line to a Mint controller: the host's characters and the output.
 
-A character goes where it belongs at that moment:
+The state of the controller decides where a character goes:
 
-    part of an HCP frame           the comms array, at any time
+    part of an HCP frame           to the comms array, at any time
     Ctrl-E                         ends the running program or line
-    while a program runs           the program: a line if INPUT asks, and otherwise a key
-    at the prompt                  a line: for the editor, or to be carried out
+    while a program runs           to the program: to a line if INPUT waits for one, otherwise as a key
+    at the prompt                  to a line, which the editor or the interpreter executes
 
-Characters that come while a line is carried out wait. Lines end with CR, LF or both.
+Characters that arrive while a line runs are queued. Lines end with CR, LF or both.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ MAX_PRINTED, MAX_STORED = 65536, 4_000_000
 class MintPort:
     """One host's connection.
 
-    `feed` takes characters, `take` returns the controller's output. `echo` False sends no character back, for
+    `feed` takes characters, `take` returns the controller's output. With `echo` False no character is echoed, for
     hosts that send whole lines.
     """
 
@@ -49,12 +49,12 @@ class MintPort:
 
     @property
     def busy(self) -> bool:
-        """True while a line of this host is carried out, or waits to be."""
+        """True while a line or character of this host is being processed or is queued."""
         return bool(self._waiting) or self.console.serves(self)
 
     @property
     def waiting(self) -> Wait | None:
-        """The wait of this host's line, if it waits for anything but the host."""
+        """The wait of this host's line, None if it does not wait or waits for the host."""
         if not self.console.serves(self) or self.console.asks:
             return None
         return self.console.wait
@@ -62,20 +62,20 @@ class MintPort:
     # --------------------------------------------------------------------------------------- for the server
 
     def accepts(self, data: bytes | bytearray) -> bool:
-        """True: the line takes every character at any time."""
+        """Return True, because the line accepts every character at any time."""
         return True
 
     def drop_abandoned(self, data: bytearray) -> None:
-        """Keep all of `data`: Ctrl-E acts in its order."""
+        """Do nothing: all of `data` stays, because Ctrl-E is processed in sequence."""
 
     def at_once(self, data: bytes | bytearray) -> bytes:
-        """Return the characters that are taken while a line is carried out: all."""
+        """Return the characters that can be fed while a line runs, which are all."""
         return bytes(data)
 
     def next_entry(self, data: bytes | bytearray) -> tuple[bytes, bool]:
-        """Return the first line, frame or key of `data` and True.
+        """Return the first line, frame or key of `data`, and True if it is complete.
 
-        If it is not complete, return its beginning and False.
+        If it is incomplete, return its beginning and False.
         """
         if data[0] == EOT:
             end = _end_of_frame(data)
@@ -91,13 +91,13 @@ class MintPort:
         return bytes(data), False
 
     def feed(self, data: bytes) -> int:
-        """Take characters; return how many, which is all of them."""
+        """Take all characters, and return their number."""
         for code in data:
             self._take_in(code)
         return len(data)
 
     def abandon(self) -> None:
-        """Break as by Ctrl-E."""
+        """End the running program or line, as Ctrl-E does."""
         self._break()
 
     def take(self) -> bytes:
@@ -107,7 +107,7 @@ class MintPort:
         return sent
 
     def close(self) -> None:
-        """Disconnect the host: forget what it typed and has not been carried out."""
+        """Disconnect the host; discard the characters that are still queued."""
         self._waiting.clear()
         self._typed.clear()
         self._out.clear()
@@ -117,7 +117,7 @@ class MintPort:
     def send(self, text: str, most: int = MAX_STORED) -> None:
         """Send a text; lines end with CR and LF.
 
-        The oldest output is lost beyond `most` characters that the host has not read.
+        If more than `most` unread characters are stored, the oldest are discarded.
         """
         self._add(text.replace("\n", "\r\n").encode("latin-1", "replace"), most)
 
@@ -126,12 +126,12 @@ class MintPort:
         self.send(">" if self.block else self.editor.prompt)
 
     def go_on(self) -> None:
-        """Take the characters that wait as long as nothing runs."""
+        """Process the queued characters until something runs."""
         while self._waiting and not self.console.is_busy:
             self.type(self._waiting.pop(0))
 
     def type(self, code: int) -> None:
-        """Take a character of a line."""
+        """Process a character of a line."""
         echo = self._typed.type(code)
         if echo == "\n":
             self._enter()

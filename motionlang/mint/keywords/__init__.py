@@ -1,7 +1,7 @@
-"""The keywords of Mint, one file for each subject.
+"""The keywords of Mint, one file per subject.
 
 A file holds the rows of its keywords and, above them, their operations. A run imports only the files of the
-keywords that it uses. `index` lists the file of each keyword, so the package itself imports none.
+keywords that it uses. `index` lists the file of each keyword, so the package itself imports none of them.
 """
 
 from __future__ import annotations

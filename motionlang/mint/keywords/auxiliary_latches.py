@@ -1,4 +1,4 @@
-"""Latches of auxiliary encoders, triggered by inputs, and index marks of encoders."""
+"""Latches of auxiliary encoders that inputs trigger, and index marks of encoders."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from motionlang.mint.runtime.environment import Environment
 class AuxLatch(Latch):
     """The fast latch of an auxiliary encoder.
 
-    Its `axis` is the number of the encoder. It latches counts.
+    Its `axis` is the number of the encoder, and its positions are in counts.
     """
 
     def _place(self) -> float:
@@ -41,22 +41,28 @@ class AuxLatches(FastLatches):
         return _channel(number)
 
     def default(self, axis: int) -> None:
-        """Ignore DEFAULT, which concerns axes."""
+        """Do nothing on DEFAULT, which resets axes only."""
 
 
 def _per_unit(latches: AuxLatches, row: Keyword, channel: int) -> float:
-    """Return the counts per unit that the encoder shows, for distances."""
+    """Return the counts per unit of the encoder for a distance, 1 for other settings."""
     return latches.encoders.per_unit(channel) if row.unit == "number" else 1.0
 
 
 def read_setting(latches: AuxLatches, row: Keyword, channel: int) -> float:
-    """Read FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in encoder units."""
+    """Read FASTAUXSELECT, FASTAUXLATCHEDGE, FASTAUXLATCHMODE or FASTAUXLATCHDISTANCE.
+
+    The distance is in encoder units.
+    """
     value: float = getattr(latches.latch(channel), row.attribute)
     return value / _per_unit(latches, row, channel) if row.unit == "number" else int(value)
 
 
 def write_setting(latches: AuxLatches, row: Keyword, channel: int, value: float) -> None:
-    """Set FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in encoder units."""
+    """Set FASTAUXSELECT, FASTAUXLATCHEDGE, FASTAUXLATCHMODE or FASTAUXLATCHDISTANCE.
+
+    The distance is in encoder units.
+    """
     latches.latch(channel).set(row.attribute, value * abs(_per_unit(latches, row, channel)))
 
 
@@ -73,7 +79,7 @@ ONCE, AGAIN = 0, 1
 class Index:
     """The index marks of one encoder, and a latch for the next mark.
 
-    `passed` is True if a mark was passed since it was last read.
+    `passed` is True if a mark was passed since `take` was last called.
     """
 
     def __init__(self, environment: Environment, track: Axis, physical: bool) -> None:
@@ -110,7 +116,7 @@ class Index:
 
 
 class Indexes:
-    """The index marks of all encoders, of axes and of the machine file.
+    """The index marks of the encoders of axes and of the machine file.
 
     They are watched from the start of the program.
     """
@@ -124,7 +130,7 @@ class Indexes:
         controller.listeners.append(self._heard, "scale")
 
     def of(self, channel: int) -> Index:
-        """Return the marks of an encoder; numbers of auxiliary ones start at `AUXILIARY`."""
+        """Return the index marks of an encoder; auxiliary encoders start at `AUXILIARY`."""
         if channel not in self._found:
             controller = self.environment.controller
             of_axis = channel in controller.axes and channel not in controller.encoders

@@ -30,7 +30,7 @@ def write_buffer_size(environment: Environment, axis: int, value: int) -> None:
 
 
 def ramp_time(rate: str) -> Maker:
-    """Make an operation that reads a ramp time in ms, even if a rate was written."""
+    """Make an operation that returns a ramp time in ms, even if a rate was written."""
     time = f"{rate}_time"
 
     def read(environment: Environment, axis: int) -> int:
@@ -42,7 +42,7 @@ def ramp_time(rate: str) -> Maker:
 
 
 def ramp_rate(rate: str) -> Maker:
-    """Make an operation that reads a rate in user units, even if a time was written."""
+    """Make an operation that returns a rate in user units, even if a time was written."""
     time = f"{rate}_time"
 
     def read(environment: Environment, axis: int) -> float:

@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 class Settings:
     """The settings that a program has written, by keyword and axis.
 
-    A setting that was not written has its value in `defaults`, or else `otherwise`. If a family is
-    `in_counts`, settings in user units are stored in counts; if it is `unsigned`, without their sign.
+    A setting that was not written has its value in `defaults`; a keyword that is not in `defaults` has the value
+    `otherwise`. If a family is `in_counts`, settings in user units are stored in counts. If it is `unsigned`, they
+    are stored without their sign.
     """
 
     defaults: Mapping[str, float] = {}
@@ -97,6 +98,6 @@ def writing(kind: type[Settings]) -> Maker:
 
 
 def forget(settings: dict[tuple[str, int], Value], axis: int) -> None:
-    """Discard everything that was set for an axis."""
+    """Discard all settings of an axis."""
     for key in [key for key in settings if key[1] == axis]:
         del settings[key]

@@ -1,4 +1,4 @@
-"""Buffer entries other than moves, that is dwells and outputs, and triggers."""
+"""Buffer entries other than moves (dwells and outputs), and move triggers."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Triggers(Settings):
         environment.loaded = self.loaded
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Change a setting at once, also for moves that are already loaded."""
+        """Change a trigger setting at once, also for moves that are already loaded."""
         super().set(name, axis, value)
         watched = self._watched_axis(axis)
         if name not in ("TRIGGERINPUT", "TRIGGERMODE") and watched is not None:
@@ -45,13 +45,13 @@ class Triggers(Settings):
         self._watch(axis)
 
     def _watched_axis(self, axis: int) -> Axis | None:
-        """Return the axis whose position may start moves, None for an encoder."""
+        """Return the axis whose position triggers moves, None if an encoder does."""
         if self.setting("TRIGGERSOURCE", axis):
             return None
         return self.controller.axes.get(int(self.setting("TRIGGERCHANNEL", axis)))
 
     def _rescaled(self, what: str, channel: int) -> None:
-        """Convert TRIGGERVALUE from its counts to the new units of the axis."""
+        """Recompute TRIGGERVALUE in user units after a change of scale; the counts stay."""
         if what != "scale":
             return
         for axis, counts in self._places.items():
@@ -118,7 +118,7 @@ def read_status(environment: Environment, axis: int) -> int:
 def loads(kind: type, put: Callable[..., None]) -> Maker:
     """Make an operation that loads a move; it returns True while the buffer is full.
 
-    `put` gets a part of the environment, the row, the axis, …, the value and the line.
+    `put` receives the component `kind` of the environment, the row, the axis, …, the value and the line.
     """
 
     def made(environment: Environment, row: Keyword) -> Operation:

@@ -1,7 +1,7 @@
 """Cam boxes: outputs that switch at exact positions of an axis or an encoder.
 
 The positions are pairs, on and off, in an array of the program whose element 1 is the count. A box uses the
-array, the scale and the wrap as they are when it is switched on. A later change of the scale does not move
+array, the scale and the wrap as they are when it is enabled. A later change of the scale does not move
 the counts at which it switches.
 """
 
@@ -70,7 +70,7 @@ def source_of(environment: Environment, kind: int, channel: int) -> Source:
 
 
 class CamBox:
-    """One cam box: its source, its output, and the lead in seconds."""
+    """One cam box: its source, its output, and its lead time in seconds."""
 
     def __init__(self, environment: Environment, number: int) -> None:
         self._environment, self.number = environment, number
@@ -84,9 +84,9 @@ class CamBox:
         return self._cells is not None
 
     def enable(self, enabled: bool) -> None:
-        """Start to switch the output, or stop and leave it as it is.
+        """Enable the box, or disable it and leave its output unchanged.
 
-        On start the output takes the state of the present position.
+        When it is enabled, the output takes the state that belongs to the present position.
         """
         if self._cells is not None:
             self._cells.remove()
@@ -120,9 +120,9 @@ class CamBox:
         self._environment.controller.set_output(self.output, state)
 
     def _edges(self, source: Source) -> tuple[list[float], list[int]]:
-        """Return the positions at which the output changes, and the states after them.
+        """Return the positions at which the output changes, and the state after each.
 
-        The positions are in ascending order. The states hold for forward motion.
+        The positions are in ascending order. The states are those of forward motion.
         """
         places = self._positions()
         found: list[tuple[float, int]] = []
@@ -172,7 +172,7 @@ class CamBoxes:
 
 
 def write_box(boxes: CamBoxes, number: int, enabled: int) -> None:
-    """CAMBOX: start the box with its present data, or stop it."""
+    """CAMBOX: enable the box with its present data, or disable it."""
     boxes.box(number).enable(bool(enabled))
 
 
@@ -185,7 +185,10 @@ def do_data(
     time: int,
     table: Sequence[float] | None,
 ) -> None:
-    """CAMBOXDATA: set output, source, lead in ms and table; restart an enabled box."""
+    """CAMBOXDATA: set output, source, lead time in ms and table.
+
+    An enabled box is restarted.
+    """
     box = boxes.box(number)
     checked(output, LAST_CHANNEL, "output")
     checked(kind, AUX_ENCODER, "source of a cam box")

@@ -1,6 +1,6 @@
 """Data capture: quantities recorded at a fixed period, before and after a trigger.
 
-Nothing is sampled while it runs. A point is computed from the exact motion when the program reads it.
+Nothing is sampled during a capture. A point is computed from the exact motion when the program reads it.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ NEVER, RISING, FALLING, EITHER = 0, 1, 2, 3
 
 @record
 class Channel:
-    """The quantity that one channel records.
+    """The quantity that one capture channel records.
 
-    `axis` applies to quantities of axes, `parameter` is the channel of any other quantity.
+    `axis` applies to quantities of axes; for any other quantity `parameter` is the channel.
     """
 
     mode: int = quantities.OFF
@@ -83,25 +83,28 @@ class Capture:
 
     @property
     def tick(self) -> float:
-        """Seconds between two servo ticks."""
+        """The seconds between two servo ticks."""
         controller = self._environment.controller
         return controller.gain(next(iter(controller.axes)), PERIOD, LOOP_TIME) * 1e-6
 
     @property
     def period(self) -> float:
-        """Seconds between two points."""
+        """The seconds between two points."""
         name, value = self._given
         if name == "CAPTUREINTERVAL":
             return value * self.tick
         return value * 1e-6 if name == "CAPTUREPERIOD" else value * 1e-3 / self.points
 
     def space(self, name: str, value: float) -> None:
-        """Set the period by one of three keywords."""
+        """Set the period by one of three keywords; raise Rejected while a capture runs."""
         self.refuse_running()
         self._given = (name, value)
 
     def spacing(self, name: str) -> int:
-        """Return the period in ticks, in µs, or as the total time in ms."""
+        """Return the period in the unit of a keyword.
+
+        CAPTUREINTERVAL is in servo ticks and CAPTUREPERIOD in µs; any other keyword is the total time in ms.
+        """
         if name == "CAPTUREINTERVAL":
             return round(self.period / self.tick)
         return round(self.period * 1e6) if name == "CAPTUREPERIOD" else round(self.period * self.points * 1e3)
@@ -113,7 +116,7 @@ class Capture:
     # -------------------------------------------------------------------------------------------- its course
 
     def start(self, waits: bool) -> None:
-        """Start the capture; if `waits`, wait for one of the triggers that are set."""
+        """Start the capture; if `waits`, recording begins at one of the triggers set."""
         self.refuse_running()
         if self.points * self.period <= 0.0:
             raise Rejected("capture-points", "all points of the capture would have the same time")
@@ -164,7 +167,7 @@ class Capture:
         self._report_progress(now, self._count - self._ahead)
 
     def _watch_triggers(self) -> None:
-        """Watch the triggers; the time before the trigger has now been recorded."""
+        """Watch the triggers, now that the time before the trigger has been recorded."""
         for each in self.triggers:
             if each.mode:
                 told = self._trigger_for(each.mode)
@@ -183,7 +186,7 @@ class Capture:
         self._forget()
 
     def _forget(self) -> None:
-        """Stop watching for triggers and recording zeros."""
+        """Stop watching triggers, stop recording changes of zero, and cancel the events."""
         for end in (*self._ends, *self._notes):
             end()
         for event in self._events:
@@ -193,9 +196,9 @@ class Capture:
         self._events.clear()
 
     def _note_zeros(self) -> None:
-        """Record changes of zero of axes whose encoders are captured.
+        """Record changes of zero of the axes whose encoders are captured.
 
-        The encoder of an axis does not follow a new zero, but the motion of the axis contains it.
+        A new zero shifts the motion of the axis but not the count of its encoder.
         """
         axes = self._environment.controller.axes
         self._datums = {}
@@ -249,9 +252,9 @@ class Capture:
         return column[index]
 
     def progress(self, after: int) -> int:
-        """Return progress in percent, after the trigger or before it.
+        """Return the progress in percent, `after` the trigger or before it.
 
-        After the trigger it is the fraction of the points, before it that of the time that must pass.
+        After the trigger this is the fraction of points recorded, before it the fraction of the pre-trigger time.
         """
         if after:
             share = (self.taken() - self._ahead) / (self._count - self._ahead) if self.taken() else 0.0
@@ -262,7 +265,7 @@ class Capture:
         return min(int(share * 100.0 + 1e-6), 100)
 
     def _report_progress(self, begin: float, points: int) -> None:
-        """Add an event for each percent, so tasks that poll the progress check again."""
+        """Schedule an event at each percent, so that polling tasks check again."""
         if not self.reports_progress or points <= 1:
             return
 
@@ -312,7 +315,7 @@ def write_points(capture: Capture, points: int) -> None:
 
 
 def write_before(capture: Capture, milliseconds: float) -> None:
-    """CAPTUREPRETRIGGERDURATION: set the ms before the trigger.
+    """CAPTUREPRETRIGGERDURATION: set the time before the trigger in ms.
 
     Raises Rejected while a capture runs.
     """
@@ -326,7 +329,10 @@ def read_running(capture: Capture) -> int:
 
 
 def write_running(capture: Capture, command: int, triggered: bool = False) -> None:
-    """CAPTURE: start a capture at once, or end it with 0."""
+    """CAPTURE: start a capture at once, or end it with 0.
+
+    With `triggered` the capture waits for its triggers.
+    """
     if command:
         capture.start(triggered)
     else:

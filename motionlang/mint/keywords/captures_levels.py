@@ -1,6 +1,6 @@
-"""The exact time at which a quantity of a capture crosses a level.
+"""The exact time at which a captured quantity crosses a level.
 
-The time is solved for, or comes from the event that changes the quantity.
+The time is solved for, or is that of the event that changes the quantity.
 """
 
 from __future__ import annotations
@@ -34,10 +34,10 @@ _KINDS = {
 def watch(
     environment: Environment, quantity: int, where: int, level: float, absolute: bool, told: SuppliedValues
 ) -> Callable[[], None]:
-    """Call `told(rising)` whenever a quantity crosses a level.
+    """Call `on_edge(rising)` whenever a quantity crosses a level.
 
-    The function returned ends this. With `absolute` the sign of the quantity is ignored. For digital channels
-    `where` is the channel, and the quantity crosses when the channel switches.
+    Returns a function that ends the watch. With `absolute` the sign of the quantity is ignored. For digital
+    channels `where` is the channel, and the quantity crosses the level when the channel switches.
     """
     if quantity in (quantities.INPUTS, quantities.OUTPUTS):
         return _watch_bit(environment, quantity, where, told)
@@ -63,7 +63,7 @@ def watch(
 
 
 def _as_it_is(profile: Profile) -> Profile:
-    """Return the profile itself, to watch the demand when the motor is elsewhere."""
+    """Return the profile unchanged: the demand, which may differ from the motor."""
     return profile
 
 

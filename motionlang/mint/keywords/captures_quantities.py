@@ -80,7 +80,7 @@ def column(
 ) -> list[float]:
     """Return the values of a quantity at ascending times, none later than now.
 
-    `datums` are the times at which the zero of the axis changed, with the new zero in counts.
+    `datums` lists the times at which the zero of the axis changed, each with the new zero in counts.
     """
     if quantity == AUX_ENCODER:
         return _auxiliary(environment, where, times)
@@ -166,9 +166,9 @@ def _bank(environment: Environment, quantity: int, bank: int, times: Sequence[fl
 
 
 def _stepped(steps: Sequence[tuple[float, float]], times: Sequence[float]) -> list[float]:
-    """Return the values in force at ascending times, from the times of change.
+    """Return the values of a stepwise quantity at ascending times.
 
-    The value before the first change is 0.
+    `steps` are the times of change with the values from then on. The value before the first change is 0.
     """
     found, k, value = [], 0, 0.0
     for time in times:

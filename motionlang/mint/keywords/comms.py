@@ -1,4 +1,4 @@
-"""The comms array and NetData, and the events raised when the host writes there."""
+"""The comms array and NetData, and the events raised when the host writes to them."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ EVENTS: dict[str, dict[str, Span]] = {
 
 
 class HostEvents:
-    """Raises COMMS1, NETDATA0 and so on when the host writes."""
+    """Raises COMMS1, NETDATA0 and so on when the host writes an element."""
 
     def __init__(self, environment: Environment) -> None:
         self._raise = environment.events.raise_
@@ -66,7 +66,10 @@ class ModbusParameters:
 
 
 def element(name: str) -> Maker:
-    """Make an operation from a method of the host memory, for the area of the row."""
+    """Make an operation on one area of the host memory from a method of that memory.
+
+    The row of the keyword names the area.
+    """
 
     def made(environment: Environment, row: Keyword) -> Operation:
         return with_first(getattr(environment.machine.host, name), row.attribute)

@@ -1,6 +1,6 @@
 """BACKLASH and PRECISION keywords: motion of the motor in addition to POS.
 
-ENCODER shows this motion. When a setting changes, the motor does not move: ENCODER continues from its last
+ENCODER shows this motion. A change of a setting does not move the motor: ENCODER continues from its last
 value.
 """
 
@@ -28,7 +28,7 @@ _AT_REST = ("BACKLASH", "BACKLASHINTERVAL")
 
 
 class Compensation(Settings):
-    """The settings of every axis in user units, and its compensation in counts."""
+    """The compensation settings of each axis in user units, and the offset in counts."""
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
@@ -42,8 +42,8 @@ class Compensation(Settings):
     def set(self, name: str, axis: int, value: float) -> None:
         """Write a setting.
 
-        Raises Rejected for a mode that lacks its data, and for backlash while the axis moves. After a write to
-        BACKLASH the motor is taken to be at the end of the play that the sign gives.
+        Raises Rejected for a mode that lacks its data, and for a backlash setting while the axis moves. After a write
+        to BACKLASH the motor is assumed to be at one end of the play, which the sign selects.
         """
         if name in _AT_REST and not self.controller.is_idle(axis):
             raise Rejected("moving", f"axis {axis} is moving", f"{name} needs the axis idle")
@@ -59,10 +59,10 @@ class Compensation(Settings):
         self._bases[axis] = self._bases.get(axis, 0.0) + before - self.shift(axis)
 
     def default(self, axis: int) -> None:
-        """Ignore DEFAULT, because the screw and its backlash are mechanical."""
+        """Do nothing on DEFAULT: the screw and its backlash are properties of the machine."""
 
     def attach(self, axis: int, forward: Array, reverse: Array | None) -> None:
-        """PRECISIONTABLE: set the tables; a mode that is on uses them at once."""
+        """PRECISIONTABLE: set the tables; an active mode uses them at once."""
         before = self.shift(axis)
         self.tables[axis] = forward, reverse
         self._renew(axis)
@@ -92,7 +92,7 @@ class Compensation(Settings):
         return found
 
     def _screwed(self, axis: int) -> tuple[float, float]:
-        """Return the correction of the table in counts, and its slope there."""
+        """Return the correction from the table in counts, and its slope there."""
         screws = self._screws.get(axis)
         if screws is None:
             return 0.0, 1.0
@@ -102,7 +102,7 @@ class Compensation(Settings):
         return scale.to_counts(screw.motor(nut) - nut), screw.slope(nut)
 
     def _renew(self, axis: int) -> None:
-        """Apply the settings."""
+        """Apply the settings of an axis to its compensation."""
         environment, takeup = self.environment, self._takeup(axis)
         mode = self.setting("PRECISIONMODE", axis)
         if mode == DUAL and self.setting("BACKLASHMODE", axis):
@@ -139,7 +139,7 @@ class Compensation(Settings):
 def do_table(
     compensation: Compensation, row: Keyword, axis: int, forward: Array | None, reverse: Array | None
 ) -> None:
-    """PRECISIONTABLE: set the positions of the nut, forward and in reverse."""
+    """PRECISIONTABLE: set the tables of nut positions, forward and reverse."""
     if forward is None:
         raise Rejected("range", f"{row.name}: no forward table", "only the reverse table may be NULL")
     elements(forward, row.name)

@@ -1,4 +1,4 @@
-"""Predefined constants; `verb` holds the value."""
+"""Predefined constants; the `verb` of a row holds its value."""
 
 from __future__ import annotations
 

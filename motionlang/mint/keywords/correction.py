@@ -1,4 +1,7 @@
-"""External corrections of motion: another target of a move, another unit of time."""
+"""External corrections of motion: MOVECORRECTION and TIMESCALE.
+
+The first shifts the target of a move, the second changes the axis's unit of time.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from motionlang.mint.runtime.environment import Environment
 
 
 def write_correction(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
-    """MOVECORRECTION: extend the move in progress by user units.
+    """MOVECORRECTION: extend the move in progress by a distance in user units.
 
     Raises Rejected if the axis is idle.
     """
@@ -21,7 +24,7 @@ def write_correction(environment: Environment, row: Keyword, axis: int, value: f
 
 
 class TimeScales:
-    """The seconds in the unit of time of each axis, unaffected by its other factors."""
+    """The unit of time of each axis in seconds, separate from its other scale factors."""
 
     def __init__(self, environment: Environment) -> None:
         self._controller = environment.controller
@@ -29,7 +32,7 @@ class TimeScales:
         environment.controller.listeners.append(self._heard, "scale")
 
     def set(self, axis: int, seconds: float) -> None:
-        """TIMESCALE: set the seconds in the axis's unit of time."""
+        """TIMESCALE: set the axis's unit of time in seconds."""
         self._seconds[axis] = seconds
         self._controller.set_time_unit(axis, seconds)
 

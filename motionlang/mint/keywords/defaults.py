@@ -1,4 +1,4 @@
-"""Default values of settings, for the rows of the table and for the operations."""
+"""Default values of settings, used by the rows of the table and by the operations."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """References of a drive: SPEEDREF and its ramps, SPEEDTESTREF, VELREF, POSREF.
 
-A ramp is given as the time from rest to the drive's highest speed.
+A ramp is given by the time from rest to the drive's highest speed.
 """
 
 from __future__ import annotations
@@ -44,13 +44,13 @@ class Drives(Settings):
             self.run(axis)
 
     def refer(self, name: str, axis: int, velocity: float, line: int) -> None:
-        """Take a new speed reference, SPEEDREF or SPEEDTESTREF, in counts/s."""
+        """Set a new speed reference, SPEEDREF or SPEEDTESTREF, in counts/s."""
         self._settings[name, axis] = velocity
         self._lines[name, axis] = line
         self.run(axis, name, velocity != 0.0)
 
     def run(self, axis: int, name: str = "SPEEDREF", takes: bool = False) -> None:
-        """Let the axis follow its reference.
+        """Make the axis follow its reference.
 
         A reference replaces another motion only if it was just written (`takes`).
         """
@@ -71,7 +71,7 @@ class Drives(Settings):
     def wanted(self, axis: int, name: str = "SPEEDREF") -> float:
         """Return the reference in force in counts/s.
 
-        It is the value written, or an analogue input as a fraction of the highest speed.
+        This is the value written, or the value of an analogue input as a fraction of the highest speed.
         """
         if name != "SPEEDREF":
             return self.setting(name, axis)
@@ -101,7 +101,10 @@ class Drives(Settings):
 
 
 def top_speed(environment: Environment, axis: int) -> float:
-    """Return the highest speed in counts/s: DRIVESPEEDMAX, else MAXSPEED, else SPEED."""
+    """Return the highest speed in counts/s.
+
+    This is DRIVESPEEDMAX; if that is not set, MAXSPEED; if that is not set either, SPEED.
+    """
     a = environment.controller.axes[axis]
     most = environment.part(Drives).setting("DRIVESPEEDMAX", axis)
     return most or (a.max_speed if a.max_speed < INFINITY else a.speed)
@@ -111,12 +114,12 @@ def top_speed(environment: Environment, axis: int) -> float:
 
 
 def write_speed(drives: Drives, row: Keyword, axis: int, value: float, line: int) -> None:
-    """SPEEDREF and SPEEDTESTREF: write a reference in user units per second."""
+    """SPEEDREF and SPEEDTESTREF: write the reference in user units per second."""
     drives.refer(row.name, axis, drives.scale(axis).to_counts(value, row.unit), line)
 
 
 def read_speed(drives: Drives, row: Keyword, axis: int) -> float:
-    """SPEEDREF and SPEEDTESTREF: return the reference in force.
+    """SPEEDREF and SPEEDTESTREF: return the reference in force, in user units/s.
 
     It may come from an analogue input.
     """
@@ -124,7 +127,7 @@ def read_speed(drives: Drives, row: Keyword, axis: int) -> float:
 
 
 def write_velocity(drives: Drives, row: Keyword, axis: int, value: float, line: int) -> None:
-    """VELREF: reach the velocity within one period of the profiler."""
+    """VELREF: reach a velocity within one period of the profiler."""
     controller, velocity = drives.controller, drives.scale(axis).to_counts(value, row.unit)
     if velocity == drives.setting(row.name, axis) and drives.runs(axis, row.name):
         return
@@ -142,13 +145,13 @@ def write_position(environment: Environment, row: Keyword, axis: int, value: flo
 
 
 def read_position(environment: Environment, axis: int) -> float:
-    """Return the position reference: the target of the axis, or else its demand."""
+    """POSREF: return the target of the axis or, without one, its demand."""
     target = environment.controller.axes[axis].target
     return environment.place(axis, target if abs(target) < INFINITY else environment.controller.demand(axis))
 
 
 def read_error(environment: Environment, row: Keyword, axis: int) -> float:
-    """Return demanded minus measured velocity."""
+    """Return the demanded minus the measured velocity."""
     controller = environment.controller
     error = controller.demand_velocity(axis) - controller.velocity(axis)
     return controller.axes[axis].scale.to_user(error, row.unit)
@@ -178,7 +181,7 @@ def _time(name: str, help: str) -> Keyword:
 
 
 def _ignored(environment: Environment, axis: int, value: float) -> None:
-    """Accept a value that changes nothing."""
+    """Accept a value that has no effect."""
 
 
 def _reading(

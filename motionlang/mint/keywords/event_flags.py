@@ -1,8 +1,8 @@
 """Events that the program itself raises or cancels, and keyboard events.
 
 The type of an event is the index of its kind in the order of urgency, and also its bit in EVENTPENDING. The
-arguments after it select events of that kind: a bank and a bit pattern of inputs, the number of a latch, or a
-bit pattern of elements, locations or buses.
+arguments after the type select events of that kind: a bank and a bit pattern of inputs, the number of a latch,
+or a bit pattern of elements, locations or buses.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def _kind(row: Keyword, type_: int) -> str:
 
 
 def _numbers(kind: str, first: int, second: int) -> list[int]:
-    """Return the numbers of the events of a kind that the arguments select."""
+    """Return the numbers of the events of a kind that two arguments select."""
     if kind in SINGLE:
         return [0]
     if kind in _NUMBERED:
@@ -65,7 +65,7 @@ def do_pend(events: Events, row: Keyword, type_: int, first: int, second: int) -
 def do_unpend(events: Events, row: Keyword, type_: int, first: int, second: int) -> None:
     """EVENTUNPEND: cancel pending events of a kind.
 
-    For a kind with numbers, all pending events are cancelled if the arguments select none.
+    If the kind has numbers and the arguments select none, all its pending events are cancelled.
     """
     numbers = _numbers(_kind(row, type_), first, second)
     events.pending[:] = [

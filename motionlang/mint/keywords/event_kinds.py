@@ -1,6 +1,6 @@
-"""The kinds of event that a program may handle: names, order of urgency, numbers.
+"""The kinds of event that a program can handle: names, order of urgency, numbers.
 
-The sources give the order only from memory (docs/contributing/assumptions.md).
+No source prints the order of urgency; it is from memory (docs/contributing/assumptions.md).
 """
 
 from __future__ import annotations
@@ -33,16 +33,13 @@ _NO_LABEL = frozenset(("mblow",))
 
 
 def label_event(name: str) -> tuple[str, int] | None:
-    """Return the kind and number of the event that a v4 label of this name handles.
-
-    None if it handles none.
-    """
+    """Return kind and number of the event that a v4 label handles, None if none."""
     found = kind_and_number(name)
     return None if found is None or found[0] in _NO_LABEL else found
 
 
 def kind_and_number(name: str) -> tuple[str, int] | None:
-    """Return the kind and number in a handler's name, None if it names no event."""
+    """Return kind and number of the event that a handler names, None if it names none."""
     word = name.lower()
     kind = word.rstrip("0123456789")
     number = word[len(kind) :]

@@ -10,7 +10,7 @@ from motionlang.mint.runtime.environment import Environment
 
 
 def do_defaults(environment: Environment) -> None:
-    """SYSTEMDEFAULTS and FACTORYDEFAULTS: do DEFAULTALL and clear all stored settings."""
+    """SYSTEMDEFAULTS and FACTORYDEFAULTS: run DEFAULTALL, clear all stored settings."""
     for axis in environment.controller.axes:
         default(environment, axis)
     environment.part(Kept).values.clear()

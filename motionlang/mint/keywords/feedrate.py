@@ -15,9 +15,9 @@ PARAMETERS = ("uu/s", "uu/s2", "uu/s2")
 
 
 class TimesToMost:
-    """The rates that were given as times to MAXSPEED, by keyword and axis.
+    """The rates that were set as times to reach MAXSPEED, by keyword and axis.
 
-    Each is stored with the rate that was computed from it.
+    Each time is stored with the rate that was computed from it.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -25,7 +25,7 @@ class TimesToMost:
         self._given: dict[tuple[str, int], tuple[float, float]] = {}
 
     def set(self, name: str, axis: int, seconds: float) -> None:
-        """Set the time in which the axis reaches its highest speed."""
+        """Set the time in seconds in which the axis reaches its highest speed."""
         most = self._controller.axes[axis].max_speed
         if most == inf:
             raise Rejected("range", f"{name} needs the highest speed of axis {axis}", "set MAXSPEED first")
@@ -36,7 +36,7 @@ class TimesToMost:
     def renew(self, axis: int) -> None:
         """Recompute these rates after a change of MAXSPEED.
 
-        A rate that was written in another way since then does not change.
+        A rate that another keyword has set since then does not change.
         """
         for (name, each), (seconds, rate) in list(self._given.items()):
             a = self._controller.axes[axis]
@@ -59,7 +59,7 @@ def _parameter(parameter: int) -> str:
 
 
 def read_parameter(environment: Environment, axis: int, parameter: int) -> float:
-    """FEEDRATEPARAMETER: return a rate in user units, 0 if moves use that of the axis."""
+    """FEEDRATEPARAMETER: return a rate in user units, 0 if moves use the axis's own."""
     a, unit = environment.controller.axes[axis], _parameter(parameter)
     return a.scale.to_user((a.own_rates[parameter] if a.own_rates is not None else None) or 0.0, unit)
 
@@ -76,7 +76,7 @@ def write_parameter(environment: Environment, axis: int, parameter: int, value: 
 
 
 def read_time_to_most(environment: Environment, row: Keyword, axis: int) -> int:
-    """ACCELTIMEMAX and DECELTIMEMAX: return the time in ms, 0 without MAXSPEED."""
+    """ACCELTIMEMAX and DECELTIMEMAX: return the time in ms, 0 if MAXSPEED is not set."""
     a = environment.controller.axes[axis]
     rate = a.rates(a.speed)[_rate(row.name) == "decel"]
     return round(a.max_speed / rate * 1000.0) if rate and a.max_speed < inf else 0
@@ -95,9 +95,9 @@ def read_jerk_time(environment: Environment, row: Keyword, axis: int) -> int:
 
 
 def write_s_ramp(environment: Environment, axis: int, percent: float) -> None:
-    """SRAMP: set the percentage of a ramp that is rounded.
+    """SRAMP: set the percentage of a ramp that is rounded; 0 is trapezoidal.
 
-    It replaces jerk times. 0 gives trapezoidal profiles.
+    It replaces the jerk times.
     """
     configure = environment.controller.configure
     for name in ("accel_jerk_time", "decel_jerk_time"):
@@ -107,7 +107,10 @@ def write_s_ramp(environment: Environment, axis: int, percent: float) -> None:
 
 
 def read_limit(environment: Environment, row: Keyword, axis: int) -> float:
-    """MAXSPEED and the like: return the limit, without one the largest valid value."""
+    """MAXSPEED, MAXACCEL and MAXDECEL: return the limit in user units.
+
+    A limit that is not set reads as the largest valid value.
+    """
     a = environment.controller.axes[axis]
     value: float = getattr(a, row.verb)
     return 8388607.0 if value == inf else a.scale.to_user(value, row.unit)
@@ -116,7 +119,7 @@ def read_limit(environment: Environment, row: Keyword, axis: int) -> float:
 def write_limit(environment: Environment, row: Keyword, axis: int, value: float) -> None:
     """MAXSPEED, MAXACCEL and MAXDECEL: set a limit in user units.
 
-    Rates that were given as times to MAXSPEED change with it.
+    Rates that were set as times to MAXSPEED change with it.
     """
     counts = abs(environment.controller.axes[axis].scale.to_counts(value, row.unit))
     environment.controller.configure(axis, row.verb, counts)

@@ -1,4 +1,4 @@
-"""Following a master: gearing, flying shears, cams, superposed offsets, masters."""
+"""Following a master: choice of master, gearing, flying shears, cams, offsets."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ RAMPED = 1
 
 
 def _follow(masters: Masters, axis: int, line: int) -> None:
-    """Follow at the ratio that is set; 0 ends following."""
+    """Follow the master at the ratio that is set; a ratio of 0 ends following."""
     controller, ratio = masters.controller, masters.ratios.get(axis, 0.0)
     ratio *= masters.setting("FOLLOWNUMERATOR", axis) / masters.setting("FOLLOWDENOM", axis)
     if not ratio:
@@ -39,7 +39,7 @@ def _follow(masters: Masters, axis: int, line: int) -> None:
 
 
 def read_follow(masters: Masters, axis: int) -> float:
-    """Return the ratio while the axis follows, else 0."""
+    """FOLLOW: return the ratio, 0 if the axis does not follow."""
     return masters.ratios.get(axis, 0.0) if masters.controller.master_of(axis) is not None else 0.0
 
 
@@ -57,7 +57,7 @@ def write_factor(masters: Masters, row: Keyword, axis: int, value: float, line: 
 
 
 def put_fly(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
-    """FLY: travel user units while the master travels MASTERDISTANCE."""
+    """FLY: travel a distance in user units while the master travels MASTERDISTANCE."""
     found, over = distance(environment, axis, row.name)
     found.refuse(environment, axis)
     counts = scale_of(environment, axis).to_counts(value)
@@ -65,7 +65,7 @@ def put_fly(environment: Environment, row: Keyword, axis: int, value: float, lin
 
 
 def put_offset(masters: Masters, row: Keyword, axis: int, value: float, line: int) -> None:
-    """OFFSET: add user units to the following over OFFSETDISTANCE of the master."""
+    """OFFSET: superpose a distance in user units over OFFSETDISTANCE of the master."""
     finite(row, value)
     mode = int(masters.setting("OFFSETMODE", axis))
     over = masters.setting("OFFSETDISTANCE", axis) * masters.of(axis).per_unit
@@ -75,7 +75,10 @@ def put_offset(masters: Masters, row: Keyword, axis: int, value: float, line: in
 
 @by_axis
 def read_offset(environment: Environment, row: Keyword, axis: int) -> Operation:
-    """Return the remaining distance of a follower's offset, or of another axis's move."""
+    """Return the remaining distance of a follower's offset.
+
+    For an axis that does not follow, this is the remaining distance of its move.
+    """
     return environment.controller.reader("offset_remaining", axis, row.unit, environment)
 
 

@@ -1,4 +1,4 @@
-"""Auxiliary encoders: driven by the machine file's `[[encoder]]`, or virtual.
+"""Auxiliary encoders, driven by the machine file's `[[encoder]]` or virtual.
 
 A virtual encoder runs at AUXENCODERSPEED.
 """
@@ -47,7 +47,7 @@ class AuxEncoders(Encoders):
         return self._controller.encoder_velocity(AUXILIARY + channel)
 
     def virtual_speed(self, channel: int) -> float:
-        """Return the speed set for an encoder as a virtual axis, in its units."""
+        """Return the speed set for an encoder as a virtual axis, in encoder units/s."""
         return self._speeds.get(channel, 0.0)
 
     def turn(self, channel: int, speed: float) -> None:
@@ -57,7 +57,7 @@ class AuxEncoders(Encoders):
             self._controller.drive_encoder(AUXILIARY + channel, speed * self.per_unit(channel))
 
     def set_mode(self, channel: int, mode: int) -> None:
-        """Make an encoder a virtual axis, or end that, which stops it."""
+        """Make an encoder a virtual axis; any other mode ends that and stops it."""
         before = self.modes.get(channel, 0)
         self.modes[channel] = mode
         if mode == VIRTUAL:

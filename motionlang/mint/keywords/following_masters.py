@@ -1,4 +1,4 @@
-"""Masters, named by MASTERSOURCE and MASTERCHANNEL, and the settings of following."""
+"""Masters, selected by MASTERSOURCE and MASTERCHANNEL, and settings of following."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ DEFAULTS = {
 
 @record
 class Master:
-    """An axis or encoder that others follow.
+    """An axis or encoder that axes can follow.
 
-    It has a track, its number in the controller, and counts per unit.
+    It has a track, a number in the controller, and its counts per unit.
     """
 
     track: Axis
@@ -77,9 +77,9 @@ class Masters(Settings):
         self.ratios: dict[int, float] = {}
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Set the master or the manner of following.
+        """Set the master of an axis, or how it follows.
 
-        A GEARINGMODE is reported, because it has no effect.
+        A GEARINGMODE has no effect, which the report states.
         """
         super().set(name, axis, value)
         if name == "GEARINGMODE" and value:  # no source says how it corrects a lag
@@ -100,7 +100,10 @@ class Masters(Settings):
 
 
 def distance(environment: Environment, axis: int, word: str) -> tuple[Master, float]:
-    """Return the master of an axis, and its MASTERDISTANCE in counts."""
+    """Return the master of an axis, and its MASTERDISTANCE in counts.
+
+    Raises Rejected, with the keyword `word`, if MASTERDISTANCE is not set.
+    """
     masters = environment.part(Masters)
     over = masters.setting("MASTERDISTANCE", axis)
     if not over:

@@ -1,8 +1,8 @@
 """HTA: an axis that moves to hold an analogue input at a value (MN1270 p. 87-91).
 
 Velocity = HTAKPROP × error + HTADAMPING × change of the error + HTAKINT × sum of the errors, once per tick of
-the profiler. The error is the wanted value minus the measured one in percent, and 0 within HTADEADBAND, which
-is in counts of the converter. There, and when HTAKINT is written, the sum starts again from 0.
+the profiler. The error is the wanted minus the measured value in percent, and 0 within HTADEADBAND, which
+is in counts of the converter. The sum is reset to 0 within the dead band and by a write to HTAKINT.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ COUNTS = 4096.0
 
 
 class Hold:
-    """One axis that holds an input: the wanted value in percent, and the loop state."""
+    """An axis that holds an input: its wanted value in percent, and the loop state."""
 
     track: Track
 
@@ -35,9 +35,9 @@ class Hold:
         self.total = 0.0
 
     def decide(self) -> tuple[float, bool]:
-        """Compute the velocity for the next period in counts/s.
+        """Compute the velocity for the next period, in counts/s.
 
-        The second value is True if the velocity may still change while the input does not.
+        Also returns True if the velocity may still change although the input does not.
         """
         setting, axis = self.holds.setting, self.axis
         error, lively = self._error()
@@ -67,7 +67,7 @@ class Hold:
 
 
 class Holds(Settings):
-    """The settings of holding, by keyword and axis, and the axes that hold."""
+    """The settings of HTA, by keyword and axis, and the axes that hold an input."""
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
@@ -75,7 +75,7 @@ class Holds(Settings):
         environment.controller.analogue_inputs.listeners.append(self._changed)
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Write a setting; an axis that holds uses it at once.
+        """Write a setting; an axis that holds an input uses it at once.
 
         A new HTAKINT clears the sum of errors.
         """
@@ -94,14 +94,14 @@ class Holds(Settings):
         return hold if hold is not None and hold.track.holds else None
 
     def wanted(self, axis: int) -> float:
-        """Return the value in percent that an axis holds or held last, 0 before the first."""
+        """Return the value in percent that an axis holds or last held, initially 0."""
         hold = self._holding.get(axis)
         return hold.wanted if hold is not None else 0.0
 
     def start(self, axis: int, wanted: float, line: int) -> None:
-        """Let an idle axis hold a value in percent; an axis that already holds continues.
+        """Make an idle axis hold the input at a value in percent.
 
-        Raises Rejected if the axis has an error.
+        An axis that already holds continues with the new value. Raises Rejected if the axis has an error.
         """
         hold = self.holding(axis)
         if hold is not None:

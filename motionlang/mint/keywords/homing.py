@@ -32,7 +32,7 @@ class Homes(Settings):
         self._own_rates: dict[int, dict[str, float | None]] = {}
 
     def setting(self, name: str, axis: int) -> float:
-        """Return a setting, or the value that replaces it until it is written."""
+        """Return a setting or, until it is written, the value used in its place."""
         if (name, axis) not in self._settings:
             if name == "HOMECREEPSPEED":
                 return self.setting("HOMESPEED", axis) / self.setting("HOMEBACKOFF", axis)
@@ -42,7 +42,7 @@ class Homes(Settings):
         return super().setting(name, axis)
 
     def position_before(self, axis: int) -> float:
-        """HOMEPOS: return POS at the datum before homing changed it."""
+        """HOMEPOS: return POS at the datum, before homing set it to a new value."""
         return self.environment.place(axis, self._before[axis]) if axis in self._before else 0.0
 
     def phase(self, axis: int) -> int:
@@ -51,7 +51,7 @@ class Homes(Settings):
         return 0 if homing is None else STATES.index(homing.state)
 
     def begin(self, axis: int, kind: int, line: int) -> None:
-        """HOME: start homing of a kind."""
+        """HOME: start homing of a type."""
         if not self.controller.is_idle(axis):
             raise Rejected("moving", f"axis {axis} is moving", "HOME needs the axis at rest")
         _, direction, switch, index = HOME_TYPES[kind]
@@ -96,7 +96,10 @@ class Homes(Settings):
         self.controller.return_rates(axis, self._own_rates.pop(axis))
 
     def _provided(self, axis: int, switch: str, index: bool, line: int) -> bool:
-        """True if the machine has everything that is searched for; warn beforehand if not."""
+        """True if the machine has all switches and marks that HOME searches for.
+
+        Warns of those that are missing.
+        """
         a = self.controller.axes[axis]
         missing = []
         if switch == HOME and not self._has_switch(axis):

@@ -1,6 +1,6 @@
 """Properties of the virtual controller: its type, its equipment, and no defects.
 
-The machine file can override each value in its section `[mint.values]`.
+The section `[mint.values]` of the machine file can override each value.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _DATE = "%Y-%m-%d %H:%M:%S"
 
 
 def answers(known: Callable[..., object]) -> Maker:
-    """Make an operation that reads a value of the machine file, or else `known`.
+    """Make an operation that reads a machine file value or, without one, `known`.
 
     `known` is called with the environment and the indices.
     """
@@ -53,9 +53,9 @@ def version(environment: Environment) -> str:
 
 
 def count(environment: Environment, item: int) -> int:
-    """NUMBEROF: return the number of axes, or of other items by the machine file.
+    """NUMBEROF: return the number of axes, or of other items in the machine file.
 
-    The run ends if the machine file has none.
+    The run ends if the machine file does not give the number.
     """
     if item == AXES:
         return len(environment.controller.axes)
@@ -66,7 +66,7 @@ def count(environment: Environment, item: int) -> int:
 
 
 def takes_moves(environment: Environment, count: int, axes: Sequence[int]) -> int:
-    """OKTOLOADMOVE: return 1 if every axis of the array could load a move now."""
+    """OKTOLOADMOVE: return 1 if every axis in the array could load a move now."""
     controller = environment.controller
 
     def takes(axis: int) -> bool:
@@ -81,7 +81,7 @@ def takes_moves(environment: Environment, count: int, axes: Sequence[int]) -> in
 
 
 class Calendar:
-    """Date and time at a machine time, set by the machine file or the program."""
+    """The date and time on the controller, set by the machine file or the program."""
 
     def __init__(self, environment: Environment) -> None:
         told = environment.part(Kept).told.find("REALTIMECLOCK", "text", ())

@@ -1,9 +1,9 @@
 """Digital inputs: active levels, debouncing, latched edges, and events.
 
 A bank is 32 channels. The value of an input in the machine file is its electrical level, and INSTATE shows
-it. A debounced bank is sampled every millisecond: INSTATE shows the last sample, and a state follows when
-INPUTDEBOUNCE consecutive samples have a new level. IN and INX show the state after INPUTDEBOUNCE and
-INPUTACTIVELEVEL or, if the INPUTMODE bit of the input is set, an edge that came since the last read.
+it. A debounced bank is sampled every millisecond: INSTATE shows the last sample, and the state of an input
+changes when INPUTDEBOUNCE consecutive samples have a new level. IN and INX show the state after INPUTDEBOUNCE and
+INPUTACTIVELEVEL. If the INPUTMODE bit of the input is set, they show whether an edge came since the last read.
 """
 
 from __future__ import annotations
@@ -36,7 +36,8 @@ UNDEBOUNCED = 1
 class Inputs:
     """All digital inputs of one program.
 
-    `listeners` are called with (channel, on) at every change of a state.
+    `listeners` are called with (channel, on) at every change of a state. `shows_levels` is true while no input
+    reports edges and none is debounced: then each shows its level, after INPUTACTIVELEVEL.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -67,7 +68,7 @@ class Inputs:
         return self._debounce.get(bank, UNDEBOUNCED)
 
     def set_debounce(self, bank: int, samples: int) -> None:
-        """Set the samples of a bank.
+        """Set the number of samples for debouncing a bank.
 
         Without debouncing its inputs show their levels immediately.
         """
@@ -102,13 +103,13 @@ class Inputs:
     def level(self, channel: int) -> bool:
         """Return the electrical level of an input.
 
-        It is that of the last sample if the bank is debounced, else the present one.
+        This is the level of the last sample if the bank is debounced, otherwise the present level.
         """
         sampled = self._sampled.get(channel)
         return self._controller.inputs[channel] != 0 if sampled is None else sampled[0]
 
     def read(self, channel: int) -> bool:
-        """Return the state of an input, or its latched edge, which reading clears."""
+        """Return the state of an input, or its latched edge, which the read clears."""
         if not self._bit("INPUTMODE", channel):
             return self.is_on(channel)
         found = channel in self._edges
@@ -135,7 +136,7 @@ class Inputs:
             self._sampled[channel] = known, sample, event
 
     def _sample(self, channel: int) -> None:
-        """Take the sample of a channel whose level changed since the sample before."""
+        """Take the sample of a channel whose level changed since its last sample."""
         before, sample, event = self._sampled.pop(channel)
         event.cancel()
         if self.level(channel) is before:
@@ -182,7 +183,7 @@ def bits_of(bank: int, is_on: Callable[[int], object]) -> int:
 
 
 def checked(number: int, last: int = LAST_CHANNEL, what: str = "input") -> int:
-    """Return the number; raise Rejected if there is no such channel or bank."""
+    """Return the number; raise Rejected if no such channel or bank exists."""
     if not 0 <= number <= last:
         raise Rejected("channel", f"there is no {what} {number}", f"they are numbered 0 to {last}")
     return number

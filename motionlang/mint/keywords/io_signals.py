@@ -12,7 +12,7 @@ NONE = -1
 
 
 class Signals(Settings):
-    """The assigned outputs, for DRIVEENABLEOUTPUT by axis.
+    """The outputs assigned to states: DRIVEENABLEOUTPUT by axis, GLOBALERROROUTPUT.
 
     An output shows the state as soon as it is assigned.
     """

@@ -1,6 +1,6 @@
 """JOG, and jogging by command at a preset speed.
 
-The keywords of the latter are JOGCOMMAND, JOGSPEED, JOGMODE and JOGDURATION.
+The commands are JOGCOMMAND, JOGSPEED, JOGMODE and JOGDURATION.
 """
 
 from __future__ import annotations
@@ -42,13 +42,13 @@ class Jogs(Settings):
         self._ends: dict[int, Event] = {}
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Write a setting; a new JOGSPEED also changes a jog in progress from JOGCOMMAND."""
+        """Write a setting; a new JOGSPEED also changes a JOGCOMMAND jog in progress."""
         super().set(name, axis, value)
         if name == "JOGSPEED" and self.commanded(axis):
             self._jog(axis, self.commands[axis], self.controller.axes[axis].move.line)  # type: ignore[union-attr]
 
     def rates(self, axis: int) -> Rates | None:
-        """Return acceleration and deceleration of jogs, None if they are those of moves."""
+        """Return acceleration and deceleration of jogs, None if moves' rates apply."""
         times = [self.setting(name, axis) for name in _RAMPS]
         if not any(times):
             return None
@@ -66,7 +66,7 @@ class Jogs(Settings):
     def command(self, axis: int, direction: int, line: int) -> None:
         """JOGCOMMAND: jog forward (1), in reverse (-1), or ramp to rest (0).
 
-        With JOGMODE 1 the jog lasts for a limited time, once per command.
+        With JOGMODE 1 the jog ends after JOGDURATION, once per command.
         """
         timed, before = self.setting("JOGMODE", axis) == TIMED, self.commands.get(axis, 0)
         if timed and direction and direction == before:
@@ -78,14 +78,14 @@ class Jogs(Settings):
             self._limit(axis, self.setting("JOGDURATION", axis) / 1000.0 if timed and direction else None)
 
     def commanded(self, axis: int) -> bool:
-        """True if the axis jogs by command now."""
+        """True if a JOGCOMMAND jog is in progress."""
         move = self.controller.axes[axis].move
         return (
             move is not None and move.command == COMMAND and not move.ended and bool(self.commands.get(axis))
         )
 
     def elapsed(self, axis: int, level: float | None = None) -> int:
-        """Return the ms since the start of a commanded jog, 0 if there is none."""
+        """Return the ms since the start of a JOGCOMMAND jog, 0 without one."""
         return self.environment.elapsed(self._began[axis], level) if self.commanded(axis) else 0
 
     def default(self, axis: int) -> None:
@@ -118,7 +118,7 @@ class Jogs(Settings):
 
 
 def write_velocity(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
-    """JOG: run at a velocity in user units per second until another command.
+    """JOG: run at a velocity in user units per second until the next command.
 
     The sign is the direction.
     """

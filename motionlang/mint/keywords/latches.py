@@ -1,7 +1,7 @@
 """Latches: positions captured at the exact time of an edge, not at the next tick.
 
-LATCH… keywords have channels with settings for the trigger and the source. FAST… keywords are the older set,
-with one latch per axis. A latch sees the input directly, without INPUTDEBOUNCE. The meanings of the mode
+LATCH… keywords address channels, each with settings for its trigger and source. FAST… keywords are the older
+set, with one latch per axis. A latch sees the input directly, without INPUTDEBOUNCE. The meanings of the mode
 numbers are from memory.
 """
 
@@ -32,7 +32,7 @@ AXIS_POSITION, ENCODER = 0, 1
 class Latch:
     """One latch; positions are in counts.
 
-    `again` rearms it after each capture.
+    If `again` is true, it is rearmed after each capture.
     """
 
     def __init__(self, environment: Environment, axis: int, fired: Callable[[Latch], None]) -> None:
@@ -53,7 +53,7 @@ class Latch:
         return scale_of(self.environment, self.axis)
 
     def arm(self, armed: bool) -> None:
-        """Arm the latch, which clears its captured value, or disarm it."""
+        """Arm the latch and clear its captured value, or disarm it."""
         self._unwatch()
         self.armed = armed
         if armed:
@@ -68,7 +68,7 @@ class Latch:
             self._watch()
 
     def read(self) -> bool:
-        """Return True if a position was captured; with `again`, since the last read."""
+        """True if a position was captured or, with `again`, captured since the last read."""
         caught = self.caught
         if caught and self.again:
             self.caught = False
@@ -76,7 +76,7 @@ class Latch:
         return caught
 
     def _watch(self) -> None:
-        """Watch the next index mark in both directions, if a mark is the trigger."""
+        """Watch for the next index mark in both directions, if a mark is the trigger."""
         if self.trigger_mode != BY_INDEX:
             return
         for direction in (1, -1):
@@ -118,7 +118,7 @@ class Latch:
 
 
 class Latches:
-    """The latch channels, created on first use; a capture raises LATCH."""
+    """The latch channels, created on first use; a capture raises the event LATCH."""
 
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
@@ -137,7 +137,7 @@ class Latches:
 
 
 class FastLatches(Latches):
-    """The fast latch of every axis; a capture raises FASTIN."""
+    """The fast latch of every axis; a capture raises the event FASTIN."""
 
     kind = Latch
 
@@ -173,7 +173,7 @@ def write_setting(latch: Latch, row: Keyword, value: float) -> None:
 def read_value(latch: Latch, row: Keyword) -> float:
     """Return the captured value.
 
-    A position is in user units, within POSWRAP like POS. The count of an encoder is in counts.
+    A position is in user units, within POSWRAP like POS. An encoder count is in counts.
     """
     return latch.value if latch.source == ENCODER else latch.environment.place(latch.axis, latch.value)
 
@@ -184,7 +184,7 @@ def read_encoder(latch: Latch, row: Keyword) -> float:
 
 
 def on_latch(function: Callable[..., object]) -> Maker:
-    """Make an operation on a latch: of a channel, or of an axis for FAST keywords."""
+    """Make an operation on a latch, chosen by channel, or by axis for FAST keywords."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
         latches = environment.part(FastLatches if row.name.startswith("FAST") else Latches)

@@ -24,7 +24,7 @@ AT, BETWEEN = 0, 1
 class Compare:
     """The position compare of one axis.
 
-    `positions` are in counts, `output` is the output that it drives, -1 for none.
+    `positions` are in counts. `output` is the output that it drives, -1 for none.
     """
 
     def __init__(self, environment: Environment, axis: int) -> None:
@@ -37,7 +37,7 @@ class Compare:
         self._watch: Watch | None = None
 
     def enable(self, enabled: bool) -> None:
-        """Start to compare with the present positions, or stop."""
+        """Start comparing with the present positions, or stop."""
         self._forget()
         self.enabled = enabled
         if not enabled:
@@ -59,7 +59,7 @@ class Compare:
         return abs(self._controller.axes[self._axis].scale.to_counts(wrap, "uu")) if wrap else 0.0
 
     def _watched(self, positions: list[float], turn: float, change: Callable[[int], None]) -> Cells:
-        """Watch positions; on an axis that wraps they recur in every wrap."""
+        """Watch positions; on an axis that wraps, each of them recurs in every wrap."""
         track = self._controller.axes[self._axis]
         edges = [position % turn for position in positions] if turn else positions
         return Cells(self._controller, track, sorted(edges), change, turn)
@@ -76,9 +76,9 @@ class Compare:
             self.enable(True)
 
     def _moved(self, index: int) -> None:
-        """Switch the output on between the positions, and off outside.
+        """Switch the output on between the positions, and off outside them.
 
-        `index` is 0 below both positions, 1 between them and 2 above both. A new zero may skip one.
+        `index` is 0 below both positions, 1 between them and 2 above both. A new zero may skip a value.
         """
         self._inside(bool(index % 2))
 
@@ -106,7 +106,7 @@ class Compares:
         return self._compares[axis]
 
     def of_output(self, output: int) -> list[Compare]:
-        """Return the compares that drive an output."""
+        """Return the position compares that drive an output."""
         checked(output, LAST_CHANNEL, "output")
         return [each for each in self._compares.values() if each.output == output]
 

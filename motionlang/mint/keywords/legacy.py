@@ -16,7 +16,7 @@ from motionlang.mint.runtime.errors import AXIS, Error, Errors
 
 
 def last(errors: Errors, of_axis: bool = False) -> Error | None:
-    """Return the newest active error or, once all are read, the one read last."""
+    """Return the newest active error or, if all have been read, the last one read."""
     known = [*errors.found, *([] if errors.found or errors.shown is None else [errors.shown])]
     return next((each for each in reversed(known) if not of_axis or each.group == AXIS), None)
 
@@ -40,7 +40,7 @@ def do_contour(environment: Environment, row: Keyword, axes: tuple[int, ...], li
 
 
 class DefaultBank:
-    """The bank of 32 channels that keywords without brackets mean."""
+    """The bank of 32 channels that keywords without brackets refer to."""
 
     def __init__(self, environment: Environment) -> None:
         self.number = 0

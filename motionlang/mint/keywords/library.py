@@ -1,4 +1,4 @@
-"""The rest of Mint's type library: keywords that are recognised but not simulated."""
+"""The rest of Mint's type library: keywords that are known but not simulated."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ def _rows() -> Iterator[Keyword]:
 def _lines(file: str) -> Iterator[list[str]]:
     """Yield the fields of each line of a type library file.
 
-    `values`: NAME, short form, index, type, access, treatment, meaning. The commands have no type and no
-    access.
+    The fields of `values` are NAME, short form, index, type, access, treatment and meaning. `commands` has neither
+    type nor access.
     """
     path = os.path.join(os.path.dirname(__file__), "type_library", f"{file}.txt")
     for line in __loader__.get_data(path).decode("utf-8").splitlines():  # type: ignore[name-defined]

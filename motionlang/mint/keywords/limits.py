@@ -1,8 +1,8 @@
 """Errors of an axis: their causes, the reactions to them, and clearing them.
 
-Every error has the same modes: 0 nothing, 1 a crash stop, 2 a crash stop and the drive off, 3 a stop at
-ERRORDECEL, 4 the same and then the drive off, 5 only the event ONERROR. Their numbers and the defaults are
-from memory (docs/contributing/assumptions.md).
+Every error has the same modes: 0 ignores it; 1 is a crash stop; 2 is a crash stop, then the drive is disabled;
+3 is a stop at ERRORDECEL; 4 is a stop at ERRORDECEL, then the drive is disabled; 5 only raises the event ONERROR.
+The numbers and the defaults are from memory (docs/contributing/assumptions.md).
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ SIGNS = {SOFT_LIMIT_FORWARD: 1, SOFT_LIMIT_REVERSE: -1, LIMIT_FORWARD: 1, LIMIT_
 
 
 class AxisErrors(Settings):
-    """The modes of every axis, its software limits, and its assigned switches."""
+    """The error modes of every axis, its software limits, and its assigned switches."""
 
     defaults = MODES
 
@@ -98,7 +98,7 @@ class AxisErrors(Settings):
     # --------------------------------------------------------------------------------------------- limits
 
     def limit(self, axis: int, bit: int) -> Limit:
-        """Return the limit of an axis for an error; create one if there is no switch."""
+        """Return the limit of an axis for an error; create one if it has no switch."""
         for limit in self.controller.axes[axis].limits:
             if limit.bit == bit:
                 return limit
@@ -106,9 +106,9 @@ class AxisErrors(Settings):
         return self.controller.add_limit(axis, SIGNS[bit], bit, self.action(axis, bit), physical)
 
     def set_input(self, axis: int, bit: int, active: bool, channel: int = 0) -> None:
-        """Set or clear an error that an input causes in both directions.
+        """Set or clear an error that an input causes in both directions of motion.
 
-        `channel` distinguishes several inputs that cause the same error; each counts separately.
+        `channel` distinguishes several inputs that cause the same error; each of them counts separately.
         """
         found = self._inputs.get((axis, bit, channel))
         if found is None:
@@ -166,7 +166,7 @@ def is_at(*bits: int) -> Maker:
 
 
 def do_abort(errors: AxisErrors) -> None:
-    """ABORT: let every axis react as its ABORTMODE says."""
+    """ABORT: make every axis react according to its ABORTMODE."""
     for axis in errors.controller.axes:
         action = errors.action(axis, ABORT)
         if action != "ignore":
@@ -174,7 +174,10 @@ def do_abort(errors: AxisErrors) -> None:
 
 
 def do_line(environment: Environment, row: Keyword) -> Operation:
-    """Return the operation that reports a line with a machine file event to the world."""
+    """Return the operation that reports reaching a line that triggers a fault.
+
+    The machine file names the line and the fault.
+    """
     world = environment.machine.world
     assert world is not None
     return world.reach

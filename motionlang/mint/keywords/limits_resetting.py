@@ -27,7 +27,7 @@ class StopModes(Settings):
 
 
 def stop(environment: Environment, axis: int, mode: float) -> None:
-    """Bring an axis to rest in the manner of a STOPMODE."""
+    """Bring an axis to rest as a STOPMODE specifies."""
     controller = environment.controller
     if mode == CRASH:
         controller.abort(axis, "stop")
@@ -45,7 +45,7 @@ def reset(environment: Environment, axis: int) -> None:
 
 
 def default(environment: Environment, axis: int) -> None:
-    """Reset the settings to their power-up values; raise Rejected in motion."""
+    """Reset the settings to their power-up values; raise Rejected while in motion."""
     controller = environment.controller
     if not controller.is_idle(axis):
         raise Rejected("moving", f"axis {axis} is moving", "DEFAULT needs the axis at rest")
@@ -64,7 +64,7 @@ def default(environment: Environment, axis: int) -> None:
 
 
 def do_stop(environment: Environment, axes: tuple[int, ...], line: int) -> None:
-    """STOP: stop each axis in its STOPMODE; an axis that does not exist stops none."""
+    """STOP: stop each axis in its STOPMODE; if one does not exist, none stops."""
     setting = environment.part(StopModes).setting
     for axis in axes:
         axis_of(environment, axis)
@@ -73,9 +73,9 @@ def do_stop(environment: Environment, axes: tuple[int, ...], line: int) -> None:
 
 
 def stored_by_stop(environment: Environment, numbers: tuple[int, ...], line: int) -> object:
-    """Return what STOP changes in its axes, apart from motion.
+    """Return what STOP changes in its axes and in the log, apart from motion.
 
-    The clock reports changes of motion.
+    Changes of motion are reported by the clock.
     """
     controller = environment.controller
     return [

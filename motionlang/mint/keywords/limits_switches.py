@@ -1,9 +1,7 @@
 """Digital inputs with a function for an axis.
 
-The functions are limit, error, stop, suspend, reset and home.
-
-An assignment is a channel, -1 for none. The function is carried out exactly when the state of the input
-changes.
+The functions are limit, error, stop, suspend, reset and home. An assignment is a channel, or -1 for none. The
+function is carried out exactly when the state of the input changes.
 """
 
 from __future__ import annotations
@@ -41,12 +39,12 @@ class Switches(Settings):
         return int(self.setting(name, axis))
 
     def is_on(self, name: str, axis: int) -> bool:
-        """True if the assigned input is active; False without one."""
+        """True if the assigned input is active; False if none is assigned."""
         channel = self.channel(name, axis)
         return channel != NONE and self._inputs.is_on(channel)
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Assign an input; if it is already active, it takes effect at once."""
+        """Assign an input; if the input is already active, its function starts at once."""
         before = self.is_on(name, axis)
         super().set(name, axis, value)
         if self.is_on(name, axis) is not before:

@@ -4,7 +4,7 @@ They are in the section `[mint.values]`:
 
     [mint.values]
     DRIVEBUSVOLTS = 325                     # for any index
-    TEMPERATURE = { "0" = 41.5, "1" = 39 }  # by index; "0, 1" where there are two
+    TEMPERATURE = { "0" = 41.5, "1" = 39 }  # by index; "0, 1" for two indices
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def _numbers(where: str) -> tuple[object, ...]:
 
 
 def problem(key: str, value: object) -> tuple[str, str] | None:
-    """Return the problem with an entry and a hint, None if the entry is valid."""
+    """Return what is wrong with an entry and a hint, None if the entry is valid."""
     from motionlang.errors import nearest
 
     word, _, where = key[len(SECTION) :].partition(".")

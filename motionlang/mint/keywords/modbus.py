@@ -1,7 +1,7 @@
 """Modbus: the program as a client of servers, and the controller's own server.
 
-The machine file defines the servers. A register is a word of 16 bits. Of the two registers of an Integer or a
-Float the first has the lower half, as in Mint's own server (ABB AN00198 p. 5). Requests take no time.
+The machine file defines the servers. A register is a word of 16 bits. An Integer or a Float takes two
+registers, the lower half first, as in Mint's own server (ABB AN00198 p. 5). Requests take no time.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _LARGEST_FLOAT = 3.4028235677973366e38  # larger numbers round to infinity in 32
 
 
 class Server:
-    """One server: its registers `first` to `last`, and when it answers."""
+    """One server: its registers `first` to `last`, and the times when it answers."""
 
     def __init__(self, first: int = 0, last: int = LAST, begin: float = 0.0, end: float = _INFINITY) -> None:
         self.first, self.last, self.begin, self.end = first, last, begin, end
@@ -40,7 +40,7 @@ class Server:
 
 
 class Servers:
-    """The servers of the machine file or, if it defines none, any in use."""
+    """The servers of the machine file; if it defines none, every server exists."""
 
     def __init__(self, environment: Environment) -> None:
         self._clock, self._machine = environment.clock, environment.machine
@@ -68,9 +68,9 @@ class Servers:
                 self._clock.at(time, _nothing)  # tasks that wait for the server check again
 
     def _schedule(self, entry: Entry) -> None:
-        """Schedule a change of registers.
+        """Schedule a change of registers from the machine file.
 
-        The world makes it, so it may also reach registers that clients may not.
+        It is not made by a client, so it may also change registers that clients cannot write.
         """
         server = self._servers.setdefault(entry["server"], Server())  # type: ignore[arg-type]
         value: float = entry["value"]  # type: ignore[assignment]
@@ -130,11 +130,11 @@ def _put(server: Server, register: int, words: Sequence[int]) -> None:
 
 
 def _nothing() -> None:
-    """Do nothing: the event lets tasks check again."""
+    """Do nothing: the event only makes tasks check again."""
 
 
 def words_of(value: float, width: str) -> list[int]:
-    """Return a "word", an "integer" or a "float" as registers, the lowest first."""
+    """Return a "word", an "integer" or a "float" as registers, the lowest half first."""
     if width == "word":
         return [int(value) & LAST]
     whole = int(value) & 0xFFFFFFFF if width == "integer" else _bits(value)
@@ -184,13 +184,16 @@ def _own(environment: Environment, register: int) -> tuple[str, int]:
 
 
 def read_own_register(environment: Environment, register: int) -> int:
-    """HOLDINGREGISTER: return half an element of the host memory, 0 to 65535."""
+    """HOLDINGREGISTER: return half an element of the host memory as 0 to 65535."""
     area, element = _own(environment, register)
     return environment.machine.host.integer(area, element) >> 16 * (register & 1) & LAST
 
 
 def write_own_register(environment: Environment, register: int, value: int) -> None:
-    """Write a register of the controller's own server; no event is raised."""
+    """HOLDINGREGISTER: write a register of the controller's own server.
+
+    No event is raised.
+    """
     host, (area, element) = environment.machine.host, _own(environment, register)
     halves = [host.integer(area, element) >> shift & LAST for shift in (0, 16)]
     halves[register & 1] = value & LAST
@@ -198,9 +201,9 @@ def write_own_register(environment: Environment, register: int, value: int) -> N
 
 
 class Coils:
-    """The coils of the controller's own server, and their scheduled changes.
+    """The coils of the controller's own server.
 
-    The changes are those of the machine file's client.
+    The machine file's client changes them at scheduled times.
     """
 
     def __init__(self, environment: Environment) -> None:

@@ -1,4 +1,4 @@
-"""Monitoring: analogue inputs, warnings of following error, drives, error masks."""
+"""Monitoring of analogue inputs, following error and drives; error masks."""
 
 from __future__ import annotations
 
@@ -43,7 +43,10 @@ class Monitors:
         self._look()
 
     def mind(self, axis: int, pattern: int) -> None:
-        """Set the inputs that the axis monitors; one beyond its limits counts at once."""
+        """Set the inputs that the axis monitors, as bits.
+
+        An input that is already beyond its limits causes the error at once.
+        """
         before, self.minded[axis] = self.minded.get(axis, 0), pattern
         self._update_errors(axis, before | pattern)
 
@@ -75,7 +78,7 @@ class Monitors:
 
 
 def do_trim(environment: Environment, channel: int) -> None:
-    """ADCOFFSETTRIM: make the present value of the input its zero."""
+    """ADCOFFSETTRIM: make the present value of the input its new zero."""
     inputs = environment.part(Analogue)
     gain = inputs.setting("ADCGAIN", analogue_input(channel)) / 100.0
     inputs.set("ADCOFFSET", channel, -float(environment.controller.analogue_inputs[channel]) * gain)
@@ -85,7 +88,7 @@ def do_trim(environment: Environment, channel: int) -> None:
 
 
 class Warnings(Settings):
-    """The warnings of axes, which remain until they are cleared.
+    """The warnings of the axes, which remain until they are cleared.
 
     Bit 0 means that the following error exceeded FOLERRORWARNING.
     """
@@ -96,14 +99,14 @@ class Warnings(Settings):
         self.levels: dict[int, float] = {}
 
     def set_level(self, axis: int, level: float) -> None:
-        """Set the following error in counts that triggers a warning."""
+        """Set the following error in counts above which a warning is raised."""
         self.levels[axis] = level
         self._watch(axis, level)
 
     def clear(self, axis: int) -> None:
         """Clear the warnings of an axis.
 
-        A following error that exceeds the level, still or again, triggers a new warning.
+        A following error that still exceeds the level, or exceeds it again, raises a new warning.
         """
         self.bits.pop(axis, None)
         self._watch(axis, self.levels.get(axis, float("inf")))
@@ -145,7 +148,7 @@ def write_level(environment: Environment, row: Keyword, axis: int, value: float)
 
 
 class Masks(Settings):
-    """The errors that do not call ONERROR, by the bits of an axis and by number."""
+    """The errors that do not call ONERROR: bits of axis errors, and error codes."""
 
     otherwise = ALL_BITS
 
@@ -158,7 +161,7 @@ class Masks(Settings):
     def is_masked(self, error: Error) -> bool:
         """True if an error does not call ONERROR.
 
-        Its code, its bit of the axis or its bit of MISCERROR is masked.
+        Either its code, its bit in the axis errors or its bit in MISCERROR is masked.
         """
         first = error.data[0] if error.data else 0
         if (error.number, first) in self.codes:
@@ -169,7 +172,7 @@ class Masks(Settings):
 
 
 def write_code_mask(masks: Masks, code: int, data: int, masked: int) -> None:
-    """ERRORMASKCODE: mask or unmask one code with its first data value."""
+    """ERRORMASKCODE: mask or unmask one error code with a certain first data value."""
     (masks.codes.add if masked else masks.codes.discard)((code, data))
 
 
@@ -187,7 +190,7 @@ def drive_errors(environment: Environment, axis: int) -> int:
 
 
 def read_misc(environment: Environment) -> int:
-    """MISCERROR: return the errors of the controller that are not disabled."""
+    """MISCERROR: return the controller errors that are not disabled, as bits."""
     world, disabled = environment.machine.world, environment.part(Masks).misc_disabled
     return 0 if world is None else world.misc & ~disabled
 

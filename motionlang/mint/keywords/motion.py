@@ -45,16 +45,16 @@ def load_move(relative: bool) -> Maker:
 
 
 def _plain(environment: Environment, relative: bool, name: str) -> Mapping[int, Callable[[float, int], bool]]:
-    """Return fast-path loaders of moves, by axis.
+    """Return the fast-path loaders of moves, by axis.
 
-    A loader returns False for a move that needs the general path.
+    A loader returns False if a move needs the general path.
     """
     loader = environment.controller.loader
     return ByNumber(lambda axis: loader(axis_of(environment, axis), relative, name))
 
 
 def refuse_stopping(environment: Environment, axis: int) -> None:
-    """Raise Rejected if the axis is stopping: Mint's error 236."""
+    """Raise Rejected (Mint's error 236) if the axis is stopping."""
     move = environment.controller.axes[axis].move
     if move is not None and move.ended in ("stop", "fault"):
         raise Rejected(
@@ -63,13 +63,13 @@ def refuse_stopping(environment: Environment, axis: int) -> None:
 
 
 def finite(row: Keyword, value: float) -> None:
-    """Raise Rejected for an infinite distance."""
+    """Raise Rejected if a distance is infinite."""
     if not -1e300 < value < 1e300:
         raise Rejected("range", f"{row.name} cannot be {value:g}", "a move needs a finite distance")
 
 
 def do_go(environment: Environment, row: Keyword) -> Operation:
-    """GO: start the axes; an axis that does not exist starts none."""
+    """GO: start the axes; if one does not exist, none starts."""
 
     known, start = environment.controller.axes, environment.controller.go
 

@@ -102,7 +102,7 @@ def read_text(nodes: Nodes, bus: int, node: int, index: int, sub: int) -> str:
 
 
 def _of_type(value: int, type: int) -> int:
-    """Reduce a value to the bits of a CANopen type."""
+    """Reduce a value to the width of a CANopen type."""
     if type not in _TYPES:
         raise Rejected(
             "range", f"{type} is not an object type", "1 Boolean, 2 to 4 integers, 5 to 7 without a sign"
@@ -124,7 +124,7 @@ def write_object(nodes: Nodes, bus: int, node: int, index: int, sub: int, type: 
 
 
 def register(index: int) -> Maker:
-    """Make an operation that reads an integer object of a node."""
+    """Make an operation that reads an integer object of a node, by its index."""
 
     def read(nodes: Nodes, bus: int, node: int) -> int:
         value = nodes.node(bus, node).objects.get((index, 0), 0)
@@ -142,7 +142,7 @@ def read_emergency_stop(nodes: Nodes, bus: int, node: int) -> int:
 
 
 def write_emergency_stop(nodes: Nodes, bus: int, node: int, value: int) -> None:
-    """REMOTEESTOP: set the request to the node, which is in the report."""
+    """REMOTEESTOP: set the emergency stop request to a node, which the report shows."""
     nodes.node(bus, node).written["estop",] = int(value != 0)
 
 
@@ -150,7 +150,7 @@ def write_emergency_stop(nodes: Nodes, bus: int, node: int, value: int) -> None:
 
 
 def levels(kind: str) -> Actions:
-    """Make operations for the active levels of the channels of a node, as bits."""
+    """Make operations on the active levels of a node's channels, as bits."""
 
     def read(nodes: Nodes, bus: int, node: int) -> int:
         low = nodes.channels(bus, node, kind).active_low
@@ -170,7 +170,7 @@ def read_data(nodes: Nodes, bus: int, cobid: int, bank: int) -> int:
 
 
 def do_send(nodes: Nodes, bus: int, node: int, data: int) -> None:
-    """REMOTEPDOOUT: send data to a node; they are in the report."""
+    """REMOTEPDOOUT: send data to a node; the report shows them."""
     nodes.node(bus, node).written["pdo",] = data
 
 
@@ -226,7 +226,7 @@ def network_row(
 
 
 def _bus(name: str, actions: Actions, help: str, default: float = 0.0) -> tuple[Keyword, Keyword]:
-    """Return the rows of a bus keyword and of its older name with CAN."""
+    """Return the rows of a bus keyword and of its older name, which begins with CAN."""
     words = (f"BUS{name}", "CANBUSSTATE" if name == "STATE" else f"CAN{name}")
     rest = ("", " The older word for CAN buses.")
     new, old = (

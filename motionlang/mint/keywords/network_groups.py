@@ -13,7 +13,7 @@ LAST_GROUP = 31
 
 
 class Groups:
-    """The groups of nodes, their masters, the connections, and the own number, by bus."""
+    """Groups of nodes with their masters, connections, and own node numbers, by bus."""
 
     def __init__(self, environment: Environment) -> None:
         self.nodes = environment.part(Nodes)
@@ -60,7 +60,7 @@ def _place(bus: int, group: int, node: int) -> tuple[int, int, int]:
 
 
 def read_info(groups: Groups, bus: int, node: int) -> int:
-    """GROUPINFO: return the groups of a node as bits, a signed 32-bit number."""
+    """GROUPINFO: return the groups that a node belongs to, as signed 32-bit bits."""
     members = groups.members
     bits = sum(1 << group for where, group, each in members if (where, each) == (checked_bus(bus), node))
     return bits - (1 << 32) if bits >> 31 else bits

@@ -1,9 +1,9 @@
 """Settings that are stored and read back but have no effect on a run.
 
 They concern motors, drives, feedback, gains, ports, tests and presets. The program of a real machine begins
-with pages of them. They are not simulated, but the program runs unchanged, and the report lists those that it
-wrote. A setting that was not written reads 0 or an empty string, which the report also states. They are in
-`type_library/values.txt` as "kept". This file has the constants that are written to them.
+with pages of them. The program runs unchanged, and the report lists those that it wrote. A setting that was
+not written reads 0 or an empty string, which the report also states. `type_library/values.txt` marks them as
+"kept". This file has the constants that programs write to them.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def note(words: dict[str, list[int]], name: str, line: int) -> None:
 
 
 def read_value(environment: Environment, row: Keyword) -> Operation:
-    """Make an operation that reads the value, or 0 or an empty string without one."""
+    """Make an operation that reads the stored value, by default 0 or an empty string."""
     kept, name, assumed = environment.part(Kept), row.name, environment.machine.assumed
     nothing: object = "" if row.unit == "text" else 0.0 if row.unit == "number" else 0
 
@@ -65,7 +65,7 @@ def held_value(environment: Environment, row: Keyword) -> Operation:
 
 @repeatable
 def write_value(environment: Environment, row: Keyword) -> Operation:
-    """Make an operation that stores a value without effect, which the report states."""
+    """Make an operation that stores a value; the report states that it has no effect."""
     values, name, without_effect = environment.part(Kept).values, row.name, environment.machine.without_effect
 
     def write(*given: object) -> None:

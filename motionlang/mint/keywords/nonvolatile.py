@@ -1,4 +1,4 @@
-"""Non-volatile memory, addressed by numbers."""
+"""Non-volatile memory, addressed by number."""
 
 from __future__ import annotations
 

@@ -9,14 +9,14 @@ from motionlang.mint.runtime.environment import Environment
 
 
 def write_by(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
-    """INCR: move the target by user units, also that of a move in motion."""
+    """INCR: shift the target by a distance in user units, even while in motion."""
     finite(row, value)
     counts = scale_of(environment, axis).to_counts(value)
     environment.controller.retarget_by(axis, counts, row.name, line)
 
 
 def write_to(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
-    """INCA: set a new target in user units, also for a move in motion."""
+    """INCA: set a new target in user units, even while in motion."""
     finite(row, value)
     counts = scale_of(environment, axis).position_to_counts(value + environment.turn(axis))
     environment.controller.retarget_to(axis, counts, row.name, line)

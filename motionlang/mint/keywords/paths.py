@@ -1,4 +1,4 @@
-"""Moves of several axes along one path, and the transition between paths."""
+"""Moves of several axes along one path, and how consecutive paths join."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 def _ready(environment: Environment, row: Keyword, axes: Sequence[int], values: Sequence[float]) -> bool:
     """True if the buffers of all axes have space.
 
-    Raises Rejected if the number of axes or values is wrong, as may happen with axes named by AXES.
+    Raises Rejected if the number of axes or values is wrong, which is possible if AXES names the axes.
     """
     units = row.unit.split(", ")
     wanted, count = (units.count("uu"), len(units)) if len(units) > 1 else (max(2, len(axes)), len(axes))
@@ -35,7 +35,7 @@ def _ready(environment: Environment, row: Keyword, axes: Sequence[int], values: 
 def loads(put: Callable[..., None]) -> Maker:
     """Make an operation that loads a path; it returns True while a buffer is full.
 
-    `put` gets the row, axes, values and line.
+    `put` receives the environment, the row, the axes, the values and the line.
     """
 
     def made(environment: Environment, row: Keyword) -> Operation:
@@ -90,7 +90,7 @@ _MODES = {"CONTOURMODE": "contour_mode", "BLENDMODE": "blend_mode"}
 def set_mode(environment: Environment, name: str, axis: int, on: bool) -> None:
     """Switch contouring or blending on or off.
 
-    Raises Rejected (Mint's error 158) if the other one is on.
+    Raises Rejected (Mint's error 158) if the other mode is on.
     """
     controller, other = environment.controller, next(each for each in _MODES if each != name)
     if on and controller.setting(axis, _MODES[other]):

@@ -20,9 +20,10 @@ _MIN_TIME = 1e-3
 
 
 class Presets(Settings):
-    """The table, by keyword, preset and format, in user units, and the start settings.
+    """The table of presets and the settings that start them.
 
-    The start settings are stored by keyword and axis.
+    The table is stored by keyword, preset and format, in user units. The start settings are stored by keyword and
+    axis.
     """
 
     defaults = DEFAULTS
@@ -44,7 +45,7 @@ class Presets(Settings):
     def choose(self, row: Keyword, axis: int, value: int, line: int) -> None:
         """Write a start setting.
 
-        Without a trigger input, enabling presets or choosing another preset starts it.
+        If no input is set as the trigger, a preset starts when presets are enabled or another one is selected.
         """
         name = row.name
         if name.endswith("INPUT") and value >= 0:
@@ -62,7 +63,7 @@ class Presets(Settings):
                 self.start(axis)
 
     def inputs(self, axis: int) -> int:
-        """Return the number that the selector inputs give."""
+        """Return the binary number on the selector inputs."""
         first, count = (int(self.setting(name, axis)) for name in ("PRESETSELECTORINPUT", "PRESETINPUTSMAX"))
         if first < 0:
             return 0
@@ -75,7 +76,7 @@ class Presets(Settings):
         return self.inputs(axis) if by_inputs else int(self.setting("PRESETINDEX", axis))
 
     def start(self, axis: int) -> None:
-        """Start the selected preset, and select the next one if the mode says so."""
+        """Start the selected preset, and select the next one if the mode requires it."""
         preset, mode = self.selected(axis), self.setting("PRESETINDEXMODE", axis)
         self._going_on.pop(axis, None)
         begin(self, axis, preset, self._lines.get(axis, 0))
@@ -88,7 +89,7 @@ class Presets(Settings):
                 self._rest(axis)
 
     def _after(self, preset: int) -> int:
-        """Return the next preset in use of the table; after the last one, the first."""
+        """Return the next defined preset of the table; the first follows the last."""
         known = sorted(
             number for (name, number, _), kind in self.table.items() if name == "PRESETMOVETYPE" and kind
         )
@@ -105,7 +106,7 @@ class Presets(Settings):
             self._rest(axis)
 
     def _rest(self, axis: int) -> None:
-        """Rest for PRESETDWELLTIME, then continue."""
+        """Dwell for PRESETDWELLTIME, then continue."""
         clock = self.environment.clock
         seconds = max(self.setting("PRESETDWELLTIME", axis) / 1000.0, _MIN_TIME)
         follows = self._going_on[axis]
@@ -116,7 +117,7 @@ class Presets(Settings):
             self._start(axis)
 
     def _start(self, axis: int) -> None:
-        """Start a preset while the program does something else; report errors to ONERROR."""
+        """Start a preset outside any statement, so errors are reported to ONERROR."""
         try:
             self.start(axis)
         except Rejected as rejected:
@@ -161,7 +162,7 @@ def _second(row: Keyword, number: int) -> int:
 def write_format(presets: Presets, row: Keyword, preset: int, number: int, value: float) -> None:
     """Write a field that has a format or a parameter.
 
-    A rate and the time for it replace each other.
+    A rate and the time that can replace it clear each other.
     """
     presets.table[row.name, _preset(preset), _second(row, number)] = value
     if row.index == "preset, format":

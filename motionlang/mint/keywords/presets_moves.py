@@ -1,4 +1,4 @@
-"""The types of preset, built on moves, jogs and references."""
+"""The types of preset, implemented by moves, jogs and references."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ class Preset:
         return self.presets.controller.axes[self.axis].scale.to_counts(self.value("PRESETMOVEPOSITION"))
 
     def speed(self, name: str) -> float | None:
-        """Return a speed in counts/s, None if the axis's own applies."""
+        """Return a speed in counts/s, None if the axis's own speed applies."""
         scale = self.presets.controller.axes[self.axis].scale
         return abs(scale.to_counts(self.value(name), "uu/s")) or None
 
     def rate(self, name: str, speed: float | None) -> float | None:
-        """Return a rate in counts/s², None if the axis's own applies."""
+        """Return a rate in counts/s², None if the axis's own rate applies."""
         a = self.presets.controller.axes[self.axis]
         time = self.presets.entry(name, self.number, 1)
         if time:
@@ -54,7 +54,7 @@ class Preset:
 
 
 def begin(presets: Presets, axis: int, number: int, line: int) -> None:
-    """Start a preset on an axis, also while the axis moves."""
+    """Start a preset on an axis, even while the axis moves."""
     kind = int(presets.entry("PRESETMOVETYPE", number))
     if not 0 < kind < len(WAYS):
         raise Rejected("range", f"preset {number} has no type", f"write PRESETMOVETYPE({number}, 0) first")

@@ -31,12 +31,12 @@ def read_bank(environment: Environment, bank: int) -> int:
 
 
 def write_bank(environment: Environment, bank: int, bits: int) -> None:
-    """RELAYOUT: set a bank of relays, a bit each."""
+    """RELAYOUT: set a bank of relays, one bit per relay."""
     environment.controller.outputs.set_bank(FIRST + bank_of_relays(bank), BANK, bits)
 
 
 def _relay(row: Keyword, number: int) -> int:
-    """Return the channel of a relay; RELAY(bank) names the first one of a bank."""
+    """Return the channel of a relay; RELAY(bank) refers to the first one of a bank."""
     return FIRST + (bank_of_relays(number) if row.index == "bank" else checked(number, LAST_RELAY, "relay"))
 
 
@@ -72,7 +72,7 @@ NONE = -1
 
 
 class Brake:
-    """The spring brake of one motor, which its output releases.
+    """The spring-applied brake of one motor, which an output releases.
 
     While it is engaged by hand, no move can begin.
     """
@@ -85,7 +85,7 @@ class Brake:
         self._due: Event | None = None
 
     def choose(self, mode: int) -> None:
-        """Choose control by the drive, which sets the brake at once, or by the program."""
+        """Select control by the drive, which sets the brake at once, or by the program."""
         self.mode = mode
         if mode == BY_DRIVE:
             self.engage(not self._controller.is_enabled(self.axis))
@@ -104,16 +104,19 @@ class Brake:
         self._show()
 
     def engage_by_hand(self, engaged: bool) -> None:
-        """MOTORBRAKE: engage or release the brake without the drive.
+        """MOTORBRAKE: engage or release the brake independently of the drive.
 
-        The drive does not know that the brake is engaged and must not move the motor.
+        The drive does not know that the brake is engaged, so it must not move the motor.
         """
         self.engage(engaged)
         if engaged:
             self._controller.set_brake(self.axis, True)
 
     def follow_drive(self) -> None:
-        """Schedule the brake after the drive was switched, with its delay in ms."""
+        """Schedule the brake after the drive was switched.
+
+        The delay is that of MOTORBRAKEDELAY in ms.
+        """
         if self.mode != BY_DRIVE:
             return
         engaged = not self._controller.is_enabled(self.axis)

@@ -1,4 +1,4 @@
-"""Buses and their nodes: events of the machine file, and values of the program."""
+"""Buses and their nodes: machine file events, and values written by the program."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ ERROR_REGISTER = 0x1001
 class Bus:
     """One bus: its `state`, its unread events, and its last process data.
 
-    `taken` is the event that was read last: its code and its info.
+    `taken` is the last event read: its code and its info.
     """
 
     def __init__(self, number: int, happened: Callable[[str, int], None]) -> None:
@@ -64,7 +64,7 @@ class Bus:
         self._happened("bus", self._number)
 
     def take(self) -> int:
-        """Return the code of the next event and remove it, 0 if there is none."""
+        """Remove the next event and return its code, 0 if there is none."""
         self.taken = self.queue.pop(0) if self.queue else (0, 0)
         return self.taken[0]
 
@@ -76,7 +76,7 @@ class Bus:
 class Node:
     """The data of one node except its channels.
 
-    `written` holds what the program has written there, by kind and number.
+    `written` holds the values that the program has written to it, by kind and number.
     """
 
     def __init__(self) -> None:
@@ -96,7 +96,7 @@ class Node:
 class Nodes:
     """All buses and nodes, created on first use.
 
-    `named` are the nodes that the machine file mentions.
+    `named` is the set of nodes that the machine file mentions.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -156,7 +156,7 @@ class Nodes:
         return self._channels[key]
 
     def scan(self, bus: int, node: int) -> None:
-        """NODESCAN: report whether the node is alive as an event."""
+        """NODESCAN: raise an event that reports whether the node is alive."""
         checked(node, LAST_NODE, "node")
         self.bus(bus).tell(NODE_CODES["live" if self.answers(bus, node) else "dead"], node)
 
@@ -170,7 +170,7 @@ class Nodes:
         self.bus(bus).tell(NODE_CODES["live"], node)
 
     def written(self) -> list[dict[str, object]]:
-        """Return what the program has written to nodes, as rows of the report."""
+        """Return the values that the program has written to nodes, as report rows."""
         rows: list[dict[str, object]] = []
         for (bus, node, kind), channels in sorted(self._channels.items()):
             what = _WRITTEN.get(kind)
@@ -183,7 +183,7 @@ class Nodes:
     # ---------------------------------------------------------------------------------------- the machine file
 
     def _begin(self, entries: Sequence[Entry]) -> None:
-        """Set the initial state of nodes: dead if the first event makes them alive."""
+        """Set the initial state of nodes: dead if their first event makes them alive."""
         first: dict[tuple[int, int], Entry] = {}
         for entry in sorted(entries, key=lambda each: each.get("at", 0.0)):
             key = entry.get("bus", 1), entry["node"]
@@ -236,7 +236,7 @@ class Nodes:
 def _row(bus: int, node: int, place: tuple[str | int, ...], value: float | str) -> dict[str, object]:
     """Return a report row for one item of a node.
 
-    `place` is "estop", "output" and a number, or "object" with its index and sub-index.
+    `item` is "estop", "output" and a number, or "object" with its index and sub-index.
     """
     return {
         "bus": bus,
@@ -247,7 +247,7 @@ def _row(bus: int, node: int, place: tuple[str | int, ...], value: float | str) 
 
 
 def checked_bus(bus: int) -> int:
-    """Return the number of a bus; raise Rejected if there is no such bus."""
+    """Return the number of a bus; raise Rejected if no such bus exists."""
     if not 1 <= bus <= LAST_BUS:
         raise Rejected("channel", f"there is no bus {bus}", f"they are numbered 1 to {LAST_BUS}")
     return bus
@@ -262,7 +262,7 @@ def _signed(word: int) -> int:
 
 
 def read_bits(nodes: Nodes, row: Keyword, bus: int, node: int, bank: int = 0) -> int:
-    """REMOTEIN, REMOTEOUT, REMOTEINBANK and REMOTEOUTBANK: return a bank."""
+    """REMOTEIN, REMOTEOUT, REMOTEINBANK and REMOTEOUTBANK: return a bank as bits."""
     kind = row.attribute
     channels = nodes.channels(bus, node, kind)
     return bits_of(bank, channels.inverted if kind == "inputs" else channels.__getitem__)
@@ -276,7 +276,7 @@ def write_bits(nodes: Nodes, row: Keyword, bus: int, node: int, *rest: int) -> N
 
 
 def read_bit(nodes: Nodes, row: Keyword, bus: int, node: int, channel: int) -> int:
-    """REMOTEINX and REMOTEOUTX: return a channel; active levels apply to inputs."""
+    """REMOTEINX and REMOTEOUTX: return a channel; only inputs have active levels."""
     kind = row.attribute
     channels = nodes.channels(bus, node, kind)
     checked(channel, LAST_CHANNEL, "channel")

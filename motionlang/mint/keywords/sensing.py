@@ -46,9 +46,9 @@ _BITS = {word: bit for bit, words in KINDS.items() for word in words}
 
 
 def read_axis_mode(environment: Environment, axis: int) -> int:
-    """AXISMODE: return the bit of the kind of motion, 0 at rest.
+    """AXISMODE: return the bit of the present kind of motion, 0 at rest.
 
-    Another bit is set while the motion is suspended.
+    An additional bit is set while the motion is suspended.
     """
     a = environment.controller.axes[axis]
     if a.move is None:
@@ -63,9 +63,9 @@ def read_acceleration(environment: Environment, axis: int) -> float:
 
 
 def _shown(environment: Environment, axis: int, target: float) -> float:
-    """Return a target in user units, within POSWRAP; without one, the position.
+    """Return a target in user units within POSWRAP; without one, the position.
 
-    POSROLLOVERTARGET gives the number of its wraps.
+    POSROLLOVERTARGET returns the number of its wraps.
     """
     counts = target if abs(target) < ENDLESS else environment.controller.position(axis)
     return environment.place(axis, counts)
@@ -77,7 +77,10 @@ AT_POSITION, AT_SPEED = 1, 2
 
 
 class IdleWindows(Settings):
-    """Conditions of IDLE beyond the end of the move, by keyword and axis, in counts."""
+    """Conditions for IDLE in addition to the end of the move.
+
+    They are stored by keyword and axis, in counts.
+    """
 
     defaults = IDLE
     in_counts = True
@@ -93,7 +96,7 @@ class IdleWindows(Settings):
         self._configure_motor(axis)
 
     def _configure_motor(self, axis: int) -> None:
-        """Pass the conditions for settling to a simulated motor."""
+        """Pass the settling conditions to a simulated motor."""
         mode, far = int(self.setting("IDLEMODE", axis)), float("inf")
         self.controller.settle_within(
             axis,
@@ -103,7 +106,7 @@ class IdleWindows(Settings):
         )
 
     def settled(self, axis: int) -> bool:
-        """True if an axis at rest is inside its windows and has been for IDLETIME."""
+        """True if an axis at rest has been inside its windows for IDLETIME."""
         mode = int(self.setting("IDLEMODE", axis))
         if not mode:
             return True
@@ -122,7 +125,7 @@ class IdleWindows(Settings):
     def settling_time(self, axis: int) -> int:
         """Return the ms from the end of the move to IDLE.
 
-        This is IDLETIME, plus the settling time of a simulated motor before it.
+        This is the settling time of a simulated motor plus IDLETIME.
         """
         if not self.setting("IDLEMODE", axis):
             return 0
@@ -150,11 +153,11 @@ class IdleWindows(Settings):
 class Encoders:
     """The encoders of the axes and of the machine file.
 
-    An encoder of an axis counts independently of the zero that the program sets. An encoder of the machine
+    The encoder of an axis counts independently of the zero that the program sets. An encoder of the machine
     file replaces that of the axis with the same number.
 
-    The reading of an encoder is counts / ENCODERPRESCALE / ENCODERSCALE, plus the offset set by writing a
-    value, within ENCODERWRAP.
+    The reading of an encoder is counts / ENCODERPRESCALE / ENCODERSCALE, plus an offset, within ENCODERWRAP.
+    Writing a value to the encoder sets the offset.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -180,9 +183,9 @@ class Encoders:
         return self.shown(channel, self.counts(channel))
 
     def until(self, channel: int, level: float | None = None) -> float:
-        """Return the time at which an encoder of the machine file crosses a level.
+        """Return the earliest time at which an encoder may cross a level.
 
-        The encoder of an axis may cross it at any time.
+        This is exact for an encoder of the machine file. The encoder of an axis may cross it while anything moves.
         """
         track = self.track(channel)
         if level == INFINITY:
@@ -199,15 +202,15 @@ class Encoders:
         )
 
     def checked(self, channel: int) -> int:
-        """Return the channel; raise Rejected if neither axes nor machine file have it."""
+        """Return the channel; raise Rejected if no axis or machine file encoder has it."""
         return channel_of(self._environment, channel)
 
     def track(self, channel: int) -> int:
-        """Return the controller's number of an encoder that the world drives."""
+        """Return the controller's number for an encoder of the machine file."""
         return channel
 
     def shown(self, channel: int, counts: float) -> float:
-        """Return the reading of an encoder at a count."""
+        """Convert a count to the reading of an encoder."""
         shown = counts / self.per_unit(channel) + self.setting("zero", channel)
         wrap = self.setting("ENCODERWRAP", channel)
         return shown % wrap if wrap else shown
@@ -226,12 +229,12 @@ class Encoders:
         return self._controller.velocity(channel) + shift
 
     def per_unit(self, channel: int) -> float:
-        """Return the counts in one unit of the encoder's reading."""
+        """Return the number of counts per unit of the encoder's reading."""
         return self.setting("ENCODERSCALE", channel) * self.setting("ENCODERPRESCALE", channel)
 
 
 def channel_of(environment: Environment, channel: int) -> int:
-    """Return the channel; raise Rejected if neither axes nor machine file have it."""
+    """Return the channel; raise Rejected if no axis or machine file encoder has it."""
     if channel not in environment.controller.axes and channel not in environment.controller.encoders:
         axes = list(environment.controller.axes)
         hint = f"the encoders are those of axes {axes[0]} to {axes[-1]}"
@@ -259,7 +262,7 @@ def read_speed(encoders: Encoders, channel: int) -> float:
 
 
 def _name(row: Keyword) -> str:
-    """Return the keyword of the axis encoders that corresponds to one of any family."""
+    """Return the axis encoder keyword that corresponds to a keyword of any family."""
     return row.name.removeprefix("AUX").replace("STEPPER", "ENCODER")
 
 
@@ -280,7 +283,7 @@ def write_setting(encoders: Encoders, row: Keyword, channel: int, value: float) 
 class Wraps:
     """POSWRAP of every axis in counts.
 
-    Its value in user units changes with the scale, as for any setting made before.
+    A change of the scale changes its value in user units, as for any earlier setting.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -318,7 +321,7 @@ AXIS_MODE = Actions(read=of(Environment, read_axis_mode))
 
 
 def _target(end: Callable[[Axis], float]) -> Maker:
-    """Make a reading of where motion ends: the position while there is no end."""
+    """Make an operation that reads the target, or the position in endless motion."""
 
     @by_axis
     def made(environment: Environment, row: Keyword, axis: int) -> Operation:

@@ -23,7 +23,7 @@ _LINE_END = 13, 10
 
 
 class Ports:
-    """The unread characters of each port; new ones raise SERIALRECEIVE."""
+    """The unread characters of each port; new ones raise the event SERIALRECEIVE."""
 
     def __init__(self, environment: Environment) -> None:
         self._environment, clock = environment, environment.clock
@@ -42,7 +42,7 @@ class Ports:
         self._environment.events.raise_("serialreceive")
 
     def waiting(self, port: int) -> list[int]:
-        """Return the unread characters of a port; port 0, the default, means port 1."""
+        """Return the unread characters of a port; port 0, the default, is port 1."""
         if not 0 <= port <= LAST_PORT:
             raise Rejected(
                 "channel", f"there is no serial port {port}", f"they are numbered 1 to {LAST_PORT}"
@@ -57,9 +57,9 @@ class Ports:
         return waiting.pop(0)
 
     def send(self, port: int, code: int) -> None:
-        """Send a character; characters of a line are shown together.
+        """Send a character; the characters of a line are shown together.
 
-        Carriage return and line feed, or one of them, end a line.
+        A carriage return, a line feed, or both in sequence, end a line.
         """
         self.waiting(port)
         stream = self._environment.machine.stream(f"serial {port or 1}")

@@ -1,4 +1,4 @@
-"""The servo loop of an axis: gains, period, limit of following error, torque.
+"""The servo loop of an axis: gains, period, following-error limit, torque.
 
 They act on the motor that the machine file simulates. Without one they are stored and read back, and the
 report states that they had no effect.
@@ -18,7 +18,7 @@ _PERCENT = 0.1
 
 
 class Loops:
-    """The following-error limits in counts by axis, and torques in force in percent."""
+    """The following-error limits in counts and the torques in percent, by axis."""
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
@@ -95,7 +95,7 @@ def write_fatal_error(loops: Loops, row: Keyword, axis: int, value: float) -> No
 def read_torque(loops: Loops, axis: int) -> float:
     """TORQUE: return the output in percent of full scale.
 
-    It is 0 while the loop is closed or TORQUEREF controls the output.
+    The value is 0 while the loop is closed or TORQUEREF controls the output.
     """
     in_force = loops.environment.controller.is_open(axis) and not loops.references.has(axis)
     return loops.torque.get(axis, 0.0) if in_force else 0.0

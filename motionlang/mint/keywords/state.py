@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @by_axis
 def read_is_idle(environment: Environment, row: Keyword, axis: int) -> Operation:
-    """IDLE and POSACHIEVED: return 1 at rest and, if the program asks for it, settled."""
+    """IDLE and POSACHIEVED: return 1 if at rest and, if settings require it, settled."""
     is_idle = environment.controller.reader("is_idle", axis)
     return lambda: int(is_idle() and (environment.settled is None or environment.settled(axis)))
 

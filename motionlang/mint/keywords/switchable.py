@@ -1,4 +1,4 @@
-"""The assumptions about Mint that are values: number formats and setting defaults."""
+"""The assumptions about Mint that have values: number formats, default settings."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SYNONYMS = frozenset({"FEEDRATE"})
 
 
 class Switches(Mapping[str, Switch]):
-    """The assumptions that can be set; a lookup imports the file of its keyword."""
+    """The assumptions that can be set; a lookup imports only the file of its keyword."""
 
     def __getitem__(self, name: str) -> Switch:
         row = row_with_default(word_of(name))
@@ -57,7 +57,7 @@ def with_default() -> list[Keyword]:
 
 
 def row_with_default(word: str) -> Keyword | None:
-    """Return a keyword by its name if its default is an assumption, else None."""
+    """Return the named keyword if its default is an assumption, else None."""
     row = table().get(word)
     return row if row is not None and row.name.lower() == word.lower() and has_default(row) else None
 
@@ -65,7 +65,7 @@ def row_with_default(word: str) -> Keyword | None:
 def has_default(row: Keyword) -> bool:
     """True if a keyword is an axis setting with a default.
 
-    A keyword whose write does more than store a value is not a setting: it moves the axis, or transfers
+    A keyword whose write does more than store a value is not a setting, because it moves the axis or transfers
     control of it.
     """
     return (
@@ -82,10 +82,10 @@ def has_default(row: Keyword) -> bool:
 
 
 def name_of(row: Keyword) -> str:
-    """Return the name of the assumption for a keyword's default."""
+    """Return the name of the assumption about a keyword's default."""
     return f"{PREFIX}{row.name.lower()}{SUFFIX}"
 
 
 def word_of(name: str) -> str:
-    """Return the keyword whose default an assumption is, "" if it is none."""
+    """Return the keyword whose default an assumption gives, "" if there is none."""
     return name[len(PREFIX) : -len(SUFFIX)] if name.endswith(SUFFIX) else ""

@@ -1,7 +1,7 @@
-"""Cams: a follower on a table of positions over the master's, from program arrays.
+"""Cams: a follower moves by a table of positions over the travel of its master.
 
-Element 1 of an array is the number of segments. Each later element belongs to one segment. The arrays belong
-to the program: what it writes to them takes effect in the next cycle.
+The tables are arrays of the program. Element 1 is the number of segments, and each later element belongs to one
+segment. A value that the program writes to an array takes effect in the next cycle.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ ABSOLUTE, TRULY_ABSOLUTE, CONTINUOUS = 1, 2, 4
 
 
 def elements(array: Sequence[float], word: str) -> list[float]:
-    """Return the elements of a table after its count.
+    """Return the elements of a table, which follow its count.
 
-    Raises Rejected if the array does not hold that many.
+    Raises Rejected if the array is shorter than the count.
     """
     count = int(array[1]) if len(array) > 1 else 0
     if not 1 <= count <= len(array) - 2:
@@ -43,9 +43,9 @@ def elements(array: Sequence[float], word: str) -> list[float]:
 
 
 def span(first: float, last: float, count: int, word: str) -> tuple[int, int]:
-    """Return the range of segments in use: the first, and the end (exclusive), from 0.
+    """Return the segments in use as a half-open range, counted from 0.
 
-    `last` 0 stands for the last segment of the table.
+    `first` and `last` count from 1; 0 as `last` is the last segment of the table.
     """
     end = int(last) or count
     if not 1 <= first <= end <= count:
@@ -55,7 +55,7 @@ def span(first: float, last: float, count: int, word: str) -> tuple[int, int]:
 
 
 class Phase:
-    """CAMPHASE: extra travel `delta` of the master over some segments, in one cycle."""
+    """CAMPHASE: extra travel `delta` of the master over some segments in one cycle."""
 
     def __init__(self, first: int, last: int, delta: float) -> None:
         self.first, self.last, self.delta = first, last, delta
@@ -77,8 +77,8 @@ class Cams:
     def table(self, axis: int, mode: int, start: float, begins: bool) -> Points:
         """Return the positions of the master and of the follower for a cycle, in counts.
 
-        `begins` is True at the start of a cycle, False for a mere check. The result is the same object as
-        before if nothing has changed.
+        `begins` is True at the start of a cycle, False for a mere check. If nothing has changed, the result is the
+        same object as before.
         """
         masters, scale = self.masters, self.masters.scale(axis)
         steps, lengths = self.steps(axis), self.lengths(axis)
@@ -145,7 +145,7 @@ class Cams:
 def do_table(
     cams: Cams, row: Keyword, axis: int, positions: Array | None, lengths: Array | None, line: int
 ) -> None:
-    """CAMTABLE: set the arrays of positions and lengths in user units, or clear them."""
+    """CAMTABLE: set the arrays of positions and lengths in user units, or clear both."""
     cams.phases.pop(axis, None)
     if positions is None:
         cams.arrays.pop(axis, None)

@@ -1,7 +1,8 @@
-"""Splines: positions at times, from arrays, with velocities given or chosen.
+"""Splines: positions at given times, with velocities given or computed.
 
-SPLINE_1 uses the mean velocity of the two segments that meet at a point. SPLINE_2 uses the velocities that
-make the acceleration continuous. The assignment of these two to Mint's two profiles is from memory.
+The tables are arrays of the program. SPLINE_1 uses the mean velocity of the two segments that meet at a point.
+SPLINE_2 uses the velocities that make the acceleration continuous. Which of Mint's two profiles is which is from
+memory.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ DEFAULTS = {"SPLINESTART": 1, "SPLINETIME": 100}
 
 
 class Splines(Settings):
-    """The tables and settings of every axis."""
+    """The spline tables and settings of every axis."""
 
     defaults = DEFAULTS
 
@@ -58,7 +59,7 @@ class Splines(Settings):
     def motion(self, axis: int, mode: int, start: float, first_time: bool) -> Timed:
         """Return the motion through the table from `start`, in counts.
 
-        The first run starts from rest, each further one at the velocity of the end before.
+        The first run starts from rest, each further run at the final velocity of the preceding one.
         """
         points, velocities, times = self._points(axis, mode, start)
         cyclic = bool(mode & CONTINUOUS)
@@ -103,7 +104,7 @@ class Splines(Settings):
 
 
 def seconds(milliseconds: float) -> float:
-    """Return the time of a segment in seconds, in whole steps of the controller.
+    """Convert the time of a segment to seconds, rounded to whole controller steps.
 
     Raises Rejected if the time is out of range.
     """
@@ -122,7 +123,7 @@ def _part(array: Array, first: int, end: int) -> list[float]:
 
 
 def _seam(points: list[float], times: list[float], smooth: bool) -> float:
-    """Return the velocity of a continuous spline between its end and its start."""
+    """Return the velocity at which the end of a continuous spline joins its start."""
     steps = [b - a for a, b in pairwise(points)]
     if smooth and len(times) > 1:
         return spline_slopes(times, [d / h for d, h in zip(steps, times, strict=True)], True)[0]

@@ -1,4 +1,4 @@
-"""Tasks, events and errors, which do not involve the controller."""
+"""Tasks, events and errors: keywords that do not involve the controller."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from motionlang.mint.runtime.events import Events
 
 
 def write_priority(environment: Environment, name: str, value: int) -> None:
-    """TASKPRIORITY: set the priority of a task, running or to be started."""
+    """TASKPRIORITY: set the priority of a task, whether it runs yet or not."""
     environment.priorities[name] = value
     if name in environment.tasks:
         environment.tasks[name].priority = value
 
 
 def write_quantum(environment: Environment, name: str, value: int) -> None:
-    """TASKQUANTUM: set the quantum of a task, running or to be started."""
+    """TASKQUANTUM: set the quantum of a task, whether it runs yet or not."""
     environment.quanta[name] = value
     if name in environment.tasks:
         environment.tasks[name].set_time_slice()
@@ -35,7 +35,7 @@ def read_data(errors: Errors, number: int) -> int:
 
 
 def suspend(environment: Environment, name: str, hold: bool = True) -> None:
-    """Suspend a task or resume it.
+    """Suspend a task (`hold`) or resume it.
 
     A task that suspends itself stops at its next time slice.
     """

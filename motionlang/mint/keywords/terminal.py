@@ -1,7 +1,7 @@
 """Terminals: printed output, keys and lines.
 
-A terminal is a bit: 1, 2, 4 … 128. TERMINAL is a pattern of them, separate for each task; event handlers
-share that of the parent task. Terminal 1 is the console.
+A terminal is a bit: 1, 2, 4 … 128. TERMINAL is a pattern of these bits. Each task has its own TERMINAL, and event
+handlers share that of the parent task. Terminal 1 is the console.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ class Terminals:
 
     @property
     def current(self) -> int:
-        """TERMINAL of the running task."""
+        """The value of TERMINAL in the running task."""
         return self._chosen.get(id(self._environment.task.timer), (None, CONSOLE))[1]
 
     def choose(self, pattern: int) -> None:
-        """TERMINAL: set the terminals that PRINT uses, a bit each."""
+        """TERMINAL: set the terminals that PRINT uses, one bit each."""
         timer = self._environment.task.timer
         self._chosen[id(timer)] = timer, pattern
 
@@ -63,7 +63,7 @@ class Terminals:
         return found[0]
 
     def write(self, text: str, pattern: int = CURRENT) -> None:
-        """Print on the terminals of a pattern, by default on those of TERMINAL."""
+        """Print on the terminals of a pattern, by default those of TERMINAL."""
         self._environment.acts += 1
         if not self._chosen and pattern == CURRENT:
             self._machine.terminal.write(text)
@@ -115,7 +115,7 @@ def ask(environment: Environment, count: float, number: int) -> Wait:
 
 
 def read_held_key(environment: Environment, row: Keyword) -> Operation:
-    """READKEY: make an operation that reads the held key."""
+    """READKEY: make an operation that reads the key held down."""
     return environment.machine.operator.held_key
 
 

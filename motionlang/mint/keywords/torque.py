@@ -1,7 +1,7 @@
 """TORQUEREF: a ramped motor output in place of the servo loop; torque and current.
 
 The reference changes once per servo period, as in a drive, so a ramp is a staircase. It is a percentage of
-the full output, which is torque if the machine file gives the motor a current amplifier.
+the full output, which is proportional to torque if the motor has a current amplifier in the machine file.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class TorqueReferences(Settings):
         self.controller.analogue_inputs.listeners.append(self._analogue)
 
     def set(self, name: str, axis: int, value: float) -> None:
-        """Write a setting; an axis whose output is the reference uses it at once."""
+        """Write a setting; an axis that the reference controls uses it at once."""
         if name == "TORQUEREFSOURCE" and value:
             analogue_input(int(value) - 1)
         super().set(name, axis, value)
@@ -43,13 +43,13 @@ class TorqueReferences(Settings):
             self.run(axis)
 
     def has(self, axis: int) -> bool:
-        """True if the reference controls the output, until the loop is closed again."""
+        """True if the reference controls the output, which it does until the loop closes."""
         if axis in self._present and not self.controller.is_open(axis):
             del self._present[axis]
         return axis in self._present
 
     def wanted(self, axis: int) -> float:
-        """Return the wanted percentage: the value written, or an analogue input."""
+        """Return the target percentage: the value written, or that of an analogue input."""
         if not self.setting("TORQUEREFENABLE", axis):
             return 0.0
         source = int(self.setting("TORQUEREFSOURCE", axis))
@@ -63,7 +63,7 @@ class TorqueReferences(Settings):
             self._step(axis)
 
     def end(self, axis: int) -> None:
-        """Give up control of the output, which another keyword has taken."""
+        """Give up control of the output to another keyword."""
         self._present.pop(axis, None)
 
     def present(self, axis: int) -> float:
@@ -86,7 +86,7 @@ class TorqueReferences(Settings):
             clock.at(clock.now + seconds, lambda: self._step(axis))
 
     def _next(self, axis: int, present: float, wanted: float, seconds: float) -> float:
-        """Return the percentage one servo period later.
+        """Return the percentage after one more servo period.
 
         A change towards 0 uses the fall time, a change away from 0 the rise time.
         """

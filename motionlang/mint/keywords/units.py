@@ -1,6 +1,6 @@
-"""The factors of positions, speeds and accelerations.
+"""The scale factors of positions, speeds and accelerations.
 
-Settings made before a change preserve their counts.
+Settings made before a change of a factor keep their counts.
 """
 
 from __future__ import annotations
@@ -18,12 +18,15 @@ POSITION, SPEED, ACCELERATION = range(3)
 
 
 def factor(power: int) -> Maker:
-    """Make an operation that reads one of the factors."""
+    """Make an operation that reads one of the scale factors."""
     return of(Environment, lambda e, axis: float(scale_of(e, axis).factors[power][1]))
 
 
 def write_position(environment: Environment, axis: int, value: float) -> None:
-    """POSSCALEFACTOR: set the counts, without changing the other two factors."""
+    """POSSCALEFACTOR: set the counts per user unit of positions only.
+
+    The factors of speeds and accelerations do not change.
+    """
     scale = scale_of(environment, axis)
     speed, acceleration = scale.speed, scale.acceleration
     environment.controller.set_scale(axis, value)
@@ -31,12 +34,12 @@ def write_position(environment: Environment, axis: int, value: float) -> None:
 
 
 def write_speed(environment: Environment, axis: int, value: float) -> None:
-    """VELSCALEFACTOR: set the counts in the length unit of speeds."""
+    """VELSCALEFACTOR: set the counts per length unit of speeds."""
     environment.controller.set_units(axis, value, scale_of(environment, axis).acceleration)
 
 
 def write_acceleration(environment: Environment, axis: int, value: float) -> None:
-    """ACCELSCALEFACTOR: set the counts in the length unit of accelerations and jerks."""
+    """ACCELSCALEFACTOR: set the counts per length unit of accelerations and jerks."""
     environment.controller.set_units(axis, scale_of(environment, axis).speed, value)
 
 

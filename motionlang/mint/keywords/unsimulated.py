@@ -1,12 +1,14 @@
 """Keywords that are known but not simulated, and their treatment in a run.
 
-They are in the text files of `type_library/`, each with its treatment. A "value" cannot be computed here,
-such as a reading or drive data. The program may write it and read it back. If it reads a value that it did
-not write, the machine file supplies it, or else the run ends there. A "command" has no effect on motion,
-inputs or outputs: the program continues, and the report names it. A "motion" moves an axis or changes the
-course of the program: the run ends where one is written or carried out, because everything after it would be
-wrong. Writing 0 switches it off, which needs no simulation. Every operation gets the line of its statement
-and the token of its keyword as last arguments.
+The text files of `type_library/` list them, each with its treatment:
+
+- A "value", such as a reading or drive data, cannot be computed here. The program may write it and read it back.
+  If the program reads a value that it did not write, the machine file supplies it; without an entry the run ends.
+- A "command" has no effect on motion, inputs or outputs: the program continues, and the report names it.
+- A "motion" moves an axis or changes the course of the program. The run ends where one is written or carried out,
+  because everything after it would be wrong. Writing 0 switches it off, which needs no simulation.
+
+Every operation receives the line of its statement and the source offset of its keyword as last arguments.
 """
 
 from __future__ import annotations
@@ -30,7 +32,7 @@ WRITTEN = {"POSDEMAND": "makes the demanded position jump, without a profile"}
 
 
 def read_value(environment: Environment, row: Keyword) -> Operation:
-    """Make an operation that reads a value of the program or the machine file.
+    """Make an operation that reads a value from the program or the machine file.
 
     The run ends if neither has one.
     """
@@ -68,7 +70,7 @@ def read_motion(environment: Environment, row: Keyword) -> Operation:
 
 
 def write_motion(environment: Environment, row: Keyword) -> Operation:
-    """Make an operation that accepts 0, which has no effect, and else ends the run."""
+    """Make an operation that accepts 0 and ends the run for any other value."""
     keep = _keep(environment, row)
 
     def write(*given: object) -> None:
@@ -84,14 +86,17 @@ def do_motion(environment: Environment, row: Keyword) -> Operation:
 
 
 def write_jump(environment: Environment, row: Keyword) -> Operation:
-    """Make an operation that ends the run on a write to a read-only simulated keyword."""
+    """Make an operation that ends the run: the keyword is simulated for reads only."""
     return lambda *given: _end(
         row, f"writing {row.name} {WRITTEN[row.name]}: this is not simulated", given[-1]
     )
 
 
 def _end(row: Keyword, message: str, at: object, told: bool = False) -> NoReturn:
-    """End the run with the keyword's meaning and, if `told`, a machine file hint."""
+    """End the run with the meaning of the keyword.
+
+    With `with_hint` the message suggests a machine file entry.
+    """
     from motionlang.lang.run_errors import NotSimulated
 
     hint = f"{row.name}: {row.help.rstrip('.')}"

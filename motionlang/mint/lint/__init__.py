@@ -44,8 +44,8 @@ def check(
 ) -> list[Diagnostic]:
     """Return all errors of a program and, if it compiles, all warnings.
 
-    With `known`, a dict that passes from one check to the next, functions that are still the same are not
-    checked again.
+    `known` is a dict that passes from one check to the next. With it, functions that have not changed are not checked
+    again.
     """
     with CollectorOff(), StackSpace():
         return _check(source, dict(settings or {}), known)

@@ -1,6 +1,6 @@
-"""Data-flow analysis: what is known about each axis before each step of a program.
+"""Data-flow analysis: the facts known about each axis before each step.
 
-The checks of motion use this. Only certain facts are stored: where two paths of execution join, facts on
+The checks of motion use this. Only certain facts are stored. Where two paths of execution join, facts on
 which they disagree are dropped.
 """
 
@@ -34,8 +34,8 @@ class Axis(NamedTuple):
     - `frame`: the distance of the program's zero from the position at power-up in user units, None if
       unknown.
     - `set`: the move settings made so far, in user units.
-    - `stale`: those made before the last change of the scale, which is at token `scaled`.
-    - `timed`: the token where a ramp time was set before any speed, None if that did not happen.
+    - `stale`: the move settings made before the last change of the scale, which is at token `scaled`.
+    - `timed`: the token that set a ramp time before any speed was set, None if there is none.
     - `speeded`: a speed may have been set.
     - `zeros`: the move settings that are 0.
     - `loaded`: the token of the first move that waits for a GO, None if unknown.
@@ -61,7 +61,7 @@ class Axis(NamedTuple):
     jogs: bool = False
 
     def joined(self, other: Axis, turns: bool) -> Axis:
-        """Keep the facts on which both agree; at a loop head (`turns`) time passes."""
+        """Return the facts on which both agree; at a loop head time has passed."""
         if self == other:
             return self._replace(fresh=False) if turns and self.fresh else self
         return Axis(
@@ -83,7 +83,7 @@ class Axis(NamedTuple):
         )
 
     def reaching(self, target: float | None) -> tuple[float, float] | None:
-        """Return `span` after a move to a target, which is None if it is unknown."""
+        """Return `span` after a move to a target (None if the target is unknown)."""
         if self.span is None or target is None:
             return None
         return min(self.span[0], target), max(self.span[1], target)
@@ -96,7 +96,7 @@ _NEEDED = frozenset(("speed", "accel", "decel"))
 
 @record
 class State:
-    """The facts about all axes: `axes` by key, and `rest` for every other axis."""
+    """The facts about all axes: `axes` by key, and `rest` for all axes not in it."""
 
     rest: Axis
     axes: dict[Key, Axis]
@@ -135,12 +135,12 @@ After = dict[Key, Axis]
 
 
 class Follower:
-    """Follow the axes through every function.
+    """Tracks the facts about the axes through every function.
 
     `is_out_of_reach(key, axis)` is True if the axis cannot come to its target. `analyse` fills `before`, the
-    states before the steps of a function, and `after`, the facts about the axes that it changes when it returns.
-    `recalled` may return these facts, so that a function that is known need not be followed. `tell` passes
-    findings to `report(code, step, act, key, axis)`.
+    states before the steps of a function, and `after`, the facts on return about the axes that the function changes.
+    `recalled` may return the latter from an earlier check, so that the function need not be analysed.
+    `report_problems` passes findings to `report(code, step, act, key, axis)`.
     """
 
     def __init__(
@@ -160,9 +160,9 @@ class Follower:
         self._report: Report | None = None
 
     def _shared(self) -> set[Key]:
-        """Find the axes commanded by more than one parent task, task or handler.
+        """Return the axes commanded by more than one of parent task, tasks and handlers.
 
-        Nothing is certain about these.
+        Nothing is certain about them.
         """
         seen: dict[Key, Function] = {}
         shared: set[Key] = set()
@@ -177,7 +177,7 @@ class Follower:
         return shared
 
     def _stopped_by_handlers(self) -> set[Key]:
-        """Find the axes that a handler or a task stops; their moves may end early."""
+        """Return the axes that a handler or a task stops; their moves may end early."""
         found: set[Key] = set()
         for root in self.facts.functions:
             if root.kind in ("task", "event"):
@@ -195,7 +195,7 @@ class Follower:
         return axis
 
     def _led(self) -> set[Key]:
-        """Find the axes that may move without a GO of their own.
+        """Return the axes that may move without a GO of their own.
 
         They follow a master, belong to the path of another axis, or are started by a trigger.
         """
@@ -216,7 +216,7 @@ class Follower:
     # ---------------------------------------------------------------------------------------- following
 
     def analyse(self, function: Function) -> None:
-        """Follow the axes through a function, after all that it calls."""
+        """Track the axes through a function; the functions that it calls come first."""
         if function in self.after or function in self._at_work:
             return
         self._at_work.add(function)
@@ -328,7 +328,7 @@ class Follower:
         return axis.target + value if certain and axis.target is not None else None
 
     def _checked(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
-        """Report a target out of reach and drop it from the facts."""
+        """Report a target that is out of reach, and drop it from the facts."""
         key = act.axes[number]
         if axis.target is None or not self.is_out_of_reach(key, axis):
             return axis
@@ -481,7 +481,7 @@ class Follower:
 
 
 def _after_call(inner: Axis) -> Axis:
-    """Return the facts about an axis after a sub; settings made before it stay valid."""
+    """Return the facts about an axis after a sub; earlier settings remain valid."""
     return inner._replace(fresh=False, set=frozenset(), speeded=True, timed=None, stale=frozenset())
 
 

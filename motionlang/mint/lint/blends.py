@@ -1,4 +1,4 @@
-"""The check for a BLENDDISTANCE of more than half a path.
+"""The check for a BLENDDISTANCE that exceeds half a path.
 
 A blend takes at most half of a path.
 """
@@ -20,7 +20,7 @@ SHARE = 0.5
 
 
 def check_blends(facts: Facts, add: Add) -> None:
-    """Warn of each path with less than twice every BLENDDISTANCE of its axis.
+    """Warn of each path shorter than twice a BLENDDISTANCE that its axis is given.
 
     The last path of a set of axes has no blend after it and is not checked.
     """
@@ -43,7 +43,7 @@ def check_blends(facts: Facts, add: Add) -> None:
 
 
 def _length(facts: Facts, act: Act) -> float | None:
-    """Return the length of a relative straight path, None if it is not known."""
+    """Return the length of a relative straight path, None if it is unknown."""
     values = [facts.number(value) for value in act.values]
     numbers = [value for value in values if value is not None]
     if act.row is None or not (act.row.does("line") and act.row.does("relative")):

@@ -1,6 +1,6 @@
 """The check for `&` and `|` next to a comparison.
 
-Languages differ in precedence: in some of them the comparison binds tighter.
+Languages differ in precedence: in some of them the comparison binds more tightly.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ _OPEN, _CLOSED = frozenset("(["), frozenset(")]")
 
 
 def check_brackets(facts: Facts, function: Function, places: SourceOffsets, add: Callable[..., None]) -> None:
-    """Report each comparison with an `&` or `|` that is not in brackets.
+    """Report each comparison that has an `&` or `|` without brackets as an operand.
 
-    The hint shows the line in both interpretations.
+    The hint shows the line with brackets for both interpretations.
     """
     inner: set[int] = set()
     for node in facts.of_kind(nodes.Binary, function):  # a node comes before its children
@@ -57,7 +57,7 @@ def _is_text(node: nodes.Expr) -> bool:
 
 
 class _Chain:
-    """A comparison with everything in it that is not in brackets.
+    """A comparison with all operations in it that are not in brackets.
 
     `operands` are its operands and `ops` the tokens of its operators. `inner` holds the identities of the
     operations inside it. `is_written` is False if the comparison was generated for a statement, such as the
@@ -86,14 +86,14 @@ class _Chain:
             self.operands.append(node)
 
     def _operator(self, node: nodes.Binary) -> int:
-        """Return the token of an operator, which is before the brackets of its right side."""
+        """Return the token of an operator, found before the brackets of its right operand."""
         at = node.right.at - 1
         while self.places.text(at) == "(":
             at -= 1
         return at
 
     def _bracketed(self, node: nodes.Binary, outer: int) -> bool:
-        """True if an operation that is an operand of another one is in brackets."""
+        """True if an operation is in brackets within the operation around it."""
         inner = self._operator(node)
         depth = least = 0
         for at in range(min(inner, outer) + 1, max(inner, outer)):
@@ -108,7 +108,7 @@ class _Chain:
     # ----------------------------------------------------------------------------------------------- readings
 
     def line(self, tight: Iterable[str]) -> str:
-        """Return the source line with brackets around the operands of some operators."""
+        """Return the source line with the operands of the `tight` operators in brackets."""
         opened, closed = set(), set()
         starts = [self._start(), *(op + 1 for op in self.ops)]
         ends = [*(op - 1 for op in self.ops), self._end()]
@@ -123,7 +123,7 @@ class _Chain:
         return self._written(opened, closed)
 
     def _start(self) -> int:
-        """Return the first token of the first operand, including brackets around it."""
+        """Return the first token of the first operand, including its opening brackets."""
         first = min(each.at for each in walk([self.operands[0]]))
         depth = sum(map(self._depth, range(first, self.ops[0])))
         while depth < 0:

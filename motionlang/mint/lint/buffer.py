@@ -1,4 +1,4 @@
-"""Checks of the move buffer: too many moves, and moves that no GO starts."""
+"""Checks of the move buffer: too many moves, and moves that are never started."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Buffers:
     # ------------------------------------------------------------------------------------- too many entries
 
     def _loads(self, step: Step, state: State) -> None:
-        """Report a load into a full buffer, which only a later GO could empty."""
+        """Report a load into a full buffer if only a later GO could empty it."""
         for act in self.facts.acts[step]:
             if act.role in _LOADS:
                 for key in act.axes[:1] if act.role == "path" else act.axes:
@@ -56,7 +56,7 @@ class Buffers:
                         self._overfilled(act, key, size)
 
     def _size(self, key: Key) -> float | None:
-        """Return the maximum number of entries in the buffer of an axis, None if unknown."""
+        """Return the number of entries that the buffer of an axis holds, None if unknown."""
         if self._may_trigger(key):
             return None
         sizes = self.sizes.get(key, [])
@@ -98,7 +98,7 @@ class Buffers:
                 self._overfilled(found[0], key, size)
 
     def _counts_itself(self, node: nodes.For) -> bool:
-        """True if nothing in the body leaves the loop or changes its counter."""
+        """True if nothing in the body of a For leaves the loop or changes its counter."""
         counter = self.facts.symbol(node.variable)
         for inner in walk(node.body):
             if type(inner) in _BREAKS:
@@ -140,7 +140,7 @@ class Buffers:
     def _behind_the_end(self, function: Function, number: dict[Key, int], started: set[Key]) -> int:
         """Return the axes that may be started after a function returns, as bits.
 
-        The caller of a sub may do so, or the code that a v4 handler has interrupted.
+        The caller of a sub may start them, or the code that a v4 handler has interrupted.
         """
         if function.kind != "sub" and not self.facts.graphs[function].handlers:
             return 0

@@ -1,6 +1,6 @@
 """The check for endless loops that compute and never wait.
 
-Such a loop takes all the time of its task. Nothing outside the program can change what it does.
+Such a loop takes all the time of its task, and nothing outside the program can influence it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,10 @@ _TAKES_TIME = (nodes.Pause, nodes.Input, nodes.Run)
 
 
 def check_busy_loops(facts: Facts, add: Add) -> None:
-    """Report each endless loop that only computes, unless tasks or events may use it."""
+    """Report each endless loop that only computes.
+
+    Programs with tasks, event handlers or a host are not checked, because these may use or change its variables.
+    """
     if len([each for each in facts.functions if each.kind != "sub"]) != 1 or facts.hosted:
         return
     for function in facts.functions:
@@ -54,7 +57,7 @@ def _endless(graph: Graph) -> list[set[Step]]:
 
 
 def _leading(region: set[Step], to: Step) -> set[Step]:
-    """Return the steps of a region from which a path leads to one of them."""
+    """Return the steps of a region from which a path leads to the step `to`."""
     before: dict[Step, list[Step]] = {step: [] for step in region}
     for step in region:
         for after in step.next:
@@ -74,7 +77,7 @@ def _computes(step: Step) -> bool:
 
 
 def _is_quiet(facts: Facts, step: Step) -> bool:
-    """True if a step only computes or prints, from values that the program sets."""
+    """True if a step only computes or prints values that the program sets."""
     node = step.node
     if isinstance(node, _TAKES_TIME) or step.kind == END:
         return False

@@ -1,4 +1,4 @@
-"""Checks of conditions about moving axes, and of WAITs that get a condition.
+"""Checks of conditions about moving axes, and of WAITs whose time is a condition.
 
 A WAIT takes a time. A moving axis is rarely read at exactly one position. A wait never ends if the axis jogs, or if
 its moves never reach the position it waits for.
@@ -114,7 +114,7 @@ class Conditions:
     # --------------------------------------------------------------------------- equality with a moving position
 
     def _equalities(self, node: nodes.Node, truth: bool | None, state: State) -> None:
-        """Report comparisons for equality of a position in motion.
+        """Report comparisons for equality of the position of a moving axis.
 
         `truth` is the value for which a program waits, None if it only branches.
         """
@@ -155,7 +155,7 @@ class Conditions:
     # ------------------------------------------------------------------------------------- waits that never end
 
     def _waits(self, node: nodes.Expr, truth: bool, state: State, at: int) -> None:
-        """Report a wait until a condition has a truth value, if it never has."""
+        """Report a wait for a condition to become `truth`, if that never happens."""
         why = self._never(node, truth, state)
         if why:
             self.add("endless-wait", f"this waits for a condition that cannot change: {why[0]}", at, why[1])
@@ -163,7 +163,7 @@ class Conditions:
             self._equalities(node, truth, state)
 
     def _never(self, node: nodes.Expr, truth: bool, state: State) -> tuple[str, str] | None:
-        """Return why a condition never has a truth value, and a hint; None if it may."""
+        """Return why a condition never becomes `truth`, and a hint; None if it may."""
         node = meant(node)
         if type(node) is nodes.Unary and node.op == "Not":
             return self._never(node.operand, not truth, state)
@@ -212,7 +212,7 @@ class Conditions:
         return why, f"compare POS({spelt(key)}) with a position that a move reaches"
 
     def _stops_otherwise(self, key: Key) -> bool:
-        """True if an input, a limit or a handler may stop the axis."""
+        """True if an input, a limit, a handler or a task may stop the axis."""
         return bool({key, None} & (self.limited | self.follower.stopped))
 
     def _only_polls(self, loop: nodes.While | nodes.Repeat) -> bool:

@@ -1,6 +1,6 @@
 """The linter's model of a program: effects of steps on axes, and the call graph.
 
-It also knows the functions that run at the same time: the parent task, the tasks and the event handlers.
+It also records the functions that run concurrently: the parent task, the tasks and the event handlers.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act", "zero", "s
 
 
 def _role(row: Keyword, written: bool) -> str:
-    """Return the effect of a keyword on the axes that it names.
+    """Return the role of a keyword, its effect on the axes that it names.
 
-    The effect is "read", a name from `ROLES`, "slot" (sets a property of moves) or "use" (any other
+    The role is "read", a name from `ROLES`, "slot" (sets a property of moves) or "use" (any other
     assignment or command).
     """
     if not written:
@@ -44,8 +44,7 @@ class Act:
     """One use of a keyword, or one call of a sub.
 
     `role` is its effect, `row` its keyword, `values` the values assigned, and `node` its name in the tree.
-    `axes` is empty for a keyword without axes. A call has the role "call", `callee`, and its arguments as
-    `values`.
+    `axes` is empty for a keyword without axes. A call has the role "call", a `callee`, and the arguments in `values`.
     """
 
     __slots__ = ("axes", "callee", "node", "role", "row", "values")
@@ -74,7 +73,7 @@ class Act:
 class Facts:
     """The facts about a module that all checks share.
 
-    If it `has_host`, a host reads and writes its declared global variables.
+    If it `has_host`, a host reads and writes the declared global variables of the module.
     """
 
     def __init__(self, names: Names, table: Table, has_host: bool = False) -> None:
@@ -111,7 +110,7 @@ class Facts:
     # ------------------------------------------------------------------------------------- who and where
 
     def written_by(self, wanted: Callable[[Keyword], object]) -> Iterator[Act]:
-        """Yield the uses of some keywords, except reads."""
+        """Yield the uses, other than reads, of the keywords that are `wanted`."""
         for row, acts in self.used.items():
             if wanted(row):
                 yield from (act for act in acts if act.role != "read")
@@ -123,7 +122,7 @@ class Facts:
         return [node for found in self.nodes.values() for node in found.get(kind, ())]
 
     def called(self, function: Function) -> list[Function]:
-        """Return the function and everything it calls, directly or indirectly, each once."""
+        """Return the function and all that it calls, directly or indirectly, each once."""
         found: dict[Function, None] = {}
         stack = [function]
         while stack:
@@ -196,7 +195,7 @@ class Facts:
         return meaning.symbol if isinstance(meaning, nodes.Name) else name.symbol
 
     def value(self, node: nodes.Expr | None) -> Known | None:
-        """Return the value of an expression, None if it is not known before the run."""
+        """Return the value of an expression, None if it is unknown before the run."""
         return None if node is None else fold(meant(node))
 
     def number(self, node: nodes.Expr | None) -> float | None:
@@ -267,22 +266,22 @@ class Facts:
         return None
 
     def given(self, *effects: str) -> set[Key]:
-        """Return the axes of all keywords with one of these effects, except reads."""
+        """Return the axes of all keywords with one of these effects, except in reads."""
         acts = self.written_by(lambda row: any(map(row.does, effects)))
         return {key for act in acts for key in act.axes}
 
     def named(self, word: str) -> set[Key]:
-        """Return the axes for which the program sets or carries out a keyword."""
+        """Return the axes for which the program writes or executes a keyword."""
         return {key for act in self.written_by(lambda row: row.name == word) for key in act.axes}
 
     def word(self, verb: str) -> str:
-        """Return the keyword with a verb that the program uses, "" if it uses none."""
+        """Return the keyword with this verb that the program uses, "" if it uses none."""
         return next((row.name for row in self.used if row.verb == verb), "")
 
     def constants(self, word: str) -> dict[Key, list[float] | None]:
         """Map each axis to the constants that a keyword assigns to it.
 
-        The value is None if one of them is unknown.
+        An axis maps to None if one of the values is unknown.
         """
         found: dict[Key, list[float] | None] = {}
         for act in self.written_by(lambda row: row.name == word):
@@ -296,7 +295,7 @@ class Facts:
         return found
 
     def key_of(self, name: nodes.Name) -> Key:
-        """Return the axis that a keyword names, None unless it is exactly one known axis."""
+        """Return the axis that a keyword names, None unless it is one known axis."""
         row = name.row
         axes = self._axes(name, row) if row is not None else ()
         key = axes[0] if len(axes) == 1 else None
@@ -326,9 +325,9 @@ class Facts:
         return known[function]
 
     def _all_touched(self, roles: frozenset[str]) -> dict[Function, set[Key]]:
-        """Return the axes of each function, to a fixed point.
+        """Return the axes that each function uses in these roles.
 
-        Subs may be recursive.
+        They are computed to a fixed point, because subs may be recursive.
         """
         found: dict[Function, set[Key]] = {}
         calls: dict[Function, list[tuple[Function, Act]]] = {}
@@ -348,7 +347,7 @@ class Facts:
         return found
 
     def outer(self, call: Act, key: Key) -> Key:
-        """Return the caller's axis for an axis of the called sub."""
+        """Return the caller's axis that corresponds to an axis of the called sub."""
         if not isinstance(key, Symbol):
             return key
         assert call.callee is not None
@@ -375,5 +374,5 @@ def parts(node: nodes.Node | None) -> list[nodes.Node]:
 
 
 def spelt(key: Key) -> str:
-    """Return an axis as messages show it: its number, or the parameter that holds it."""
+    """Return an axis as shown in messages: its number, or the parameter that holds it."""
     return "?" if key is None else key.name if isinstance(key, Symbol) else str(key)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 class Findings:
     """Warnings at token numbers, turned into lines and columns.
 
-    They are passed to `recorder`, too.
+    They are also passed to `recorder`.
     """
 
     def __init__(self, module: Module, recorder: Recorder | None = None) -> None:
@@ -35,7 +35,7 @@ class Findings:
         fix: str = "",
         other: int | None = None,
     ) -> None:
-        """Record a warning; `{line}` in its message becomes the line of the token `other`."""
+        """Record a warning; the line of token `other` replaces `{line}` in its message."""
         if self._recorder is not None:
             more = {} if other is None else {"other": other}
             self._recorder.note(

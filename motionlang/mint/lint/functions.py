@@ -1,4 +1,4 @@
-"""The checks that go through one function at a time, and what each depends on."""
+"""The checks that analyse one function at a time, and their dependencies."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class FunctionChecks:
-    """The checks of each function, which `recall` may know from an earlier check."""
+    """The checks of each function; `recall` has the results of an earlier check."""
 
     def __init__(
         self,
@@ -82,9 +82,9 @@ class FunctionChecks:
     # --------------------------------------------------------------------------------- what a result depends on
 
     def _recalled(self, function: Function) -> After | None:
-        """Return the facts about axes after a function that is known.
+        """Return the facts about axes after a function, if an earlier check found them.
 
-        Its callees have been analysed.
+        The functions that it calls must have been analysed.
         """
         if self._recall is None:
             return None
@@ -101,7 +101,7 @@ class FunctionChecks:
         return None if found is None else self._after(function, found[1])
 
     def _program_facts(self) -> Hashable:
-        """Return what the checks use of the program as a whole."""
+        """Return the facts about the whole program that the checks use."""
         facts, follower, reach, buffers = self._facts, self._follower, self._reach, self._buffers
         roots = [each for each in facts.functions if each.kind != "sub"]
         return (
@@ -118,7 +118,7 @@ class FunctionChecks:
         )
 
     def _of_symbol(self, symbol: Symbol) -> Hashable:
-        """Return which tasks and handlers write a variable."""
+        """Return the tasks and handlers that write a variable."""
         known = self._seen.get(symbol)
         if known is None:
             facts = self._facts
@@ -130,7 +130,7 @@ class FunctionChecks:
         return known
 
     def _of_callee(self, callee: Function) -> Hashable:
-        """Return what a call of a sub does to axes."""
+        """Return the effects of a call of a sub on axes."""
         touched = (_axes(self._facts.touched(callee, roles)) for roles in (CHANGES, GO))
         left = self._portable(callee) if callee in self._follower.after else ()
         # An object is equal to no other, so a caller of this sub is not recalled.
@@ -139,9 +139,10 @@ class FunctionChecks:
     # ------------------------------------------------------------------------------------- facts of another check
 
     def _portable(self, function: Function) -> tuple[tuple[Hashable, Hashable], ...] | None:
-        """Return the facts after a function without symbols and tokens of this program.
+        """Return the facts after a function in a form that other programs can use.
 
-        Returns None if a token of another function is among them. A function that is being analysed has none.
+        Numbers replace the symbols and tokens of this program. Returns None if a token of another function is among
+        them. There are no facts about a function that is still being analysed.
         """
         assert self._recall is not None
         number = self._recall.own(function).number
@@ -161,7 +162,7 @@ class FunctionChecks:
         return tuple(sorted(found, key=lambda each: repr(each[0])))
 
     def _after(self, function: Function, found: Iterable[tuple[tuple[int | None, Key], Axis]]) -> After:
-        """Return stored facts with the symbols and tokens of this program."""
+        """Convert stored facts back: insert the symbols and tokens of this program."""
         assert self._recall is not None
         at = self._recall.own(function).at
         return {
@@ -178,7 +179,7 @@ def _names(functions: Iterable[Function]) -> tuple[str, ...]:
 
 
 def _axis(key: Key) -> Hashable:
-    """Return an axis as a plain value; a parameter has the name of its sub."""
+    """Return an axis as a plain value; for a parameter this includes its sub's name."""
     return (key.home.python, key.python) if isinstance(key, Symbol) else key
 
 

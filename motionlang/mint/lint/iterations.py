@@ -1,6 +1,6 @@
 """The check for loops that replace a motion in every iteration.
 
-If the loop lets no time pass, none of its motions is ever seen.
+If no time passes in the loop, none of these motions is ever seen.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _BLOCKS = frozenset(("move", "entry", "course", "path"))
 
 
 def check_iterations(facts: Facts, function: Function, add: Add) -> None:
-    """Report the first motion of each loop that every iteration replaces."""
+    """Report the first motion in each loop that every iteration replaces."""
     acts = {id(act.node): act for act in facts.acts_of[function]}
     for node in (node for kind in _LOOPS for node in facts.nodes[function].get(kind, ())):
         inner = list(walk(node.body))

@@ -1,7 +1,7 @@
 """The check for notation and keywords that the configured controller model lacks.
 
-There are two generations of Mint, v4 and MintMT. A program in one of them does not compile on a controller of
-the other.
+There are two generations of Mint, v4 and MintMT. A program written for one of them does not compile on a controller
+of the other.
 """
 
 from __future__ import annotations
@@ -125,7 +125,7 @@ def _lacking(module: Module, product: str, table: Table) -> Iterator[tuple[int, 
 
 
 def _never_raised(module: Module, product: str) -> Iterator[tuple[int, str, str]]:
-    """Find handlers of writes by the host that this product never reports."""
+    """Find handlers of host writes that this product never reports."""
     spans = EVENTS.get(named_product(product) or "")
     for event in module.events if spans is not None else ():
         kind, number = kind_and_number(event.name) or ("", -1)
@@ -150,7 +150,7 @@ def _names(module: Module) -> Iterator[nodes.Name]:
 def _v4_tokens(module: Module, texts: list[str]) -> Found:
     """Find tokens of Mint v4, each with its replacement.
 
-    All tokens of a block get one, so that the block stays consistent.
+    All tokens of a block get a replacement, so that the block stays consistent.
     """
     kinds = [TABLES.kind_of[text] for text in texts]
     in_else_if = False
@@ -172,7 +172,7 @@ def _indentation(module: Module, at: int) -> str:
 
 
 def _apart(module: Module, at: int, word: str) -> str:
-    """Return a replacement, with spaces where a letter or digit adjoins the token."""
+    """Return a replacement with spaces where a letter or digit is next to the token."""
     start, end = module.places.span(at)
     text = module.places.source.text
     before = " " if start and _in_word(text[start - 1]) else ""

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Reach:
-    """The range of the axes.
+    """The range that each axis can reach.
 
     Travel comes from the machine file, software limits come from the program.
     """
@@ -30,7 +30,7 @@ class Reach:
         self.wrapped = facts.named("POSWRAP")
 
     def beyond(self, key: Key, axis: Axis) -> str:
-        """Return the limit that the target of an axis exceeds, in words, or ""."""
+        """Return a text that names the limit which an axis's target exceeds, "" for none."""
         target = axis.target
         assert target is not None
         if {key, None} & self.wrapped:

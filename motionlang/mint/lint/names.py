@@ -1,7 +1,4 @@
-"""Checks of names: unused ones, and axes that two tasks command.
-
-Variables, subs and tasks are checked for use.
-"""
+"""Checks of names: unused variables, subs and tasks, axes that two tasks command."""
 
 from __future__ import annotations
 
@@ -25,7 +22,7 @@ _TURNS = frozenset(("task_status", "task_suspend", "task_resume"))
 
 
 def check_names(facts: Facts, add: Add) -> None:
-    """Report names that are declared and never used, or used and never assigned."""
+    """Report names that are never used, and variables that are never assigned."""
     own = _own_reads(facts)
     suggestions = _Suggestions()
     for function in facts.functions:
@@ -81,7 +78,8 @@ def _no_value(facts: Facts, symbol: Symbol, suggestions: _Suggestions, add: Add)
 class _Suggestions:
     """The search for names that the author may have meant.
 
-    Each takes time in proportion to the program, so only the first findings, which are shown, have one.
+    Each search takes time in proportion to the size of the program. So only the first findings, which are shown, get a
+    suggestion.
     """
 
     __slots__ = ("_left",)
@@ -105,7 +103,7 @@ class _Suggestions:
 def _own_reads(facts: Facts) -> dict[Symbol, int]:
     """Count the reads of each variable that only compute its own next value.
 
-    An example is `n = n + 1`.
+    In `n = n + 1`, for example, `n` is such a read.
     """
     found: dict[Symbol, int] = {}
     for node in facts.of_kind(nodes.Assign):
@@ -152,7 +150,7 @@ def _are_coordinated(facts: Facts) -> bool:
 
 
 def _is_coordinated(facts: Facts, task: Function) -> bool:
-    """True if the task tests a shared variable, so another task can coordinate it."""
+    """True if the task tests a shared variable, through which others can control it."""
     for function in facts.called(task):
         for node in walk(function.body):
             condition = getattr(node, "condition", None)

@@ -139,7 +139,7 @@ class Reachability:
                  "it continues at once or never")  # fmt: skip
 
     def _inner(self, name: nodes.Name) -> list[nodes.Name]:
-        """Return a name, or the names in the expression that its Define stands for."""
+        """Return a name or, if it is a Define, the names in its expression."""
         if name.definition is None:
             return [name]
         return [each for each in walk([name.definition]) if type(each) is nodes.Name]
@@ -173,7 +173,7 @@ class Reachability:
         return True
 
     def _variable_may_change(self, function: Function, symbol: Symbol) -> bool:
-        """True if a variable may change while this function waits, by another function."""
+        """True if another function may change a variable while this function waits."""
         if symbol.kind == "const":
             return False
         if symbol.kind not in ("variable", "parameter") or symbol.type.name == TIME or symbol.by_ref:
@@ -233,10 +233,7 @@ class Reachability:
         return is_input and not self._input_may_change(name)
 
     def _shared(self, symbol: Symbol) -> bool:
-        """True if the variable may change in the meantime.
-
-        Another task, an event or a host may change it.
-        """
+        """True if another task, an event handler or a host may change the variable."""
         if symbol.type.name == TIME or symbol.by_ref or symbol in self.facts.hosted:
             return True
         roots = {root for writer in self.facts.writers.get(symbol, ()) for root in self.facts.roots[writer]}

@@ -1,4 +1,4 @@
-"""The check for Modbus servers and registers that the machine file lacks.
+"""The check for Modbus servers and registers that are not in the machine file.
 
 Only requests whose server and register are literal numbers are checked.
 """
@@ -44,7 +44,7 @@ def _spans(settings: Mapping[str, object]) -> dict[int, tuple[int, int]]:
 
 
 def _requests(module: Module) -> Iterator[tuple[nodes.Name, int, int]]:
-    """Yield each client keyword whose server and register are literals, with these."""
+    """Yield each client keyword whose server and register are literals, with both."""
     blocks = [*module.body, *module.subs, *module.tasks, *module.events, *module.startup]
     for node in walk(blocks):
         if type(node) is not nodes.Name or node.name.lower() not in _REACHED:

@@ -1,6 +1,6 @@
 """The check for speeds and rates that no move uses.
 
-They are replaced, or left over at the end, before any move.
+No move comes between such a setting and the next one, or between it and the end of the program.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class Settings:
         self.facts, self.follower, self.add = facts, follower, add
 
     def check(self, function: Function) -> None:
-        """Report settings that are replaced or left over before anything can use them."""
+        """Report settings that are replaced, or left over, before a move can use them."""
         graph, bits = self.facts.graphs[function], self._slot_bits(function)
         if not bits:
             return
@@ -59,9 +59,9 @@ class Settings:
         return found
 
     def _others(self, function: Function) -> set[Key] | None:
-        """Return the axes that concurrent tasks and handlers use.
+        """Return the axes that functions running concurrently with this one use.
 
-        Returns None if the function itself runs in more than one of these.
+        Returns None if the function itself runs in more than one task or handler.
         """
         mine = self.facts.roots[function]
         if len(mine) > 1:
@@ -70,7 +70,7 @@ class Settings:
         return set().union(*(self.facts.touched(root, TOUCHES) for root in others))
 
     def _left_over(self, function: Function, bits: Bits) -> int:
-        """Return the settings that still count at the end of the parent task, as bits.
+        """Return the settings that still matter at the end of the parent task, as bits.
 
         These are the settings of axes that may still be in motion.
         """

@@ -1,1 +1,1 @@
-"""Name resolution, and the control flow of the functions, of a Mint program."""
+"""Name resolution and control flow of the functions of a Mint program."""

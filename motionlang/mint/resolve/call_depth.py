@@ -1,4 +1,4 @@
-"""The maximum depth of nested calls, as far as the text of a program shows it."""
+"""The maximum depth of nested calls, as far as the program text determines it."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 def count_calls(functions: Sequence[Function], typed: bool) -> None:
     """Mark all functions as `counted` if calls may nest deeper than `MAX_DEPTH`.
 
-    Counting has a cost, so it is done only then. Calls may nest that deep if a function calls itself,
-    directly or indirectly, if a Gosub may lead to itself, and at a prompt (`typed`), where later lines may
+    Other programs avoid the cost of counting. Calls may nest that deep if a function calls itself, directly or
+    indirectly, or if a Gosub may lead to itself. At a prompt (`typed`) they always may, because later lines may
     add such calls.
     """
     callers: dict[Function, list[Function]] = {}

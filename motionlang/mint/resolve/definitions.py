@@ -1,8 +1,8 @@
 """The names of a Mint program for an editor: definitions, uses and blocks.
 
-The resolver declares the names, as it does for the compiler. It records names by nodes, and some names are in
-no node: those after `Next`, of labels, of types and of members. So the uses come from the tokens. Each name is
-looked up in the scope of the sub around it, which is how the resolver finds it.
+The resolver declares the names, as it does for the compiler. It records names by nodes, but some names are in
+no node: variables after `Next`, labels, types and members. So the uses are found from the tokens. Each name is
+looked up in the scope of the enclosing sub, as the resolver does.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ _NOT_RENAMED = "an event handler has the name of its event"
 
 
 def names(source: Source) -> Names:
-    """Return the names of a program; unreadable lines have none."""
+    """Return the names of a program; unreadable lines contribute none."""
     with CollectorOff(), StackSpace():
         complete = True
         try:
@@ -62,7 +62,7 @@ def names(source: Source) -> Names:
 
 
 class _Positions:
-    """The offsets of the tokens of a program, found when one is first needed."""
+    """The offsets of the tokens of a program, computed on first use."""
 
     def __init__(self, text: str, texts: list[str]) -> None:
         self._text, self._texts = text, texts
@@ -74,9 +74,9 @@ class _Positions:
         return start, start + length
 
     def of_block(self, first: int, last: int) -> Span:
-        """Return the span from a token to the end of another one.
+        """Return the span from the start of one token to the end of another.
 
-        The span of `_WHOLE` is the whole text.
+        A negative `first` returns the span of the whole text.
         """
         if first < 0:
             return 0, len(self._text)
@@ -126,7 +126,7 @@ class _Finder:
         return Names(made, self._outline, complete, _Renaming(self, made).problem)
 
     def _walk(self, functions: dict[int, Function], extents: dict[int, outline.Span]) -> None:
-        """Enter every use of a name into its definition."""
+        """Record every use of a name in its definition."""
         kinds, texts, members = self.kinds, self.texts, self.members
         places = [at for at, kind in enumerate(kinds) if kind in _NAMES]
         others = self._leading()
@@ -178,7 +178,7 @@ class _Finder:
         return {at for at in found | declared if at < len(self.kinds) and self.kinds[at] in _LEADING}
 
     def _is_label(self, at: int) -> bool:
-        """True for the name of a label behind `#`, GoTo or GoSub.
+        """True for the name of a label after `#`, GoTo or GoSub.
 
         It may be a keyword of the language.
         """
@@ -190,9 +190,9 @@ class _Finder:
         return at == 1 or self.kinds[at - 2] in _BEFORE_LABELS
 
     def _use(self, at: int, skip: set[int]) -> Definition | None:
-        """Enter the use of a name, and return its definition if the next uses are plain.
+        """Record the use of a name.
 
-        These have the same spelling and are in the same function.
+        Returns the definition if it also applies to later uses of the same spelling in the same function.
         """
         text, before = self.texts[at], self.kinds[at - 1] if at else "_NL"
         if self._is_label(at) or self._is_line_label(at):
@@ -274,7 +274,7 @@ class _Finder:
         return outer.function if outer is not None else self.resolver.main
 
     def _rest_of_define(self, at: int) -> str:
-        """Return the expression of a Define as it is written."""
+        """Return the text of the expression in a Define, as written."""
         equal = next((i for i in range(at, min(at + 4, len(self.kinds))) if self.kinds[i] == "EQUAL"), at)
         last = equal
         while self.kinds[last + 1] not in ("_NL", "COLON", "$END"):
@@ -326,7 +326,7 @@ class _Finder:
         self._enter(made, at)
 
     def _members(self, at: int, record: Record, skip: set[int]) -> None:
-        """Enter the members of `value.member(…).member` that begins with a token."""
+        """Record the members in `value.member(…).member`, which begins with a token."""
         following: Record | None = record
         while following is not None:
             at += 1
@@ -368,7 +368,7 @@ class _Finder:
 
 
 class _Renaming:
-    """The reasons why a name cannot be given to a definition."""
+    """Finds the reasons why a definition cannot be renamed."""
 
     def __init__(self, finder: _Finder, definitions: list[Definition]) -> None:
         self._definitions = definitions
@@ -382,7 +382,7 @@ class _Renaming:
                             self._in_defines.setdefault(node.name.lower(), symbol.name)
 
     def problem(self, definition: Definition, name: str) -> str:
-        """Return why `name` cannot be the name of a definition, "" if it can."""
+        """Return why a definition cannot be named `name`, "" if it can."""
         if definition.fixed:
             return definition.fixed
         if definition.span is None:
@@ -407,7 +407,7 @@ class _Renaming:
 
 
 def _collide(one: Definition, other: Definition) -> bool:
-    """True if two definitions of the same name would be in each other's way."""
+    """True if two definitions could not have the same name."""
     spaces = {"label": "label", "member": "member", "type": "type", "event": "event"}
     if spaces.get(one.kind, "") != spaces.get(other.kind, ""):
         return False

@@ -1,6 +1,6 @@
-"""Rewrite blocks that hold labels as jumps.
+"""Rewrite blocks that contain labels as jumps.
 
-Programs of v4 jump to a label at the end of a loop to begin its next iteration.
+v4 programs jump to a label at the end of a loop to begin its next iteration.
 
     LOOP                          #loop 1
       IF IN.0 = 0 THEN GOTO next    IF IN.0 = 0 THEN GOTO next
@@ -8,9 +8,9 @@ Programs of v4 jump to a label at the end of a loop to begin its next iteration.
     #next                         #next
     ENDL                          GOTO loop 1
 
-Only blocks with labels are flattened, because the others are faster as they are. The generated labels have a
-blank in their names, which no program can write. Statement times do not change, except that a For takes one
-statement more for a limit and for a step that are not plain numbers.
+Only blocks with labels are flattened, because loops of Python are faster than jumps. The generated labels have a
+blank in their names, which no program can write. Statement times do not change, with one exception: a For takes one
+more statement for a limit, and one for a step, that is not a plain number.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _KINDS = {
 
 
 def holds_labels(body: list[nodes.Stmt], labels: Sequence[nodes.Node]) -> bool:
-    """True if a label of a function is inside one of its blocks."""
+    """True if a label is inside one of the blocks of a function."""
     outermost = {id(node) for node in body}
     return any(id(label) not in outermost for label in labels)
 
@@ -81,16 +81,16 @@ class _Flattening:
         return f"{what} {self._made}"
 
     def _exit(self, node: nodes.Exit, around: Around) -> nodes.Stmt:
-        """Return an Exit as a jump if the block that it leaves is flattened."""
+        """Return an Exit, as a jump if the block that it leaves is flattened."""
         for kind, label in reversed(around):
             if kind == node.kind or (not node.kind and kind != "select"):
                 return nodes.Jump(node.at, "exit", label) if label else node
         return node
 
     def _inside(self, node: nodes.Stmt, around: Around) -> None:
-        """Rewrite the Exits inside a block that remains.
+        """Rewrite the Exits inside a block that is not flattened.
 
-        Such an Exit may leave a block around it that is flattened.
+        Such an Exit may leave an outer block that is flattened.
         """
         if not any(label for _, label in around):
             return
@@ -152,7 +152,7 @@ class _Flattening:
         ]
 
     def for_(self, node: nodes.For, around: Around) -> list[nodes.Stmt]:
-        """Rewrite a For; limit and step are evaluated once, before the first value is set."""
+        """Rewrite a For; limit and step are evaluated once, before the first assignment."""
         before: list[nodes.Stmt] = []
         stop = self._kept(node, node.stop, before)
         step = nodes.Number(node.at, 1) if node.step is None else self._kept(node, node.step, before)
@@ -196,7 +196,7 @@ class _Flattening:
 
 
 def _goes_on(variable: nodes.Expr, stop: nodes.Expr, step: nodes.Expr) -> nodes.Expr:
-    """Build the condition for a further iteration of a For.
+    """Build the condition under which a For runs another iteration.
 
     The sign of the step may be known only at run time.
     """

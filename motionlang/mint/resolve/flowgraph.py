@@ -1,11 +1,11 @@
-"""The flow graph of a function: its steps, and which may follow which.
+"""The flow graph of a function: its steps, and which steps can follow each.
 
-Problem. The linter and the range analysis ask what may have happened before a statement or may happen after it: where
-an axis is, whether a move is ever started, which numbers a variable can hold, which code is unreachable. Mint has
-loops, Exit, Select, Goto and Gosub. All these questions are answered on one graph, built once for a function.
+Problem. The linter and the range analysis need to know what may have happened before a statement or may happen after
+it: where an axis is, whether a move is ever started, which numbers a variable can hold, which code is unreachable. Mint
+has loops, Exit, Select, Goto and Gosub. All these questions are answered on one graph, built once for a function.
 
-Idea. Conditions are steps of their own, so that a client can learn different facts on their true and false sides. So
-are both ends of a For loop. A client describes what one step does; the graph iterates to a fixed point.
+Idea. Conditions are steps of their own, so that a client can learn different facts on their true and false sides. Both
+ends of a For loop are steps, too. A client describes what one step does; the graph iterates to a fixed point.
 
     n = 3                 0 start ─ 1 n = 3 ─ 2 n > 0 ─ yes ─ 3 n = n - 1
     While n > 0                               │   └─────────────────┘
@@ -21,21 +21,22 @@ Data. A `Step` has a kind, a tree node and the list `next`. The sides of a condi
     turn, next     the head of a For, whose true side is the body, and its Next, where the variable counts
     end            End: the program stops, and no step follows
 
-A Gosub leads to its label. In a function with a Gosub all Returns lead to one common step, and that leads behind every
-Gosub: calls are not matched with returns. In other functions a Return leads to leave. A label of the main program that
-has the name of an event and is the target of no jump is an event handler, and a further entry.
+A Gosub leads to its label. In a function with a Gosub all Returns lead to one common step, which leads to the statement
+after each Gosub: calls are not matched with returns. In other functions a Return leads to leave. A label of the main
+program that has the name of an event and is the target of no jump is an event handler, and another entry of the graph.
 
 Invariants.
-- `number` follows the text, except for leave and the common step of Returns, which come last. Every cycle has an edge
+- `number` is in text order, except for leave and the common step of Returns, which come last. Every cycle has an edge
   to the same or a lower number: that edge leads back.
 - `While 1` has no false side, and `Until 0` no true one. Unreachable steps are in `steps` as well; `reached`
   leaves them out.
 - A `single` step has one edge into it, from a step with no other edge out. `forward` carries the state along such
   steps without storing it.
 
-The questions. `reached` finds the steps that some path leads to. `forward` computes facts that hold before a step: the
-client follows a step, and joins states where edges meet. Waiting steps are visited in text order, and the last visit
-of a step has the final facts. `backward` computes what some path behind a step may meet, as bits of an integer.
+Analyses. `reached` finds the steps that some path leads to. `forward` computes facts that hold before a step: the
+client applies a step to a state, and joins states where edges meet. Waiting steps are visited in text order, and the
+last visit of a step has the final facts. `backward` computes what can happen on some path after a step, as bits of an
+integer.
 
 Cost. Building is linear in the statements. `forward` visits a step again whenever its state grows, so the client's
 join has to stop growing: the range analysis widens bounds where an edge leads back. `backward` visits a step at most
@@ -65,7 +66,7 @@ class Step:
     """A step of the graph.
 
     `node` is a statement (DO), a condition (TEST) or None. `yes` and `no` of a condition are both in `next`.
-    `number` is the step's position in the text. `turns` is True if a loop comes back to the step. `loop` is
+    `number` is the step's position in the text. `is_loop_head` is True if an edge leads back to the step. `loop` is
     the For of TURN and NEXT. `single` is True if only one edge leads to the step, from a step with no other
     edge out.
     """
@@ -86,7 +87,7 @@ Open = list[tuple[Step, str]]
 
 
 class Graph:
-    """The steps of a body; `is_main` if labels may be event handlers."""
+    """The flow graph of a body; with `is_main` its labels may be event handlers."""
 
     def __init__(self, body: list[nodes.Stmt], is_main: bool = False) -> None:
         self.steps: list[Step] = []
@@ -103,7 +104,7 @@ class Graph:
         self._find_single()
 
     def reached(self, *begin: Step) -> set[Step]:
-        """Return the steps that can be reached from these, including them.
+        """Return the steps that can be reached from the given steps, including these.
 
         Without an argument the search begins at start and at the handlers.
         """
@@ -126,11 +127,12 @@ class Graph:
     ) -> None:
         """Compute the facts before each step, to a fixed point.
 
-        `follow(step, state)` returns the states on the true (or only) and on the false side, None if no path
-        continues. It may modify its argument, which is `own(state)` at the first step of a run of single
-        steps. `join(a, b, step, back)` returns the facts common to both before a step, and `a` itself if they
-        add nothing new. `back` is True if the edge leads back in the text, as every cycle does at least once.
-        `elsewhere` holds where an event handler begins. On the last visit of a step its facts are final.
+        `follow(step, state)` returns the states on the true (or only) side and on the false side, None for a side
+        that no path takes. It may modify its argument, which is `own(state)` at the first step of a run of single
+        steps. `join(a, b, step, back)` returns the facts common to both before a step, and `a` itself if `b`
+        adds nothing new. `back` is True if the edge leads back in the text, as one edge of every cycle does.
+        `first` are the facts at the start, `elsewhere` those at the start of an event handler. On the last visit of
+        a step its facts are final.
         """
         before: dict[Step, State] = {self.start: first, **dict.fromkeys(self.handlers.values(), elsewhere)}
         waiting = sorted(step.number for step in before)
@@ -159,9 +161,9 @@ class Graph:
                             heappush(waiting, after.number)
 
     def backward(self, last: int, end: int, follow: Callable[[Step, int], int]) -> dict[Step, int]:
-        """Compute, as bits, what some path behind each step may meet.
+        """Compute, as bits, what can happen on some path after each step.
 
-        The bits start as `last` where the function is left and as `end` at the end of the program.
+        The bits are `last` where the function is left and `end` at the end of the program.
         """
         behind: dict[Step, int] = dict.fromkeys(self.steps, 0)
         came: dict[Step, list[Step]] = {step: [] for step in self.steps}
@@ -332,7 +334,7 @@ def _always(condition: nodes.Expr) -> bool:
 
 
 def _never(condition: nodes.Expr) -> bool:
-    """True for the condition of `Until 0`."""
+    """True for a loop that is meant to run forever: `Until 0`."""
     return _literal(condition) == 0
 
 

@@ -26,7 +26,7 @@ def resolved(name: nodes.Name) -> tuple[Symbol | None, Keyword | None]:
 
 
 def fold(node: nodes.Expr, means: Callable[[nodes.Name], Meaning] = resolved) -> Known | None:
-    """Return the value of `node`, None if it is not known before the run.
+    """Return the value of `node`, None if it is unknown before the run.
 
     `means` returns what a name refers to.
     """
@@ -57,7 +57,7 @@ def fold(node: nodes.Expr, means: Callable[[nodes.Name], Meaning] = resolved) ->
 def given(node: nodes.Expr, means: Callable[[nodes.Name], Meaning]) -> nodes.Expr | None:
     """Return `node` without names if its value is known when the program starts.
 
-    Returns None if the value is not known by then.
+    Returns None if the value depends on the run.
     """
     if type(node) is nodes.Given:
         return node
@@ -85,12 +85,12 @@ def given(node: nodes.Expr, means: Callable[[nodes.Name], Meaning]) -> nodes.Exp
 
 
 def constant(text: str, unit: str) -> float:
-    """Return the value of a predefined constant from its row."""
+    """Return the value of a predefined constant, given as text in its row."""
     return float(text) if unit == "number" else int(text)
 
 
 def unary(op: str, value: Known) -> Known | None:
-    """Return `op value`, None if it has no value or must fail at run time."""
+    """Return `op value`, None if it is undefined or must fail at run time."""
     if isinstance(value, str):
         return None
     if op == "-":
@@ -103,7 +103,7 @@ def unary(op: str, value: Known) -> Known | None:
 
 
 def binary(op: str, left: Known, right: Known) -> Known | None:
-    """Return `left op right`, None if it has no value or must fail at run time."""
+    """Return `left op right`, None if it is undefined or must fail at run time."""
     if isinstance(left, str) or isinstance(right, str):
         if isinstance(left, str) and isinstance(right, str) and op in ("+", "&"):
             return left + right
@@ -118,7 +118,7 @@ def binary(op: str, left: Known, right: Known) -> Known | None:
 
 
 def _fits(value: float, whole: bool) -> float | None:
-    """Return None on integer overflow; the running program reports it with its line."""
+    """Return the value, None on integer overflow, which the run reports with its line."""
     return None if whole and type(value) is int and not _WHOLE[0] <= value <= _WHOLE[1] else value
 
 

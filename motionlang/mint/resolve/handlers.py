@@ -17,6 +17,6 @@ def label_handlers(function: Function) -> set[str]:
 
 
 def handles(names: Names, event: str) -> bool:
-    """True if the program handles an event that exists once, such as onerror."""
+    """True if the program handles an event without a number, such as onerror."""
     blocks = (each.name.lower() for each in names.functions if each.kind == "event")
     return event in blocks or event in label_handlers(names.main)

@@ -1,12 +1,12 @@
 """Dependencies of loops and PAUSEs: the inputs and positions they wait for.
 
-These are what the conditions read. If the loop itself assigns a variable of its condition, the assigned value
-counts instead: in `done = IDLE(0)` … `While Not done` the loop waits for axis 0. A variable that only other
-tasks assign stands for these tasks. A function stands for what it reads.
+These are the readings in their conditions. If the loop itself assigns a variable of its condition, the assigned value
+counts instead: in `done = IDLE(0)` … `While Not done` the loop waits for axis 0. If only other tasks assign a variable,
+the loop waits for these tasks. A call of a function counts as the readings in the function.
 
-`input_reads` lists the inputs and keys of the whole program instead: a PAUSE or the condition of a loop says which
-level of an input it waits for, so `PAUSE Not INX(3)` waits for 0. Keys are the numbers with which the program compares
-what INKEY gave it.
+`input_reads` lists the inputs and keys of the whole program. The condition of a PAUSE or a loop shows which level of an
+input it waits for: `PAUSE Not INX(3)` waits for 0. Keys are the numbers that the program compares with the result of
+INKEY.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def asked(source: Source) -> Callable[[int], LoopDependencies | None]:
 
 
 class _Survey:
-    """The loops and PAUSEs of a program; each is analysed on request."""
+    """The loops and PAUSEs of a program, each analysed on request."""
 
     def __init__(self, module: Module, functions: Iterable[Function]) -> None:
         self._module = module
@@ -80,7 +80,7 @@ class _Survey:
             self._by_labels.update(_by_labels(function))
 
     def at(self, place: int) -> LoopDependencies | None:
-        """Return what the loop or PAUSE at a token waits for, None if there is none."""
+        """Return the dependencies of the loop or PAUSE at a token, None if there is none."""
         node = self._nodes.get(place)
         if isinstance(node, nodes.Pause):
             return LoopDependencies(self.reads([node.condition], []), why=f"until {shown(node.condition)}")
@@ -89,7 +89,7 @@ class _Survey:
         return self.goto(self._by_labels[place]) if place in self._by_labels else None
 
     def loop(self, node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop) -> LoopDependencies:
-        """Return what a loop statement waits for."""
+        """Return the dependencies of a loop statement."""
         conditions: list[nodes.Expr] = [] if isinstance(node, (nodes.For, nodes.Loop)) else [node.condition]
         why = ""
         if conditions:
@@ -101,7 +101,7 @@ class _Survey:
         return found
 
     def goto(self, body: list[nodes.Stmt]) -> LoopDependencies:
-        """Return what a loop of Gotos waits for."""
+        """Return the dependencies of a loop made of Gotos."""
         jumps = (node for node in walk(body) if isinstance(node, nodes.Jump))
         unless = [node.unless for node in jumps if node.unless is not None]
         return self._asked(body, [*unless, *_deciding(body, LEAVES)], "")
@@ -115,7 +115,7 @@ class _Survey:
         return LoopDependencies(self.reads(conditions, reached), within, lines, why)
 
     def reads(self, conditions: list[nodes.Expr], body: list[nodes.Node]) -> frozenset[Read]:
-        """Return what the conditions of a loop read; `body` are the nodes of the loop."""
+        """Return the readings in the conditions of a loop; `body` are the loop's nodes."""
         found: set[Read] = set()
         seen: set[Symbol] = set()
         others: set[Symbol] = set()
@@ -142,7 +142,7 @@ class _Survey:
         return frozenset(found)
 
     def _is_written(self, symbol: Symbol, body: list[nodes.Node]) -> bool:
-        """True if a task or handler other than that of the loop assigns the variable."""
+        """True if a task or handler other than the loop's own assigns the variable."""
         inside = {id(node) for node in body}
         others = [root for root in self._roots if not any(id(node) in inside for node in root)]
         return any(
@@ -170,7 +170,7 @@ class _Survey:
 def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
     """Yield each loop made of Gotos: its label and its statements.
 
-    The statements end with the last jump back.
+    The statements end with the last jump back to the label.
     """
     body, labels = function.body, {}
     for number, statement in enumerate(body):
@@ -188,7 +188,7 @@ def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
 
 
 def _deciding(body: Iterable[object], leaves: tuple[type, ...] | None) -> list[nodes.Expr]:
-    """Return the conditions in a body that guard one of `leaves`; all if it is None."""
+    """Return the conditions in a body that guard one of `leaves`; all if this is None."""
     found: list[nodes.Expr] = []
     for node in walk(body):
         if isinstance(node, nodes.If):
@@ -205,7 +205,7 @@ def _deciding(body: Iterable[object], leaves: tuple[type, ...] | None) -> list[n
 
 
 def _given(symbol: Symbol, body: list[nodes.Node]) -> list[nodes.Node]:
-    """Return the values that a loop assigns to a variable, and their conditions."""
+    """Return the values that a loop assigns to a variable, and the conditions for it."""
     found: list[nodes.Node] = []
     for node in body:
         if isinstance(node, nodes.Assign) and getattr(node.target, "symbol", None) is symbol:
@@ -220,7 +220,7 @@ def _given(symbol: Symbol, body: list[nodes.Node]) -> list[nodes.Node]:
 
 
 def _read(node: nodes.Name, row: Keyword | None) -> Iterator[Read]:
-    """Yield what a keyword reads."""
+    """Yield the readings that the use of a keyword depends on."""
     if row is None or row.kind not in ("reading", "setting"):
         return
     if row.verb == "time" or (row.unit == "s" and row.index == "none"):
@@ -242,7 +242,7 @@ def _read(node: nodes.Name, row: Keyword | None) -> Iterator[Read]:
 
 
 def _numbers(node: nodes.Name) -> Iterator[int | None]:
-    """Yield the numbers in the brackets, None for one known only at run time."""
+    """Yield the indices in the brackets, None for one known only at run time."""
     for each in node.args or ():
         found = meant(each)
         value: object = found.value if isinstance(found, nodes.Number) else None
@@ -252,7 +252,7 @@ def _numbers(node: nodes.Name) -> Iterator[int | None]:
 
 
 def input_reads(source: Source) -> list[InputRead]:
-    """Return where a program depends on inputs and keys, in the order of its lines."""
+    """Return the reads of inputs and keys in a program, in the order of its lines."""
     module = parse(source)
     names = Names(table(), Problems(module), None)
     names.declare_module(module)
@@ -294,12 +294,12 @@ def _inputs(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
 
 
 def _leaves(node: nodes.Node) -> bool:
-    """True for a statement that leaves the normal course, such as `GoTo Fault`."""
+    """True for a statement that leaves the normal flow, such as `GoTo Fault`."""
     return isinstance(node, nodes.End) or (isinstance(node, nodes.Jump) and node.kind == "goto")
 
 
 def _levels(node: nodes.Expr, wanted: bool) -> Levels:
-    """Yield the inputs of a condition with the level that makes it `wanted`."""
+    """Yield the inputs of a condition, each with the level that makes it `wanted`."""
     node = meant(node)
     if isinstance(node, nodes.Name):
         if _is_input(node):
@@ -328,10 +328,7 @@ def _channel(name: nodes.Name) -> int | None:
 
 
 def _whole(node: nodes.Expr) -> int | None:
-    """Return the whole number that is the value of an expression.
-
-    None if it is only known at run time.
-    """
+    """Return the value of an expression as an int, None if unknown before the run."""
     found = meant(node)
     value: object = found.value if isinstance(found, nodes.Number) else None
     if isinstance(found, nodes.Name):

@@ -5,7 +5,7 @@ may be called above its declaration, a Define is replaced by its expression, and
 declares a Float. So no name can be resolved before all declarations and assignments are known. The compiler also needs
 to know which variables several functions share, and which subs can never wait.
 
-Idea. Each function is walked once (`Survey`). The passes of `declare_module` work on what that walk has collected:
+Idea. Each function is walked once (`Survey`). The passes of `declare_module` use the results of that walk:
 
 1. Declare: the types, then each function with its parameters and its Const, Define and Dim statements, in text order.
    The number of subscripts of an array parameter follows from its uses, also through calls that pass it on.
@@ -13,7 +13,7 @@ Idea. Each function is walked once (`Survey`). The passes of `declare_module` wo
    main program comes first, so a sub that assigns to one of its variables gets that variable.
 3. Use: the scopes are frozen and every `Name` node is bound. A Define is expanded at each use, and the names in its
    expression are looked up in the function that uses it.
-4. Conclude: whether calls may nest too deep (`call_depth.py`), and which subs are `plain`.
+4. Conclude: find out whether calls may nest too deeply (`call_depth.py`), and which subs are `plain`.
 
     Dim x                      main, the module     x, twice, show
     Define twice = 2 * x         └ sub show         n, y
@@ -23,20 +23,19 @@ Idea. Each function is walked once (`Survey`). The passes of `declare_module` wo
     End Sub                    twice  bound to a copy of 2 * x
 
 Data (`symbols.py`). A `Symbol` has a kind, a type and a Python spelling that is unique in the program. A `Scope` is a
-dict with the scope around it: a sub, then the task around it, then the module. A `Function` becomes one Python
-function. A `Name` node gets `symbol`, or `row` if it is a keyword, and for a Define also `definition`,
-the expression. An
-unknown name gets none of these; the compiler reports it with a suggestion.
+dict that links to its enclosing scope: from a sub to its task, if any, and then to the module. A `Function` becomes one
+Python function. A `Name` node gets `symbol`, or `row` if it is a keyword, and for a Define also `definition`, the
+expression. An unknown name gets none of these; the compiler reports it with a suggestion.
 
 Invariants.
 - A declaration hides a keyword of the same name. It is also reported, unless a program may reuse the keyword: a short
-  form, a word of v4 or one that is not simulated.
+  form, a v4 keyword or one that is not simulated.
 - Mistakes are collected in `problems`. After each of them resolution continues with a usable symbol.
 - `shared`: a function other than the one that declares the variable uses it. `boxed`: it is passed ByRef or outlives
   the run, so it lives in a list of one element. `uses` counts reads, not assignments.
-- `plain`: the sub has no loop and no jump, does nothing that takes note of time (a keyword other than functions and
+- `plain`: the sub has no loop and no jump, does nothing that observes time (a keyword other than functions and
   constants, PRINT, PAUSE, …) and calls only plain subs. It needs no generator. No sub is plain if the program handles
-  ONERROR, since that may run between any two statements.
+  ONERROR, since its handler may run between any two statements.
 - At a prompt the names of the module outlive the line, and a later declaration replaces an earlier one.
 
 Cost. One walk over each function, and one lookup for each spelling in it. Each use of a Define copies its expression;
@@ -93,7 +92,7 @@ MAX_DEFINED_DEPTH = 1000
 class Names:
     """All symbols of a module.
 
-    `module` holds the names from earlier inputs if the program is typed line by line.
+    If the program is typed line by line, `module` also holds the names from earlier lines.
     """
 
     def __init__(self, table: Table, problems: Problems, module: Scope | None = None) -> None:
@@ -125,7 +124,7 @@ class Names:
     # ------------------------------------------------------------------------------------- declarations
 
     def declare_module(self, module: nodes.Module) -> None:
-        """Declare everything that the module declares, then bind everything that it uses."""
+        """Declare all names of the module, then bind every use of a name."""
         self.declare(module)
         for function in self.functions:
             self._use(function)
@@ -133,7 +132,7 @@ class Names:
         self._settle()
 
     def declare(self, module: nodes.Module) -> None:
-        """Declare everything that the module declares, and freeze the scopes."""
+        """Declare all names of the module, and freeze the scopes."""
         main = self.main
         main.body = [statement for block in module.startup for statement in block.body] + module.body
         self.functions.append(main)
@@ -214,7 +213,7 @@ class Names:
     def _count_subscripts(self) -> None:
         """Find the number of subscripts of array parameters from their use in the subs.
 
-        A parameter that is only passed on has as many as the parameter that receives it.
+        A parameter that is only passed on has the number of the parameter that receives it.
         """
         handed: list[tuple[Symbol, Symbol]] = []
         for function in self.functions:
@@ -245,7 +244,7 @@ class Names:
         self.types[node.name.lower()] = record
 
     def type_of(self, node: nodes.TypeName | None, default: str) -> Type:
-        """Return the type that `As …` names."""
+        """Return the type named after `As`, or the default without one."""
         if node is None:
             return Type(default)
         key = node.name.lower()
@@ -264,7 +263,7 @@ class Names:
         return Type(TYPES[key], size)
 
     def _survey(self, function: Function) -> Survey:
-        """Survey a function's body, after moving its labels to the outermost level."""
+        """Survey the body of a function, with its labels moved to the outermost level."""
         survey = Survey(function.body)
         labels = [node for node in survey.statements if node.__class__ is nodes.Label]
         if labels:
@@ -291,7 +290,7 @@ class Names:
                 self.add(function.scope, symbol)
 
     def _make_lasting(self, symbol: Symbol, node: nodes.Variable) -> None:
-        """Box an nv variable: it lives in a list that gets the value of the previous run."""
+        """Box an nv variable in a list, which receives the value of the previous run."""
         if symbol.type.name not in (INTEGER, FLOAT, STRING, RECORD):
             self.problems.add("type", f"nv data cannot be {symbol.type}", node.at,
                               hint="Integer, Float, String and user types can outlive the run")  # fmt: skip
@@ -349,7 +348,7 @@ class Names:
         return tuple(sizes)
 
     def _means(self, scope: Scope) -> Callable[[nodes.Name], Meaning]:
-        """Return the lookup of names in a scope before all of them are known."""
+        """Return a lookup of names in a scope that is not complete yet."""
         return lambda name: (scope.find(name.name), self.table.get(name.name))
 
     def _whole(self, node: nodes.Expr, scope: Scope, what: str, least: int) -> int:
@@ -361,7 +360,7 @@ class Names:
         return least
 
     def add(self, scope: Scope, symbol: Symbol) -> None:
-        """Add a name to a scope; report a duplicate and the name of a keyword."""
+        """Add a name to a scope; report a duplicate or the name of a keyword."""
         key = symbol.name.lower()
         if key in scope.names and not (self.typed and scope is self.module):
             self.problems.add("duplicate", f"{symbol.name} is already declared", symbol.at,
@@ -439,9 +438,9 @@ class Names:
                 node.resolve(symbol, self.table.get(node.word) if symbol is None else None)  # type: ignore[attr-defined]
 
     def _written(self, target: nodes.Expr) -> None:
-        """Do not count an assignment as a use of its target.
+        """Undo the count of a use for the target of an assignment, which is no read.
 
-        A keyword that is simulated only where it is read gets its row for writing.
+        A keyword that is simulated for reads only gets its row for writing.
         """
         if type(target) is not nodes.Name:
             return
@@ -473,7 +472,7 @@ class Names:
             self._box_arguments(function, node, symbol.home)
 
     def _replace(self, function: Function, node: nodes.Name, define: Symbol) -> None:
-        """Bind a name to the expression of a Define, resolved at its use."""
+        """Bind a name to the expression of a Define, whose names are resolved at this use."""
         if self._defines_too_deep:
             return
         if define in self._replacing:
@@ -510,7 +509,7 @@ class Names:
     def _settle(self) -> None:
         """Mark the plain subs: no loop, no keyword that observes time, only plain callees.
 
-        No sub is plain if the program handles ONERROR, which may come between any two statements.
+        No sub is plain if the program handles ONERROR, whose handler may run between any two statements.
         """
         if handles(self, "onerror"):
             return
@@ -532,7 +531,7 @@ class Names:
 
 
 def _handed(call: nodes.Name, callee: Symbol, arrays: dict[str, Symbol]) -> Iterator[tuple[Symbol, Symbol]]:
-    """Yield the array parameters that a call passes on, each with its receiver."""
+    """Yield each array parameter that a call passes on, with the receiving parameter."""
     for argument, parameter in zip(call.args or (), callee.home.parameters, strict=False):
         if callee.kind == "sub" and type(argument) is nodes.Name and argument.args is None:
             symbol = arrays.get(argument.name.lower())

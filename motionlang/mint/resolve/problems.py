@@ -31,7 +31,7 @@ class Problems:
 
     @property
     def is_full(self) -> bool:
-        """True if no further problem is recorded."""
+        """True if further problems are no longer recorded."""
         return len(self.found) >= MAX_PROBLEMS and self._wrong
 
     def add(
@@ -44,9 +44,9 @@ class Problems:
         fix: str = "",
         candidates: Sequence[str] = (),
     ) -> None:
-        """Record a problem; each code is reported once for a position.
+        """Record a problem; each code is reported once per position.
 
-        `fix` is the text that would replace the token, `candidates` are texts that might.
+        `fix` is the text that would replace the token. `candidates` are texts that might replace it.
         """
         if self.recorder is not None:
             self.recorder.note(
@@ -85,9 +85,9 @@ class Problems:
         otherwise: str = "",
         table: Table | None = None,
     ) -> None:
-        """Record an unknown word, with the nearest of `words()` as the suggestion.
+        """Record an unknown word, with the most similar of `words()` as the suggestion.
 
-        With `table`, a keyword whose brackets are missing is also suggested.
+        With `table`, a keyword with missing brackets is also suggested. Without any suggestion the hint is `otherwise`.
         """
         if self.is_full or ("unknown-word", at) in self.found:
             return
@@ -99,12 +99,12 @@ class Problems:
         self.add("unknown-word", message, at, hint, fix=meant or "", candidates=candidates)
 
     def depends(self) -> None:
-        """Note that what is reported now depends on the whole program."""
+        """Record that the problems of this function depend on the whole program."""
         if self.recorder is not None:
             self.recorder.depends()
 
     def of_the_run(self) -> list[Diagnostic]:
-        """Return the warnings that a run also reports, of keywords that may end it early."""
+        """Return the warnings that a run repeats: of keywords that may end it early."""
         return [each for key, each in self.found.items() if key in self.ends]
 
     def is_pattern(self, at: int) -> bool:
@@ -129,7 +129,10 @@ class Problems:
 
 
 def bracketed(word: str, table: Table) -> str | None:
-    """Return `GO(3)` for `Go3`, a keyword with a number but no brackets, else None."""
+    """Return `GO(3)` for `Go3`, a keyword with a number but no brackets, or None.
+
+    `IN3` and `OUT3` mean one channel, so they become INX(3) and OUTX(3), because IN(3) is a bank.
+    """
     stem = word.rstrip("0123456789")
     row = table.get(stem) if stem != word else None
     return None if row is None or row.index == "none" else f"{row.name}({word[len(stem) :]})"

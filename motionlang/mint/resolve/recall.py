@@ -1,31 +1,31 @@
-"""Repeat what earlier checks have found in functions that are still the same.
+"""Reuse the findings of earlier checks in functions that have not changed.
 
 Problem. An editor checks a program after each pause. One sub has changed, and checking all others again takes
 fifteen times as long as parsing.
 
 Idea. A stage of the check, such as compiling, finds the same in a function if three things are equal: the text
-of the function, what its names stand for, and the facts about the program that the stage uses. These are its
+of the function, what its names refer to, and the facts about the program that the stage uses. These three form its
 key. The findings under a key are stored with positions relative to the function, and repeated at its present
-place.
+position.
 
     Sub fill(n)            key: the text · fill, n, level and drain as `Interfaces` describes them ·
      level = level + n          the facts of the stage
      drain
     End Sub
 
-Data. `Recall` belongs to one check. The dict `known` passes from one check to the next; after a check that came
-to its end it has the entries of that check alone. `OwnTokens` are the tokens that belong to one function: those
-of a sub inside a task are not the task's, and the parent task has what is outside all blocks. A finding
-has the arguments with which a problem was reported (`recorder.py`); its tokens are numbers among these.
+Data. `Recall` belongs to one check. The dict `known` passes from one check to the next; after a complete check it has
+the entries of that check alone. `OwnTokens` are the tokens that belong to one function. The tokens of a sub inside a
+task do not belong to the task, and the parent task has the tokens outside all blocks. A finding has the arguments with
+which a problem was reported (`recorder.py`). Its tokens are numbered within the function's own tokens.
 
 Invariants.
-- What the key does not determine is not stored: a finding at a token of another function, as in a Define, and a
-  message that is reported once in a program. Nothing of a program with errors is stored; their hints use all names.
+- Findings that the key does not determine are not stored: a finding at a token of another function, as in a Define, and
+  a message that is reported once in a program. Nothing of a program with errors is stored; their hints use all names.
 - Findings are repeated through the same function that recorded them, in the order of the functions, so limits and
   duplicates are treated as if they were new.
 
-Cost. Parsing and resolving stay, about two parses. A description of each name that a function uses is about a
-fifth of a parse.
+Cost. The program is still parsed and resolved, which takes about as long as parsing it twice. Describing the names that
+the functions use takes about a fifth of a parse.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ _TOKENS = ("at", "other")
 
 
 class OwnTokens:
-    """The tokens of one function as ranges of the text, each with a number among them."""
+    """The tokens of one function as ranges of the text, numbered within the function."""
 
     __slots__ = ("_firsts", "_numbers", "ranges")
 
@@ -66,20 +66,20 @@ class OwnTokens:
             self._numbers.append(self._numbers[-1] + end - first)
 
     def number(self, at: int) -> int | None:
-        """Return the number of a token, None if it is not among these."""
+        """Return the number of a token within the function, None if it is not its own."""
         place = bisect_right(self._firsts, at) - 1
         if place < 0 or at >= self.ranges[place][1]:
             return None
         return self._numbers[place] + at - self._firsts[place]
 
     def at(self, number: int) -> int:
-        """Return the token with a number."""
+        """Return the token that has a number within the function."""
         place = bisect_right(self._numbers, number) - 1
         return self._firsts[place] + number - self._numbers[place]
 
 
 def own_tokens(names: Names, kinds: Sequence[str]) -> dict[Function, OwnTokens]:
-    """Return the tokens of each function, nothing if the end of one is not visible."""
+    """Return the tokens of each function, {} if the end of any function is not found."""
     functions = {each.at: each for each in names.functions if each is not names.main}
     found: dict[Function, list[tuple[int, int]]] = {names.main: []}
     # The blocks around a token, each with its function, its end, and its first token that is not assigned yet.
@@ -105,7 +105,7 @@ def own_tokens(names: Names, kinds: Sequence[str]) -> dict[Function, OwnTokens]:
 
 
 class Interfaces:
-    """The view that functions of a program have of each other, as plain values."""
+    """The properties of functions and names that other functions see, as plain values."""
 
     def __init__(self, names: Names) -> None:
         self._symbols: dict[Symbol, Hashable] = {}
@@ -122,7 +122,7 @@ class Interfaces:
         )
 
     def symbol(self, symbol: Symbol) -> Hashable:
-        """Describe what a name stands for, apart from where it is declared."""
+        """Describe what a name refers to, except where it is declared."""
         known = self._symbols.get(symbol)
         if known is None:
             known = self._symbols[symbol] = (
@@ -149,7 +149,7 @@ class Interfaces:
 
 
 class Recall:
-    """The findings of earlier checks, for one check; see the module."""
+    """The findings of earlier checks, as used by one check; see the module."""
 
     def __init__(self, module: Module, known: Known) -> None:
         self._module, self._known = module, known
@@ -162,7 +162,7 @@ class Recall:
         self.recorder = Recorder()
 
     def resolve(self, names: Names) -> Interfaces:
-        """Find the keys of all functions, once all names are resolved."""
+        """Compute the keys of all functions, after all names are resolved."""
         interfaces = Interfaces(names)
         self._own = own_tokens(names, self._kinds)
         places = self._module.places
@@ -186,7 +186,7 @@ class Recall:
         return None if own is None else (stage, own, facts)
 
     def find(self, key: Hashable) -> Any:
-        """Return what was stored under a key, None if nothing was."""
+        """Return the entry stored under a key, None if there is none."""
         found = None if key is None else self._known.get(key)
         if found is not None:
             self._used[key] = found
@@ -195,7 +195,7 @@ class Recall:
     # ---------------------------------------------------------------------------------------- findings
 
     def store(self, key: Hashable, function: Function, value: object = None) -> None:
-        """Store the recorded findings and a value, if they depend on the key alone."""
+        """Store the recorded findings and a value, if they depend only on the key."""
         recorded = self.recorder.end()
         if key is None or recorded is None:
             return
@@ -208,7 +208,7 @@ class Recall:
         self._used[key] = findings, value
 
     def repeat(self, found: tuple[Findings, object], function: Function, add: Callable[..., None]) -> None:
-        """Record stored findings again, at the present place of their function."""
+        """Record stored findings again, at the present position of their function."""
         own = self.own(function)
         for given in found[0]:
             add(**{**given, **{name: own.at(given[name]) for name in _TOKENS if name in given}})

@@ -1,4 +1,4 @@
-"""A record of the problems that are found in one function."""
+"""Records the problems that are found in one function."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Recorder:
         self._local = True
 
     def begin(self) -> None:
-        """Begin to record."""
+        """Start recording."""
         self._found, self._local = [], True
 
     def note(self, **given: Any) -> None:
@@ -26,10 +26,10 @@ class Recorder:
             self._found.append(given)
 
     def depends(self) -> None:
-        """Note that what was found depends on other functions of the program."""
+        """Record that the findings depend on other functions of the program."""
         self._local = False
 
     def end(self) -> list[dict[str, Any]] | None:
-        """Return what was recorded, None if it depends on other functions."""
+        """Stop recording; return the record, None if it depends on other functions."""
         found, self._found = self._found, None
         return found if self._local else None

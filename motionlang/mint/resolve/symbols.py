@@ -1,4 +1,4 @@
-"""Symbols, scopes, user types, and the functions that a program is compiled into."""
+"""Symbols, scopes, user types, and the functions that a program is compiled to."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ NUMERIC = frozenset((INTEGER, FLOAT, TIME))
 class Type:
     """A type: one of the names above, with its parameters.
 
-    `size` is that of a String (None: any), `record` a user type.
+    `size` is the size of a String (None means any), `record` is a user type.
     """
 
     name: str
@@ -43,10 +43,12 @@ class Record:
 class Symbol:
     """A symbol of the program.
 
-    `kind` is "variable", "parameter", "const", "define", "sub", "task", "event" or "label". `python` is its
-    spelling in the generated code. `shared`: more than one function uses it. `boxed`: it is passed to a ByRef
-    parameter somewhere and therefore lives in a list of one element. A ByRef parameter itself is `by_ref`.
-    `declared` is False for a variable that exists because something is assigned to it.
+    - `kind`: "variable", "parameter", "const", "define", "sub", "task", "event" or "label".
+    - `python`: its spelling in the generated code.
+    - `shared`: more than one function uses it.
+    - `boxed`: it is passed to a ByRef parameter somewhere and therefore lives in a list of one element.
+    - `by_ref`: it is a ByRef parameter itself.
+    - `declared`: False for a variable that exists only because it is assigned.
     """
 
     def __init__(self, name: str, kind: str, type: Type, python: str, at: int, home: Function) -> None:
@@ -65,7 +67,7 @@ class Symbol:
 
 
 class Scope:
-    """The names of one block, and the scope around it."""
+    """The names of one block, and the enclosing scope."""
 
     __slots__ = ("_found", "function", "names", "outer")
 
@@ -81,11 +83,11 @@ class Scope:
 
     @property
     def found(self) -> dict[str, Symbol | None]:
-        """The names that were looked up here since the scope is settled."""
+        """The names that were looked up here after the scope was frozen."""
         return self._found or {}
 
     def find(self, name: str) -> Symbol | None:
-        """Return the symbol of a name in any case, searching from the innermost block out."""
+        """Return the symbol of a name, ignoring case, from the innermost scope outwards."""
         found = self._found
         if found is None:
             return self._find(name)
@@ -117,7 +119,7 @@ class Function:
     """The source of one Python function: parent task, task, sub or event handler.
 
     `plain`: it cannot wait and does not observe time, so it is an ordinary function and not a generator.
-    `counted`: it is passed the remaining depth of the stack, because the calls of its program may nest deeper
+    `counted`: it receives the remaining depth of the stack, because the calls of its program may nest deeper
     than the stack allows.
     """
 

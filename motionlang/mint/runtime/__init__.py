@@ -1,1 +1,1 @@
-"""Run a compiled Mint program: tasks, events, errors, waits, run-time library."""
+"""Run a compiled Mint program: tasks, events, errors, waits, and operations."""

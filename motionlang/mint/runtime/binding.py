@@ -4,28 +4,28 @@ Problem. `MOVER(0) = n` is a row of a table (name, unit, range, functions) and a
 lie the axis, the unit, the range, the line and the time. Nearly all of this is known when the program starts, and a
 statement may run millions of times.
 
-Idea. All that is known at the start is bound at the start. A maker takes the environment of the program and the row. It
-returns the operation: a function of what only the statement itself knows.
+Idea. Everything that is known at the start is bound at the start. A maker takes the environment of the program and the
+row. It returns the operation: a function whose arguments are only known when the statement runs.
 
     at the start     row of MOVER ─▶ its maker for "load" ─▶ operation, bound to axis 0
     in the text      if k0(2.0, v_n, 3): yield      k0 pays 2 statements, sets the clock and calls operation(v_n, 3)
 
 A keyword has four uses: "read", "write", "load" (a move into the buffer) and "do" (a command). A row has a maker for
-each of its uses in `actions`. Without one, its `verb` names a setting or a reading of the controller, which is
-converted by the row's unit. An operation is called with the indices, then the value, then (moves, commands of axes) the
-line. One for "load" returns true while the buffer has no room. `operations.py` adds the time to all but "read".
+each of its uses in `actions`. If it has none, its `verb` names a setting or a reading of the controller, which is
+converted by the row's unit. The arguments of an operation are the indices, then the value, then the line (for moves and
+commands of axes). A "load" returns true while the buffer has no space. `operations.py` adds the time to all but "read".
 
-    of, of_word               maker of a function of a component of the environment; with `of_word` also of the row
-    by_axis, to_each_axis     maker of what is bound to one axis, once for each (`ByNumber`)
-    on_axes, on_every_axis    maker of what acts on each of several axes
+    of, of_word               make a function of a component of the environment; `of_word` also passes the row
+    by_axis, to_each_axis     make an operation bound to one axis, once for each (`ByNumber`)
+    on_axes, on_every_axis    make an operation that acts on each of several axes
     unchecked                 marks a write that takes any number, or checks the range itself
-    repeatable                marks a write that is a no-op if the value is there already, as `held` reads it
+    repeatable                marks a write that is a no-op if the value is there already, as `replaced` reads it
 
 Invariants.
 - An operation on an axis is bound to one that exists (`axis_of`). A written value lies in the range of its row. That is
   checked here and nowhere else; NaN is outside every range.
-- An axis that the text gives as a number is bound at the start; a computed one when it is first named.
-- A polling loop that writes a repeatable keyword has done nothing if that changed no value and set no event.
+- If the text gives the number of an axis, the operation is bound at the start; for a computed axis, at its first use.
+- A polling loop that writes a repeatable keyword has done nothing if that changed no value and scheduled no event.
 
 Cost. Binding happens once for each keyword, axis and use. A call costs one Python function, and a write with a range
 one comparison more.
@@ -93,22 +93,25 @@ class ByNumber(dict[int, "Made"]):
 
 
 def by_axis(make: Callable[[Environment, Keyword, int], Operation]) -> Maker:
-    """Return a maker of an operation that is bound to an axis and cached for it."""
+    """Return a maker of operations bound to an axis, each cached for its axis."""
     return to_each_axis(
         lambda environment, row: lambda axis: make(environment, row, axis_of(environment, axis))
     )
 
 
 def of(kind: type, function: Operation) -> Maker:
-    """Return the maker of a function of the environment or of one of its parts.
+    """Return a maker that binds a function to the environment or a component of it.
 
-    The function gets the part as its first argument. If the first index is an axis, it exists.
+    The function receives this as its first argument. If the first index is an axis, the axis exists.
     """
     return _made(lambda environment, row: partial(function, environment.part(kind)))
 
 
 def of_word(kind: type, function: Operation) -> Maker:
-    """Return a maker like `of`, for a function that gets the row after the part."""
+    """Return a maker like `of`, for a function that also receives the row.
+
+    The row comes after the component.
+    """
     return _made(lambda environment, row: partial(function, environment.part(kind), row))
 
 
@@ -127,7 +130,10 @@ def _made(make: Maker) -> Maker:
 
 
 def to_each_axis(bound: Bound) -> Maker:
-    """Return a maker of operations for each axis, bound by what `bound` returns."""
+    """Return a maker of an operation per axis.
+
+    `bound` returns the function that makes the operation of one axis.
+    """
 
     def made(environment: Environment, row: Keyword) -> Operation:
         each = ByNumber(bound(environment, row))
@@ -138,7 +144,7 @@ def to_each_axis(bound: Bound) -> Maker:
 
 
 def on_axes(act: Callable[[Environment, int], None]) -> Maker:
-    """Return a maker of an operation that acts on each of some axes, all existing."""
+    """Return a maker of an operation that acts on each given axis; all must exist."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
         def do(axes: tuple[int, ...], line: int) -> None:
@@ -164,7 +170,7 @@ def on_every_axis(act: Callable[[Environment, int], None]) -> Maker:
 
 
 def unchecked(make: Maker) -> Maker:
-    """Mark the maker of a write that accepts any number or checks the range itself."""
+    """Mark the maker of a write that accepts any number, or checks the range itself."""
     make.unchecked = True  # type: ignore[attr-defined]
     return make
 
@@ -179,7 +185,7 @@ def bind(environment: Environment, how: str, row: Keyword) -> Operation:
 def bind_to_axis(environment: Environment, how: str, row: Keyword) -> Callable[[int], Operation]:
     """Return a function that makes the operation of a keyword on an axis.
 
-    The operation is called without the number of the axis.
+    The operation is called without the axis number.
     """
     maker = maker_of(how, row)
     bound = _to_axis(environment, row, maker)
@@ -193,7 +199,7 @@ def _is_checked(how: str, row: Keyword, maker: Maker) -> bool:
 def _in_range(row: Keyword, write: Operation, place: int) -> Operation:
     """Return a write that raises Rejected for a value outside the row's range.
 
-    `place` is the position of the value among the arguments.
+    `index` is the position of the value among the arguments.
     """
     low, high = _limits(row)
 
@@ -253,7 +259,7 @@ def _to_axis(environment: Environment, row: Keyword, maker: Maker) -> Callable[[
 def maker_of(how: str, row: Keyword) -> Maker:
     """Return the maker of a keyword's operation.
 
-    It is an action of its row, or that of a setting or reading of the controller.
+    It is an action of its row, or the maker for a setting or reading of the controller.
     """
     maker: Maker | None = getattr(row.actions, how)
     if maker is not None:
@@ -265,7 +271,7 @@ def maker_of(how: str, row: Keyword) -> Maker:
 
 
 def is_repeatable(how: str, row: Keyword) -> bool:
-    """True if a keyword may be written or done without changing anything."""
+    """True if writing or executing a keyword may change nothing."""
     return hasattr(maker_of(how, row), "repeatable")
 
 
@@ -318,7 +324,7 @@ def _read_setting(environment: Environment, row: Keyword, axis: int) -> Operatio
 
 @by_axis
 def _reading(environment: Environment, row: Keyword, axis: int) -> Operation:
-    """Return the read of a controller verb that takes an axis and returns counts."""
+    """Return the operation that reads a quantity of an axis from the controller."""
     if row.is_whole:
         verb = environment.controller.reader(row.verb, axis)
         return lambda: int(verb())

@@ -1,4 +1,4 @@
-"""Readings that change without an event and belong to no axis: times of change."""
+"""Readings of no axis that change without an event, and the times of change."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ if TYPE_CHECKING:
 
 
 def moving(make: Maker) -> Maker:
-    """Make a reading that may change as long as anything moves; `make` makes the read."""
+    """Make a reading that may change while anything moves, from the maker of its read."""
     return lambda environment, row: with_dependency(
         environment, make(environment, row), end_of_motion(environment)
     )
 
 
 def always(make: Maker) -> Maker:
-    """Make a reading that changes all the time."""
+    """Make a reading that may change at any time."""
     return lambda environment, row: with_dependency(
         environment, make(environment, row), environment.dependencies.at_once
     )
@@ -39,7 +39,7 @@ def repeatable(make: Maker) -> Maker:
 def with_dependency(environment: Environment, read: Callable[..., Any], until: Until) -> Callable[..., Any]:
     """Return a read that also records its dependency.
 
-    `until` gets the indices and the level of comparison, as `read` does.
+    `until` receives the indices and the level of comparison, as `read` does.
     """
     dependencies = environment.dependencies
 
@@ -52,9 +52,9 @@ def with_dependency(environment: Environment, read: Callable[..., Any], until: U
 
 
 def end_of_motion(environment: Environment) -> Until:
-    """Return a function that computes when a reading may change while anything moves.
+    """Return a function that is now while anything moves, otherwise infinity.
 
-    This includes axes and the encoders that the world turns.
+    It is the time at which a reading may change. Motion is that of axes and of the encoders of the machine file.
     """
     controller, clock = environment.controller, environment.clock
 

@@ -1,7 +1,7 @@
 """The code of a program in units: functions that are compiled together.
 
 A unit is compiled when one of its functions is called, or earlier. Data that functions share is in cells,
-created once when the program starts: the variables that more than one uses and, if subs are called, the time
+created once when the program starts: the variables that several functions use and, if subs are called, the time
 `t` and the horizon `H`. A unit is compiled within a function that has those names, and the functions found in
 it are combined with the cells:
 
@@ -11,8 +11,8 @@ it are combined with the cells:
       nonlocal t, v_x
       …
 
-Everything else is a global name: `kN`, `E`, `P`, `T`, and the functions. Until a unit is compiled, its
-functions are stand-ins, which replace themselves with the true ones when they are called.
+All other names are global: `kN`, `E`, `P`, `T`, and the functions. Until a unit is compiled, stand-ins take the
+place of its functions. When called, a stand-in replaces itself with the compiled function.
 """
 
 from __future__ import annotations
@@ -38,12 +38,12 @@ SCRATCH = "m"
 
 
 def given_name(name: str) -> str:
-    """Return the global name of a value that is supplied when the code starts."""
+    """Return the global name for a value that is supplied when the code starts."""
     return f"g_{name.lower()}"
 
 
 def _example() -> Callable[[], None]:
-    """Return a function over a cell, as a source of its classes."""
+    """Return a function with a cell, from which the classes of both are taken."""
     cell = None
     return lambda: cell
 
@@ -54,11 +54,11 @@ _CELL: Any = type(_example().__closure__[0])  # type: ignore[attr-defined,index,
 
 
 class Unit:
-    """Functions by their `names`, as text until their code is needed.
+    """Functions with these `names`, as text until their code is needed.
 
-    The text begins with the third line of what is compiled. Line n of that is line `before` + n of the whole
-    program. `cells` are the names that it shares with others. A unit from the cache has its code `packed`
-    until then.
+    The compiled text has two more lines in front of `text`. Line n of it is line `before` + n of the whole program.
+    `cells` are the names that it shares with other units. `packed` is the code of a unit from the cache, until it is
+    needed.
     """
 
     __slots__ = ("before", "cells", "codes", "names", "packed", "text")
@@ -76,7 +76,7 @@ class Unit:
 
     @property
     def is_compiled(self) -> bool:
-        """True if the code has been compiled."""
+        """True if the code has been compiled, even if it is still packed."""
         return bool(self.codes or self.packed)
 
     def compile(self, file: str = FILE) -> tuple[CodeType, ...]:
@@ -94,13 +94,13 @@ class Unit:
         return self.codes
 
     def payload(self) -> tuple[object, ...]:
-        """Return the arguments with which `Unit` recreates it."""
+        """Return the arguments from which `Unit` can be recreated."""
         packed = self.packed or (dumps(self.codes) if self.codes else b"")
         return self.names, "" if packed else self.text, self.before, self.cells, packed
 
 
 def _moved(code: CodeType, lines: int) -> CodeType:
-    """Return the code moved down by some lines."""
+    """Return the code with its line numbers increased by `lines`."""
     if not lines:
         return code
     inner = tuple(_moved(each, lines) if each.__class__ is _CODE else each for each in code.co_consts)
@@ -110,9 +110,9 @@ def _moved(code: CodeType, lines: int) -> CodeType:
 class Code:
     """All units of a program, and the data that they need.
 
-    `first` sets the first values of the cells named in `shared`. `specs` describes the `kN`. `blocks` are the
-    functions by "main", "task blink", "event timer". `places[n]` is the source offset of line n of the code.
-    `first_text` is the Python of `first`, which is not cached.
+    `first` sets the initial values of the cells named in `shared`. `specs` describes the `kN`. `blocks` maps "main",
+    "task blink", "event timer" and so on to the names of the functions. `places[n]` is the source offset of line n of
+    the code. `first_text` is the Python of `first`, which is not cached.
     """
 
     __slots__ = ("blocks", "first", "first_text", "places", "shared", "specs", "units")
@@ -133,12 +133,12 @@ class Code:
 
     @property
     def size(self) -> int:
-        """The number of compiled units."""
+        """The number of units that are compiled."""
         return sum(1 for unit in self.units if unit.is_compiled)
 
     @property
     def text(self) -> str:
-        """The generated Python of the program, without the lines around its units."""
+        """The generated Python of the program, without the head lines of its units."""
         return "\n".join(unit.text for unit in self.units)
 
     def compile_all(self) -> None:
@@ -163,7 +163,7 @@ class Code:
     ) -> list[CellType]:
         """Put the functions, or their stand-ins, into a namespace.
 
-        The namespace has everything else. `time` are the cells of the time, and `counting` those of a debug
+        All other names are already in the namespace. `time` are the cells of the time, and `counting` those of a debug
         build. Returns the cells of the variables that functions share.
         """
         values: dict[str, object] = {}
@@ -182,7 +182,7 @@ class Code:
 
 
 def loaded(payload: tuple[object, ...]) -> Code:
-    """Return the code from which `Code.payload` was made."""
+    """Recreate the code from the result of `Code.payload`."""
     units, first, shared, specs, blocks, places = payload
     made = [Unit(*unit) for unit in units]  # type: ignore[attr-defined]
     return Code(made, first, shared, specs, blocks, memoryview(places).cast("q"))  # type: ignore[arg-type]

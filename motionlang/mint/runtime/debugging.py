@@ -1,4 +1,4 @@
-"""A debug build at run time: the hook before a statement, and variables at a stop."""
+"""A debug build at run time: the hook before statements, and variables at a stop."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _LOW, _HIGH = -(2**31), 2**31 - 1
 def stopper(hook: Hook, environment: Environment) -> Callable[[float, int], None]:
     """Return the function `B` of generated code.
 
-    It takes the statement, as time counts it, and its source offset.
+    Its arguments are the statement's number on the time scale, and the source offset.
     """
     statements = environment.statements
 
@@ -39,8 +39,8 @@ def stopper(hook: Hook, environment: Environment) -> Callable[[float, int], None
 class Inspection:
     """The variables of a debug build.
 
-    `functions` are the titles and variables by the name of a function in Python, and `shared` the cells of
-    the program by their names.
+    `functions` maps the Python name of a function to its title and its variables. `shared` are the cells of the
+    program by name.
     """
 
     __slots__ = ("_environment", "_functions", "_shared")
@@ -66,7 +66,7 @@ class Inspection:
     def frames(self, task: Task, place: int | None) -> list[Frame]:
         """Return the calls of a task, the innermost first.
 
-        `place` is the source offset of a task that is stopped in the hook; None for one that is suspended.
+        `offset` is the source offset of a task that is stopped in the hook; None for one that is suspended.
         """
         found: list[Frame] = []
         inner = place
@@ -80,11 +80,11 @@ class Inspection:
         return found
 
     def unlisted(self, task: Task | None, name: str) -> Variable | None:
-        """Return None: all variables are listed."""
+        """Return None, because all variables are listed."""
         return None
 
     def depth(self, task: Task) -> int:
-        """Return how many calls and GoSubs the running task is in."""
+        """Return the number of calls and GoSubs that the running task is in."""
         return sum(1 for frame in _running() if not frame.f_code.co_name.startswith(PART))
 
     def _variables(self, frame: FrameType) -> list[Variable]:
@@ -117,7 +117,7 @@ def _suspended(task: Task) -> Iterator[FrameType]:
 
 
 def _captured(frame: FrameType) -> dict[str, CellType]:
-    """Return the cells of a function's variables by their names."""
+    """Return the cells of a function's variables by name."""
     held = frame.f_locals.get(CELLS)
     return {} if held is None else _cells_of(held)
 
@@ -179,7 +179,7 @@ def _shown(name: str, shape: Shape, value: Any, give: Callable[[object], None]) 
 
 
 def _subscripts(dimensions: tuple[int, ...]) -> list[str]:
-    """Return the subscripts of the elements of an array in the order of their storage."""
+    """Return the subscripts of all elements of an array, in storage order."""
     texts = [""]
     for size in dimensions:
         texts = [f"{text}, {n}" if text else str(n) for text in texts for n in range(1, size + 1)]

@@ -37,7 +37,7 @@ _MILLISECOND = 1e-6
 
 
 def _apply_mint_settings(controller: Controller) -> None:
-    """Apply the settings of Mint's axes; an axis with an error accepts no motion."""
+    """Apply Mint's settings to the axes; an axis with an error accepts no motion."""
     from motionlang.controller.faults import ALL
 
     for axis in controller.axes:
@@ -46,9 +46,9 @@ def _apply_mint_settings(controller: Controller) -> None:
 
 
 def mint_settings(controller: Controller, axis: int) -> None:
-    """Set Mint's differences from the controller: a new speed acts at once on a move.
+    """Set how Mint differs from the controller's defaults for an axis.
 
-    This is FEEDRATEMODE 0.
+    A new speed acts at once on the move in progress (FEEDRATEMODE 0).
     """
     controller.configure(axis, "live_speed", True)
 
@@ -56,8 +56,8 @@ def mint_settings(controller: Controller, axis: int) -> None:
 class Environment(Waits):
     """One program on one machine.
 
-    `task` is the running task; each has its own TIME. `blocks` holds the tasks and event handlers by "task
-    blink", "event timer". `files` holds the source offsets of the lines of each piece of generated code.
+    `task` is the running task; each task has its own TIME. `blocks` holds the tasks and event handlers by names such as
+    "task blink" and "event timer". `files` holds the source offsets of the lines, for each unit of generated code.
     """
 
     def __init__(self, machine: Machine) -> None:
@@ -124,14 +124,14 @@ class Environment(Waits):
 
     @property
     def controller(self) -> Controller:
-        """The controller; it is created when the program first uses it."""
+        """The controller, created when the program first uses it."""
         found = self._controller
         if found is None:
             found = self._controller = self.machine.controller
         return found
 
     def prepare(self) -> None:
-        """Make the controller behave as Mint expects it to."""
+        """Give the controller Mint's settings and the machine file's power-up values."""
         self.machine.at_power_up(_apply_mint_settings)
         if self.machine.assumptions:
             from motionlang.mint.runtime.power_up import PowerUp
@@ -149,17 +149,17 @@ class Environment(Waits):
 
     @property
     def midway(self) -> None:
-        """Count the call of a sub that may wait, with part of an expression evaluated."""
+        """Count a call within a partly evaluated expression, of a sub that may wait."""
         self.midways += 1
 
     def state(self, alive: dict[int, object]) -> tuple[int, int, bytes]:
-        """Return the shared state of all tasks: counters of actions, and shared variables."""
+        """Return the variables that tasks share, as comparable bytes."""
         from motionlang.mint.runtime.task_state import of_values
 
         return self.acts + self.copies, self.midways, of_values(self.variables(), alive)
 
     def forget_program(self) -> None:
-        """Forget the tasks and handlers of a program that has ended; settings stay."""
+        """Discard the tasks and handlers of a program that has ended; keep its settings."""
         for task in self.tasks.values():
             task.done = True
         self.tasks.clear()
@@ -192,7 +192,7 @@ class Environment(Waits):
         return self._errors
 
     def make_operations(self, specs: Sequence[tuple[object, ...]]) -> tuple[object, ...]:
-        """Return the object for each `kN` of the text."""
+        """Return the object for each `kN` of the generated code."""
         return tuple(self._operation(str(spec[0]), *spec[1:]) for spec in specs)
 
     def _operation(self, how: str, *details: object) -> object:
@@ -241,7 +241,7 @@ class Environment(Waits):
     def _on_axes(self, how: str, row: Keyword, axis: object, repeated: bool) -> object:
         """Return the operation of a keyword on an axis.
 
-        For `EACH`, it returns the operations by axis, bound when the program names the axis.
+        If `axis` is `EACH`, return all operations by axis; each is bound when the program first names its axis.
         """
         from motionlang.mint.runtime import binding
         from motionlang.mint.runtime.binding import with_first
@@ -271,7 +271,7 @@ class Environment(Waits):
     def elapsed(self, base: float, level: float | None = None) -> int:
         """Return the whole milliseconds since a time.
 
-        `level` is the value with which they are compared, if that is known.
+        `level` is the value that they are compared with, if it is known.
         """
         dependencies = self.dependencies
         if dependencies.notes is not None:
@@ -282,7 +282,7 @@ class Environment(Waits):
         return int((self.clock.now - base) * 1000.0 + _MILLISECOND)
 
     def _counted(self, base: float, level: float) -> float:
-        """Return when the milliseconds since a time next cross `level`.
+        """Return the time at which the milliseconds since `base` next cross `level`.
 
         They cross it when they reach it, and when they first exceed it.
         """
@@ -297,7 +297,7 @@ class Environment(Waits):
         return INFINITY
 
     def since(self, milliseconds: float) -> float:
-        """Return the time before now by some milliseconds."""
+        """Return the time that was some milliseconds ago, in seconds."""
         return self.clock.now - milliseconds / 1000.0
 
     def random(self) -> float:
@@ -310,7 +310,7 @@ class Environment(Waits):
         return self._random()
 
     def copy(self, record: list[object]) -> list[object]:
-        """Return a copy of a value of a user type, with its arrays and its inner values."""
+        """Return a copy of a value of a user type, including its arrays and nested values."""
         return [self.copy(each) if each.__class__ is list else each for each in record]
 
     def place(self, axis: int, counts: float) -> float:
@@ -392,7 +392,7 @@ class Environment(Waits):
     def pairs(self, values: tuple[object, ...], repeat: bool) -> list[tuple[int, object]]:
         """Return each default axis with its value.
 
-        `repeat` gives the last value to all further axes.
+        With `repeat` the last value applies to all further axes.
         """
         axes = self.task.axes
         if repeat:
@@ -454,7 +454,7 @@ class Environment(Waits):
 
     @property
     def Jump(self) -> type[Exception]:  # noqa: N802 - a name of generated code
-        """The exception by which a Goto leaves loops."""
+        """The exception with which a Goto leaves loops."""
         return Jump
 
     @property
@@ -466,9 +466,9 @@ class Environment(Waits):
 
     @property
     def stack(self) -> tuple[object, ...]:
-        """The stack depth of a task: nested tuples, one for itself and one for each call.
+        """The stack depth of a task as nested tuples, one for each call that it allows.
 
-        A call passes on the tuple inside its own, which is faster than counting down a number.
+        A call passes on the inner tuple, which is faster than counting down a number.
         """
         room: tuple[object, ...] = ()
         for _ in range(MAX_DEPTH + 1):
@@ -476,7 +476,7 @@ class Environment(Waits):
         return room
 
     def too_deep(self) -> tuple[object, ...]:
-        """Raise Rejected, because a call exceeds the stack depth."""
+        """Raise Rejected for a call that exceeds the stack depth."""
         words = f"calls are nested more than {MAX_DEPTH} deep"
         raise Rejected("recursion", words, "a sub or a Gosub calls itself endlessly")
 

@@ -76,9 +76,9 @@ class Error:
 
 
 class Errors:
-    """The list of errors, oldest first, and the one in the registers.
+    """The list of errors, oldest first, and the error in the registers.
 
-    It begins with the first use.
+    Errors are recorded from the first use of this object on.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -96,7 +96,7 @@ class Errors:
     def failed(self, trouble: BaseException, line: int) -> None:
         """Record the failure of a statement and call ONERROR.
 
-        A `never` error is raised again, because a handler cannot fix it.
+        A `never` error is raised again, because no handler can fix it.
         """
         if isinstance(trouble, Rejected) and trouble.code == "never":
             raise trouble
@@ -107,7 +107,7 @@ class Errors:
     def _run_time_fault(self, rejected: Rejected) -> bool:
         """Record an earlier command that cannot be carried out.
 
-        Returns False without ONERROR, and the program ends with it.
+        Returns False if there is no ONERROR; the fault then ends the program.
         """
         if not self.environment.events.handles("onerror"):
             return False
@@ -122,7 +122,7 @@ class Errors:
             self._note(Error(MISC_ERROR, text, 0, MISC, (axis,), self._place()))
 
     def axis_error(self, axis: int) -> None:
-        """Record an error of an axis that was not pending before."""
+        """Record an axis error that was not already pending."""
         bits = self.environment.controller.faults(axis)
         text = f"axis {axis} has an error: {names(bits)}"
         self._note(Error(AXIS_ERROR, text, 0, AXIS, (axis, bits), self._place()))
@@ -145,7 +145,7 @@ class Errors:
             self.environment.events.raise_("onerror")
 
     def call(self) -> None:
-        """Show the error that called ONERROR in the registers; it remains on the list."""
+        """Put the error that called ONERROR into the registers; it remains in the list."""
         if self.calling is not None:
             self._show(self.calling)
             self.calling = None
@@ -157,7 +157,7 @@ class Errors:
         return int(any(self._of(group, data)))
 
     def read_next(self, group: int, data: int) -> int:
-        """ERRORREADNEXT: show the oldest error of a group and remove it from the list."""
+        """ERRORREADNEXT: move the oldest error of a group from the list to the registers."""
         for error in self._of(group, data):
             self.found.remove(error)
             self._show(error)
@@ -165,7 +165,7 @@ class Errors:
         return 0
 
     def read_code(self, code: int, data: int) -> int:
-        """ERRORREADCODE: show the newest error with a number."""
+        """ERRORREADCODE: put the newest error with a number into the registers."""
         for error in reversed(self.found):
             if error.number == code and (not error.data or data < 0 or error.data[0] == data):
                 self._show(error)
@@ -173,15 +173,15 @@ class Errors:
         return 0
 
     def _show(self, error: Error) -> None:
-        """Show an error in the registers, which is an action although it is a read."""
+        """Put an error into the registers, which counts as an action, not as a mere read."""
         if error is not self.shown:
             self.environment.acts += 1
         self.shown = error
 
     def clear(self, group: int, data: int) -> None:
-        """ERRORCLEAR: clear the errors of a group, also in the axes or the controller.
+        """ERRORCLEAR: clear the errors of a group, in the axes and the controller, too.
 
-        This also applies if the list has none of them, because a handler has usually read it to its end by
+        This is done even if the list has no error of the group, because a handler has usually read the whole list by
         then.
         """
         controller, world = self.environment.controller, self.environment.machine.world
@@ -201,7 +201,7 @@ class Errors:
         ]
 
     def line(self) -> int:
-        """ERRLINE: return the line of the error in the registers, 0 for a typed line."""
+        """ERRLINE: return the line of the error in the registers, 0 for a prompt's line."""
         return self.line_of(self.register())
 
     def line_of(self, error: Error) -> int:
@@ -212,7 +212,7 @@ class Errors:
         return error.line
 
     def register(self) -> Error:
-        """Return the error of ERRCODE, ERRLINE, ERRSTRING and ERRDATA."""
+        """Return the error that ERRCODE, ERRLINE, ERRSTRING and ERRDATA refer to."""
         if self.shown is None and self.found:
             self._show(self.found[-1])
         if self.shown is None:

@@ -1,8 +1,8 @@
 """Events: their handlers, their priority, and the queue of pending events.
 
-A handled event interrupts every task between two statements. A more urgent one interrupts a less urgent
-handler. An event that is already pending is not queued twice. A handler that keeps raising events would leave
-no time to any task, so the run then ends with `never`.
+The handler of an event interrupts every task between two statements. A more urgent event interrupts a less urgent
+handler. An event that is already pending is not queued twice. If a handler raises events endlessly, no task can run,
+so the run then ends with a `never` error.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ MAX_ROUNDS = 10_000
 class Events:
     """The handlers of one program, active events (innermost last) and pending ones.
 
-    `_raised_here` are the pending events that a statement of a handler has raised. `_rounds` counts the
-    handlers that such events have started since a task last ran.
+    `_raised_here` are the pending events that a statement of a handler has raised. `_rounds` counts the handlers
+    started for such events since a task last ran.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -46,7 +46,7 @@ class Events:
         self._handlers: dict[tuple[str, int], Make] = {}
 
     def handle(self, kind: str, number: int, make: Make) -> None:
-        """Let `make` handle an event; number -1 stands for all of a kind."""
+        """Register `make` as the handler of an event; number -1 means all of its kind."""
         self._handlers[kind, number] = make
 
     def handles(self, kind: str, number: int = 0) -> bool:
@@ -54,11 +54,11 @@ class Events:
         return (kind, number) in self._handlers or (kind, -1) in self._handlers
 
     def handler(self, kind: str, number: int = 0) -> Make:
-        """Return the handler of an event that the program handles."""
+        """Return the handler of an event; there must be one."""
         return self._handlers.get((kind, number)) or self._handlers[kind, -1]
 
     def forget_handlers(self) -> None:
-        """Forget all handlers, and the events that are active or pending."""
+        """Discard all handlers, and all active and pending events."""
         self._handlers.clear()
         self.active.clear()
         self.pending.clear()
@@ -84,12 +84,12 @@ class Events:
         clock.at(clock.now, self.deliver)
 
     def _is_handler_running(self) -> bool:
-        """True if a statement of a handler is running; a tick of the timer is none."""
+        """True if a statement of a handler is running; a timer tick does not count."""
         scheduler = self.environment.machine.scheduler
         return scheduler is not None and bool(scheduler.interrupts) and scheduler.current.running
 
     def deliver(self) -> None:
-        """Start the most urgent handler, unless one at least as urgent is active."""
+        """Start the most urgent pending handler if it is more urgent than the active one."""
         for entry in self.pending:
             rank, number = entry
             if self.disabled >> rank & 1:
@@ -124,7 +124,7 @@ class Events:
         return pattern
 
     def disable(self, pattern: int) -> None:
-        """Set the kinds that must wait; pending events of other kinds are handled."""
+        """Set the kinds of event that must wait; deliver pending events of other kinds."""
         self.disabled = pattern
         clock = self.environment.clock
         clock.at(clock.now, self.deliver)
@@ -144,11 +144,11 @@ class Events:
                 machine.scheduler.ticks = machine.accelerators.ticks(self)
 
     def tick_time(self, number: int) -> float:
-        """Return the time of a tick; multiplied, so that rounding does not accumulate."""
+        """Return the time of a tick by multiplication, so rounding does not accumulate."""
         return self.started + number * (self.timer / 1000.0)
 
     def schedule_tick(self, number: int) -> None:
-        """Schedule tick `number`, after the one that has just run."""
+        """Schedule tick `number`, which follows the tick that has just run."""
         assert self.tick_event is not None
         self.ticks = number
         self.environment.clock.again(self.tick_event, self.tick_time(number))
@@ -160,7 +160,7 @@ class Events:
 
 
 def _never_ends(entry: tuple[int, int]) -> Rejected:
-    """Return the error of handlers that raise themselves or each other forever."""
+    """Return the error for handlers that endlessly raise the events of each other."""
     kind, number = KINDS[entry[0]], entry[1]
     name = kind.upper() if kind in SINGLE else f"{kind.upper()}{number}"
     message = (
@@ -170,7 +170,7 @@ def _never_ends(entry: tuple[int, int]) -> Rejected:
 
 
 class EventTask(MintTask):
-    """An active handler."""
+    """A task that runs an active handler."""
 
     __slots__ = ()
 

@@ -14,7 +14,7 @@ WIDEST = 255
 
 
 def using_float(value: float, width: int, decimals: int = 0) -> str:
-    """Format a Float: `%w.df`, with a sign for a negative width; 0 has no minus.
+    """Format a Float as `%w.df`, with a sign for a negative width; -0 prints as 0.
 
     Negative decimals give `%w.de`.
     """
@@ -24,9 +24,9 @@ def using_float(value: float, width: int, decimals: int = 0) -> str:
 
 
 def using_integer(value: float, width: int, decimals: int | None = None) -> str:
-    """Format an Integer: `%wd`, with a sign for a negative width.
+    """Format an Integer as `%wd`, with a sign for a negative width.
 
-    With decimals it is shown as a Float.
+    With decimals it is formatted as a Float.
     """
     if decimals is not None:
         return using_float(value, width, decimals)
@@ -35,7 +35,7 @@ def using_integer(value: float, width: int, decimals: int | None = None) -> str:
 
 
 def using_text(value: str, width: int, decimals: int = 0) -> str:
-    """Format a string, padded on the right, or on the left for a negative width."""
+    """Format a string padded on the right, or on the left for a negative width."""
     _, size = _width(width)
     return value.rjust(size) if width < 0 else value.ljust(size)
 

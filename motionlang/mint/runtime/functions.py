@@ -1,6 +1,6 @@
-"""Mint's functions, and operators that differ in Python, for generated code.
+"""Mint's functions, and the operators that Python lacks, for generated code.
 
-Every function here is named by a row of the keyword table or written by the compiler. Errors are raised as
+Every function here is named by a row of the keyword table or called by compiled text. Errors are raised as
 `Rejected`.
 """
 
@@ -25,21 +25,21 @@ _DEGREE = math.pi / 180.0
 
 
 def frozen(value: object) -> object:
-    """Return the value of a variable, with arrays and members, as an immutable copy."""
+    """Return the value of a variable as an immutable copy, with arrays and members."""
     return tuple(map(frozen, value)) if isinstance(value, list) else value
 
 
 def overflow(value: float) -> int:
-    """Raise Rejected for an Integer result that does not fit in 32 bits."""
+    """Raise Rejected for a value that does not fit in an Integer of 32 bits."""
     raise Rejected(
         "overflow", f"{value} does not fit an Integer", "an Integer holds -2147483648 to 2147483647"
     )
 
 
 def integer(value: float) -> int:
-    """Convert a number to an Integer: cut off the fraction and check the range.
+    """Convert a number to an Integer: drop the fraction and check the range.
 
-    For the fraction see docs/contributing/assumptions.md.
+    That the fraction is dropped is an assumption (docs/contributing/assumptions.md).
     """
     try:
         whole = int(value)
@@ -73,13 +73,13 @@ def power(a: float, b: float) -> float:
 
 
 def shift_left(a: float, b: float) -> int:
-    """Shift the bits of an Integer up; bits beyond 32 are lost."""
+    """Shift the bits of an Integer left; bits beyond 32 are lost."""
     bits = (integer(a) << _places(b)) & 0xFFFFFFFF
     return bits - (1 << 32) if bits >> 31 else bits
 
 
 def shift_right(a: float, b: float) -> int:
-    """Shift the bits of an Integer down; the sign remains."""
+    """Shift the bits of an Integer right, with the sign preserved."""
     return integer(a) >> _places(b)
 
 
@@ -99,7 +99,7 @@ def index(value: int, size: int) -> int:
 
 
 def subscript(value: float, size: int) -> int:
-    """Return a subscript after checking it."""
+    """Return a subscript; raise Rejected if it is outside the array."""
     whole = value if type(value) is int else integer(value)
     return whole if 1 <= whole <= size else index(whole, size)
 
@@ -109,7 +109,7 @@ MAX_TEXT = 65_535
 
 
 def fit(text: str, size: int) -> str:
-    """Fit a text into a String of `size` characters."""
+    """Return a text for a String of `size` characters; raise Rejected if it is longer."""
     if len(text) > size:
         raise Rejected("string-overflow", f"a text of {len(text)} characters does not fit a String * {size}",
                       "make the String longer")  # fmt: skip
@@ -162,7 +162,7 @@ def logarithm(value: float) -> float:
 
 
 def sine(angle: float) -> float:
-    """Return the sine, exact at the multiples of 30 degrees at which it is rational."""
+    """Return the sine, exact at those multiples of 30 degrees where it is rational."""
     exact = _SINES.get(angle % 360.0)
     return _number("Sin", math.sin, angle * _DEGREE) if exact is None else exact
 
@@ -217,7 +217,7 @@ def shown(value: float) -> str:
 
 
 def shown_by(machine: Machine) -> Callable[[float], str]:
-    """Return the `shown` of a machine that prints Floats differently."""
+    """Return the function `shown` for a machine that prints Floats differently."""
     show = shows_float(machine)
     return lambda value: show_integer(value) if type(value) is int else show(value)
 
@@ -259,7 +259,7 @@ def _count(count: float) -> int:
 
 
 class Random:
-    """The numbers of `Rnd`: the same in every run (Lehmer's generator, 31 bits)."""
+    """The random numbers of `Rnd`, the same in every run (Lehmer generator, 31 bits)."""
 
     __slots__ = ("_state",)
 

@@ -37,9 +37,9 @@ def _answered(operator: Operator) -> bool:
 
 
 def take(environment: Environment, as_text: bool, terminal: int = CONSOLE) -> float | str:
-    """Take the next answer and echo it as the operator would have seen it.
+    """Take the next answer and echo it as on the operator's terminal.
 
-    If a number is expected, return the number at its beginning.
+    If a number is expected, return the number at the beginning of the answer.
     """
     text = environment.machine.operator_at(terminal).take_answer()
     environment.machine.terminal_at(terminal).write(f"{text}\n")

@@ -1,4 +1,4 @@
-"""Log the times of loops: at their end, or from frames before that."""
+"""Log the times of loops, when they end or from the frames they still run in."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def looped(
 ) -> None:
     """Log a loop or a sub that has ended at statement `t`.
 
-    It is called from a function that the code of a program calls.
+    The direct caller must be a function that generated code calls.
     """
     count, base = begun
     since, until = base + count * statements.cost, statements.at(t)
@@ -43,7 +43,7 @@ def looped(
 
 
 def thrown(log: Log, statements: StatementTime, task: MintTask, jump: Exception, t: float) -> None:
-    """Log the loops that a jump has left at statement `t`, in each frame on its path."""
+    """Log the loops that a jump has left at statement `t`, in each frame it left."""
     until = statements.at(t)
     for at, since, callers in task.loops_of(jump)[::-1]:
         if until - since > MIN_STATEMENTS * statements.cost:
@@ -59,7 +59,7 @@ def open_loops(
 ) -> list[Open]:
     """Return the loops that the frames of a task are in; outermost frame first.
 
-    `kinds` are the first letters of variables.
+    `kinds` are the first letters of the variables that record loops.
     """
     found: list[Open] = []
     callers: tuple[int, ...] = ()

@@ -1,7 +1,7 @@
 """Skip iterations of polling loops at run time, many at once if all are the same.
 
 An iteration that did nothing and left every variable unchanged repeats until something happens: the next
-event, or the time at which something that it read changes by itself. All whole iterations that fit before
+event, or the time at which one of its readings changes by itself. All whole iterations that fit before
 that are paid for at once. While other tasks can run, the skip ends with the task's time slice. If no other
 task can run, and none could since the iteration began, it extends to the time at which the first of them may
 continue.
@@ -41,12 +41,14 @@ STATEMENTS = 4.0
 
 
 class Site:
-    """A loop of the text.
+    """A loop of the program text.
 
-    `asks`: it reads something. `carries`: its last iteration must be executed. `alters`: an iteration may
-    change a variable that others wait for, and restore it, or host memory. `looks_at` names what it reads.
-    `levels` are the constants with which each counter is compared. `left` is the number of iterations that
-    run unchecked, or `due` the statement up to which they do, in a loop that does not count iterations.
+    - `reads`: the loop has readings, and `read_names` names them.
+    - `carries`: the last of the skipped iterations must be executed.
+    - `alters`: an iteration may write host memory, or may change a variable that other tasks wait for and restore it.
+    - `levels`: the constants that each counter is compared with.
+    - `left`: the number of iterations still to run unchecked, in a loop that counts iterations.
+    - `due`: the statement up to which iterations run unchecked, in any other loop.
     """
 
     __slots__ = (
@@ -81,7 +83,7 @@ class Site:
 
     @property
     def due(self) -> float:
-        """The statement of the next check, 0 if statements now count from another time."""
+        """The statement of the next check; 0 if the count of statements was restarted."""
         return self._due if self._statements.base is self._base else 0.0
 
     def turn_at(
@@ -126,7 +128,7 @@ class Site:
     ) -> tuple[float, float, Counters] | None:
         """Skip iterations that only switch outputs, if there is an accelerator for them.
 
-        The first such iteration is only noticed.
+        The first such iteration only creates the accelerator.
         """
         environment = self._environment
         if self._switches is not None:
@@ -141,9 +143,9 @@ class Site:
     def skip(
         self, t: float, horizon: float, look: Look, state: State, counters: Counters
     ) -> tuple[float, float, Counters] | None:
-        """Skip iterations after one, ending at `t`, that was the same as the one before.
+        """Skip iterations after one that ended at `t` and was identical to the one before.
 
-        Returns the end of the last identical iteration, None if this one differed in anything that it read.
+        Returns the end of the last identical iteration, None if a reading of this one differed.
         An iteration in which other tasks ran is only remembered.
         """
         environment = self._environment

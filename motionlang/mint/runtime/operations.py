@@ -2,9 +2,9 @@
 
     if k0(2.0, 10.0): yield
 
-An operation pays for the statements before its own, runs at the machine time that this gives, and returns False. If
-something else is due by then, or a move finds no space, it is put off and returns True. The task gives way and, when it
-is resumed, carries the operation out first (`MintTask`).
+An operation pays for the statements before its own, runs at the resulting machine time, and returns False. If
+something else is due by then, or a move finds no space, the operation is put off and returns True. The task yields
+and, when it is resumed, carries the operation out first (`MintTask`).
 
 `t`, the statement, and `H`, the first one at which something else may happen, are cells that the functions of a program
 share with each other and with their operations. The functions that they call are bound in `binding.py`.
@@ -28,11 +28,13 @@ if TYPE_CHECKING:
 class Operations:
     """Makes timed operations from the operations of keywords; all share one time.
 
-    `timed` is for operations at a statement. `repeated` is for those that a polling loop may repeat; it gets
-    a function that reads the `held` value, and if that does not change, the operation was a no-op. `copied` is
-    for those that do not prevent a loop from being skipped, except for its last iteration. `loading`
-    is for moves, which are put off while there is no space for them; it gets the fast-path loaders by axis,
-    if any, and the axis or axes, if these are known. `now` does nothing, at a statement that reads.
+    - `timed` is for operations at a statement.
+    - `repeated` is for operations that a polling loop may repeat. It receives a function that reads the `replaced`
+      value; if this does not change, the operation was a no-op.
+    - `copied` is for operations that do not prevent the skipping of a loop, except for its last iteration.
+    - `loading` is for moves, which are put off while there is no space for them. It receives the fast-path loaders
+      by axis, if any, and the axis or axes, if known.
+    - `now` only sets the clock, for a statement that reads.
     """
 
     __slots__ = ("_environment", "cells", "now", "set_time", "timed")
@@ -58,7 +60,7 @@ class Operations:
         def nearer() -> bool:
             """Shorten the horizon after an operation has scheduled an earlier event.
 
-            The event comes before the next statement and after the rest of this one.
+            The event happens before the next statement, but after the rest of this one.
             """
             nonlocal horizon
             horizon = statements.limit(clock.horizon)
@@ -89,7 +91,7 @@ class Operations:
         self._environment = environment
 
     def repeated(self, act: Callable[..., object], held: Callable[..., object]) -> Operation:
-        """Return the operation of a write that a polling loop may repeat."""
+        """Return the operation for a write that a polling loop may repeat."""
         environment = self._environment
         dependencies, clock = environment.dependencies, environment.clock
 
@@ -106,7 +108,7 @@ class Operations:
         return self.timed(write)
 
     def copied(self, act: Callable[..., object]) -> Operation:
-        """Return the operation of a write to host memory that its loop does not read."""
+        """Return the operation for a write to host memory that its loop does not read."""
         environment = self._environment
 
         def write(*arguments: object) -> None:
@@ -119,7 +121,7 @@ class Operations:
     def loading(self, load: Callable[..., object], plain: Any = None, axes: Any = None) -> Operation:
         """Return the operation that loads a move.
 
-        It comes with the fast-path loaders by axis, if there are any.
+        `plain` are the fast-path loaders by axis, if there are any.
         """
         if plain is None:
             return self.timed(load, True, axes)

@@ -1,6 +1,6 @@
 """Power-up values of settings from the machine file, written as a program would.
 
-They are in its section `[assumptions]`.
+They are in the section `[assumptions]` of that file.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class PowerUp:
-    """The settings with another default value.
+    """The settings whose default the machine file changes.
 
     `set` writes them to an axis, at the start and after DEFAULT.
     """
@@ -34,7 +34,7 @@ class PowerUp:
                 self._writers.append((name, bind(environment, "write", row), given))
 
     def set(self, axis: int) -> None:
-        """Write all settings of an axis.
+        """Write all of these settings to an axis.
 
         Raises ProgramError if one cannot be written, for example because another one forbids it.
         """

@@ -1,6 +1,6 @@
 """Format values as Mint prints them.
 
-A Float has four decimals, C's `%.4f`. From a billion on, or below a ten-thousandth, it has C's `%e`; the
+A Float has four decimals, C's `%.4f`. From 1e9 on, or below 1e-4, it has C's `%e`; the
 thresholds are not documented (docs/contributing/assumptions.md). Values are joined without spaces.
 """
 
@@ -19,7 +19,7 @@ PLACES = 4
 
 
 def show_float(value: float) -> str:
-    """Format a Float for PRINT; `-0` is 0, because Mint does not distinguish them."""
+    """Format a Float for PRINT; -0 prints as 0, since Mint does not distinguish them."""
     if SMALL <= value < LARGE or -LARGE < value <= -SMALL:
         return f"{value:.4f}"
     if value == 0:
@@ -32,7 +32,7 @@ def show_float(value: float) -> str:
 
 
 def show_older(value: float) -> str:
-    """Format a Float like a controller with Mint v4, without trailing zeros."""
+    """Format a Float as a Mint v4 controller does, without trailing zeros."""
     text = show_float(value)
     return text.rstrip("0").rstrip(".") if "." in text and "e" not in text else text
 
@@ -43,7 +43,7 @@ def show_integer(value: float) -> str:
 
 
 def shows_float(machine: Machine) -> Callable[[float], str]:
-    """Return the format of Floats for PRINT on a machine.
+    """Return the function that formats Floats for PRINT on a machine.
 
     It depends on the controller, which may have v4, and on the machine file's `[assumptions]`.
     """

@@ -1,4 +1,4 @@
-"""A task of a Mint program: a generator with axes, TIME and suspension."""
+"""A task of a Mint program: a generator with default axes, TIME and suspension."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ PARENT = "ParentTask"
 
 
 class MintTask(GeneratorTask):
-    """A task of a Mint program; `timer` holds the start of its TIME."""
+    """A task of a Mint program; `timer` holds the start time of its TIME."""
 
     __slots__ = (
         "_acts",
@@ -69,7 +69,7 @@ class MintTask(GeneratorTask):
         self.set_time_slice()
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
-        """Resume like any task, and notice what others did in the meantime."""
+        """Resume like any task, and detect whether others ran in the meantime."""
         environment, generator = self.environment, self._generator
         environment.task = self
         clock, dependencies, statements = environment.clock, environment.dependencies, environment.statements
@@ -140,7 +140,7 @@ class MintTask(GeneratorTask):
     def _carry_out(self, count: float, horizon: float) -> object:
         """Carry out the operation that was put off, then continue.
 
-        A failure is raised at its statement. A move may find no space again.
+        A failure is raised at its statement. If a move still finds no space, it is put off again.
         """
         environment, generator = self.environment, self._generator
         assert self._put_off is not None
@@ -180,7 +180,7 @@ class MintTask(GeneratorTask):
         return open_loops(frames, self._file, self._places, self.environment.statements)
 
     def loops_of(self, error: Exception, kinds: str = "l") -> list[Open]:
-        """Return the loops of the frames that an exception came through, outermost first.
+        """Return the loops in the frames that an exception came through, outermost first.
 
         For `kinds` see `open_loops`.
         """
@@ -191,9 +191,9 @@ class MintTask(GeneratorTask):
         return open_loops(frames, self._file, self._places, self.environment.statements, kinds)
 
     def set_time_slice(self) -> None:
-        """Apply TASKQUANTUM, less half a statement.
+        """Apply TASKQUANTUM, reduced by half a statement.
 
-        So rounding does not decide whether the last statement still fits.
+        The reduction keeps rounding from deciding whether the last statement still fits.
         """
         environment = self.environment
         quantum = environment.quanta.get(self.name)
@@ -201,7 +201,7 @@ class MintTask(GeneratorTask):
             self.turn = (quantum - 0.5) * environment.machine.instruction_time
 
     def noticed(self, environment: Waits) -> None:
-        """Note that events have fired, so anything the program polled may have changed."""
+        """Record that events have fired, so anything the program polled may have changed."""
         environment.fired = environment.clock.fired
         environment.acts += 1
         self.look = self.in_vain = None
@@ -224,7 +224,7 @@ class MintTask(GeneratorTask):
         return self.environment.statements.at(reached) if reached else 0.0
 
     def never(self) -> Wait:
-        """Return the wait of a suspended task."""
+        """Return the endless wait of a suspended task."""
         now = self.environment.clock.now
         return Wait(now, lambda: not self.suspended, lambda: INFINITY, f"for TASKRESUME({self.name})", "task")
 

@@ -1,8 +1,8 @@
 """The state of a suspended task, and of shared variables, as comparable bytes.
 
-The state of a task is that of the generators in which it is suspended: the position of each in its code, and
-its local variables. Values on the stack of a generator are not included. An expression that would leave some
-there while a sub waits counts itself (`Environment.midway`), and counts are compared, too.
+The state of a task is the state of the generators in which it is suspended: the position of each in its code, and
+its local variables. Values on the stack of a generator are not included. Instead, a call that leaves such values
+while a sub waits is counted (`Environment.midway`), and the counts are compared, too.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _PARAMETER = "p_"
 
 
 class Names:
-    """The names of the local variables of some code, and its parameters among them."""
+    """The names of local variables of some code; `parameters` is a subset of `all`."""
 
     __slots__ = ("all", "parameters")
 
@@ -44,7 +44,7 @@ _names_of: dict[CodeType, Names] = {}
 def of_task(generator: Any, put_off: PutOff | None, alive: dict[int, object]) -> bytes | None:
     """Return the state of a task that is suspended in `generator`.
 
-    Returns None if it is suspended in code other than Mint's. Objects whose identity is part of the state are
+    Returns None if it is suspended in code that is not compiled Mint. Objects whose identity is part of the state are
     added to `alive`, so that no other object gets the same identity.
     """
     state: list[object] = []
@@ -70,7 +70,7 @@ def of_task(generator: Any, put_off: PutOff | None, alive: dict[int, object]) ->
 
 
 def of_values(values: list[Any], alive: dict[int, object]) -> bytes:
-    """Return values as bytes."""
+    """Return values as comparable bytes; for `alive` see `of_task`."""
     try:
         return dumps(values, _VERSION)
     except ValueError:  # a task that holds a semaphore
@@ -86,6 +86,6 @@ def _named(value: Any, alive: dict[int, object]) -> Any:
 
 
 def _identity(value: object, alive: dict[int, object]) -> int:
-    """Return the identity of an object."""
+    """Return the identity of an object, which is added to `alive`."""
     alive[id(value)] = value
     return id(value)

@@ -1,4 +1,4 @@
-"""Find the tables of the machine file that can end a wait."""
+"""Find the machine file tables that can end a wait."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _WORD = re.compile(r"([a-z_]\w*)(\s*[(.[])?", re.IGNORECASE)
 def driven_by(why: str) -> list[str]:
     """Return the tables of the machine file that could end a wait.
 
-    They are found from the text that describes the wait.
+    `why` is the text that describes the wait.
     """
     return list(
         dict.fromkeys(filter(None, (_section(word, bracket) for word, bracket in _WORD.findall(why))))
@@ -20,9 +20,9 @@ def driven_by(why: str) -> list[str]:
 
 
 def _section(word: str, bracket: str) -> str:
-    """Return the section that drives a keyword.
+    """Return the machine file section that drives a keyword.
 
-    Returns "" if the word has no brackets: it is then an ordinary word of the text.
+    Returns "" if the word has no brackets, because it is then an ordinary word of the text.
     """
     row = table().get(word)
     if row is None or (row.index != "none" and not bracket and word != row.name):

@@ -1,6 +1,6 @@
-"""The waits of a Mint program; alone, a task waits without giving way.
+"""The waits of a Mint program; a wait yields only if another task acts meanwhile.
 
-If no other task acts in the meantime, the time passes within the statement.
+If no other task acts, the time passes within the statement.
 """
 
 from __future__ import annotations
@@ -70,9 +70,9 @@ class Waits:
     def rest_at(self, at: int, milliseconds: float | None, own: bool) -> Resting:
         """Return the function for a WAIT at a source offset.
 
-        It returns the statement after the wait and its horizon, or None, and sets `wait`, if the task gives
-        way. The length is given here if it is a number, else when the function is called. `own`: the
-        statement is in the body of a task itself, and so has no callers.
+        It returns the statement after the wait and its horizon. If the task must yield, it sets `wait` and returns
+        None. `milliseconds` is the length if it is a literal; otherwise the length is an argument of the function.
+        `own` is true if the statement is in the body of a task itself, and so has no callers.
         """
         if self._rests is None:
             self._rests = Rests(self)
@@ -103,8 +103,8 @@ class Waits:
     def pause(self) -> Callable[..., tuple[float, float] | None]:
         """The function for PAUSE.
 
-        It returns the statement after the wait and its horizon, or None, and sets `wait`, if another task
-        acts in the meantime.
+        It returns the statement after the wait and its horizon. If another task acts in the meantime, it sets `wait`
+        and returns None.
         """
         environment, machine, statements, ends = self, self.machine, self.statements, self._ends
         cost, waited = statements.cost, self._waited
@@ -119,8 +119,8 @@ class Waits:
         ) -> tuple[float, float] | None:
             """Wait for a condition.
 
-            `axes` are given if it only tests that these are at rest. `ignores_data`: no data of the program
-            can end it.
+            `axes` are given if the condition only tests that these are at rest. `ignores_data`: no data of the program
+            can end the wait.
             """
             environment.acts += 1
             task, scheduler = environment.task, machine.scheduler
@@ -150,7 +150,7 @@ class Waits:
         return pause
 
     def end_of_moves(self, axes: tuple[int, ...]) -> Callable[[], float]:
-        """Return the cached function that computes when axes will be at rest."""
+        """Return a cached function that computes when the axes will be at rest."""
         found = self._ends[axes] = self.controller.end_of_moves(axes)
         return found
 
@@ -189,7 +189,7 @@ class Waits:
 class Rests:
     """Makes the functions of WAIT statements.
 
-    If nothing can happen in the meantime, such a function adds the time and logs the wait, and no more. All of
+    If nothing can happen in the meantime, such a function only adds the time and logs the wait. All of
     them share the end of the last wait, in seconds (`known`) and in whole units (`known_units`).
     """
 
@@ -204,7 +204,7 @@ class Rests:
         self._left = MANY
 
     def rest_at(self, at: int, milliseconds: float | None, own: bool) -> Resting:
-        """Return the function for a WAIT, as `Waits.rest_at` describes it."""
+        """Return the function for a WAIT; see `Waits.rest_at`."""
         if (
             own
             and milliseconds is not None
@@ -258,7 +258,7 @@ class Rests:
         return rest
 
     def _computed(self, at: int, given: float | None, own: bool) -> Resting:
-        """Return the function for a WAIT of any length, anywhere."""
+        """Return the function for a WAIT of any length, in a task or in a sub."""
         environment, clock, statements = (
             self._environment,
             self._environment.clock,
@@ -353,7 +353,7 @@ def _whole(amount: float) -> float:
 
 
 class Rest(Wait):
-    """The wait until axes are at rest, which events report.
+    """A wait until axes are at rest, which events report.
 
     If the program also requires settled axes, the condition is tested instead.
     """

@@ -1,1 +1,1 @@
-"""From Mint text to its syntax tree, with all syntax errors."""
+"""Parse Mint text to a syntax tree, and report all syntax errors."""

@@ -1,7 +1,7 @@
 """The tree-building action of each alternative in `grammars/mint.lark`.
 
-Only `lang/parsing/generate.py` reads this table. An action is a Python expression over the symbols of its
-alternative, `v0`, `v1` …, and `T`, the texts of the tokens. The value of a token is its ordinal, so `v0` is a
+Only `lang/parsing/generate.py` reads this table. An action is a Python expression over `v0`, `v1` … (the symbols of
+its alternative) and `T` (the texts of the tokens). The value of a token is its ordinal, so `v0` is a
 token number and `T[v0]` its text. A symbol left out of `[…]` is None. `+ x` appends `x` to the list `v0`. `S`
 is the stack. The functions are in `motionlang.mint.syntax.build`.
 """

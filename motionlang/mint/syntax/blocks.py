@@ -1,6 +1,6 @@
-"""The blocks of Mint: what opens and closes each, and which are open on a stack.
+"""The blocks of Mint: the tokens that open and close them; blocks open on a stack.
 
-The grammar states this too; this table is for messages. A test keeps the two consistent.
+This table is for messages. It repeats what the grammar states, and a test keeps the two consistent.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ PLAIN = {
 
 @record
 class Block:
-    """An open block: its kind, its opener's token, and True if it is a one-line If."""
+    """An open block: its kind, its opening token, and True if it is a one-line If."""
 
     kind: str
     at: int
@@ -128,7 +128,7 @@ def plain_lines(kinds: list[str]) -> tuple[tuple[str, ...], ...]:
 
 
 def _closes_itself(first: str, kinds: list[str]) -> bool:
-    """True if the line also closes the block, as `For … : … : Next` does."""
+    """True if a line also closes the block it opens, as `For … : … : Next` does."""
     ends = [kinds[i + 1] for i in range(len(kinds) - 1) if kinds[i] == "END"]
     return first in ends or any(
         CLOSERS.get(kind) == first and kind not in ("ELSE", "CASE") for kind in kinds[1:]

@@ -48,14 +48,14 @@ ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "0": "\0"}
 
 
 class Misuse(Exception):
-    """Raised for text that the grammar accepts and the language does not.
+    """Raised for text that the grammar accepts but the language does not allow.
 
     `motionlang.mint.syntax.errors` then finds the error and its position.
     """
 
 
 def number(text: str) -> float:
-    """Return the value of a literal, such as `12`, `1.5e-3`, `0x1F` or `0b101`.
+    """Return the value of a literal number, such as `12`, `1.5e-3`, `0x1F` or `0b101`.
 
     The value is infinite if the number is too large for a Float.
     """
@@ -68,12 +68,12 @@ def number(text: str) -> float:
 
 
 def _finite(whole: int) -> float:
-    """Return an integer that a Float can hold, or infinity."""
+    """Return an integer, or infinity if a Float cannot hold it."""
     return whole if whole < _BEYOND else INFINITE
 
 
 class Numbers(dict[str, float]):
-    """A cache from the text of a literal to its value, which must be finite."""
+    """A cache of the values of literals by text; raises Misuse for infinite values."""
 
     def __missing__(self, text: str) -> float:
         value = number(text)
@@ -89,7 +89,7 @@ NUMBERS = Numbers()
 
 
 def string(text: str) -> str:
-    """Return the value of a literal string or character, without its quotes."""
+    """Return the text of a literal string or character, without its quotes."""
     if "\\" not in text:
         return text[1:-1]
     first, *rest = text[1:-1].split("\\")
@@ -110,7 +110,7 @@ def dotted(at: int, text: str) -> Name:
 
 
 def body(stack: Stack) -> list[Stmt]:
-    """Return the empty list of statements with which a block begins.
+    """Return the empty list of statements at the beginning of a block.
 
     Raises TooDeep if the blocks are nested too deeply.
     """
@@ -130,21 +130,21 @@ def if_head(first: If) -> tuple[If, If]:
 
 
 def else_if(head: tuple[If, If], body: list[Stmt], branch: If) -> tuple[If, If]:
-    """Give the last branch of a block If its body, and add an ElseIf branch."""
+    """Complete the last branch of a block If with its body, and add an ElseIf branch."""
     first, last = head
     last.body, last.orelse = body, [branch]
     return first, branch
 
 
 def if_end(head: tuple[If, If], body: list[Stmt], orelse: list[Stmt]) -> If:
-    """Finish a block If: the body of its last branch, and the body of its Else."""
+    """Complete a block If with the body of its last branch and the body of its Else."""
     first, last = head
     last.body, last.orelse = body, orelse
     return first
 
 
 def label_before(body: list[Stmt], at: int, texts: list[str]) -> list[Stmt]:
-    """Turn a call that was read for `NAME:` on a line of its own into a label."""
+    """Turn `NAME:` on a line of its own, which was parsed as a call, into a label."""
     if at >= 2 and texts[at - 1] == ":" and body:
         last = body[-1]
         if (
@@ -162,7 +162,7 @@ def _opens_line(texts: list[str], at: int) -> bool:
 
 
 def extended(members: list[Variable], more: list[Variable]) -> list[Variable]:
-    """Append the members from one more line of a user type."""
+    """Append the members from one more line of a user type to its members."""
     members += more
     return members
 
@@ -170,14 +170,17 @@ def extended(members: list[Variable], more: list[Variable]) -> list[Variable]:
 def printed(
     items: list[PrintItem], last: PrintItem | None, using: list[Expr], separator: str
 ) -> tuple[list[Expr], str, list[PrintItem]]:
-    """Collect what follows the first value of a LINE: formats, separator, more values."""
+    """Collect the rest of a LINE after its first value.
+
+    It consists of formats, a separator and more values.
+    """
     return using, separator, items if last is None else [*items, last]
 
 
 def line_print(
     at: int, word: str, values: list[Expr], rest: tuple[list[Expr], str, list[PrintItem]]
 ) -> Print:
-    """Build a `LINE row, values` with formats or separators as in a PRINT."""
+    """Build a `LINE row, values` that has formats or separators, as a PRINT can."""
     using, separator, items = rest
     row = None if using and len(values) == 1 else values[0]
     shown = [PrintItem(each.at, each, [], ",") for each in values[1 if row is not None else 0 :]]
@@ -187,14 +190,14 @@ def line_print(
 
 
 def declare(name: Name, type: TypeName | None = None, value: Expr | None = None) -> Variable:
-    """Build a variable of a `Dim`; the values in its brackets are its dimensions."""
+    """Build a variable of a `Dim`; the values in brackets are its dimensions."""
     return Variable(name.at, name.name, name.args or [], type, [] if value is None else [value])
 
 
 def more_values(variables: list[Variable], value: Expr) -> list[Variable]:
     """Handle a `,` after an initial value: extend an array or begin a variable.
 
-    A second value for a simple variable is stored with it. The compiler counts the values and reports it.
+    A second value for a simple variable is stored with it. The compiler counts the values and reports the error.
     """
     last = variables[-1]
     if isinstance(value, Name) and not last.dimensions and not value.axes:
@@ -205,7 +208,7 @@ def more_values(variables: list[Variable], value: Expr) -> list[Variable]:
 
 
 def counted(loop: For, body: list[Stmt], following: int | None, texts: list[str]) -> For:
-    """Complete a `For` with its body; the variable after its `Next` must be its own."""
+    """Complete a `For` with its body; raise Misuse if `Next` names another variable."""
     if following is not None and texts[following].lower() != loop.variable.name.lower():
         raise Misuse
     loop.body = body
@@ -213,14 +216,14 @@ def counted(loop: For, body: list[Stmt], following: int | None, texts: list[str]
 
 
 def constants(at: int, names: list[Const]) -> Const:
-    """Build a `Const` statement: the first name, which holds the others."""
+    """Build a `Const` statement: the node of the first name holds the further ones."""
     first, *first.more = names
     first.at = at
     return first
 
 
 def next_case(select: Select, body: list[Stmt], case: Case) -> Select:
-    """Add a `Case` after another one, whose body is now complete."""
+    """Complete the last case of a `Select` with its body, and add a `Case`."""
     last_case(select, body).cases.append(case)
     return select
 
@@ -232,14 +235,14 @@ def last_case(select: Select, body: list[Stmt]) -> Select:
 
 
 def task(at: int, name: str, items: list[Stmt | Sub]) -> Task:
-    """Build a task: its statements, and separately the subs declared inside it."""
+    """Build a task: its statements, and in separate lists the subs declared inside it."""
     return Task(
         at, name, [i for i in items if not isinstance(i, Sub)], [i for i in items if isinstance(i, Sub)]
     )
 
 
 def module(items: list[Node]) -> Module:
-    """Build a program: its statements, and separately each kind of block."""
+    """Build a program: its statements, and in separate lists its blocks by kind."""
     sorts: dict[type, list[Node]] = {Sub: [], Task: [], Event: [], Startup: [], UserType: []}
     statements: list[Node] = []
     for item in items:

@@ -1,4 +1,4 @@
-"""Nodes for a long run of operations, which `nesting.py` makes from nested ones."""
+"""Nodes for a long run of operations, which `nesting.py` makes from nested nodes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 @record
 class Link(Node):
-    """A further operand of a `Chain` with the operator before it, at its own token."""
+    """An operator of a `Chain` and the operand after it; `at` is the operand's token."""
 
     op: str
     value: Expr

@@ -2,9 +2,9 @@
 
 The text is parsed again with a stack that can be rolled back (`motionlang.lang.parsing.linked_stack`). Each
 faulty line is reported once. The line is then dropped, or replaced by the shortest line that opens or closes
-the same block, so that one error gives one message. Blocks are repaired in the same way. A block that is
-still open when its surroundings close is reported at its opener and closed. A closer without an open block is
-dropped.
+the same block, so that one error gives one message. Missing and surplus closers are repaired in the same way. A block
+that is still open when the block around it closes is reported at its opener and closed. A closer without an open block
+is dropped.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ MAX_ERRORS = 100  # more are not useful; a binary file has one on every line
 
 
 def diagnose(source: Source) -> ProgramError:
-    """Find all errors of a text that cannot be parsed."""
+    """Return all errors of a text that cannot be parsed."""
     reader = _Reader(source)
     reader.read()
     return ProgramError(reader.diagnostics)
 
 
 def unfinished(texts: list[str]) -> bool:
-    """True if the text ends inside a block and has no error before its end."""
+    """True if the text ends inside a block and has no error before that."""
     top = empty(TABLES)
     for at, text in enumerate(texts):
         kind = TABLES.kind_of[text]
@@ -47,9 +47,9 @@ def unfinished(texts: list[str]) -> bool:
 
 
 class _Reader:
-    """A pass through the tokens.
+    """A pass through the tokens that finds errors.
 
-    `top` is the stack, `mark` the stack at the beginning of the statement.
+    `top` is the present stack, `mark` the stack at the beginning of the statement.
     """
 
     def __init__(self, source: Source) -> None:
@@ -88,7 +88,7 @@ class _Reader:
     def _report_depth(self) -> None:
         """Report blocks that are nested too deeply.
 
-        No other error is possible in a text that cannot be parsed and has no error so far.
+        If a text cannot be parsed and no error was found in it so far, no other error is possible.
         """
         blocks = opened_blocks(self.deepest)
         if blocks and len(self.diagnostics) < MAX_ERRORS:
@@ -99,7 +99,7 @@ class _Reader:
             )  # the last one has no body yet
 
     def report(self, code: str, message: str, at: int, hint: str = "", last: int | None = None) -> None:
-        """Record an error at a token, or from one token to another on the same line."""
+        """Record an error at token `at`, or from `at` to `last` on the same line."""
         start, end = self.places.span(at)
         if last is not None:
             end = self.places.span(last)[1]
@@ -112,7 +112,7 @@ class _Reader:
         self.diagnostics.append(Diagnostic(code, message, line, column, length=length, hint=hint, fix=fix))
 
     def _after(self, at: int) -> int:
-        """Accept the token `at` and record where lines and statements begin."""
+        """Accept the token `at`, record where lines and statements begin, return the next."""
         kind = self.kinds[at]
         if kind == "_NL":
             self.line = self.top
@@ -121,7 +121,7 @@ class _Reader:
         return at + 1
 
     def _check(self, at: int) -> None:
-        """Report errors that the grammar accepts.
+        """Report errors in text that the grammar accepts.
 
         The parser raises Misuse for them (`motionlang.mint.syntax.build`).
         """
@@ -144,7 +144,7 @@ class _Reader:
     def _watch_columns(self, closer: str) -> None:
         """Record a closer that is aligned with an outer opener but closes an inner block.
 
-        If a closer turns out to be missing, it is that of the inner block.
+        If a closer turns out to be missing, it is the closer of that inner block.
         """
         blocks = opened_blocks(self.mark)
         if not blocks or blocks[0].kind != closer or self._under(blocks[0]):
@@ -185,9 +185,9 @@ class _Reader:
         return self.kinds[first - 1] in ("THEN", "ELSE") or any(block.inline for block in blocks)
 
     def _closes(self, closer: str, at: int, blocks: list[Block]) -> int:
-        """Report a closer that does not fit, and blocks inside the one it closes.
+        """Report a closer that does not fit, and return the token after it.
 
-        Either inner blocks are still open, or no block of that kind is.
+        Either inner blocks are still open, which are reported, too, or no block of that kind is open.
         """
         place = next((i for i, block in enumerate(blocks) if block.kind == closer), None)
         words = " ".join(self.texts[self.start : at + 1])
@@ -211,7 +211,7 @@ class _Reader:
         return self._skip(at)
 
     def _else_if(self, at: int) -> str:
-        """Return a hint for a surplus `End If` after an `Else If` was read as ElseIf."""
+        """Return a hint for a surplus `End If` if an `Else If` was read as ElseIf."""
         for place in range(at - 1, 1, -1):
             if self.kinds[place - 2 : place + 1] == ["_NL", "ELSE", "IF"]:
                 line = self.places.line(place)
@@ -223,7 +223,7 @@ class _Reader:
         return ""
 
     def _closes_inline(self, first: int, at: int) -> int:
-        """Report a closer in a one-line If, which ends with its line."""
+        """Report a closer in a one-line If, which needs none because its line ends it."""
         words = " ".join(self.texts[first : at + 1])
         message = f"`{words}` is not allowed in an If of one line"
         self.report("stray-end", message, first, "remove it, or write each statement on its own line", at)
@@ -235,7 +235,7 @@ class _Reader:
         return self.kinds[self.start] in DECLARATIONS and named and at <= self.start + 1
 
     def _declared_inside(self, blocks: list[Block]) -> int:
-        """Report open blocks before a `Sub` or another declared block, and close them."""
+        """Report and close the blocks still open before a `Sub` or another declared block."""
         kinds = tuple(self.kinds[self.start : self.start + 2])
         while blocks and feed_all(self.mark, kinds, self.start) is None:
             self._missing(blocks[0])
@@ -259,7 +259,7 @@ class _Reader:
         )
 
     def _close(self, blocks: list[Block]) -> bool:
-        """Close blocks, innermost first, as if their closers came before the statement.
+        """Close blocks, innermost first, as if their closers preceded the statement.
 
         Returns False if a closer does not fit.
         """
@@ -272,7 +272,7 @@ class _Reader:
         return True
 
     def _wrong(self, at: int) -> int:
-        """Report any other error inside a statement."""
+        """Report an error inside a statement that no other method has reported."""
         kind, text = self.kinds[at], self.texts[at]
         before = self.texts[at - 1] if at else ""
         kinds = expected(TABLES, self.top)
@@ -296,9 +296,9 @@ class _Reader:
         return at
 
     def _skip(self, at: int) -> int:
-        """Drop the rest of the line.
+        """Drop the rest of the line, and return the next token to read.
 
-        The part before the statement remains if the line may end there.
+        The text before the error remains if the line may end there.
         """
         end = self._line_end(at)
         for top in (self.mark, self.line):

@@ -1,4 +1,4 @@
-"""Messages for syntax errors, from the kinds of token that would have been valid."""
+"""Messages for syntax errors, derived from the token kinds that would be valid."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def hint(kinds: set[str], before: str, text: str) -> str:
 
 
 def found(kind: str, text: str) -> str:
-    """Return a token as messages show it."""
+    """Return a token as it is shown in messages."""
     if kind == "_NL":
         return "the end of the line"
     if kind == END:

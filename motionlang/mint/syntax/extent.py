@@ -20,7 +20,7 @@ def blocks(source: Source) -> list[tuple[str, int, int]]:
 
 
 def blocks_of(module: Module) -> list[tuple[str, int, int]]:
-    """Return the line ranges of a parsed program, like `blocks`."""
+    """Return name, first and last line of every block of a parsed program."""
     named: list[tuple[str, Node, Sequence[object]]] = []
     for task in module.tasks:
         named.append((f"task {task.name}", task, [*task.body, *task.subs]))
@@ -32,9 +32,9 @@ def blocks_of(module: Module) -> list[tuple[str, int, int]]:
 
 
 def _last(module: Module, node: Node, body: Sequence[object]) -> int:
-    """Return the line of the last token, found along the right edge of the tree.
+    """Return the line of the last token of a node.
 
-    The node that begins last contains the last token.
+    At each level of the tree the child that begins last contains the last token.
     """
     last, below = node.at, body
     while nodes := [each for each in below if isinstance(each, Node)]:

@@ -1,6 +1,6 @@
 """Nodes for values that are supplied when a program starts.
 
-They replace a value of the text.
+They replace values in the text.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class Given(Node):
     """A value that the program receives when it starts.
 
-    It replaces the first value of a name whose value varies between runs of one compiled program.
+    It replaces the initial value of a name that differs between runs of one compiled program.
     """
 
     name: str

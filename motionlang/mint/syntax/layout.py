@@ -1,6 +1,6 @@
-"""The indentation of each line of a text, by its blocks.
+"""Compute the indentation of each line of a text from its blocks.
 
-A routine of v4, from `#NAME` to its Return, is indented like a block.
+A v4 routine, from `#NAME` to its Return, is indented like a block.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def _turns(kinds: Sequence[str]) -> Iterator[Turn]:
 
 
 def _is_label(kinds: Sequence[str], at: int) -> bool:
-    """True for the `#` or the name with which a line of a label begins."""
+    """True for the `#` or the name that begins a label line."""
     if at > 0 and kinds[at - 1] != "_NL":
         return False
     return kinds[at] == "HASH" or (list(kinds[at : at + 3]) == ["NAME", "COLON", "_NL"])

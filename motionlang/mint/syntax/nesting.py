@@ -2,8 +2,8 @@
 
 The grammar is left-associative, so the parser makes `a + b + c …` a `Binary` in a `Binary` and so on. The
 later passes are recursive, and Python's recursion is limited. To its author a chain of operations is not
-nested, so a long one becomes a `Chain`, which is one level. Brackets, arguments and signs are levels. Only
-texts with long lines come here. Cost: one visit of each node, without recursion.
+nested, so a long one becomes a `Chain`, which counts as one level. Brackets, arguments and signs count as levels,
+too. Only texts with long lines are processed here. Cost: one visit of each node, without recursion.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def check_depth(module: Module) -> None:
 
 
 def _too_deep(module: Module) -> list[Node]:
-    """Return the nodes just below the limit, without recursion."""
+    """Return the nodes just below the depth limit, found without recursion."""
     found = []
     waiting: list[tuple[Node, int]] = [(module, 0)]
     while waiting:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @record
 class Node:
-    """A node of a program that starts at token number `at`."""
+    """A node of the syntax tree; `at` is the number of its first token."""
 
     if TYPE_CHECKING:
         __slots__: ClassVar[tuple[str, ...]]  # the fields of the class itself
@@ -27,7 +27,7 @@ class Node:
         return f"{type(self).__name__}({fields})"
 
     def __eq__(self, other: object) -> bool:
-        """Nodes are equal if their contents are equal; their position does not count."""
+        """Nodes with equal contents are equal; their positions do not count."""
         return type(self) is type(other) and all(
             getattr(self, name) == getattr(other, name) for name in self.__slots__
         )
@@ -38,7 +38,7 @@ class Node:
 class Resolved(Node):
     """A name and what it refers to, which `resolve.names` records once for each use.
 
-    `symbol` is the declaration or assignment of that name in the program. `row` is the keyword of that name
+    `symbol` is the variable, constant, sub or task of that name in the program. `row` is the keyword of that name
     if there is no symbol. Both are None for an unknown name. `definition` is the expression that a Define gives
     the name, copied for each use.
     """

@@ -1,10 +1,10 @@
-"""The abstract syntax of Mint: what the parser builds and the compiler reads.
+"""The abstract syntax of Mint, which the parser builds and the compiler reads.
 
 Every node has `at`, the ordinal of its first token. `Module.line(at)` and `Module.column(at)` turn it into a
 position in the text.
 
-The grammar knows no keyword of the motion library: `SPEED(0) = 10` is an `Assign` to a `Name`, `GO(0)` is a
-`Call` of a `Name`. The keyword table gives them their meaning in the compiler.
+The grammar contains no keyword of the motion library: `SPEED(0) = 10` is an `Assign` to a `Name`, and `GO(0)` is a
+`Call` of a `Name`. The compiler finds their meaning in the keyword table.
 """
 
 from __future__ import annotations
@@ -43,11 +43,10 @@ class String(Node):
 
 @record
 class Name(Resolved):
-    """A name or keyword with or without arguments.
+    """A variable, array element, keyword or function, with or without arguments.
 
-    It is a variable, an array element, a keyword or a function. `name` preserves the spelling of the source.
-    `args` is None if no bracket follows. `axes` is True for the v4 forms `MOVER.0` and `MOVER[0, 1]`, whose
-    indices can only be axes or channels.
+    `name` preserves the spelling of the source. `args` is None if no bracket follows. `axes` is True for the v4 forms
+    `MOVER.0` and `MOVER[0, 1]`, whose indices can only be axes or channels.
     """
 
     name: str
@@ -57,9 +56,9 @@ class Name(Resolved):
 
 @record
 class Member(Node):
-    """A member `value.field` of a user type.
+    """A member `value.field` of a value of user type.
 
-    `args` are the subscripts of `value.field(…)`, None without a bracket.
+    `args` are the subscripts of `value.field(…)`, None without brackets.
     """
 
     value: Expr
@@ -69,7 +68,7 @@ class Member(Node):
 
 @record
 class Unary(Node):
-    """`op` is one of `-`, `+`, `Not`, `~`."""
+    """A unary operation; `op` is one of `-`, `+`, `Not`, `~`."""
 
     op: str
     operand: Expr
@@ -113,9 +112,9 @@ class Assign(Node):
 
 @record
 class Call(Node):
-    """A command or a sub: `GO(0)`, `Fill(3)`, `Fill 3, 4`.
+    """A call of a command or a sub: `GO(0)`, `Fill(3)`, `Fill 3, 4`.
 
-    The `args` of the form without brackets are in `target.args`.
+    The arguments in brackets are in `target.args`, those without brackets in `args`.
     """
 
     target: Name
@@ -135,10 +134,10 @@ class PrintItem(Node):
 
 @record
 class Print(Resolved):
-    """A `PRINT [#terminal,] items`; the last separator decides if the line ends.
+    """A `PRINT [#terminal,] items`; the last separator decides whether the line ends.
 
-    `word` is a keyword other than PRINT in front of the items; only LINE is valid there. Its `line` comes
-    before the items.
+    `word` is the keyword in front of the items if it is not PRINT; only LINE is valid there. `line` is the row of a
+    LINE, which comes before the items.
     """
 
     items: list[PrintItem]
@@ -167,7 +166,7 @@ class TypeName(Node):
 
 @record
 class Variable(Resolved):
-    """One name of a `Dim`: dimensions (empty for a scalar), type and initial values."""
+    """One name of a `Dim`: its dimensions (empty for a scalar), type, initial values."""
 
     name: str
     dimensions: list[Expr]
@@ -177,7 +176,7 @@ class Variable(Resolved):
 
 @record
 class Dim(Node):
-    """`Dim a As Integer, b(3) = 1, 2, 3`; `nv` for data that survives between runs."""
+    """`Dim a As Integer, b(3) = 1, 2, 3`; `nv` marks data that survives between runs."""
 
     variables: list[Variable]
     nv: bool = False
@@ -287,7 +286,7 @@ class Exit(Node):
 
 @record
 class Pause(Node):
-    """`Pause condition`: wait until it is true."""
+    """`Pause condition`: wait until the condition is true."""
 
     condition: Expr
 
@@ -301,7 +300,7 @@ class Run(Resolved):
 
 @record
 class End(Resolved):
-    """`End` (the program) or `End task`."""
+    """`End`, which ends the program, or `End task`."""
 
     name: str | None = None
 
@@ -315,10 +314,9 @@ class Label(Node):
 
 @record
 class Jump(Node):
-    """A jump of `kind` "goto" or "gosub", or one from a flattened block.
+    """A jump of `kind` "goto" or "gosub", or a jump made by flattening a block.
 
-    Jumps from flattened blocks are "exit" (taken only if the condition `unless` is false, when there is one)
-    and "again".
+    The latter are "exit" and "again". An "exit" with a condition `unless` is taken only if the condition is false.
     """
 
     kind: str
@@ -418,14 +416,14 @@ class UserType(Node):
 
 
 class Located(Node):
-    """A tree with the positions of its tokens, which do not count in comparisons."""
+    """A tree with the positions of its tokens, which comparisons ignore."""
 
     __slots__ = ("places",)
 
     places: SourceOffsets
 
     def line(self, at: int) -> int:
-        """Return the line, from 1, of a token; `at` is that of any node of the tree."""
+        """Return the line, from 1, of a token; `at` of any node of the tree is a token."""
         return self.places.line(at)
 
     def column(self, at: int) -> int:
@@ -433,7 +431,7 @@ class Located(Node):
         return self.places.column(at)
 
     def length(self, at: int) -> int:
-        """Return the number of characters of a token, or of a signed value as a whole."""
+        """Return the number of characters of a token, or of a sign with its number."""
         return self.places.value_length(at)
 
 

@@ -1,6 +1,6 @@
-"""The blocks of a text, by its tokens alone, also where it is half typed.
+"""The blocks of a text, found by its tokens alone, even in an incomplete text.
 
-`turns` names each token that opens, continues or closes a block. The formatter counts them, and `blocks` pairs
+`block_tokens` yields each token that opens, continues or closes a block. The formatter counts them, and `blocks` pairs
 them.
 """
 
@@ -40,7 +40,7 @@ class Turn:
 class Span:
     """A block from its opening token to the last token of its end.
 
-    `name` is the token of its name, -1 if it has none.
+    `name` is the token of the block's name, -1 if it has none.
     """
 
     kind: str
@@ -88,7 +88,7 @@ def turns(kinds: Sequence[str]) -> Iterator[Turn]:
 
 
 def blocks(kinds: Sequence[str]) -> list[Span]:
-    """Return the closed blocks of a text in the order of their beginnings."""
+    """Return the closed blocks of a text, in the order in which they begin."""
     found: list[Span] = []
     opened: list[Turn] = []
     for turn in turns(kinds):
@@ -118,6 +118,6 @@ def _line_end(kinds: Sequence[str], at: int) -> int:
 
 
 def _is_block(kinds: Sequence[str], at: int, end: int) -> bool:
-    """True if nothing but colons follows the Then of an If on its line."""
+    """True if only colons follow the Then of an If on its line."""
     then = next(i for i in range(at, end) if kinds[i] == "THEN")
     return all(kind == "COLON" for kind in kinds[then + 1 : end])

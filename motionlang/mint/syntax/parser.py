@@ -45,16 +45,16 @@ def parse(source: Source) -> Module:
 def _short(places: SourceOffsets) -> bool:
     """True if all lines are too short for an expression to be nested too deeply.
 
-    `1+1+1…` takes two characters for a level.
+    A level takes at least two characters, as in `1+1+1…`.
     """
     lines = places.source.text.split("\n")
     return not places.continues and max(map(len, lines)) <= 2 * MAX_EXPRESSION_DEPTH
 
 
 def is_complete(text: str) -> bool:
-    """True if the text may end here.
+    """True if the text is complete, so that it may end here.
 
-    It is False inside an open block or after a line continuation.
+    It is incomplete inside an open block and after a line continuation.
     """
     from motionlang.mint.syntax.errors import unfinished
 
@@ -89,7 +89,7 @@ def _class(kind: str, piece: str) -> str:
 
 
 def _comments(piece: str, start: int) -> Iterator[tuple[str, str, int]]:
-    """Yield the comments in a run of line ends."""
+    """Yield the comments in a token of line ends, which includes comments and blanks."""
     for match in _COMMENT.finditer(piece):
         kind = "separator" if match[0] == ":" else "comment"
         yield kind, match[0], start + match.start()

@@ -1,4 +1,4 @@
-"""The tree of a text with errors: unreadable lines are blanked until it parses."""
+"""Parse a text with errors: unreadable lines are blanked until the rest parses."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _ATTEMPTS = 4
 def readable(source: Source, error: ProgramError) -> tuple[Module | None, set[int]]:
     """Return the tree of a text without its unreadable lines, and their numbers.
 
-    Blanks replace the lines, so positions in the rest stay the same. `error` has the mistakes of the text. The
+    Blanks replace these lines, so positions in the rest stay the same. `error` has the errors of the text. The
     tree is None if the rest cannot be parsed either.
     """
     lines = source.text.split("\n")

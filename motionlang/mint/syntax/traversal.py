@@ -1,4 +1,4 @@
-"""One pass over the tree of a function, for the passes that resolve its names."""
+"""Traverse the tree of a function once, for the passes that resolve its names."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _CHILDREN[Number] = _CHILDREN[String] = _CHILDREN[Given] = ()
 
 
 def children(node: object) -> list[object]:
-    """Return the children of a node, and its other values that are not None."""
+    """Return the children of a node, with its other attribute values but without None."""
     out: list[object] = []
     for slot in _CHILDREN.get(node.__class__, ()):
         value = getattr(node, slot)
@@ -51,9 +51,10 @@ def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
 
 
 def by_kind(start: Iterable[object]) -> dict[type, list[Any]]:
-    """Return the nodes that `walk` yields by their classes, without literals.
+    """Return the nodes that `walk` yields by class, without literals.
 
-    Each class has them in the order of `walk`. Like `Survey` it is long because every node passes through it.
+    The nodes of a class are in the order of `walk`. The code repeats that of `walk`, as `Survey` does, because every
+    node passes through it.
     """
     found: dict[type, list[Any]] = {kind: [] for kind in _CHILDREN}
     stack = list(start)
@@ -76,7 +77,7 @@ def by_kind(start: Iterable[object]) -> dict[type, list[Any]]:
 
 
 def meant(node: nodes.Expr) -> nodes.Expr:
-    """Return the expression that a Define gives a name; any other node unchanged."""
+    """Return the expression that a Define gives to a name; any other node unchanged."""
     while isinstance(node, Name) and node.args is None and node.definition is not None:
         node = node.definition
     return node
@@ -98,9 +99,9 @@ def copied(node: object) -> object:
 class Survey:
     """The nodes of a body that the passes of name resolution need.
 
-    `names` are the Names by their spelling, `targets` the targets of assignments and INPUT, `assigned` the
-    variables that get a value, each spelling once, and `statements` all nodes except assignments, operations
-    and literals. It visits the same nodes as `walk`. The code is long and does not use `walk` because every
+    `names` are the Names by spelling, `targets` the targets of assignments and INPUT, `assigned` the
+    variables that are assigned a value, each spelling once, and `statements` all nodes except assignments, operations
+    and literals. It visits the same nodes as `walk`. The code is long and does not use `walk`, because every
     node of every program passes through it.
     """
 

@@ -1,1 +1,1 @@
-"""Copley's PVT: points of position, velocity and time, and their motion."""
+"""Copley's PVT: points of position, velocity and time, and motion through them."""

@@ -1,6 +1,6 @@
 """Any motion as PVT points for a drive, in as few segments as a tolerance allows.
 
-Knots lie on the motion, at whole milliseconds from its beginning, with position and velocity rounded like
+Knots lie on the motion, at whole milliseconds from its beginning. Their positions and velocities are rounded like
 those sent to the drive. A segment may join two knots if the drive's cubic stays within the tolerance of the
 motion everywhere between them. The fewest segments are then a shortest path, found layer by layer: all knots
 that one segment reaches, all that two reach, and so on.
@@ -41,7 +41,7 @@ ATTEMPTS = 4
 
 
 class OutOfTolerance(ValueError):
-    """No whole-millisecond segments keep the drive within tolerance; stuck at `time`."""
+    """Raised if no whole-millisecond segments stay within tolerance, from `time` on."""
 
     def __init__(self, tolerance: float, time: float) -> None:
         super().__init__(
@@ -54,7 +54,7 @@ class OutOfTolerance(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Fit:
-    """Points that follow a motion.
+    """Points that follow a motion, and their accuracy.
 
     `error` is the largest position difference (counts), at `error_time`.
     """
@@ -117,7 +117,7 @@ def least_tolerance(
 ) -> float | None:
     """Return a tolerance just above the smallest one that a fit can meet, for a hint.
 
-    None if none up to 1000 times `above` can be met.
+    None if that exceeds 1000 times `above`.
     """
     tolerance = above
     for _ in range(28):
@@ -156,14 +156,14 @@ class _Motion:
         return error
 
     def worst(self, first: Indices, length: Indices) -> Array:
-        """The largest error of each segment at all its fine points."""
+        """Return the largest error of each segment at all its fine points."""
         at = np.arange(0, int(length.max()) * FINE + 1)
         inside = np.minimum(at[None, :], (length * FINE)[:, None])
         largest: Array = self.errors(first[:, None], length[:, None], inside).max(axis=1)
         return largest
 
     def fitted(self, path: list[int]) -> Fit:
-        """The points of a path of knots, and the largest error of the drive's motion."""
+        """Return the points of a path of knots, and the largest error of a drive on them."""
         spans = [b - a for a, b in pairwise(path)]
         points = [
             Point(float(self.positions[k]), float(self.velocities[k]), span * MILLISECOND)
@@ -214,9 +214,9 @@ def _next_layer(motion: _Motion, layer: Indices, parents: Indices, tolerance: fl
 def _promising(
     motion: _Motion, layer: Indices, parents: Indices, tolerance: float
 ) -> tuple[Indices, Indices, Array]:
-    """Return segments from the layer to unreached knots that pass a coarse check.
+    """Return the segments from the layer to unreached knots that pass a coarse check.
 
-    The check is at a few of their points; their error there is returned too.
+    The check is at a few points of each segment; the error at these points is returned too.
     """
     first = np.repeat(layer, MAX_SEGMENT_MS)
     length = np.tile(np.arange(1, MAX_SEGMENT_MS + 1), len(layer))
@@ -241,8 +241,8 @@ def motion_error(
 ) -> tuple[float, float]:
     """Return the largest difference (counts) of `points` from a history, and its time.
 
-    The time counts from `begin`. `place` is the motor position before the points, which matters to relative
-    ones.
+    The time counts from `begin`. `start_position` is the motor position before the points, from which relative
+    ones count.
     """
     made = PieceTable([0.0], [plan_points(points, place)])
     steps = round(total(point.time for point in points) / MILLISECOND)
@@ -257,7 +257,7 @@ def track_error(
     begin: float,
     end: float,
 ) -> float:
-    """The largest difference (counts) between two histories from `begin` to `end`."""
+    """Return the largest difference (counts) of two histories from `begin` to `end`."""
     steps = max(1, ceil((end - begin) / MILLISECOND))
     tables = PieceTable(starts, profiles), PieceTable(other_starts, other_profiles)
     return _largest(tables[0], begin, tables[1], begin, steps)[0]

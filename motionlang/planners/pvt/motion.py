@@ -16,16 +16,16 @@ if TYPE_CHECKING:
 
 
 def pvt_segment(p0: float, v0: float, p1: float, v1: float, time: float) -> Profile:
-    """One cubic from position p0 at velocity v0 to p1 at v1 in `time` seconds."""
+    """Return one cubic from position p0 at velocity v0 to p1 at v1 in `time` seconds."""
     return plan_pvt((p0, p1), (v0, v1), (time,))
 
 
 def plan_pvt(points: Sequence[float], velocities: Sequence[float | None], times: Sequence[float]) -> Profile:
-    """A profile through `points`; `times` (durations, seconds) has one entry fewer.
+    """Return a profile through `points`.
 
-    A point whose velocity is None is approached on a straight line (Copley's PT mode); a cubic that leaves it
-    begins at the velocity of that line, or at rest at the first point. Velocities may be empty: then all
-    pieces are linear.
+    `times` are the durations of the segments, s, one fewer than the points. A point whose velocity is None is
+    approached on a straight line (Copley's PT mode); a cubic that leaves it begins at the velocity of that line,
+    or at rest at the first point. Velocities may be empty: then all pieces are linear.
     """
     if not velocities:
         velocities = [None] * len(points)
@@ -49,7 +49,7 @@ def plan_pvt(points: Sequence[float], velocities: Sequence[float | None], times:
 
 
 def pvt_piece(p0: float, v0: float, p1: float, v1: float | None, time: float) -> Piece:
-    """Return the piece of one segment: linear if `v1` is None, else Copley's cubic.
+    """Return the piece of one segment: linear if `v1` is None, or Copley's cubic.
 
     b0 = P0, b1 = V0, b2 = 3 (PT - P0)/T^2 - (2 V0 + VT)/T, b3 = (VT + V0)/T^2 + 2 (P0 - PT)/T^3.
     """

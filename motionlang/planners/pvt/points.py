@@ -26,7 +26,7 @@ class Point:
     """Position (counts), velocity (counts/s) and the seconds to the next point.
 
     A velocity of None is approached on a line; a time of 0 ends the move. A `relative` position counts from
-    the point before it; that of the first point from the position of the motor.
+    the point before it; the first one counts from the position of the motor.
     """
 
     position: float
@@ -37,7 +37,7 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Segment:
-    """One segment: constant jerk, `acceleration` to `end_acceleration`."""
+    """One segment of constant jerk, from `acceleration` to `end_acceleration`."""
 
     start_time: float
     duration: float
@@ -48,7 +48,10 @@ class Segment:
 
 @dataclass(frozen=True, slots=True)
 class Knot:
-    """The join of two segments: velocity and acceleration on both sides, 0 outside."""
+    """The join of two segments: velocity and acceleration on both sides.
+
+    They are 0 outside the motion.
+    """
 
     time: float
     position: float
@@ -68,7 +71,7 @@ def points_from(
 ) -> list[Point]:
     """Return absolute points; the last one ends the move.
 
-    `times` is one duration for all or one per segment.
+    `times` is one duration for all segments or one per segment.
     """
     count = len(positions) - 1
     spans = [float(times)] * count if isinstance(times, (int, float)) else list(times)
@@ -76,7 +79,10 @@ def points_from(
 
 
 def until_end(points: Sequence[Point]) -> list[Point]:
-    """Return the points up to the first with time zero, which ends the move, or all."""
+    """Return the points up to the first one with time zero, which ends the move.
+
+    Without such a point, return all.
+    """
     for i, point in enumerate(points):
         if point.time == 0.0:
             return list(points[: i + 1])
@@ -104,7 +110,7 @@ def relative(points: Sequence[Point], start: float = 0.0) -> list[Point]:
 def plan_points(points: Sequence[Point], start: float = 0.0) -> Profile:
     """Return the motion through `points` up to the end of the move.
 
-    Raises ValueError if a drive could not follow.
+    Raises ValueError for points that a drive cannot follow.
     """
     moving = absolute(until_end(points), start)
     if not moving:
@@ -145,10 +151,10 @@ def knots(profile: Profile) -> list[Knot]:
 
 
 def split_long(points: Sequence[Point], longest: float = MAX_SEGMENT, grid: float = 0.001) -> list[Point]:
-    """Return absolute points with no segment over `longest`.
+    """Return absolute points with no segment longer than `longest`, s.
 
-    Long segments are cut on the curve, which does not change. The cuts lie on whole multiples of `grid` after
-    the point where the length allows, so that a drive can take them.
+    Long segments are cut on the curve, which does not change. If the length allows, the cuts are at whole multiples of
+    `grid`, s, after the point, so that a drive can take them.
     """
     moving = until_end(absolute(points))
     duration = total(point.time for point in moving)

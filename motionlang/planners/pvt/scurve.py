@@ -17,7 +17,10 @@ VELOCITIES = (0.0, 0.5, 1.0, 0.5, 0.0)
 
 
 def scurve(distance: float, time: float) -> list[Point]:
-    """Five points for a move in four segments of `time` seconds: J = D / (2 T^3)."""
+    """Return the five points of a move in four segments of `time` seconds.
+
+    J = D / (2 T^3).
+    """
     check_finite(distance=distance)
     check_positive(segment_time=time)
     jerk = distance / (2.0 * time**3)
@@ -37,10 +40,10 @@ def scurve_time(distance: float, jerk: float) -> float:
 def limited_scurve(
     distance: float, jerk: float, accel: float = inf, speed: float = inf, grid: float = 0.0
 ) -> list[Point]:
-    """Points for a move by `distance` within the limits: four to seven segments.
+    """Return the points of a move by `distance` within limits: four to seven segments.
 
-    With a `grid` (seconds) every segment time is rounded up to a multiple of it and the jerk lowered until
-    the distance is met. This observes all limits, since each quantity falls as any of the times grows: V = D
+    With a `grid` (seconds) every segment time is rounded up to a multiple of it, and the jerk is lowered until
+    the distance is met. All limits remain respected, since each quantity falls as any of the times grows: V = D
     / (2Tj + Ta + Tv), A = V / (Tj + Ta), J = A / Tj.
     """
     check_finite(distance=distance)
@@ -70,10 +73,10 @@ def limited_scurve(
 
 
 def limited_times(distance: float, jerk: float, accel: float, speed: float) -> tuple[float, float, float]:
-    """The times of a jerk segment, of constant acceleration and of constant speed.
+    """Return the times at constant jerk (per segment), acceleration and speed.
 
-    The distance is > 0. From D = V (2Tj + Ta + Tv), V = A (Tj + Ta), A = J Tj: the limit that binds first
-    shortens the rest.
+    `distance` must be positive. From D = V (2Tj + Ta + Tv), V = A (Tj + Ta), A = J Tj: the limit that is reached
+    first shortens the rest.
     """
     t_jerk = min(scurve_time(distance, jerk), sqrt(speed / jerk), accel / jerk)
     held = jerk * t_jerk

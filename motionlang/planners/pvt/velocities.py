@@ -1,7 +1,7 @@
 """Velocities for positions at given times.
 
 The methods are Copley's averages, his refinement, and the exact solution. `times` is one duration for every
-segment, or one per segment (seconds). The note derives its formulas for equal times only. Here they come from
+segment, or one per segment (seconds). Copley's note derives its formulas for equal times only. Here they come from
 the same condition, equal acceleration on both sides of a point, for any times: V[n-1]/h[n-1] + 2 V[n]
 (1/h[n-1] + 1/h[n]) + V[n+1]/h[n] = 3 (s[n-1]/h[n-1] + s[n]/h[n]), with h the times and s[n] = (P[n+1] -
 P[n])/h[n].
@@ -37,7 +37,7 @@ def pvt_velocities(
 ) -> list[float]:
     """Return one velocity per point, by one of `METHODS`.
 
-    Raises ValueError for another name, or impossible points.
+    Raises ValueError for an unknown method or impossible points.
     """
     if method == "zero":
         _segment_times(points, times)
@@ -69,7 +69,7 @@ def average_velocities(
 def refined_velocities(points: Sequence[float], velocities: Sequence[float], times: Times) -> list[float]:
     """Refine velocities by one sweep of Copley's method.
 
-    F2 gives each inner point from the values already refined before it. F1 finds V1 from V0 and V2; F2 finds
+    F2 gives each inner point from the refined velocity of the point before it. F1 finds V1 from V0 and V2; F2 finds
     V1 from V0 and V3, with V2 eliminated. The last inner point has no V3 and uses F1. The end velocities do
     not change.
     """
@@ -113,7 +113,7 @@ def smooth_velocities(
 def knot_accelerations(
     points: Sequence[float], velocities: Sequence[float], times: Times
 ) -> list[tuple[float, float]]:
-    """Acceleration before and after each point; 0 outside the move.
+    """Return the accelerations before and after each point; 0 outside the move.
 
     a(0) = 2 b2 and a(T) = 2 b2 + 6 b3 T of the segments that meet there.
     """
@@ -130,7 +130,7 @@ def knot_accelerations(
 def largest_jump(points: Sequence[float], velocities: Sequence[float], times: Times) -> float:
     """Return the largest acceleration jump at an inner point.
 
-    This is the note's measure of a rough move.
+    Copley's note uses it as the measure of a rough move.
     """
     sides = knot_accelerations(points, velocities, times)[1:-1]
     return max((abs(after - before) for before, after in sides), default=0.0)
@@ -145,7 +145,7 @@ def compare_velocities(
 ) -> list[tuple[str, list[float], float]]:
     """Return each method with its velocities and its largest acceleration jump.
 
-    This is the note's comparison as figures.
+    These are the figures of the comparison in Copley's note.
     """
     rows: list[tuple[str, int]] = [
         ("zero", 0),
@@ -162,7 +162,10 @@ def compare_velocities(
 
 
 def _condition(points: Sequence[float], h: Sequence[float], n: int) -> tuple[float, float, float]:
-    """The condition at point n: 1/h[n-1], the factor of V[n], the right-hand side."""
+    """Return the coefficients of the condition at point n.
+
+    They are 1/h[n-1], the factor of V[n], and the right-hand side.
+    """
     left, ahead = 1.0 / h[n - 1], 1.0 / h[n]
     load = 3.0 * ((points[n] - points[n - 1]) * left * left + (points[n + 1] - points[n]) * ahead * ahead)
     return left, 2.0 * (left + ahead), load

@@ -1,11 +1,11 @@
 """The run as an interactive page: `--plot OUT.html`, one file without network use.
 
-The page has the pieces of the motion instead of samples and draws the visible window, so that zoom is
-unlimited. `model.js` is the motion independent of a page. `panels.js` defines the panels, `draw.js` and
-`path.js` draw them, `tools.js` searches and exports, and `script.js` handles the mouse and the keys.
+The page contains the pieces of the motion instead of samples and draws the visible window, so zoom is unlimited.
+`model.js` evaluates the motion and does not depend on a page. `panels.js` defines the panels, `draw.js` and
+`path.js` draw them, `tools.js` searches and exports, and `script.js` handles mouse and keyboard.
 
-The pieces are plain numbers, so a page without motors and recordings needs no numpy: a browser that runs
-Python has none.
+The pieces are plain numbers, so a page without motors and recordings needs no numpy, which is not available when
+Python runs in a browser.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def write_scope(
     window: Window = WHOLE,
     against: Run | None = None,
 ) -> None:
-    """Write the page, see `page`.
+    """Write the page that `page` returns.
 
     Raises OSError, and ValueError if the window is empty.
     """
@@ -90,9 +90,9 @@ def page(
 ) -> str:
     """Return the whole page; the same run always gives the same text.
 
-    `servos` has the simulated motion of the motors, by axis. The page opens with `window` and also has the
-    rest of the run. The axes of the run `against` are drawn behind those of the same number. The `measured`
-    curves are drawn over them: axis, quantity, times (s) and values. Raises ValueError for more than `MAX_RECORDS`
+    `servos` has the simulated motion of the motors, by axis. The page initially shows `window` and also contains
+    the rest of the run. The axes of the run `against` are drawn behind those with the same numbers. The `measured`
+    curves are drawn in front: axis, quantity, times (s) and values. Raises ValueError for more than `MAX_RECORDS`
     records.
     """
     records = max(_records(each) for each in (run, against) if each is not None)
@@ -111,7 +111,7 @@ def page(
 
 
 def _records(run: Run) -> int:
-    """Return the number of records of a run that a page would show."""
+    """Return the number of records that the page of a run would have."""
     log = run.controller.log
     records = len(log.moves) + len(log.waits) + len(log.events)
     return records + len(log.inputs) + len(log.outputs) + len(log.slices)
@@ -193,7 +193,7 @@ def _event(row: Row) -> Row:
 
 
 def _bands(run: Run, cycle: TimeProfile) -> list[Row]:
-    """Return lanes of blocks: the run's critical path and the waits of each task."""
+    """Return lanes of blocks: the critical path of a run and the waits of each task."""
     chain = [[link.begin, link.end, _stretch(link), link.place.line] for link in cycle.links]
     bands: list[Row] = [{"name": "critical path", "spans": chain}]
     places = SourcePositions(run)
@@ -211,7 +211,7 @@ def _stretch(link: Link) -> str:
 
 
 def _by_line(cycle: TimeProfile) -> list[Row]:
-    """Return the lines by their time, longest first, each with its first start."""
+    """Return the lines by their total time, longest first, each with its first start."""
     first: dict[int, float] = {}
     for link in cycle.links:
         first.setdefault(link.place.line, link.begin)
@@ -223,7 +223,7 @@ def _by_line(cycle: TimeProfile) -> list[Row]:
 
 
 def _first(window: Window, axes: Sequence[int], last: float) -> Row:
-    """Return the initial view of the page of a run that ended at `last`."""
+    """Return the initial view of the page; the run ended at `last` (s)."""
     begin, end = window.span(last)
     shown = window.of(axes)
     path = [f"axis {axis}" for axis in window._replace(axes=window.path).of(axes)] if window.path else []
@@ -232,7 +232,7 @@ def _first(window: Window, axes: Sequence[int], last: float) -> Row:
 
 
 def _against(run: Run) -> Row:
-    """Return the motion of another run, to be drawn behind that of this one."""
+    """Return the motion of the other run, to be drawn in the background."""
     return {
         "program": printable(run.source.name),
         "outcome": outcome(run),
@@ -286,7 +286,7 @@ def _track(controller: Controller, axis: int) -> tuple[Row, bool]:
 
 
 def _in_units(values: Sequence[float], zero: float, counts: float) -> Sequence[float]:
-    """Return counts in user units; a value that recurs is converted once."""
+    """Return counts converted to user units; a repeated value is converted once."""
     if zero == 0.0 and counts == 1.0:
         return values
     converted = {value: (value - zero) / counts for value in set(values)}
@@ -300,7 +300,7 @@ def _wave(piece: Piece, counts: float) -> tuple[float, float, float]:
 def _moves(rows: Sequence[Row]) -> Row:
     """Return the start of each move of an axis and its index in `kinds`.
 
-    A move that recurs in each cycle is described once.
+    A move that repeats in each cycle is described once.
     """
     kinds: dict[str, int] = {}
     which = [kinds.setdefault(json.dumps(_kind(row)), len(kinds)) for row in rows]
@@ -325,9 +325,9 @@ def _series(curve: Curve) -> Row:
 
 
 def _packed(values: Sequence[float]) -> Row | list[float | int]:
-    """Return the numbers, or distinct ones (`of`) and indexes (`at`) if most recur.
+    """Return the numbers, or distinct ones (`of`) and indexes (`at`) if many repeat.
 
-    The distinct ones are in the order of occurrence, so that the common ones have shorter indexes.
+    The distinct ones are in the order of occurrence, so that frequent ones have shorter indexes.
     """
     index: dict[float, int] = {}
     at = [index.setdefault(value, len(index)) for value in values]

@@ -94,10 +94,10 @@ def test_the_delay_is_found_whatever_the_unit_the_sign_and_the_zero_are(
 
 @pytest.mark.parametrize("scale", [1.0, -1.0, 1000.0, 0.001])
 def test_noise_blurs_the_delay_as_much_as_it_must(scale: float) -> None:
-    """With noise of 0.5 uu, least squares has a known standard deviation.
+    """With noise of 0.5 uu, the delay found by least squares has a known deviation.
 
-    It is 0.5 / sqrt(sum of squared velocities). The sum over both strokes is 2 * 1000 / s * (0.7 s * 100² +
-    0.2 s * 100² / 3) (uu/s)².
+    The standard deviation is 0.5 / sqrt(sum of squared velocities). The sum over both strokes is 2 * 1000 / s *
+    (0.7 s * 100² + 0.2 s * 100² / 3) (uu/s)².
     """
     noise = np.random.default_rng(1).normal(0.0, 0.5, 4000)
     source = recorded(0.0, 3.0, lambda t: scale * (machine(t - DELAY) + noise[: len(t)]))
@@ -109,7 +109,7 @@ def test_noise_blurs_the_delay_as_much_as_it_must(scale: float) -> None:
 
 
 def test_every_column_has_a_unit_and_a_sign_of_its_own() -> None:
-    """Position in inches, velocity in mm/min with reversed sign and a bias."""
+    """Position in inches, and velocity in mm/min with reversed sign and a bias."""
 
     def speed(t: Array) -> Array:
         after: list[Array] = [
@@ -128,7 +128,7 @@ def test_every_column_has_a_unit_and_a_sign_of_its_own() -> None:
 
 @pytest.mark.parametrize(("scale", "stroke"), [(1.0, BACK), (2.0, BACK), (1.0, OUT), (3.0, OUT)])
 def test_a_recording_of_one_stroke_of_two_keeps_its_direction(scale: float, stroke: float) -> None:
-    """The other stroke fits equally well with the sign reversed."""
+    """The other stroke would fit equally well with the sign reversed."""
     begin = stroke - 0.05 + DELAY
     made = found(recorded(begin, begin + 1.0, lambda t: scale * machine(t - DELAY)))
     assert made.delay == pytest.approx(DELAY, abs=1e-6)
@@ -137,7 +137,7 @@ def test_a_recording_of_one_stroke_of_two_keeps_its_direction(scale: float, stro
 
 @pytest.mark.parametrize("scale", [1.0, -1.0, 40.0])
 def test_a_recording_of_part_of_a_stroke(scale: float) -> None:
-    """Half an acceleration, the slew and half a deceleration: 0.8 s without rest."""
+    """Half the acceleration, the slew and half the deceleration: 0.8 s without rest."""
     begin = BACK + 0.05 + DELAY
     made = found(recorded(begin, begin + 0.8, lambda t: scale * machine(t - DELAY)))
     # Reversed, the other stroke is the same motion at the other delay; the sign without reversal is chosen.

@@ -1,4 +1,4 @@
-"""A recording against a run: found delay, residuals and lags; rejected bad files."""
+"""Comparison of a recording with a run: delay, residuals, lags and rejected files."""
 
 from __future__ import annotations
 
@@ -70,9 +70,9 @@ def test_the_same_motion_is_found_wherever_the_recording_begins(delay: float) ->
 
 
 def test_what_was_put_in_comes_out() -> None:
-    """Two axes, one 5 ms behind the other; 3 uu of overshoot; one outlier.
+    """Two axes, one of them 5 ms late; an overshoot of 3 uu; one outlier.
 
-    The outlier is 2 uu off while at speed.
+    The outlier is 2 uu off, at constant speed.
     """
     end = simulated().trace.end
     second = next(move for move in simulated().controller.log.moves if move.line == 8)
@@ -263,7 +263,7 @@ def test_of_our_own_columns_the_measured_position_goes_before_the_demanded_one()
 def test_of_very_many_moves_those_that_were_not_recorded_are_left_out_first() -> None:
     """The recording ends before the last 12 of 50 moves, and is 0.01 uu off.
 
-    38 and two of the others are shown.
+    The 38 recorded moves and two of the 12 are shown.
     """
     text = "SPEED(0) = 50 : ACCEL(0) = 1000 : DECEL(0) = 1000\nFor i = 1 To 50\n"
     text += "  MOVER(0) = 1 : GO(0) : PAUSE IDLE(0) : WAIT(10)\nNext\n"

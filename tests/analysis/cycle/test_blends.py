@@ -1,4 +1,4 @@
-"""The cycle time of blended paths: each counts for its line until the next begins.
+"""Cycle time of blended paths: each is charged to its line until the next begins.
 
 At 10 units/s with rates of 100 units/s² a path of 10 units takes 1.1 s: 0.1 s to speed up and 0.1 s to slow
 down, over 0.5 units each.
@@ -19,7 +19,7 @@ IDLE = "PAUSE IDLE(0) And IDLE(1)"
 def links(program: str) -> list[tuple[str, int, float]]:
     """Return cause, line and duration of each link in order of time.
 
-    Nothing else takes any time here.
+    Statements take practically no time here, and nothing but motion is charged.
     """
     machine = {"controller.instruction_time": 1e-9}
     made = TimeProfile(run(Source("blend.mnt", RATES + program), machine=machine, cache=False))
@@ -34,7 +34,7 @@ def due(*rows: tuple[str, int, float]) -> list[tuple[str, int, object]]:
 
 @pytest.mark.parametrize("wait", [IDLE, "PAUSE IDLE(0)", "PAUSE POS(0) >= 20"])
 def test_each_blended_path_is_charged_to_its_line(wait: str) -> None:
-    """They blend where they begin to slow down: 1.0 s each, 1.1 s for the last one."""
+    """Each path begins when the previous one slows down: 1.0 s each, the last 1.1 s."""
     program = (
         "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 0.5\nMOVEBUFFERSIZE(0, 1) = 9;\n"
         "VECTORR(0, 1) = 10, 0\nVECTORR(0, 1) = 0, 10\nVECTORR(0, 1) = 10, 0\nGO(0)\n"

@@ -1,4 +1,4 @@
-"""The time profile: every second of a run is charged once, to its cause."""
+"""The time profile: every second of a run is charged exactly once, to its cause."""
 
 from __future__ import annotations
 
@@ -120,9 +120,9 @@ def test_paths_count_once() -> None:
 
 
 def test_tasks_have_their_own_times() -> None:
-    """One waits for 10 ms at a time, the other computes for a second.
+    """One task waits for 10 ms at a time, the other one computes for a second.
 
-    Each reports its time, which adds up to its life.
+    The times reported for each add up to the time from its start to its end.
     """
     made = profiled(
         "Run slow\nDim i As Integer\nFor i = 1 To 20000\nNext\nEnd\n"
@@ -199,9 +199,9 @@ def test_the_trace_is_one_document_with_a_line_for_each_event(text: str, tmp_pat
 
 
 def test_a_trace_is_written_without_holding_it(tmp_path: Path) -> None:
-    """The spans of the path take less than the text of all events.
+    """The spans of the critical path need less memory than the text of all events.
 
-    Events as rows would take ten times as much.
+    Events as rows would need ten times as much.
     """
     made = profiled("For k = 1 To 500\n  MOVER(0) = 3 : GO(0) : PAUSE IDLE(0)\nNext\n")
     path = tmp_path / "cycle.trace.json"
@@ -266,7 +266,7 @@ def test_a_budget_is_a_check(folder: Path, capsys: pytest.CaptureFixture[str]) -
 
 
 def test_where_there_is_no_room_the_source_goes_before_the_name_of_the_sub() -> None:
-    """Figures and subs take 62 columns, the source of the longest line 24 more."""
+    """Figures and names of subs take 62 columns, the longest source line 24 more."""
     made = profiled("Sub Stroke()\n  MOVER(0) = 10 : GO(0)\n  PAUSE IDLE(0)\nEnd Sub\nStroke\nEnd\n")
     wide, narrow = (render_profile(made, width=width) for width in (100, 70))
     head = "line  sub     seconds"

@@ -1,4 +1,4 @@
-"""The initial time is charged to the first line that has more than a comment."""
+"""The time at the start is charged to the first line with more than a comment."""
 
 from __future__ import annotations
 

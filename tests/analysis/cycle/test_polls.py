@@ -1,4 +1,4 @@
-"""Equivalent waits: a polling loop counts like a PAUSE, a computing one does not."""
+"""Equivalent waits: a polling loop is charged like a PAUSE, a computing one not."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def by_name(shares: list[Share]) -> dict[str, float]:
 
 
 def checked(made: TimeProfile) -> TimeProfile:
-    """Return a profile after checking that every sum is the time of its run."""
+    """Return a profile after checking that each of its sums is the time of its run."""
     for shares in (made.lines(), made.kinds(), made.subs()):
         assert fsum(share.seconds for share in shares) == pytest.approx(made.run.time, abs=1e-9)
     return made
@@ -114,9 +114,9 @@ def test_a_loop_waits_for_what_ended_it(form: str) -> None:
 
 
 def test_what_a_loop_needs_to_notice_is_its_own() -> None:
-    """The motion ends at 2.1 s; with a check every 0.5 s the loop ends at 2.5 s.
+    """The motion ends at 2.1 s; the loop checks every 0.5 s, so it ends at 2.5 s.
 
-    0.4 s of it are its WAIT.
+    The remaining 0.4 s are charged to its WAIT.
     """
     made = checked(TimeProfile(ran(MOVE + "While Not IDLE(0)\n  WAIT 500\nEnd While\n")))
     assert by_name(made.kinds())["travel of axis 0"] == pytest.approx(2.1, abs=1e-4)
@@ -124,7 +124,7 @@ def test_what_a_loop_needs_to_notice_is_its_own() -> None:
 
 
 def test_a_position_that_is_passed_is_waited_for_under_way() -> None:
-    """At 100 with 1000 the axis is at 55 after 0.6 s: 5 on the first 0.1 s, then 50.
+    """At 100 uu/s and 1000 uu/s² the axis is at 55 after 0.6 s: 5 in 0.1 s, then 50.
 
     The move continues to its end.
     """
@@ -135,9 +135,9 @@ def test_a_position_that_is_passed_is_waited_for_under_way() -> None:
 
 
 def test_a_loop_that_works_is_charged_by_what_it_does() -> None:
-    """Three strokes of 0.2 s, each with a dwell of 50 ms and a poll, in a loop.
+    """Three strokes of 0.2 s in a loop, each with a dwell of 50 ms and a poll.
 
-    An input would end it.
+    An input would end the loop.
     """
     text = (
         "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
@@ -191,7 +191,7 @@ def test_a_run_that_is_cut_short_in_a_loop_waits_as_in_a_pause() -> None:
 def test_tasks_that_poll_wait() -> None:
     """The parent waits for a variable that another task sets at 2.1 s, after a move.
 
-    Both lives add up.
+    The times of each task add up to its duration.
     """
     text = (
         "Dim ready As Integer\nRun Feed\nWhile ready = 0\nEnd While\nEnd\n"
@@ -212,7 +212,7 @@ def test_tasks_that_poll_wait() -> None:
 
 
 def test_a_shift_of_polling_is_a_few_records() -> None:
-    """Seven hours of waiting for an input are one loop in the log, and one wait."""
+    """Seven hours of polling an input are one loop in the log, and one wait."""
     world = {"input": [{"channel": 3, "at": 25_200.0}]}
     made = TimeProfile(ran("While INX(3) = 0\n  n = n + 1\n  WAIT 5\nEnd While\n", machine=world))
     assert len(made.run.machine.log.loops) == 1
@@ -225,7 +225,7 @@ def test_a_shift_of_polling_is_a_few_records() -> None:
 def test_computing_before_a_wait_is_charged_to_its_own_line_and_sub() -> None:
     """A For of n iterations of k statements takes n (k + 1) + 1 statements of 10 us.
 
-    Its first one is among them.
+    This includes the For statement itself.
     """
     text = (
         "For i = 1 To 1000\n  x = x + i\nNext\n"
@@ -246,7 +246,7 @@ def test_computing_before_a_wait_is_charged_to_its_own_line_and_sub() -> None:
 
 
 def test_loops_in_loops_have_their_own_time() -> None:
-    """The inner loop of 200 x 2 statements takes 4 ms per iteration, the rest 200 x 1."""
+    """The inner loop takes 200 x 2 statements or 4 ms per iteration, the rest 200 x 1."""
     text = (
         "For i = 1 To 10\n  For j = 1 To 200\n    x = x + j\n  Next\n"
         "  While k < 100 * i\n    k = k + 1\n  End While\nNext\n"
@@ -261,7 +261,7 @@ def test_loops_in_loops_have_their_own_time() -> None:
 def test_a_sub_without_loops_has_what_it_computes() -> None:
     """Fib(12) is 465 calls of two statements each, an If and an assignment.
 
-    The first line has the time before it.
+    The first line is charged the time before it.
     """
     text = (
         "x = 1\ny = Fib(12)\nPAUSE INX(3)\nEnd\nFunction Fib(ByVal n As Integer) As Integer\n"
@@ -275,7 +275,7 @@ def test_a_sub_without_loops_has_what_it_computes() -> None:
 
 
 def test_a_loop_behind_a_sub_that_waits_has_its_own_time() -> None:
-    """1 000 iterations of two statements take 20 ms; the WAIT in the sub was before."""
+    """1 000 iterations of two statements take 20 ms; the sub's WAIT comes before them."""
     text = "Inner()\nFor i = 1 To 1000\n  x = x + i\nNext\nEnd\nSub Inner()\n  WAIT(5)\nEnd Sub\n"
     made = checked(TimeProfile(ran(text, machine=WORLD)))
     computing = {share.line: share.causes.get("computing", 0.0) for share in made.lines()}
@@ -328,7 +328,7 @@ def test_a_line_of_mccl_that_polls_waits(form: str) -> None:
 
 
 def test_what_follows_a_loop_of_mccl_in_its_line_is_not_of_it() -> None:
-    """IN3 is true at 6 s; then the same line dwells for half a second.
+    """IN3 is true at 6 s, then the same line dwells for half a second.
 
     The next line counts to 2000.
     """

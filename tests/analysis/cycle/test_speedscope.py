@@ -1,6 +1,7 @@
-"""`--profile-to x.speedscope.json` against the documented file format.
+"""Check `--profile-to x.speedscope.json` against the documented file format.
 
-https://www.speedscope.app/file-format-schema.json; rules outside the schema are those of its importer.
+The schema is https://www.speedscope.app/file-format-schema.json; the rules that it does not have are those of
+speedscope's importer.
 """
 
 from __future__ import annotations

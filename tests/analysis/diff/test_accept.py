@@ -1,4 +1,4 @@
-"""Individually accepted changes: the merged report differs by exactly the others."""
+"""Accepting changes one by one: the report then differs only by the others."""
 
 from __future__ import annotations
 

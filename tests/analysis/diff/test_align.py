@@ -1,4 +1,4 @@
-"""Sequences aligned by content, compared with an exhaustive search."""
+"""Alignment of sequences by content, compared with an exhaustive search."""
 
 from __future__ import annotations
 

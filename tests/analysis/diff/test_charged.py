@@ -1,4 +1,4 @@
-"""The lines that a time difference is charged to."""
+"""The lines to which a time difference is charged."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Divergence of two runs, by tables of pieces, equal to a check of every time."""
+"""Divergence of two runs by tables of pieces, equal to a check of every time."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ CHANGES = {
 
 
 def sampled(a: Axis, b: Axis, end: float, tolerance: float) -> Divergence | None:
-    """Return the divergence by checking each time in order."""
+    """Return the divergence by checking the times one after the other."""
     edges = sorted({*WholeTrack(a).starts, *WholeTrack(b).starts, end})
     first, largest = None, (0.0, 0.0)
     for begin, finish in pairwise(edges):

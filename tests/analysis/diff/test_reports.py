@@ -124,7 +124,7 @@ def test_what_was_taken_out_is_told_at_its_place() -> None:
 
 
 def test_events_are_aligned_by_what_happened() -> None:
-    """One more stop, one at another speed, and one that shifts with earlier motion."""
+    """An additional stop, a stop at another speed, and one shifted by earlier motion."""
     text = (
         "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 20 : GO(0) : PAUSE IDLE(0)\n"
         "JOG(0) = 50 : WAIT(500) : STOP(0) : PAUSE IDLE(0)\n"
@@ -188,9 +188,9 @@ def test_a_speed_that_no_move_reaches_is_commanded_and_no_motion() -> None:
 
 
 def test_motion_that_differs_elsewhere_is_first_there() -> None:
-    """The second move begins at 0.5 s, and ends 1 uu further.
+    """The second move begins at 0.5 s and ends 1 uu further.
 
-    The first has a new command.
+    The first move differs only in its command.
     """
     text = SHORT + "PAUSE TIME >= 500\nMOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\n"
     found = difference(build(ran(text)), build(ran(text.replace("90", "99").replace("= 1 :", "= 2 :"))))

@@ -1,4 +1,4 @@
-"""Overlapping paths, two at most: the proof rejects a wrong ramp or sum."""
+"""Overlapping paths, at most two: the proof rejects a wrong ramp or sum."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def found(result: Run) -> list[str]:
 
 
 def forge(result: Run, made: Callable[[Order], Order]) -> None:
-    """Change the order of the path that the second one is blended with."""
+    """Change the order of the first path, with which the second one is blended."""
     assert result.orders is not None
     for axis, records in result.orders.of.items():
         for k, order in enumerate(records):
@@ -76,7 +76,7 @@ def test_three_paths_at_once_are_found() -> None:
 
 
 def test_a_sum_that_is_not_that_of_its_paths_is_found() -> None:
-    """The first path is forged to be at 21 uu/s where the sum has 20 plus the second."""
+    """The first path is forged to run at 21 uu/s while the sum has 20 uu/s for it."""
     result = proved()
     first = result.controller.log.moves[0]
     assert first.profile is not None

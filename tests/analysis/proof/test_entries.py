@@ -1,4 +1,4 @@
-"""Ends of log entries: the proof rejects late ones, and axes elsewhere."""
+"""Ends of log entries: the proof rejects late ones, and axes at other positions."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_what_is_under_way_as_the_run_ends_is_no_violation(program: str) -> None
 
 
 def test_an_entry_that_ends_after_the_run_is_found() -> None:
-    """The axis is cancelled after 0.5 s, and the entry ends at 5.2 s."""
+    """The axis is cancelled after 0.5 s, but its entry ends at 5.2 s."""
     result = proved(SETTINGS + "MOVER(0) = 100 : GO(0)\nWAIT 500\nCANCEL(0)\n")
     assert found(result) == []
     whole = proved(MOVE).controller.log.moves[0].profile
@@ -71,7 +71,7 @@ def test_an_axis_that_stands_elsewhere_than_its_last_entry_ends_is_found() -> No
 
 
 def test_an_entry_that_runs_on_while_its_axis_slows_down_is_found() -> None:
-    """The axis stops at 0.5 s and is at 10 counts/s at the end; the entry stays at 20."""
+    """The axis stops at 0.5 s and has 10 counts/s at the end; the entry still has 20."""
     result = proved(SETTINGS + "MOVER(0) = 100 : GO(0)\nWAIT 500\nSTOP(0)\nWAIT 100\n", until=0.6)
     assert found(result) == []
     result.controller.log.moves[0].profile = proved(MOVE).controller.log.moves[0].profile

@@ -83,7 +83,7 @@ def test_each_blended_path_is_compared_with_those_that_overlap_it_alone(
 
 
 def test_each_path_of_a_contour_is_laid_out_equally_often(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The distance to the end of a contour is a sum of up to n lengths."""
+    """The distance to the end of a contour of n paths is a sum of up to n lengths."""
     laid: list[PathLayout] = []
 
     class Counted(PathLayout):
@@ -113,7 +113,7 @@ def test_a_slave_is_compared_with_the_offsets_that_are_under_way_alone(
 def test_a_long_run_is_unpacked_a_few_times_and_not_for_each_of_its_moves(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """2 000 jogs without rests, packed by 128: some 32 chunks of moves and profiles."""
+    """2 000 jogs without rests are some 16 chunks of 128 moves, and 16 of profiles."""
     count = 0
 
     def counted(data: bytes) -> object:

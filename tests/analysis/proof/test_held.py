@@ -1,4 +1,4 @@
-"""The proof of a slave on a curve while an input holds its axis."""
+"""The proof of a slave that follows a curve while an input suspends its axis."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ JOGS = "JOG(0) = 20\nWAIT = 1000\nJOG(0) = 10\nWAIT = 2000\nEnd\nEvent ONERROR\n
 
 
 def violations(load: str) -> list[str]:
-    """Return what the proof finds; an input is closed from 0.5 s to the end."""
+    """Return the violations of a proof; the input is closed from 0.5 s to the end."""
     machine = {"controller.instruction_time": 1e-9, "input": [{"channel": 2, "at": 0.5}]}
     source = Source("held.mnt", f"{RATES}{TIE}{LOADS[load]}{JOGS}")
     result = run(source, machine=machine, cache=False, prove=True)
@@ -32,7 +32,7 @@ def violations(load: str) -> list[str]:
 def test_a_slave_that_leaves_its_curve_while_it_is_held_is_rejected(
     load: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Neither can be suspended, so it follows; a forged one comes to rest at DECEL."""
+    """A slave on a curve cannot be suspended; a forged one comes to rest at DECEL."""
     assert violations(load) == []
     honest = CurveFollow.base
 

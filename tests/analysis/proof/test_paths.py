@@ -21,7 +21,10 @@ def rows_of(text: str) -> list[PathRow]:
 
 
 def test_a_line_and_an_arc_that_are_run_through() -> None:
-    """30 and 5 pi at 50 with 500: one ramp of a tenth of a second each, 2.5 long."""
+    """A line of 30 and an arc of 5 pi at 50 uu/s with 500 uu/s²: two ramps of 0.1 s.
+
+    Each ramp is 2.5 long.
+    """
     line, arc = rows_of(
         "CONTOURMODE(0) = 1\nVECTORR(0, 1) = 30, 0\nCIRCLER(0, 1) = 0, 10, 90\nGO(0)\nPAUSE IDLE(0)\n"
     )

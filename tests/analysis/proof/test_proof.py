@@ -33,7 +33,7 @@ def found(result: Run) -> list[str]:
 
 
 def put(a: Axis, made: Callable[[Profile], Profile]) -> None:
-    """Forge the first moving profile of a track, and of the log."""
+    """Replace the first moving profile of an axis by a forged one."""
     i = next(k for k, each in enumerate(a.profiles) if each.shape != "hold")
     a.profiles[i] = made(a.profiles[i])
 
@@ -116,7 +116,7 @@ def test_what_is_ordered_has_its_name(program: str) -> None:
 
 
 def test_a_position_is_given_a_new_value_at_the_moment_at_which_a_move_is_cut_off() -> None:
-    """The end of the move, a sum of beginning and time, is one rounding late."""
+    """The end of the move, its start plus its duration, is late by one rounding."""
     program = "WA0.1\n1MN,1SV20000,1MA5000\nWA0.125,1RT\n"
     result = run(Source("reset.mcl", program), machine={}, cache=False, prove=True)
     (move,) = result.controller.log.moves
@@ -181,7 +181,7 @@ def tie_of(order: Order, **other: object) -> Order:
 
 
 def off(order: Order, place: float, value: float, kind: str) -> Order:
-    """Return a tie to a table of one segment."""
+    """Return an order that is tied to a table with one segment."""
     return tie_of(order, table=((0.0, place), (0.0, value), kind))
 
 
@@ -339,7 +339,7 @@ def test_moves_that_are_ordered_alike_are_kept_as_one(
 
 
 def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The log has packed moves and profiles, a path among them."""
+    """The log has packed moves and profiles, including a path."""
     monkeypatch.setattr("motionlang.log.log.FIRST_CHECK", 4)
     monkeypatch.setattr("motionlang.log.log.MAX_PROFILES", 40)
     monkeypatch.setattr("motionlang.log.log.LEFT_PROFILES", 4)
@@ -373,7 +373,7 @@ def test_a_path_of_axes_with_scales_and_limits_is_proved() -> None:
 
 @pytest.mark.parametrize("motion", ["1MR5000", "1PS0.1,1MR5000", "1VM,1GO"])
 def test_settings_that_come_in_motion_say_nothing_of_what_goes_on_at_a_new_zero(motion: str) -> None:
-    """An axis of MCCL continues as it began until a command; a new zero is none."""
+    """New settings apply to an MCCL axis at its next command; a new zero is none."""
     program = f"1MN,1SV5000,1SA100000,1DS100000\n{motion},WA0.01\n1SA2.5,1DS2.5\n1DH100\nWA0.01,1AB,1WS\n"
     result = run(Source("zero.mcl", program), cache=False, prove=True)
     assert (result.status, found(result)) == ("ended", [])

@@ -1,4 +1,4 @@
-"""The tolerance of a check has the units of its figure."""
+"""The tolerance of a check is in the units of the checked figure."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ JERKS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
 
 @pytest.mark.parametrize(("jump", "found"), [(0.005, []), (0.02, [True, True])])
 def test_the_acceleration_of_an_axis_is_rounded_in_its_counts(jump: float, found: list[bool]) -> None:
-    """At 100 counts per unit a rate of 100 is 10 000, a millionth of it 0.01."""
+    """At 100 counts per unit a rate of 100 is 10 000 counts/s²; a millionth is 0.01."""
     path = "VECTORR(0, 1) = 0, 29 : GO(0)\nPAUSE IDLE(0)\n"
     result = run(Source("found.mnt", SETTINGS + JERKS + path), cache=False, prove=True)
     assert result.proof().holds

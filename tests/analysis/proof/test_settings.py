@@ -1,4 +1,4 @@
-"""A planner that ignores settings in motion is rejected."""
+"""The proof rejects a planner that ignores settings changed in motion."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SETTINGS = ("SPEED(0) = 20", "FEEDRATEOVERRIDE(0) = 40", "MAXSPEED(0) = 5")
 
 @pytest.fixture
 def deaf(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
-    """Make a jogging axis ignore commands."""
+    """Return a function that makes a jogging axis ignore commands."""
 
     def forge() -> None:
         honest = jogs.jog

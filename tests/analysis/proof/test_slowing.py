@@ -1,4 +1,4 @@
-"""Motion that begins above its speed: required deceleration, and wrong planners."""
+"""Motion that begins above its speed: the required deceleration, and bad planners."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ S_RAMP = Law((100.0, 100.0), (500.0, 500.0))
 
 
 def test_a_trapezoid_slows_down_at_its_rate() -> None:
-    """From 50 to 10 at 100 in 0.4 s."""
+    """From 50 to 10 counts/s at 100 counts/s² takes 0.4 s."""
     slow = slowing(-50.0, 0.0, 10.0, TRAPEZOID)
     assert slow.until == pytest.approx(0.4, rel=1e-5)
     assert [slow.due(time) for time in (0.0, 0.1, 0.3, 0.5)] == pytest.approx([50.0, 40.0, 20.0, 10.0])
 
 
 def test_an_s_ramp_slows_down_within_its_jerk() -> None:
-    """The deceleration takes 0.2 s to 100 and 0.2 s back, at 10 counts/s each.
+    """The deceleration rises to 100 in 0.2 s and falls in 0.2 s, 10 counts/s each.
 
-    0.2 s at 100 are in between.
+    In between it is 100 for 0.2 s.
     """
     slow = slowing(50.0, 0.0, 10.0, S_RAMP)
     assert slow.until == pytest.approx(0.6, rel=1e-5)
@@ -36,7 +36,7 @@ def test_an_s_ramp_slows_down_within_its_jerk() -> None:
 
 
 def test_an_acceleration_is_taken_back_first() -> None:
-    """100 counts/s² take 0.2 s to zero, adding 10 counts/s; from 60 to 10 takes 0.7 s."""
+    """100 counts/s² fall to zero in 0.2 s, adding 10 counts/s; 60 to 10 takes 0.7 s."""
     slow = slowing(50.0, 100.0, 10.0, S_RAMP)
     assert (slow.came, slow.eased) == pytest.approx((60.0, 0.2), rel=1e-5)
     assert slow.until == pytest.approx(0.9, rel=1e-5)
@@ -44,7 +44,7 @@ def test_an_acceleration_is_taken_back_first() -> None:
 
 
 def test_a_deceleration_that_is_under_way_serves() -> None:
-    """It is at 100 already: 30 counts/s in 0.3 s, the last 10 in the final 0.2 s."""
+    """It is 100 already: 30 counts/s in 0.3 s, and the last 10 in the final 0.2 s."""
     slow = slowing(50.0, -100.0, 10.0, S_RAMP)
     assert slow.until == pytest.approx(0.5, rel=1e-5)
     assert slow.due(0.3) == pytest.approx(20.0)
@@ -83,7 +83,7 @@ def found(result: Run) -> list[str]:
 
 @pytest.fixture
 def careless(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
-    """Return a function that makes planners never slow down to a lower speed."""
+    """Return a function that makes planners ignore a lower speed."""
 
     def move(
         shape: str, start: float, target: float, speed: float, accel: float, decel: float, v0: float = 0.0, *more: float

@@ -1,4 +1,4 @@
-"""Small rules of the proof by their figures, each the only test of its rule."""
+"""Small rules of the proof with figures, each covered by this test alone."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ FREE = (inf, inf)
 
 
 def test_an_acceleration_beyond_what_is_allowed_is_taken_back_to_that_first() -> None:
-    """30 to 20 at a jerk of 100 in 0.1 s, constant until 98, and to zero in 0.2 s."""
+    """From 30 to 20 in 0.1 s at a jerk of 100, constant until 98, to zero in 0.2 s."""
     time, way = lead(0.0, 30.0, 100.0, Law((20.0, 20.0), (100.0, 100.0)))
     assert time == pytest.approx(0.1 + 4.775 + 0.2)
     assert way == pytest.approx(0.4 / 3.0 + (2.5 * 4.775 + 10.0 * 4.775**2) + 59.6 / 3.0)
@@ -73,7 +73,7 @@ def test_a_curve_is_joined_as_its_table_says(name: str) -> None:
 
 
 def test_just_at_a_new_zero_a_track_is_where_it_came_from_for_what_ends_there() -> None:
-    """The end of the move, a sum of two times, may be a rounding after the zero."""
+    """The end of a move, a sum of two times, may be one rounding after the new zero."""
     c = machine(1)
     until(c, 1000.0).define_position(0, 7.0)
     track = WholeTrack(until(c, 1001.0).axes[0])
@@ -84,7 +84,7 @@ def test_just_at_a_new_zero_a_track_is_where_it_came_from_for_what_ends_there() 
 
 @pytest.mark.parametrize(("gap", "told"), [(0.01, 0), (0.02, 1)])
 def test_at_a_high_speed_late_in_a_run_a_position_is_as_exact_as_its_time(gap: float, told: int) -> None:
-    """Four roundings of 10⁶ s, 1.6 ns, at 10⁷ counts/s."""
+    """Four roundings of 10⁶ s are 1.6 ns, at 10⁷ counts/s 0.016 counts."""
     fast = Span(0.0, 1.0, (0.0, 1e7, 0.0, 0.0, 0.0, 0.0, 0.0))
     other = Span(1.0, 1.0, (1e7 + gap, 1e7, 0.0, 0.0, 0.0, 0.0, 0.0))
     some: Any = SimpleNamespace(index=0, starts=[1e6], profiles=[hold(0.0)])

@@ -1,6 +1,6 @@
-"""The time bounds of a proof agree with the planners from random states.
+"""The time bounds of a proof agree with the planners for random states.
 
-They share no code.
+The two share no code.
 """
 
 from __future__ import annotations
@@ -52,9 +52,9 @@ def test_a_jog_takes_as_long_as_is_due() -> None:
 
 
 def test_ramps_by_hand() -> None:
-    """100 at 50 with a jerk of 100: 2.5 s and 125.
+    """A ramp from 0 to 100 at 50 with a jerk of 100 takes 2.5 s and 125 units.
 
-    TN1069's shapes to 40 at 0.1: 628.3, 444.4 and 800 cycles.
+    TN1069's shapes to 40 at 0.1 take 628.3, 444.4 and 800 cycles.
     """
     assert ramp(0.0, 100.0, Law((50.0, 50.0), (100.0, 100.0))) == pytest.approx((2.5, 125.0))
     endless = (float("inf"),) * 2

@@ -1,4 +1,4 @@
-"""A program compiled once for many values equals `--set`, to the last letter."""
+"""A program compiled once for many values gives exactly the results of `--set`."""
 
 from __future__ import annotations
 

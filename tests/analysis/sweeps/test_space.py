@@ -1,4 +1,4 @@
-"""The variants of a sweep, and the expressions that choose among them."""
+"""The variants of a sweep, and the expressions that select variants."""
 
 from __future__ import annotations
 

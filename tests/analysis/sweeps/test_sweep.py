@@ -1,4 +1,4 @@
-"""Sweeps from Python: every variant once, equal on any executor, without loss."""
+"""Sweeps from Python: each variant runs once, with equal results on any executor."""
 
 from __future__ import annotations
 
@@ -149,9 +149,9 @@ def test_threads_give_what_one_after_the_other_gives() -> None:
 
 
 class Unreliable(Executor):
-    """An executor that loses work like a cluster with killed workers.
+    """An executor that loses work, like a cluster with killed workers.
 
-    `loses` selects the chunks.
+    `loses` selects the chunks that are lost.
     """
 
     def __init__(self, loses: Callable[[int, list[int]], bool]) -> None:

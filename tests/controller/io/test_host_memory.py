@@ -1,6 +1,6 @@
 """The memory shared with the host: bits, registers, texts.
 
-Figures are those of ABB AN00198 and AN00200 (mint-2 section 6).
+The figures are those of ABB AN00198 and AN00200 (mint-2 section 6).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The machine's world: switches and inputs by time and by position."""
+"""The controller's environment: switches and inputs by time and by position."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Speeds that change in motion: the worked cases of the FEEDRATE page, and more.
+"""Speeds that change in motion: the examples of the FEEDRATE page, and more.
 
 The page is MN1270 p. 79-81.
 """

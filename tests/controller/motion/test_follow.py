@@ -1,6 +1,6 @@
 """Master and slave: gearing, ramps, cams, flying shears, offsets.
 
-Exact at any time.
+Positions are exact at any time.
 """
 
 from __future__ import annotations
@@ -206,7 +206,10 @@ def shear(c: Controller, *segments: tuple[float, float]) -> None:
 
 
 def test_a_flying_shear_by_its_figures() -> None:
-    """Up to the speed of the web in 200, with it for 500, down in 200, back in 800."""
+    """The slave reaches the web's speed in 200 of the master, and follows it for 500.
+
+    It stops in 200 and returns in 800.
+    """
     c = machine(buffer_size=10, speed=100.0, accel=1e6)
     shear(c, (100.0, 200.0), (500.0, 500.0), (100.0, 200.0), (-350.0, 400.0), (-350.0, 400.0))
     c.jog(0, 100.0)
@@ -319,7 +322,7 @@ def test_a_cam_once_ends_by_itself() -> None:
 
 @pytest.mark.parametrize("rise", [2.0, 0.5])
 def test_a_slave_that_leaves_its_cam_in_motion_brakes_beyond_it(rise: float) -> None:
-    """At the end it has `rise` counts/s, as its master takes a second for the table.
+    """At the cam's end the slave has `rise` counts/s: the table takes one second.
 
     It brakes at 1 count/s².
     """
@@ -507,7 +510,7 @@ def test_an_offset_on_a_cam() -> None:
 
 
 def test_a_slave_of_a_slave_on_a_curve_follows_it_to_the_last_bits() -> None:
-    """The pieces for drawing that motion are not used."""
+    """The slave follows the exact motion, not the pieces that are made for drawing it."""
     c = machine(3, shape="scurve", accel_jerk=1000.0, decel_jerk=6000.0)
     c.load_fly(1, 0, 30.0, 20.0)
     c.go([1])

@@ -1,4 +1,4 @@
-"""Suspend and resume, and a new end for the move in progress."""
+"""Suspend and resume, and a new target for the move in progress."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Ready-made profiles, such as splines, are suspended and stopped on their course."""
+"""Stored profiles, such as splines, are suspended and stopped on their course."""
 
 from __future__ import annotations
 
@@ -119,7 +119,10 @@ def test_without_a_time_to_slow_down_in_it_stands_at_once() -> None:
 
 
 def test_resumed_while_it_slows_down_it_speeds_up_from_there() -> None:
-    """From rate 1 to a half in 0.1 s and back in as much: 0.75 of that time passes."""
+    """The playback slows from rate 1 to 0.5 in 0.1 s and returns in 0.1 s.
+
+    0.75 of that time passes for the profile.
+    """
     c = playing(on_path=False)
     for time, told in ((0.7, c.suspend), (0.8, c.resume)):
         until(c, time)
@@ -129,9 +132,9 @@ def test_resumed_while_it_slows_down_it_speeds_up_from_there() -> None:
 
 
 def test_the_rest_of_the_last_segment_too_takes_the_time_of_suspending() -> None:
-    """Suspended from 1.7 to 1.8 of the spline's time: the 0.2 left take 0.2 s.
+    """Suspended from 1.7 to 1.8 s of its own time, the spline has 0.2 s left.
 
-    Any other segment takes that time, too.
+    They take 0.2 s, the time that the rest of any other segment takes, too.
     """
     c = playing()
     until(c, 1.6)

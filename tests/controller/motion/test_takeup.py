@@ -1,4 +1,4 @@
-"""Backlash that is taken up: its rate, by hand."""
+"""Take-up of backlash: its rate, by hand arithmetic."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ def test_play_is_taken_up_while_the_axis_moves_and_at_its_rate() -> None:
 
 
 def test_no_play_is_taken_up_while_a_spline_stands_on_its_way() -> None:
-    """Backlash of 2 takes 0.2 s of motion: half in the first 100 ms, then none.
+    """Backlash of 2 takes 0.2 s of motion: half of it in the first 100 ms.
 
-    The next 100 ms are at rest.
+    None is taken up in the next 100 ms, in which the spline is at rest.
     """
     text = (
         "Dim way(4) As Float = 3, 10, 0, 10\nDim slow(4) As Float = 3, 0, 0, 0\n"

@@ -1,8 +1,8 @@
-"""Blended paths: every change of motion acts on all, and the log has each end.
+"""Blended paths: a change of motion acts on all of them, and the log has each end.
 
 All paths here are straight, along one axis each, at 10 units/s with rates of 100 units/s². So a path that
 began t ago has covered 50 t² at a speed of 100 t, and from 0.1 s on 0.5 + 10 (t - 0.1) at 10. A stop at rate
-d adds v² / 2d and v / d. Axis 1 has 50 counts per unit.
+d adds a distance of v² / 2d and a time of v / d. Axis 1 has 50 counts per unit.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ COUNTS = (1.0, 50.0)
 class Path:
     """A path along one axis: its state at the time of the test, in units and seconds.
 
-    `over` is set if it is done.
+    `over` is True if it has ended.
     """
 
     def __init__(self, axis: int, length: float, age: float) -> None:
@@ -39,9 +39,9 @@ class Path:
 
 
 class Case:
-    """Blended paths, each along one of `axes`.
+    """A case of blended paths, each along one of `axes`.
 
-    `begin` loads and blends them to `moment`.
+    `begin` loads them, blends them, and advances to `moment`.
     """
 
     def __init__(
@@ -87,7 +87,10 @@ CASES = {
 
 
 def at_rest(c: Controller, case: Case, more: Sequence[float], seconds: Sequence[float], ended: str) -> None:
-    """Check that all paths ended that much further and later, in all records."""
+    """Check that each path ended `more` units further and `seconds` later.
+
+    All records must agree.
+    """
     c.clock.advance(100.0)
     ends = case.places(more)
     entries = list(c.log.moves)
@@ -172,7 +175,7 @@ def test_a_suspend_holds_all_paths_and_a_resume_takes_all_to_their_ends(name: st
 
 
 def _later(path: Path, speed: float) -> float:
-    """Return how long a path still takes at another speed."""
+    """Return how long a path takes from now on at another speed, s."""
     if path.over:
         return 0.0
     ramp = abs(path.speed**2 - speed**2) / (2.0 * RATE)
@@ -184,7 +187,7 @@ def _later(path: Path, speed: float) -> float:
 @pytest.mark.parametrize("setting", ["override", "feedrate_mode", "speed"])
 @pytest.mark.parametrize("to", [4.0, 20.0])
 def test_a_new_speed_is_that_of_all_paths(name: str, setting: str, to: float) -> None:
-    """SPEED and FEEDRATEOVERRIDE act at once, or when FEEDRATEMODE permits it."""
+    """SPEED and FEEDRATEOVERRIDE act at once, or as soon as FEEDRATEMODE permits it."""
     case = CASES[name]
     c = case.begin(0 if setting == "feedrate_mode" else 2)
     if setting == "speed":
@@ -232,9 +235,9 @@ def test_what_a_path_allows_of_no_other_motion_it_allows_while_it_is_blended(nam
 
 
 def test_what_an_axis_says_of_itself_while_two_paths_come_to_rest() -> None:
-    """Stopped at 0.55 s, the second path rests at 0.60, the first one at 0.65.
+    """Stopped at 0.55 s, the second path rests at 0.60 s, the first one at 0.65 s.
 
-    At 0.62 that is at 3.
+    At 0.62 s the first one has a speed of 3.
     """
     c = CASES["two"].begin()
     c.stop(0)
@@ -253,9 +256,9 @@ def test_what_an_axis_says_of_itself_while_two_paths_come_to_rest() -> None:
 
 
 def test_a_stop_after_the_second_path_is_over_leaves_that_complete() -> None:
-    """The second one takes 0.2 s from 0.5 s on.
+    """The second path takes 0.2 s from 0.5 s on.
 
-    At 0.8 s the first one has covered 7.5 and stops within 0.5.
+    At 0.8 s the first one has covered 7.5, and stops within 0.5.
     """
     case = Case([0, 1], [40.0, 1.0], [0.0, 0.5], 0.8)
     c = case.begin()
@@ -267,7 +270,7 @@ def test_a_stop_after_the_second_path_is_over_leaves_that_complete() -> None:
 
 
 def row(distance: float, lengths: Sequence[float], **settings: float) -> Controller:
-    """Return paths along axis 0 that are blended into each other."""
+    """Return a controller with paths along axis 0 that are blended into each other."""
     c = machine(2, buffer_size=20, blend_mode=True, blend_distance=distance, **settings)
     for line, length in enumerate(lengths, 1):
         c.load_line_by([0, 1], [length, 0.0], "VECTORR", line)
@@ -281,15 +284,15 @@ def begins(c: Controller) -> list[float]:
 
 
 def shortened(c: Controller) -> list[float | None]:
-    """Return commanded and actual distance of each shortened blend, in a row."""
+    """Return the commanded and the actual distance of each shortened blend in turn."""
     events = [each for each in c.log.events if (each.kind, each.text) == ("clamp", "blend distance")]
     return [figure for each in events for figure in (each.value, each.limit)]
 
 
 def test_no_more_than_half_of_a_path_is_blended_into_the_next_one() -> None:
-    """Half of 10 at 40 is covered after 0.04 + 4.2 / 40 s.
+    """At speed 40, half of a path of 10 takes 0.04 + 4.2 / 40 s.
 
-    The path before, which takes 0.29 s, has just ended then.
+    The complete path takes 0.29 s, so the path before it has just ended.
     """
     c = row(10.0, [10.0] * 5, speed=40.0, accel=1000.0, decel=1000.0)
     half = 0.04 + 4.2 / 40.0
@@ -308,9 +311,9 @@ def test_a_distance_up_to_half_of_a_path_is_kept_and_nothing_is_said() -> None:
 
 
 def test_a_path_is_not_blended_before_the_one_before_it_has_ended() -> None:
-    """The second begins at 0.4 and has covered half at 0.4775; the first ends at 0.5.
+    """The second path begins at 0.4 s and has covered half at 0.4775 s.
 
-    It ends at 0.5549.
+    The first one ends at 0.5 s, the second one at 0.5549 s.
     """
     c = row(0.5, [4.0, 0.6, 4.0])
     assert begins(c) == pytest.approx([0.0, 0.4, 0.5])
@@ -319,9 +322,9 @@ def test_a_path_is_not_blended_before_the_one_before_it_has_ended() -> None:
 
 
 def test_a_path_that_ends_before_the_one_before_it_is_not_blended() -> None:
-    """The first one, blended at 0.4 s, ends at 0.5 s.
+    """The first path is blended at 0.4 s and ends at 0.5 s.
 
-    The second takes 0.02 s until 0.42.
+    The second one takes 0.02 s, so it ends at 0.42 s.
     """
     c = row(0.5, [4.0, 0.01, 4.0])
     assert begins(c) == pytest.approx([0.0, 0.4, 0.5])
@@ -330,9 +333,9 @@ def test_a_path_that_ends_before_the_one_before_it_is_not_blended() -> None:
 
 
 def test_a_blend_waits_until_the_one_before_it_is_over() -> None:
-    """The first path ends at 4.1 s; the second, begun at 0.5 s, has 4.5 left then.
+    """The first path ends at 4.1 s; the second, begun at 0.5 s, then has 4.5 left.
 
-    It has 39.5 left at 0.6 s.
+    At 0.6 s the second one has 39.5 left.
     """
     c = machine(2, buffer_size=20)
     for _ in range(3):

@@ -1,6 +1,6 @@
 """Other buffer entries: dwells, outputs, pulses.
 
-Identifiers, and low-buffer events.
+The tests include identifiers and low-buffer events.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Random contours arrive: every path is run, takes time, and ends as commanded."""
+"""Random contours: every path is run, takes time, and ends as commanded."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ SHORT = 1e-6
 
 
 def load_straight(c: Controller, random: Random) -> None:
-    """Load paths of two to five speeds on one line."""
+    """Load paths with two to five different speeds on one straight line."""
     for _ in range(random.randint(2, 5)):
         c.configure(0, "speed", float(random.choice([5, 10, 20, 30, 45, 60])))
         c.load_line_by([0, 1], [float(random.choice([10, 30, 50, 80])), 0.0])
 
 
 def load_bent(c: Controller, random: Random) -> None:
-    """Load two to eight lines and arcs of any speed and rates, most with gentle bends."""
+    """Load two to eight lines and arcs of any speed and rates, most with slight bends."""
     heading = random.uniform(0.0, 2.0 * math.pi)
     for _ in range(random.randint(2, 8)):
         c.configure(0, "speed", 100.0 * random.choice([5, 10, 20, 30, 45, random.uniform(1, 60)]))
@@ -41,7 +41,7 @@ def load_bent(c: Controller, random: Random) -> None:
 
 
 def limited(c: Controller, random: Random) -> None:
-    """Give each axis no limit, one of speed, of rates, or of both."""
+    """Give each axis no limit, a limit of speed, limits of rates, or both."""
     which = random.choice(["", "speed", "rates", "both"])
     for axis, counts in ((0, 100.0), (1, 50.0)):
         if which in ("speed", "both"):
@@ -52,7 +52,7 @@ def limited(c: Controller, random: Random) -> None:
 
 
 def bent(seed: int) -> Controller:
-    """Return a contour of gentle bends, or separate paths, in any feed rate mode."""
+    """Return a contour with slight bends, or separate paths, in any feed rate mode."""
     random = Random(seed)
     shapes = ["trapezoid", "trapezoid", "scurve", "sinusoidal", "parabolic"]
     c = plane(
@@ -73,7 +73,7 @@ def straight(seed: int) -> Controller:
 
 
 def check_arrival(c: Controller) -> None:
-    """Run all loaded paths: each takes time and ends exactly as programmed."""
+    """Run all loaded paths; check that each takes time and ends exactly as programmed."""
     entries = list(c.axes[0].buffer)
     ends = [c.axes[axis].buffer[-1].target for axis in (0, 1)]
     c.go([0])
@@ -123,9 +123,9 @@ def test_a_short_path_at_the_end_of_long_ones_is_run_to_its_end() -> None:
 
 
 def test_a_stop_that_needs_more_room_than_there_is_leaves_the_run_as_it_was_planned() -> None:
-    """Axis 0 brakes so gently that it can only stop on the path after the corner.
+    """Axis 0 brakes so slowly that it can only stop on the path after the corner.
 
-    Axis 1 runs that path.
+    That path is along axis 1.
     """
     c = plane(contour_mode=True, contour_angle=180.0, feedrate_mode=1)
     c.configure(0, "max_decel", 100.0 * 10.0)

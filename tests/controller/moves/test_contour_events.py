@@ -1,6 +1,7 @@
 """Contours with events in motion: limits are observed, nothing jumps, all arrive.
 
-The checker is independent of the planners: it samples the tracks of the axes finely, and takes differences.
+The checker is independent of the planners: it samples the tracks of the axes and takes differences. A piece
+of a track is a polynomial, whose velocity has its extremes at its ends or inside; samples are taken at both.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ JERK = 2000.0
 
 
 def straight(random: Random, shape: str) -> Controller:
-    """Return three to twelve paths on one line, with own speeds, half of them loaded."""
+    """Return a plane for joined paths on one line, with random rates and jerks."""
     c = plane(contour_mode=True, contour_angle=1.0, feedrate_mode=3, shape=shape)
     for name in ("accel", "decel"):
         c.configure(0, name, 100.0 * random.uniform(40, 200))
@@ -39,7 +40,7 @@ def load(c: Controller, random: Random) -> float:
 
 
 def act(c: Controller, random: Random) -> str:
-    """Change the motion in progress."""
+    """Change the motion in progress at random; return the name of the event."""
     event = random.choice(["override", "more", "more", "suspend", "stop"])
     if event == "override":
         c.configure(0, "override", random.choice([0.3, 0.7, 1.0, 1.5]))
@@ -51,7 +52,10 @@ def act(c: Controller, random: Random) -> str:
 
 
 def rates(c: Controller, times: list[float], h: float) -> list[tuple[float, float, float]]:
-    """Return speed along the path and its two differences, for a line without corners."""
+    """Return the speed along the path, and its first and second time derivative.
+
+    They are computed by differences, for a line without corners.
+    """
     found = []
     for time in times:
         v = [path_speed(c, time + k * h) for k in (-1, 0, 1)]
@@ -122,7 +126,7 @@ def test_many_contours_with_events() -> None:
 
 
 def ramped() -> Controller:
-    """Return one path of 40 units with an S-ramp, which obeys the override.
+    """Return one path of 40 units with an S-ramp, which follows the override.
 
     It has 20 units/s, 50 units/s², 400 units/s³.
     """
@@ -138,9 +142,10 @@ def ramped() -> Controller:
 
 @pytest.mark.parametrize("how", ["stop", "suspend"])
 def test_what_stops_a_path_takes_its_acceleration_back_first(how: str) -> None:
-    """2.099 by then at 14.375, 2.057 more to 17.5 in 0.125 s, then to rest.
+    """The path has covered 2.099 at a speed of 14.375.
 
-    The last takes 17.5 over half of 0.475 s.
+    Its acceleration falls to zero in 0.125 s, which covers 2.057 and leads to a speed of 17.5. From there it
+    comes to rest in 0.475 s, at half of that speed on average.
     """
     c = ramped()
     getattr(c, how)(0)

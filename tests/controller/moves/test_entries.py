@@ -1,4 +1,4 @@
-"""Buffer entries other than moves and paths: cams, offsets, ready-made profiles."""
+"""Buffer entries other than moves and paths: cams, offsets, stored profiles."""
 
 from __future__ import annotations
 
@@ -60,9 +60,9 @@ def test_a_table_is_looked_at_again_for_every_cycle() -> None:
 
 
 def climbing(segments: int, cycles: int) -> Controller:
-    """Return a controller after cycles of a cam that rises as far as its master goes.
+    """Return a controller after some cycles of a cam that rises as far as its master.
 
-    In each cycle the cam is ahead of a straight line by up to 10, in the middle.
+    In the middle of each cycle the cam is 10 ahead of a straight line.
     """
     controller = ready()
     places = [100.0 * n / segments for n in range(segments + 1)]
@@ -111,7 +111,7 @@ def count_calls(work: Callable[[], object]) -> int:
 
 
 def test_the_log_of_a_cam_whose_table_changes_is_packed_by_the_size_of_its_tables() -> None:
-    """A cycle of 800 segments counts as a hundred profiles."""
+    """A cycle of 800 segments counts as one hundred profiles."""
     controller = ready()
     places = [float(n) for n in range(801)]
     controller.load_cam(1, 0, lambda _: (places, [0.0] * 800 + [1.0]), cyclic=True)  # a new one in each cycle
@@ -221,7 +221,7 @@ def test_limits_hold_for_single_moves_and_jogs() -> None:
 
 
 def test_outputs_between_paths_do_not_hold_up_the_run() -> None:
-    """Two sides of a square take 1.1 s, the output turns on at the corner, at 0.55 s."""
+    """Two sides of a square take 1.1 s; the output turns on at the corner, at 0.55 s."""
     controller = ready()
     controller.configure(0, "contour_mode", True)
     controller.configure(0, "contour_angle", 90.0)

@@ -1,4 +1,4 @@
-"""Paths of several axes: figures, joins, blends, and an exact geometry."""
+"""Paths of several axes: figures, joins, blends, and their exact geometry."""
 
 from __future__ import annotations
 
@@ -18,7 +18,10 @@ INFINITY = float("inf")
 
 
 def plane(axes: int = 2, **settings: float | str) -> Controller:
-    """Return a plane: 100, 50 and 200 counts per unit; 10 units/s, 100 units/s² each."""
+    """Return axes with 100, 50 and 200 counts per unit.
+
+    Each has 10 units/s and 100 units/s².
+    """
     c = Controller(axes)
     for axis, counts in zip(c.axes, (100.0, 50.0, 200.0), strict=False):
         c.set_scale(axis, counts)

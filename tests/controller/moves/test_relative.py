@@ -1,4 +1,4 @@
-"""Relative entries of the buffer count from the axis's position at their start."""
+"""A relative entry of the buffer counts from where its axis is when it starts."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def test_a_line_keeps_its_direction_after_a_new_zero() -> None:
 def test_what_waits_behind_a_path_that_another_axis_stops_counts_from_its_rest() -> None:
     """At 1 s the path has covered 50 x 1 - 12.5 = 37.5, and brakes over 6.25.
 
-    Axis 0 rests at 0.6 of 43.75.
+    Axis 0 comes to rest at 0.6 of 43.75.
     """
     c = machine(2, speed=50.0, accel=100.0, decel=200.0)
     c.load_line([0, 1], [60.0, 80.0])

@@ -1,12 +1,12 @@
 """The table of conditions: every motion, every cause of a limit, every mode.
 
-The rule is computed by hand from the same motion without a limit. When the limit becomes true the axis is at
-p and has the velocity v; then it rests at
+The expected rest position is computed by hand from the same motion without a limit. When the limit becomes
+true, the axis is at p with the velocity v. Then it comes to rest at
 
 * p for a crash stop, with or without disabling the drive;
 * p + v² / 2d for a stop at DECEL or at ERRORDECEL; on a path this applies to the distance along it, and to
   each path that is blended;
-* its end without the limit, if that is to be ignored or only reported.
+* its end without the limit, if the limit is to be ignored or only reported.
 """
 
 from __future__ import annotations
@@ -53,9 +53,10 @@ def machine(motor: bool) -> Controller:
 
 
 class Kind:
-    """One kind of motion: `begin` starts it forward, `turn` reverses it.
+    """One kind of motion: `begin` starts it forward, `reverse` reverses it.
 
-    `moment` is a time while it is fast. `along` is the position of the axis after a distance on an arc.
+    `moment` is a time at which it is fast. `along` gives the position of the axis after a distance along an
+    arc.
     """
 
     def __init__(
@@ -94,7 +95,7 @@ def _several(c: Controller, blend: bool) -> None:
 
 
 def _blended(c: Controller, count: int) -> None:
-    """Load lines of 50 units, each blended from 0.85 s after its start to 1.375 s."""
+    """Load lines of 50 units; each is blended from 0.85 to 1.375 s after its start."""
     for axis in (0, 1):
         c.configure(axis, "blend_mode", True)
         c.configure(axis, "blend_distance", 20.0)
@@ -104,9 +105,9 @@ def _blended(c: Controller, count: int) -> None:
 
 
 def _there_and_back(c: Controller, axes: list[int], mode: str = "") -> None:
-    """Load 60 forward and 60 back on axis 0, while axis 1 continues.
+    """Load paths of 60 forward and 60 back on axis 0, while axis 1 continues forward.
 
-    They stop between, form a contour, or are blended.
+    By `mode` the paths stop in between, form a contour, or are blended.
     """
     for axis in (0, 1):
         c.configure(axis, "contour_mode", mode == "contour")
@@ -218,7 +219,7 @@ def _turn_of_path(name: str, action: str, motor: bool) -> tuple[Controller, floa
 
 
 def limit(c: Controller, action: str, sign: int = +1) -> Limit:
-    """Return a switch without a position; the soft limit has one."""
+    """Return a limit of axis 0 by a switch, so it has no position of its own."""
     made = Limit(c, 0, sign, LIMIT_FORWARD if sign > 0 else LIMIT_REVERSE, action, True)
     c.axes[0].limits.append(made)
     return made
@@ -232,10 +233,10 @@ def soft(c: Controller, action: str, place: float) -> Limit:
 
 
 class Free:
-    """The motion without a limit up to a time: position, speed, and distance.
+    """The motion without a limit at a time: position, speed, and distance.
 
-    `lines` are the straight paths that it is on: the axis's share of a unit of each, the speed, and the
-    remaining distance.
+    `lines` are the straight paths in progress. Each has the axis's share of a unit of path, the speed, and
+    the remaining distance.
     """
 
     def __init__(self, kind: Kind, time: float, motor: bool, turns: bool = False) -> None:
@@ -260,7 +261,7 @@ class Free:
 
 
 def rest(kind: Kind, free: Free, action: str) -> float | None:
-    """Return where the axis rests by the rule; None if the limit changes nothing."""
+    """Return where the axis comes to rest by the rule; None if no limit takes effect."""
     if action in ("ignore", "event"):
         return None
     if action in ("abort", "off"):
@@ -439,7 +440,10 @@ PLAYED, REFUSING = ("spline",), ("cam", "fly")
 
 @pytest.mark.parametrize("name", KINDS)
 def test_a_suspend_holds_and_lets_go(name: str) -> None:
-    """By keyword and by input: to rest at DECEL, a table in its own time, then on."""
+    """Suspended by keyword or input, the axis stops at DECEL and later continues.
+
+    A table stops in its own time.
+    """
     for reason in (BY_WORD, BY_INPUT):
         for motor in (False, True):
             kind, c = KINDS[name], machine(motor)

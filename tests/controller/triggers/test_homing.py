@@ -1,4 +1,4 @@
-"""Homing against the machine's switch and index marks."""
+"""Homing with the home switch and index marks of the machine file."""
 
 from __future__ import annotations
 

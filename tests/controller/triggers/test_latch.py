@@ -1,4 +1,4 @@
-"""Positions captured at edges and outputs switched at positions, both exactly."""
+"""Positions captured at edges, and outputs switched at positions, both exact."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from tests.controller.machines import machine, until
 
 
 def pulses(c: Controller, channel: int, *times: float) -> None:
-    """Turn the input on for 10 ms at each time."""
+    """Turn the input on for 10 ms at each of the times, s."""
     for time in times:
         c.clock.at(time, lambda: c.inputs.__setitem__(channel, 1))
         c.clock.at(time + 0.01, lambda: c.inputs.__setitem__(channel, 0))
 
 
 def captured(c: Controller) -> list[float]:
-    """Return the captures of latch 0 from now on."""
+    """Return a list that gets the captures of latch 0 from now on."""
     seen: list[float] = []
     c.listeners.append(lambda what, _: seen.append(c.latch(0).value) if what == "latch" else None)
     return seen

@@ -1,4 +1,4 @@
-"""Travel limits, to the count."""
+"""Travel limits, exact to the count."""
 
 from __future__ import annotations
 

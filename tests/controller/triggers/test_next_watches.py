@@ -1,4 +1,7 @@
-"""Watches next to the axis: calls, times and order equal those of solving all."""
+"""Solving only the watches next to the axis gives the calls of solving all.
+
+The calls have the same times and order.
+"""
 
 from __future__ import annotations
 
@@ -19,14 +22,14 @@ if TYPE_CHECKING:
 
 
 def solve_all(axis: Axis, clock: Clock) -> None:
-    """Solve every watch against every new profile, in order of creation."""
+    """Solve every watch for every new profile, in order of creation."""
     for watch in tuple(axis.watches):
         if watch in axis.watches:
             arm(axis, watch, clock, clock.now)
 
 
 class Story:
-    """A random case of an axis whose watches end and set others and move the axis."""
+    """A random case of an axis whose watches end, set others, and move the axis."""
 
     def __init__(self, seed: int) -> None:
         self.draw = random.Random(seed)
@@ -121,7 +124,7 @@ class Story:
 
 
 def compare(seeds: range, monkeypatch: pytest.MonkeyPatch) -> int:
-    """Run each case in both ways; return the number of passes."""
+    """Run each case with both methods; return how often watches were passed."""
     passes = 0
     for seed in seeds:
         ours = Story(seed).tell()

@@ -1,4 +1,4 @@
-"""Watches: calls at the exact time at which an axis passes a position."""
+"""Watches: a call at the exact time at which an axis passes a position."""
 
 from __future__ import annotations
 
@@ -52,7 +52,10 @@ def test_touching_a_position_and_turning_back_passes_it_both_ways() -> None:
 @pytest.mark.parametrize("days", [0.01, 1.0, 30.0])
 @pytest.mark.parametrize("speed", [1e5, 1e7, 84e6])
 def test_a_fast_axis_passes_once_also_after_days(days: float, speed: float) -> None:
-    """The clock is then coarser than a position's margin: an event is slightly early."""
+    """After days the clock is coarser than a position's margin.
+
+    So an event may be slightly early.
+    """
     c = machine()
     for name, value in (("speed", speed), ("accel", 1e9), ("decel", 1e9)):
         c.configure(0, name, value)

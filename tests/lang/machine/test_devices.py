@@ -1,4 +1,4 @@
-"""The machine file on other devices: servers, nodes, buses, ports, terminals.
+"""The machine file for other devices: servers, nodes, buses, ports, terminals.
 
 Every error has its line.
 """

@@ -1,4 +1,4 @@
-"""Entries of the machine file as short texts, as options and callers give them."""
+"""Entries of the machine file as short texts, given by options and by callers."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def test_they_replace_the_entries_of_the_machine_file() -> None:
 
 
 def test_an_input_repeats_until_the_end_of_the_run() -> None:
-    """On from 1.2 s for 0.6 s, every 1.2 s: the third rise is at 3.6 s.
+    """The input turns on at 1.2 s for 0.6 s, every 1.2 s: its third rise is at 3.6 s.
 
     Eight hours have 24 000 rises.
     """
@@ -126,9 +126,9 @@ def test_an_input_repeats_until_the_end_of_the_run() -> None:
 
 
 def test_answers_go_to_the_question_that_they_name() -> None:
-    """The question of an INPUT without a prompt is the line above it.
+    """If an INPUT has no prompt, its question is the line printed above it.
 
-    An answer that names no question goes to the remaining INPUTs.
+    Answers that name no question go to the other INPUTs, in order.
     """
     text = 'INPUT "Turns ", a\nPRINT "WIRE DIA?"\nINPUT b\nINPUT "Width ", c\nPRINT a; " "; b; " "; c'
     run = motionlang.run(Source("m.mnt", text), answers=["5", "dia=2", "Turns=1"])

@@ -1,4 +1,4 @@
-"""The machine file: accepted contents, and every error with its line."""
+"""The machine file: its valid contents, and every error with its line."""
 
 from __future__ import annotations
 

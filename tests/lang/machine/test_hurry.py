@@ -1,4 +1,4 @@
-"""A loop that starts motion after motion without a wait is reported with its line."""
+"""A loop that starts motion after motion without a wait is reported at its line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The operator: keys and lines of the machine file, and of a real person."""
+"""The operator's keys and lines, from the machine file and from a real person."""
 
 from __future__ import annotations
 

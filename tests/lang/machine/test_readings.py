@@ -31,7 +31,7 @@ def test_a_setting_of_mint_is_at_power_up_what_the_machine_file_says() -> None:
     ],
 )
 def test_how_floats_are_printed(machine: str, shown: list[str]) -> None:
-    """Str is included, which gives the same as PRINT."""
+    """Str gives the same text as PRINT."""
     text = "PRINT 2.5\nPRINT -0.125\nPRINT 3e12\nPRINT Str(2.5)\n"
     assert answers("a.mnt", text, machine) == shown
 

@@ -1,4 +1,4 @@
-"""Lines of a terminal: text without line feeds costs what it adds."""
+"""Lines of a terminal: a text without line feeds costs only what it adds."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Fragment(str):
-    """A text that counts the characters that are copied to append it to another text."""
+    """A text that counts the characters copied when it is appended to another text."""
 
     __slots__ = ()
     copied = 0

@@ -1,4 +1,4 @@
-"""The machine file with every kind of value at every key: it runs or is rejected.
+"""The machine file with any value for any key either runs or is rejected.
 
 Errors have a location and a hint.
 """
@@ -96,7 +96,7 @@ def told(text: str) -> list[str]:
 
 
 def entry(table: str, values: dict[str, str]) -> str:
-    """Return an entry of a table."""
+    """Return the text of an entry of a table."""
     return f"[[{table}]]\n" + "".join(f"{key} = {value}\n" for key, value in values.items())
 
 
@@ -105,7 +105,7 @@ def right(table: str, key: str) -> str:
 
 
 def least(table: str) -> dict[str, str]:
-    """Return the minimal contents of an entry of a table."""
+    """Return the required keys of an entry of a table, with valid values."""
     return {key: right(table, key) for key in REQUIRED[table]} | BESIDES.get(table, {})
 
 
@@ -118,7 +118,10 @@ def test_any_value_of_a_key(key: str) -> None:
 
 
 def entries(table: str) -> Iterator[str]:
-    """Entries with every value at every key, with every two keys, and without one."""
+    """Yield entries with every value for every key, every two keys, and a key missing.
+
+    The missing key is a required one.
+    """
     for key in TABLES[table]:
         for value in WRONG:
             yield entry(table, {**least(table), key: value})
@@ -217,7 +220,7 @@ def test_a_reading_at_a_place_that_there_is_not(place: str) -> None:
 
 @pytest.mark.parametrize("value", ["1e308", "1e100", "1e30", "-1e308", "1e-300", "1e12", "1e-12"])
 def test_no_figure_of_a_motor_leaves_what_its_equations_can_hold(value: str) -> None:
-    """They become text of generated code, which has neither nan nor infinity."""
+    """The values become literals of generated code, which has no nan or infinity."""
     for key in SERVO_KEYS:
         text = f"{key.replace('.N', '.0')} = {value}\n"
         if ".servo." in key:

@@ -1,6 +1,6 @@
-"""The expected items in messages, against Lark: its sets on every prefix of texts.
+"""The expected items in messages equal Lark's sets, for every prefix of a text.
 
-The texts are those with tested errors.
+The texts are those that test errors.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ TESTS = Path(__file__).parents[2]
 
 
 def mint_texts() -> list[str]:
-    """Return programs with errors: one per file, between the lines of dashes."""
+    """Return Mint programs with errors: one per file, or separated by lines of dashes."""
     files = sorted((TESTS / "errors" / "mint").glob("*.mnt"))
     many = (TESTS / "mint" / "syntax" / "parser_errors.txt").read_text().split("\n----\n")
     return [*(file.read_text() for file in files), *many]

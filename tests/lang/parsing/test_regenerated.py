@@ -1,6 +1,6 @@
 """The grammars are the only source of the syntax.
 
-The product follows a changed grammar once its tables are written. Each experiment changes a grammar in a copy
+The package follows a changed grammar once its tables are written. Each experiment changes a grammar in a copy
 of the package, writes the tables and runs a program.
 """
 
@@ -23,7 +23,7 @@ MOTION = "1MN,1SV1000,1SA1000,1DS1000\n"
 
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the package and the grammars."""
+    """Return a copy of the package and the grammars."""
     folder = tmp_path_factory.mktemp("copy")
     for name in ("motionlang", "grammars"):
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
@@ -32,9 +32,9 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def product(copy: Path, tmp_path: Path) -> Product:
-    """Change a grammar by replacing texts, then run a program with it.
+    """Return a function that changes a grammar and then runs a program with it.
 
-    The program and the tables are written first.
+    It replaces texts of the grammar, and writes the tables and the program first.
     """
 
     def start(grammar: str, changes: dict[str, str], name: str, program: str, *words: str) -> object:
@@ -60,7 +60,7 @@ def product(copy: Path, tmp_path: Path) -> Product:
 
 
 def test_a_further_separator_of_mccl(product: Product) -> None:
-    """`|` in the separators and behind parameters."""
+    """`|` becomes a separator, and ends a parameter."""
     changes = {"/[, \\t]/": "/[, \\t|]/", "[, \\t\\n;]|$": "[, \\t\\n;|]|$"}
     program = f'{MOTION}1MR100|1WS0|1TP,OT"a|b" ; x|y\n'
     ran = product("mccl.lark", changes, "a.mcl", program)
@@ -68,7 +68,7 @@ def test_a_further_separator_of_mccl(product: Product) -> None:
 
 
 def test_another_comment_sign_of_mccl(product: Product) -> None:
-    """`//` of two characters, so that one `/` ends no command."""
+    """`//` begins a comment; a single `/` does not end a command."""
     changes = {"REMARK: /;[^": "REMARK: /\\/\\/[^", "[, \\t\\n;]|$": "[, \\t\\n]|\\/\\/|$"}
     program = f'{MOTION}1MR50,1WS0.1//1MR50;\n// lint: ignore\n1MR5//,"\n1WS0,1TP,OT"a//b"//\n1XX/\n'
     ran = product("mccl.lark", changes, "a.mcl", program)
@@ -83,7 +83,7 @@ def test_a_mistake_is_found_with_the_changed_grammar(product: Product) -> None:
 
 
 def test_another_keyword_of_mint(product: Product) -> None:
-    """A renamed WHILE: the old name is an ordinary one then."""
+    """WHILE is renamed to DURING, so that `while` is an ordinary name."""
     program = (
         "Dim while As Integer = 7\nDim i As Integer\nDuring i < 3\n  i = i + 1\nEnd During\nPRINT i, while\n"
     )

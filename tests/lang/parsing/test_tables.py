@@ -1,4 +1,4 @@
-"""The table parser against Lark, on the same grammar: equal texts and trees."""
+"""The table parser against Lark with the same grammar: equal texts, equal trees."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from motionlang.source import Source
 
 
 def board(model: str = "multiflex", echo: bool | None = False) -> tuple[Console, Port]:
-    """Return a board and one port, after its first prompt."""
+    """Return a console with one open port that has sent its first prompt."""
     console = Console(Machine({"controller.model": model}, first_axis=1))
     port = console.open(echo)
     port.take()
@@ -22,16 +22,16 @@ def board(model: str = "multiflex", echo: bool | None = False) -> tuple[Console,
 
 
 def ask(console: Console, port: Port, sent: bytes) -> bytes:
-    """Send, let the board work, and return its answer."""
+    """Send bytes, run the board until it has answered, and return the answer."""
     assert port.feed(sent) == len(sent)
     console.settle()
     return port.take()
 
 
 def mx_command(console: Console, port: Port, text: str) -> str:
-    """Send like the beam-line driver: command and CR, one line back.
+    """Send a command and CR like the beam-line driver; return the line that follows.
 
-    A leading prompt is dropped, `?` is an error.
+    A leading prompt is removed; an answer with `?` raises ValueError.
     """
     reply = ask(console, port, text.encode() + b"\r")
     line, end, rest = reply.partition(b"\n")
@@ -62,7 +62,7 @@ def test_the_sequence_of_the_beam_line_driver() -> None:
 
 
 def test_the_sequence_of_the_self_test() -> None:
-    """One read for the value, a second one for the prompt."""
+    """The self-test reads once for the value and a second time for the prompt."""
     console, port = board()
     assert ask(console, port, b"TC1\r").split(b"\n") == [b"01 0", b">"]
 
@@ -168,7 +168,7 @@ def test_ports_share_the_board_and_not_the_first_ten_registers() -> None:
 
 
 def test_a_host_that_vanishes_in_mid_line() -> None:
-    """Its line is abandoned; motion, background tasks and other hosts continue."""
+    """The line is abandoned; motion, background tasks and other hosts continue."""
     console, port = board()
     other = console.open(echo=False)
     other.take()
@@ -209,7 +209,7 @@ def test_a_blank_in_a_line_that_was_sent_ahead_is_no_pause() -> None:
 
 
 def test_a_port_that_waits_for_a_key_is_not_working() -> None:
-    """Time does not advance for a host that waits."""
+    """Time does not advance while the board waits for a host."""
     console, port = board()
     ask(console, port, b"MD1,WA1,RP\r")
     ask(console, port, b"GT1\r")

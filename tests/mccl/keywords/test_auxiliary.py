@@ -1,4 +1,4 @@
-"""The auxiliary encoder of an axis: driven by the machine, read by AT AH AF AZ."""
+"""The auxiliary encoder of an axis: moved by the machine, read by AT AH AF AZ."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def test_it_is_given_another_value_and_told_in_user_units(mccl: Runner) -> None:
 
 
 def test_its_index_is_found_at_the_exact_moment(mccl: Runner) -> None:
-    """Marks are at 400 and 800 counts: the second one becomes 5, at 0.8 s."""
+    """Marks are at 400 and 800 counts; the second one, at 0.8 s, becomes position 5."""
     result = mccl("WA0.5,1AF5,1AT,1AZ,WA0.1,1AT,1AZ", machine=TURNING)
     assert result.output == ["01 5", "01 5", "01 105", "01 5"]
     assert result.time == pytest.approx(0.9, abs=1e-3)

@@ -1,6 +1,6 @@
 """Backlash: the motor leads the load by half of it, also with a simulated motor.
 
-Mint has the same mechanism.
+The mechanism is that of Mint.
 """
 
 from __future__ import annotations

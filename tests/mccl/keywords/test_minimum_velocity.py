@@ -1,4 +1,4 @@
-"""MV: the trapezoid between two steps of velocity, checked by its pieces."""
+"""MV: the trapezoid between two steps of velocity, checked by its segments."""
 
 from __future__ import annotations
 
@@ -46,9 +46,9 @@ def test_it_is_a_sound_profile_that_keeps_its_limits(
 
 
 def test_it_is_faster_than_from_rest_by_what_is_left_out() -> None:
-    """1000 counts at 3000 counts/s² with 1000 counts/s at either end.
+    """1000 counts at 3000 counts/s², from and to a velocity of 1000 counts/s.
 
-    v = sqrt(1e6 + 3e6) = 2000, 2 x 1/3 s.
+    v = sqrt(1e6 + 3e6) = 2000 counts/s, so the move takes 2 x 1/3 s.
     """
     profile = _stepped(0.0, 1000.0, 1000.0, 5000.0, 3000.0, 3000.0)
     assert profile.peak_speed == pytest.approx(2000.0)
@@ -60,10 +60,7 @@ def test_it_is_faster_than_from_rest_by_what_is_left_out() -> None:
 def test_from_motion_it_ends_at_its_step_and_keeps_its_limits(
     distance: int, back: bool, part: float, share: float, speed: float, accel: float, decel: float
 ) -> None:
-    """The axis is in motion at the step's velocity or more, and can still slow down.
-
-    It reaches that velocity before the target.
-    """
+    """The axis has the step's velocity or more, and can slow down to it by the target."""
     low = part * speed
     velocity = low + share * (min(speed, sqrt(low * low + 2.0 * decel * distance)) - low)
     way = -1.0 if back else 1.0
@@ -86,7 +83,7 @@ STEPPER = "1MN,1SV5000,1SA20000,1DS10000,1MV1000\n1MR4000,1WS\n"
 
 
 def forged(change: Callable[[Profile], Profile]) -> list[str]:
-    """Return the proof's violations for a changed move of a stepper."""
+    """Return the violations that the proof finds in a changed move of a stepper."""
     result = run(Source("step.mcl", STEPPER), cache=False, prove=True)
     assert result.proof().violations == []
     assert "a step of a stepper that starts or stops at once" in result.proof().exceptions

@@ -1,4 +1,7 @@
-"""OM: every mode is stored and reported; a simulated motor names missing ones."""
+"""OM: every mode is stored and reported; unsimulated modes give a diagnostic.
+
+The diagnostic comes if the axis has a simulated motor.
+"""
 
 from __future__ import annotations
 

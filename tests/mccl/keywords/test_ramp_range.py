@@ -1,6 +1,6 @@
 """The range of PSn is 0 < n < 0.5 by TN1069.
 
-Check, run, message and page agree on it.
+The check, the run, the message and the page agree on it.
 """
 
 from __future__ import annotations

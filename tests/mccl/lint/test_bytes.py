@@ -1,4 +1,4 @@
-"""A program file of any bytes: answers, never a traceback, never a hang."""
+"""A program file with any bytes gives a result, never a traceback or a hang."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ programs = st.lists(st.lists(commands, min_size=1, max_size=8).map(",".join), ma
 
 
 def survives(source: Source) -> None:
-    """Check, run for a short machine time, and colour the file."""
+    """Check and highlight the file, and run it for a short machine time."""
     result = run(source, dialect="mccl", until=0.02)
     assert result.status in ("ended", "until", "fault")
     assert isinstance(result.report, dict)

@@ -1,4 +1,4 @@
-"""`check`: every error of a file in one pass, and complete messages."""
+"""`check` reports every error of a file in one pass, with complete messages."""
 
 from __future__ import annotations
 

@@ -1,12 +1,12 @@
 """The table of conditions of a board: motions, causes of limits, modes of LM.
 
-The rule is computed by hand from the same motion without the limit. When the limit becomes true the axis is
-at p and has the velocity v; then it rests at
+The expected rest position is computed by hand from the same motion without the limit. When the limit becomes
+true, the axis is at p with the velocity v. Then it comes to rest at
 
 * p if the motor is switched off or the stop is abrupt (LM 0 and 1, 4 for soft limits, and the amplifier
   input);
-* p + v² / 2d if it is smooth (LM 2 and 8), d being DS, and in a contour VD along the path;
-* its end without the limit, if the limit does not concern the motion.
+* p + v² / 2d if the stop is smooth (LM 2 and 8). There d is DS, or in a contour VD along the path;
+* its end without the limit, if the limit does not apply to the motion.
 """
 
 from __future__ import annotations
@@ -45,7 +45,10 @@ def cells() -> list[tuple[str, str, bool]]:
 
 
 def program(kind: str, way: str, action: str, limited: bool) -> tuple[str, dict[str, object], int]:
-    """A program in which the limit becomes true by `way`, inputs, and zero shift."""
+    """Return a program in which `cause` makes the limit true, its inputs, and a shift.
+
+    The shift is that of the zero, counts.
+    """
     begin, turn = KINDS[kind]
     hard, soft = HARD[action], SOFT[action]
     before, then, shift = "NO", "NO", 0
@@ -80,7 +83,7 @@ def go(mccl: Runner, text: str, machine: dict[str, object], motor: bool) -> Run:
 
 
 def moment(free: Run, way: str) -> float:
-    """Return when the limit becomes true, by the motion without it."""
+    """Return the time at which the limit becomes true, from the motion without it."""
     a = free.controller.axes[1]
     times = [k * 1e-3 for k in range(int(END * 1e3))]
     if way == "met":
@@ -135,7 +138,10 @@ def test_no_cell_is_left_out() -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_amplifier_input_switches_the_motor_off(kind: str, mccl: Runner) -> None:
-    """It is watched from when it turns on, FN finds it on, or its polarity changes."""
+    """The input turns on, is on when FN enables it, or its polarity changes.
+
+    With FF after FN it has no effect.
+    """
     begin, _ = KINDS[kind]
     on = {"input": [{"channel": FAULT, "at": 0.5}]}
     for before, then, inputs, time in (

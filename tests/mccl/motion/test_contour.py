@@ -1,4 +1,4 @@
-"""Contour paths against geometry: on the circle, at the vector velocity, exactly."""
+"""Contour paths are exactly on their geometry, at the vector velocity."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ HEAD = "1MN,2MN,1CM1,2CM1,1VV20000,1VA200000,1VD200000\n"
 
 
 def state(run: Run, time: float) -> tuple[float, float, float, float]:
-    """Return x, y and their velocities."""
+    """Return position and velocity of both axes: x, y, vx, vy."""
     a, b = (run.controller.axes[axis].at(time) for axis in (1, 2))
     return a.position, b.position, a.velocity, b.velocity
 
@@ -33,7 +33,7 @@ def test_a_full_circle_stays_on_the_circle(shape: str, mccl: Runner) -> None:
 
 
 def test_paths_that_join_smoothly_are_run_through(mccl: Runner) -> None:
-    """100 + a half circle of radius 50 + 100, in thousands: one ramp up, one down."""
+    """100 000, a half circle of radius 50 000 and 100 000: one ramp up, one down."""
     text = f"{HEAD}1CP1,1MA100000,2MA0\n1CP3,1CA100000,2CA50000,1MA100000,2MA100000\n1CP1,1MA0,2MA100000\n1WS,1TX"
     result = mccl(text)
     assert result.output == ["01 3"]
@@ -66,7 +66,7 @@ def test_stop_stays_on_the_path_and_forgets_the_rest(mccl: Runner) -> None:
 
 @pytest.mark.parametrize("wait", [0.45 + k * 0.0043 for k in range(34)])
 def test_a_path_given_while_another_one_stops_waits_until_it_rests(mccl: Runner, wait: float) -> None:
-    """The stop may end at the end of the path, which rounding must not decide."""
+    """The stop may end at the end of its path, which rounding must not decide."""
     result = mccl(f"{HEAD}1CP1,1MA10000,2MA0\nWA{wait},1ST,1CP1,1MA20000,2MA0\n1WS,1TX,1TP")
     first, second = (move for move in result.controller.log.moves if move.axis == 1)
     assert first.profile is not None
@@ -91,7 +91,7 @@ def test_a_stop_never_runs_beyond_the_end_of_the_paths(mccl: Runner, shape: str,
 def test_an_arc_that_is_stopped_or_slowed_stays_on_the_circle(
     mccl: Runner, command: str, wait: float
 ) -> None:
-    """It applies anywhere, even between two of the cubics of the arc."""
+    """That is true at any time, including between two of the cubics of the arc."""
     result = mccl(f"{HEAD}1CP3,1CR-5000,2CR0,1EA180\nWA{wait},{command}\n1WS")
     assert result.diagnostics == []
     for k in range(200):
@@ -112,7 +112,7 @@ def test_an_arc_that_is_stopped_or_slowed_stays_on_the_circle(
 def test_an_arc_that_misses_its_end_a_little_goes_through_it(
     path: str, end: tuple[int, int], mccl: Runner
 ) -> None:
-    """It is on one circle, at the vector velocity, without a jump, by the proof."""
+    """By the proof it is one circle at the vector velocity, without a jump."""
     result = mccl(f"{HEAD}{path}\n1WS,1TP,2TP", prove=True)
     assert result.output == [f"01 {end[0]}", f"02 {end[1]}"]
     assert result.proof().violations == []
@@ -130,7 +130,7 @@ def test_an_arc_that_misses_its_end_by_much_or_after_a_whole_turn_is_refused(pat
 
 
 def test_paths_whose_directions_differ_by_the_rounding_of_their_ends_are_run_through(mccl: Runner) -> None:
-    """3001, 997 and its half: a slope that does not repeat in whole counts."""
+    """The second path continues 3001, 997 by half of it, rounded to whole counts."""
     result = mccl(f"{HEAD}1CP1,1MA3001,2MA997\n1CP1,1MA4502,2MA1496\n1WS,1TX", prove=True)
     assert result.output == ["01 2"]
     assert result.proof().violations == []
@@ -146,7 +146,7 @@ def test_the_override_acts_on_the_path_under_way(mccl: Runner) -> None:
 
 
 def test_a_scaled_contour_is_measured_in_its_own_units(mccl: Runner) -> None:
-    """Axis 2 has twice the counts per millimetre; the circle is round in millimetres."""
+    """Axis 2 has twice the counts per millimetre; the path is a circle in millimetres."""
     text = "1US100,2US200,1MN,2MN,1CM1,2CM1,1VV50,1VA500,1VD500\n1CP2,1CR40,2CR0,1MR0,2MR0\n1WS"
     result = mccl(text)
     begin, end = result.controller.log.moves[0].start_time, result.time
@@ -164,7 +164,7 @@ def test_a_fault_of_one_axis_stops_the_others(mccl: Runner) -> None:
 
 @pytest.mark.parametrize("then", ["1VO0.5", "1CP1,1MR20000,2MR20000", "NO"])
 def test_a_new_zero_in_a_running_path_shifts_the_path_with_it(then: str, mccl: Runner) -> None:
-    """The end of the path stays at its position, whatever the new zero is."""
+    """The end of the path stays at the same physical position with any new zero."""
     start = f"{HEAD}1CP1,1MA20000,2MA20000\nWA0.5\n"
     plain = mccl(f"{start}1VO1\n{then}\n1WS,1TP,2TP")
     shifted = mccl(f"{start}1TP,1DH500000\n{then}\n1WS,1TP,2TP")
@@ -228,7 +228,7 @@ def test_an_arc_is_exact(shape: str, mccl: Runner) -> None:
 @pytest.mark.parametrize("shape", ["1PS", "1PS0.2"])
 @pytest.mark.parametrize("wait", [0.03, 0.08, 0.12, 0.5])
 def test_a_stop_out_of_a_shaped_ramp_does_not_jump(shape: str, wait: float, path: bool, mccl: Runner) -> None:
-    """The acceleration of 200000 counts/s² takes at least 0.002 s to build up or fall."""
+    """The acceleration of 200000 counts/s² takes at least 0.002 s to rise or fall."""
     move = "1CP1,1MR100000,2MR0" if path else "1PM,1SV20000,1SA200000,1SD200000,1MR100000"
     result = mccl(f"1MN,2MN\n{HEAD if path else ''}{shape}\n{move}\nWA{wait},1ST,1WS")
     axis = result.controller.axes[1]
@@ -250,9 +250,9 @@ def test_a_user_defined_path_that_has_a_length_and_leads_nowhere_takes_its_time(
 
 
 def test_an_arc_described_while_a_path_stops_begins_where_it_rests(mccl: Runner) -> None:
-    """At 20000 counts/s the path stops within 1000 of ST.
+    """The path stops from 20000 counts/s within 1000 counts of ST.
 
-    The arc ends a quarter round its own start.
+    The arc ends a quarter of a revolution from where it starts.
     """
     result = mccl(f"{HEAD}1CP1,1MA90000,2MA0\nWA1,1ST,1CP3,1CR0,2CR500,1ER90\n1WS,1TP,2TP", prove=True)
     x, y = (int(line.split()[1]) for line in result.output)

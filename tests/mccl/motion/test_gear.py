@@ -1,4 +1,4 @@
-"""Gears of a board: slaves follow their ratio, and waits and status their master."""
+"""Gears of a board: slaves follow their ratio; waits and status follow the master."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def test_a_wait_for_a_slave_ends_with_its_masters_motion(wait: str, mccl: Runner
 
 
 def test_at_target_counts_from_when_the_master_rests(mccl: Runner) -> None:
-    """DT of a quarter of a second after it, once; the second wait ends at once."""
+    """DT of 0.25 s begins when the master is at rest; the second wait ends at once."""
     result = proved(mccl, f"2DT0.25,2SM1\n{MOVE}2WT,2WT,WA1,2WT")
     assert result.time == pytest.approx(1.1 + 0.25 + 1.0, abs=1e-6)
 
@@ -48,7 +48,7 @@ def test_the_status_of_a_slave_shows_its_mode_and_its_motion(model: str, mccl: R
 
 
 def test_a_slave_that_is_freed_in_motion_ends_what_it_is_doing(mccl: Runner) -> None:
-    """Its master is stopped, and sent back, without an effect on it."""
+    """The slave completes its motion; stopping and returning the master has no effect."""
     result = proved(mccl, f"2SM1\n{MOVE}WA0.5,2SM0\nWA0.1,1ST,1WS,1MA0\n2WS,2TP\n2MA0,2WS,2TP")
     assert result.output == ["02 5000", "02 0"]
     first = next(move for move in result.controller.log.moves if move.axis == 2)
@@ -58,7 +58,7 @@ def test_a_slave_that_is_freed_in_motion_ends_what_it_is_doing(mccl: Runner) -> 
 
 
 def test_a_slave_that_is_freed_from_what_runs_on_runs_on_until_it_is_stopped(mccl: Runner) -> None:
-    """5000 counts/s: 0.95 s worth in the first second, 1 s more, a stop of 125 counts."""
+    """At 5000 counts/s: 4750 counts in the first second, 5000 more, a stop of 125."""
     result = proved(mccl, "2SM1,1VM,1DI0,1GO\nWA1,2SM0,1ST,1WS\nWA0.9,2TV,2ST,2WS,2TP,2TV")
     assert result.output == ["02 5000", "02 9875", "02 0"]
 

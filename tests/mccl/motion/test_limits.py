@@ -15,7 +15,7 @@ CONTOUR = HEAD + "2LM{},2LN12\n1CP1,1MA3000,2MA4000\n1WS,1TP,2TP"
 def test_a_soft_limit_stops_a_contour_as_its_mode_says(
     mode: int, rest: tuple[int, int], mccl: Runner
 ) -> None:
-    """Smoothly is at VD, along the path: 10000² / 200000 = 500 further.
+    """A smooth stop uses VD along the path: 10000² / 200000 = 500 counts more.
 
     The axes cover 300 and 400 of it.
     """
@@ -52,7 +52,10 @@ def test_a_limit_put_in_force_behind_a_moving_axis_stops_it(how: str, start: str
 
 
 def test_velocity_mode_that_turns_into_an_active_limit_stops_at_the_turn(mccl: Runner) -> None:
-    """LM8 at 20000 and 100000 passes 8000 by 2000; it returns to the reversal only."""
+    """By LM8, 20000 counts/s at 100000 counts/s² exceed the limit of 8000 by 2000.
+
+    The axis moves back slowly, and reverses again while still beyond the limit. It stops at that reversal.
+    """
     text = (
         "1MN,1VM,1SV20000,1SA100000,1DS100000,1LM8,1HL8000,1LL-99999,1LN12,1DI0,1GO,WS,1MN\n"
         "1SV1000,1DI1,1GO,WA0.2,1SV20000,1DI0,1GO,WA1,1TP,1TV"

@@ -25,7 +25,7 @@ def proved(text: str, name: str) -> Run:
 
 
 class Job:
-    """Three to twelve lines and arcs, some of them tangent, with events."""
+    """A random contour of three to twelve lines and arcs, some tangent, with events."""
 
     def __init__(self, seed: int) -> None:
         self.choose = choose = Random(seed)
@@ -75,7 +75,7 @@ def test_a_contour_is_proved_and_arrives(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_contour_of_mint_takes_the_same_time(seed: int) -> None:
-    """Lines, some of them tangent: one planner, and each language's rule for joins."""
+    """Lines, some of them tangent: the planner is the same, the rule for joins is not."""
     choose = Random(seed)
     velocity, accel, decel = 20000, choose.randrange(50000, 400000), choose.randrange(50000, 400000)
     x = y = 0

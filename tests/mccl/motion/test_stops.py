@@ -1,7 +1,7 @@
-"""The rest position after ST and AB: each profile, setting and ramp section.
+"""The rest position after ST and AB, for each profile, setting and ramp section.
 
 The distances are those of TN1069 (docs/tn1069.md). V, A, D are the velocity and the rates of the move, T is
-the time of its deceleration ramp, t the time since that began, v the velocity at the stop.
+the duration of its deceleration ramp, t the time since the ramp began, and v the velocity at the stop.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ RAMPS = {
 
 
 def from_velocity(kind: str, v: float, rate: float) -> float:
-    """Return the distance of a stop from v, without an initial acceleration."""
+    """Return the stopping distance from v, with no initial acceleration."""
     whole, part = RAMPS[kind]
     return part * v * whole * v / V * D / rate
 
 
 def in_the_ramp(kind: str, t: float) -> tuple[float, float]:
-    """Return the velocity at t, and the remaining distance to the target."""
+    """Return the velocity at time t of the ramp, and the distance left to the target."""
     whole, _ = RAMPS[kind]
     left = whole - t
     if kind == "PT":
@@ -51,9 +51,9 @@ def in_the_ramp(kind: str, t: float) -> tuple[float, float]:
 
 
 def of_a_stop(kind: str, t: float, rate: float) -> float:
-    """Return the distance of a stop at t in the ramp at another rate.
+    """Return the stopping distance from time t of the ramp, at another rate.
 
-    The acceleration falls first, if it may not jump.
+    The acceleration first falls to zero if it may not jump.
     """
     whole, _ = RAMPS[kind]
     v, _ = in_the_ramp(kind, t)
@@ -84,7 +84,10 @@ CHANGES = {
 
 
 def stopped(kind: str, change: str, time: float, command: str) -> tuple[float, float]:
-    """When the axis was stopped, and its position, counts; MR is the third command."""
+    """Return when the axis is stopped, s, and where it comes to rest, counts.
+
+    MR is the program's third command.
+    """
     text, _ = CHANGES[change]
     wait = f"WA{time:.6f}"
     result = run(
@@ -104,7 +107,10 @@ def stopped(kind: str, change: str, time: float, command: str) -> tuple[float, f
 @pytest.mark.parametrize("change", CHANGES)
 @pytest.mark.parametrize("kind", RAMPS)
 def test_st_while_slowing_down(kind: str, change: str, part: float) -> None:
-    """It is at the rate in force, or as planned if that is nearer and within the rate."""
+    """The stop is at the present rate, or as planned if that is shorter and allowed.
+
+    The planned stop is allowed if its rate is within the present one.
+    """
     whole, size = RAMPS[kind]
     begin = (TARGET - 2 * size * V * whole) / V + whole
     time, end = stopped(kind, change, begin + part * whole, "ST")

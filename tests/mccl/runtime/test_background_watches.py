@@ -1,4 +1,4 @@
-"""A run ends with its foreground if background tasks only wait for the impossible."""
+"""A run ends with its foreground if background tasks wait for impossible events."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_several_watches_are_each_named(mccl: Runner) -> None:
 
 
 def test_the_run_goes_on_as_long_as_something_is_to_come(mccl: Runner) -> None:
-    """The input turns on at 5 s, which makes the task move the axis again, for 0.2 s."""
+    """The input turns on at 5 s; then the task moves the axis again, for 0.2 s."""
     watch = "MD15,IN3,MJ16,NO,WA0.01,RP\nMD16,1MR1000,1WS"
     result = mccl(f"{watch}\n{FOREGROUND}", machine={"input": [{"channel": 3, "at": 5.0}]})
     assert result.status == "ended"

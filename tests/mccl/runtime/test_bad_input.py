@@ -74,7 +74,10 @@ def test_at_the_port(what: str) -> None:
 
 
 def test_the_codes_that_are_not_a_commands() -> None:
-    """0 before any error, -7 by ESC; 3 is `test_an_error_of_our_own_costs_one_line`."""
+    """0 before any error and -7 after ESC; another test covers 3.
+
+    That is `test_an_error_of_our_own_costs_one_line`.
+    """
     console, port = board()
     assert ask(console, port, b"TE\r") == b"0\n>"
     port.feed(b"WA100\r")
@@ -99,7 +102,7 @@ def test_a_megabyte_in_a_line() -> None:
 
 
 def test_binary_garbage() -> None:
-    """Each line of it is answered, and the port works normally afterwards."""
+    """Each of its lines is answered, and the port works normally afterwards."""
     rubbish = random.Random(7)
     console, port = board()
     for _ in range(300):
@@ -149,9 +152,9 @@ def test_two_macros_that_call_each_other(mccl: Runner) -> None:
 
 
 def test_rp_inside_rp(mccl: Runner) -> None:
-    """Each RP of a line has its own count, reset when the other one repeats it.
+    """Each RP of a line has its own count, which restarts when another RP repeats it.
 
-    A macro has its own too.
+    An RP in a macro has its own count, too.
     """
     assert mccl("AA1,RP2,AA10,RP1,TR0").output == ["26"]
     assert mccl("MD1,AA1,RP2\nMC1,AA10,RP1,TR0").output == ["26"]
@@ -163,7 +166,7 @@ def test_a_task_that_ends_itself(mccl: Runner) -> None:
 
 
 def test_a_new_zero_in_the_last_moment_of_a_move_does_not_hold_the_run(mccl: Runner) -> None:
-    """Found by random programs: the rest of the move ended a bit before its event."""
+    """Found by random programs: the rest of the move ended slightly before its event."""
     text = 'MN\nMR1,1VM33,2JV"%5.2f"\n1AM5\n1OO,SV90,2TV1000,TP"%d"\n1XN90,1YF100,2CP-1\n1DH5'
     result = mccl(text, machine={"axis.1.motor": "stepper"})
     assert result.status == "ended"

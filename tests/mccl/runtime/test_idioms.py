@@ -1,6 +1,6 @@
-"""The two idioms remembered from PMC's manuals agree with "skip two" and JR.
+"""Two idioms remembered from PMC's manuals work with "skip two" and JR.
 
-JR counts from itself.
+JR counts from its own position.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ MACROS = "MD11,1ST,1WS,1TP,AL11,TR0\nMD12,1AB,1TP,AL12,TR0\n1MN,1SV10000,1SA1000
 
 
 def test_poll_until_a_bit_sets(mccl: Runner) -> None:
-    """Bit 25 is the auxiliary input; that of axis 1 is channel 201."""
+    """Bit 25 is the auxiliary input, which is channel 201 for axis 1."""
     result = mccl(f"{POLL},1TP\nTR0", machine={"input": [{"channel": 201, "at": 2.5}]})
     assert result.output[0] == "01 0"
     assert int(result.output[1]) & 1 << 25
@@ -27,9 +27,9 @@ def test_the_same_when_the_bit_is_set_already(mccl: Runner) -> None:
 
 
 def test_run_until_the_home_switch(mccl: Runner) -> None:
-    """Bit 23; 10000 counts/s at 100000 counts/s² take 500 counts to stop.
+    """Bit 23 is the switch; from 10000 counts/s at 100000 counts/s² a stop takes 500.
 
-    The check is half a loop late at most.
+    The loop detects the switch half an iteration late at most.
     """
     result = mccl(MACROS + RUN, machine={"axis.1.home_switch": [20000.0, 20500.0]})
     position, macro = result.output
@@ -38,7 +38,7 @@ def test_run_until_the_home_switch(mccl: Runner) -> None:
 
 
 def test_run_until_the_other_bit(mccl: Runner) -> None:
-    """Bit 16 turns on with LN2, which a background task executes after a second."""
+    """Bit 16 is set by LN2, which a background task executes after a second."""
     text = "MD1,WA1,1LN2\n" + MACROS + "GT1\n" + RUN
     result = mccl(text)
     position, macro = result.output
@@ -47,7 +47,7 @@ def test_run_until_the_other_bit(mccl: Runner) -> None:
 
 
 def test_the_input_bits_are_live(mccl: Runner) -> None:
-    """Bits 22 index, 25 auxiliary, 28 and 29 user inputs follow their inputs."""
+    """Bits 22 (index), 25 (auxiliary), 28 and 29 (user inputs) follow their inputs."""
     machine = {
         "axis.1.index_every": 1000.0,
         "input": [{"channel": channel, "at": 1.0, "for": 1.0} for channel in (201, 217, 233)],

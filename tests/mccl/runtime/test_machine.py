@@ -12,7 +12,7 @@ MOTOR_ERROR, FOLLOWING, AMPLIFIER, PLUS, MINUS, HIGH, LOW = (1 << bit for bit in
 
 
 def status(line: str) -> int:
-    """Return the status word of a reply of TS."""
+    """Return the status word in a reply of TS."""
     return int(line.split()[1])
 
 
@@ -22,7 +22,7 @@ def status(line: str) -> int:
     ids=["off", "abrupt", "smooth"],
 )
 def test_a_limit_switch_does_what_lm_says(mode: int, end: float, enabled: bool, mccl: Runner) -> None:
-    """10000 counts/s at 100000 counts/s2 take 500 counts to stop."""
+    """A smooth stop from 10000 counts/s at 100000 counts/s2 takes 500 counts."""
     result = mccl(
         f"1MN,1SV10000,1LM{mode},1LN1,1MA20000,1WS,1TS,1TP", machine={"axis.1.travel": [-1000.0, 5000.0]}
     )
@@ -37,9 +37,9 @@ def test_a_limit_that_is_not_enabled_does_nothing(mccl: Runner) -> None:
 
 
 def test_travel_shows_as_the_limit_inputs_whether_enabled_or_not(mccl: Runner) -> None:
-    """Bits 26 and 27; a polling loop sees them at once.
+    """Bits 26 and 27 are the limit inputs; a polling loop sees them within 0.2 counts.
 
-    It polls every 0.2 counts, at 10000 counts/s.
+    The axis moves at 10000 counts/s.
     """
     look = '1LU"STATUS",1RL@0,IC{bit},JR-3,NO,1TP,1ST,1WS'
     text = f"1MN,1SV10000,1VM,1GO\n{look.format(bit=26)}\n1DI1,1GO\n{look.format(bit=27)}\n1PM,1MA0,1WS,1TS"
@@ -87,7 +87,7 @@ def test_soft_limits(mccl: Runner) -> None:
 
 
 def test_a_limit_channel_with_inverted_polarity(mccl: Runner) -> None:
-    """The switch of axis 1's positive limit is channel 18; closed is normal.
+    """Channel 18 is the switch of axis 1's positive limit; closed is its normal state.
 
     It opens after 0.1 s.
     """
@@ -115,7 +115,7 @@ def test_the_amplifier_fault_input_is_watched_only_if_told(mccl: Runner) -> None
 
 
 def test_find_index_gives_the_mark_its_position(mccl: Runner) -> None:
-    """Marks every 1000 counts; the axis starts 300 before one, finds it, and returns."""
+    """Marks are every 1000 counts; from 300 before one, the axis finds it and returns."""
     result = mccl(
         "1MN,1SV5000,1VM,1GO,1FI50,1TP,1ST,1WS,1TZ,1PM,1MA50,1WS,1TS",
         machine={"axis.1.index_every": 1000.0, "axis.1.start": 0.0},
@@ -147,7 +147,7 @@ def test_a_mark_that_the_machine_does_not_have(mccl: Runner) -> None:
 
 
 def test_a_joystick(mccl: Runner) -> None:
-    """50 percent are 5 V: less the offset of 1 V, times 100 counts/s per volt."""
+    """50 percent are 5 V, less an offset of 1 V: 4 V at 100 counts/s per volt."""
     result = mccl(
         "1MN,1JA1000000,1JG100,1JO1,1JB0.5,1JN,WA1,1TV,1JF,1WS,1TS1",
         machine={"analogue": [{"channel": 1, "value": 50.0, "at": 0.0, "for": 3.0}]},

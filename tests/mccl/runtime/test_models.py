@@ -1,4 +1,4 @@
-"""The boards: their differences, each with its output."""
+"""The differences between the boards, each shown by its output."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ def test_a_stepper_of_a_multiflex_has_other_settings_at_power_up(mccl: Runner) -
     ],
 )
 def test_a_suffix_of_pmcs_says_which_board_a_file_is_for(name: str, model: str) -> None:
-    """The machine file may override it."""
+    """The machine file takes precedence over the suffix."""
     text = "VE\n1OB1"
     result = run(Source(name, text), dialect="mccl")
     assert result.output[0].startswith(MODELS[model].title)

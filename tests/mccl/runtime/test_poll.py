@@ -1,4 +1,4 @@
-"""Polling loops are skipped to the next event, with an equal result."""
+"""Polling loops are skipped up to the next event, with an equal result."""
 
 from __future__ import annotations
 
@@ -92,9 +92,9 @@ def test_skipping_changes_nothing(name: str, mccl: Runner, monkeypatch: pytest.M
 
 
 def test_eight_hours_of_polling(mccl: Runner) -> None:
-    """0.0001 counts/s is over eight hours for three counts.
+    """At 0.0001 counts/s, three counts take over eight hours.
 
-    The loop polls continuously.
+    The loop polls all the time.
     """
     text = f"1US10000,1MN,1SV0.0001,1SA1,1DS1,1MR3\n{POLL},1TP"
     begin = time.process_time()
@@ -117,7 +117,7 @@ def test_eight_hours_of_polling(mccl: Runner) -> None:
 def test_an_hour_of_watching_is_over_at_once(
     watch: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """1 count/s takes an hour and a ramp of 1 s for 3600 counts."""
+    """At 1 count/s, 3600 counts take an hour, and a ramp takes 1 s more."""
     jumps, again = 0, Poll.again
 
     def counted(poll: Poll) -> object:
@@ -135,7 +135,7 @@ def test_an_hour_of_watching_is_over_at_once(
 def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
     mccl: Runner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Few of thousands of passes are checked: one in 257 in the end."""
+    """After back-off, only one in 257 of thousands of iterations is checked."""
     notes, note = 0, Dependencies.note
 
     def counted(dependencies: Dependencies, until: Callable[..., float], *about: object) -> None:

@@ -1,4 +1,4 @@
-"""The language's calls of the controller, recorded by one without physics."""
+"""The calls that MCCL makes to the controller, recorded without physics."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ QUIET = {"setting", "is_idle", "is_enabled", "position", "velocity", "target", "
 
 
 class Written(Recorder):
-    """A recorder with the channels and listeners that the board subscribes to."""
+    """A recorder that has the channels and listeners to which the board subscribes."""
 
     def __init__(self, **answers: Any) -> None:
         super().__init__(2, 1, {"setting": 100.0, "target": 500.0, **answers})

@@ -13,7 +13,7 @@ from motionlang.source import Source
 
 
 class Prompt:
-    """Lines one after the other, numbered through the session."""
+    """Prompt at which a test enters one line after the other, numbered throughout."""
 
     def __init__(self, **overrides: float) -> None:
         self.machine = Machine(first_axis=1, overrides=overrides)
@@ -21,7 +21,7 @@ class Prompt:
         self.lines = 0
 
     def enter(self, line: str) -> list[str]:
-        """Return the output of one line."""
+        """Enter a line and return its output."""
         task = self.session.task(Source("input", "\n" * self.lines + line))
         self.lines += 1
         before = len(self.machine.terminal.lines)
@@ -32,7 +32,7 @@ class Prompt:
         return self.machine.terminal.lines[before:]
 
     def mistake(self, line: str) -> Diagnostic:
-        """Return the one diagnostic of a line."""
+        """Enter a line and return its only diagnostic."""
         self.machine.diagnostics.clear()
         self.enter(line)
         (found,) = self.machine.diagnostics
@@ -79,7 +79,7 @@ def test_a_mistake_in_the_line_itself() -> None:
 
 
 def test_a_task_stands_in_its_own_text() -> None:
-    """A run-time error has the call's position if the macro is of an earlier text."""
+    """A run-time error in a macro of an earlier text is reported at the call."""
     prompt = Prompt()
     prompt.enter("MD1,WN9,MC2")
     prompt.enter("MD2,WN8")

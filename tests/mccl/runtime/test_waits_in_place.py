@@ -1,4 +1,4 @@
-"""A lone task waits without giving way to the scheduler, and nothing else differs."""
+"""A single task waits without yielding to the scheduler, with no other difference."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ def test_waits_within_a_time_slice_make_no_difference(seed: int, monkeypatch: py
 
 
 def test_a_wait_yields_to_another_task() -> None:
-    """Task 3 reports the position once a second while the parent waits for a move.
+    """Task 3 reports the position every second while the parent waits for a move.
 
-    300 at 100 with 1000 take 3.1 s. The ramp of 0.1 s leaves the axis 5 behind 100 times the time.
+    300 at 100 with 1000 takes 3.1 s. The ramp of 0.1 s puts the axis 5 behind 100 times the time.
     """
     text = "1MN,1SV100,1SA1000,1DS1000\nMD3,1TP,WA1,RP\nGT3\n1MR300,1WS,CN33,WA0.5\n"
     result = run(Source("a.mcl", text), cache=False, until=20.0)

@@ -1,4 +1,4 @@
-"""Commands of the generated pattern against Lark with the same grammar."""
+"""The generated pattern splits commands like Lark with the same grammar."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ files = st.lists(st.one_of(lines, st.sampled_from(["", "# a whole line", "  #1MR
 
 
 def by_grammar(text: str) -> Read:
-    """Return the grammar's result for a text."""
+    """Return the commands of a text, parsed by Lark."""
     tree = GRAMMAR.parse(text)
     return [[_command(each) for each in line.children] for line in tree.children if line.children]  # type: ignore[union-attr, arg-type]
 
@@ -69,7 +69,10 @@ def _command(tree: Tree[Token]) -> tuple[int, str, int, Any]:
 
 
 def by_pattern(text: str) -> Read:
-    """Return the package's result; the range of values is not compared."""
+    """Return the commands of a text, parsed by the package.
+
+    The range of values is not compared.
+    """
     read: Read = []
     for line in lines_of(text):
         assert isinstance(line, Line)
@@ -78,7 +81,7 @@ def by_pattern(text: str) -> Read:
 
 
 def is_form(text: str) -> bool:
-    """True if every command of a text has the form of a command, for the package."""
+    """True if the package finds the form of a command in every command of a text."""
     for line in lines_of(text):
         if isinstance(line, Line):
             faults = [problem(command) for command in line.commands]
@@ -113,7 +116,7 @@ def test_what_one_way_refuses_the_other_refuses(text: str) -> None:
 
 
 def _only_unknown(text: str) -> bool:
-    """True if the text is rejected for a command name, which the grammar ignores."""
+    """True if a command name is unknown, for which only the package rejects a text."""
     return any(
         isinstance(line, Line) and any(c.row is None for c in line.commands) for line in lines_of(text)
     )

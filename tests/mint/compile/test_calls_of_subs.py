@@ -1,4 +1,4 @@
-"""A sub that is called as in another Basic: the message says how Mint calls it."""
+"""A sub called as in another Basic: the message shows how Mint calls it."""
 
 from __future__ import annotations
 

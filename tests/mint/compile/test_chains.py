@@ -1,6 +1,6 @@
-"""Chains do not nest: thousands of terms, conditions or statements run like a few.
+"""Thousands of chained terms, conditions or statements run like a few.
 
-Brackets are still limited.
+Chains are not nested in the compiler. Only the nesting of brackets is limited.
 """
 
 from __future__ import annotations
@@ -81,9 +81,9 @@ def test_a_chain_does_not_depend_on_the_room_that_python_has(name: str) -> None:
 
 @pytest.mark.parametrize("count", [49, 50, 51, 52, 100, 101, 102, 151])
 def test_a_chain_is_worked_out_from_the_left(count: int) -> None:
-    """Near the length at which operations are grouped, each step rounds as before.
+    """Grouping a long chain of operations does not change the rounding of each step.
 
-    The same applies to overflow.
+    Nor does it change an overflow.
     """
     terms = [f"{n % 7}.1" for n in range(count)]
     expected = 0.1
@@ -108,9 +108,9 @@ def test_what_is_nested_is_limited_as_before(opening: str) -> None:
 
 
 def chosen(count: int, branch: int, between: str = "") -> str:
-    """Return a chain of `count` branches of an If; one is taken.
+    """Return an If with `count` branches that takes only the branch `branch`.
 
-    Each other one would print another text.
+    Every other branch would print another text.
     """
     branches = "".join(f"ElseIf a = {n} Then\nPRINT {n}\n{between}" for n in range(1, count))
     return f"a = {branch}\nIf a = 0 Then\nPRINT 0\n{branches}Else\nPRINT -1\nEnd If\n"
@@ -120,9 +120,9 @@ def chosen(count: int, branch: int, between: str = "") -> str:
     ("count", "branch"), [(3, 2), (101, 100), (102, 101), (103, 102), (103, 103), (LENGTH, 2999)]
 )
 def test_a_chain_of_elseif_is_no_nesting(count: int, branch: int) -> None:
-    """A statement takes 10 µs, and each test is one: in all `tests + 2` of them.
+    """A statement takes 10 µs, and so does each test: in all `tests + 2` statements.
 
-    The others are the assignment and the PRINT.
+    The two others are the assignment and the PRINT.
     """
     made = ran(chosen(count, branch))
     assert (made.status, made.output) == ("ended", [str(branch) if branch < count else "-1"])
@@ -132,9 +132,9 @@ def test_a_chain_of_elseif_is_no_nesting(count: int, branch: int) -> None:
 
 @pytest.mark.parametrize("count", [5, 150])
 def test_what_leaves_a_chain_of_elseif(count: int) -> None:
-    """An Exit of the loop, the Select or the function around it, and a jump leave it.
+    """An Exit from the loop, Select or function around the chain leaves it.
 
-    The jump may be long.
+    So does a jump, which may be long.
     """
     loop = f"For f = 1 To 9\n{chosen(count, count - 1, 'If f = 3 Then Exit For' + chr(10))}Next\nPRINT f"
     assert ran(loop).output == [str(count - 1)] * 3 + ["3.0000"]

@@ -1,6 +1,6 @@
 """Compilation is linear in the number of labels, jumps and variables.
 
-It is so in calls and in memory.
+That applies to the number of calls and to memory.
 """
 
 from __future__ import annotations
@@ -43,13 +43,13 @@ def in_blocks(count: int) -> str:
 
 
 def back_to_few_labels(count: int) -> str:
-    """Every jump makes an iteration that is checked, because there are few labels."""
+    """Return jumps back to 20 labels, so that each one closes a loop that is analysed."""
     turns = "n = n + 1\nIf n > 5 Then Goto l0\n" * (count // 20)
     return "".join(f"#l{i}\n{turns}" for i in range(20))
 
 
 def counted_loops(count: int) -> str:
-    """Each loop has a limit of its own, at which the range of its counter settles."""
+    """Return For loops whose limits differ, so that each counter has its own range."""
     return "Dim i As Integer\n" + "".join(
         f"For i = 1 To {n + 3}\nIf i = 2 Then n = n + i\nNext\n" for n in range(count)
     )
@@ -97,7 +97,7 @@ def undeclared(count: int) -> str:
 
 
 def peak_memory(text: str) -> int:
-    """Return the peak of the memory that compilation adds, bytes."""
+    """Return the peak memory that compilation adds, bytes."""
     module = parse(Source("a.mnt", text))
     tracemalloc.start()
     try:
@@ -126,9 +126,9 @@ def names_without_a_use(count: int) -> str:
 
 @pytest.mark.parametrize("write", [names_without_a_value, names_without_a_use])
 def test_suggestions_are_searched_for_the_first_mistakes_alone(write: object) -> None:
-    """Twice the wrong names are twice the work.
+    """Twice the number of wrong names takes twice the work.
 
-    Each search compares with all names, and still the total is linear.
+    A search for a suggestion compares with all names, so only the first mistakes have one.
     """
     assert callable(write)
     calls_of(lambda: check(Source("a.mnt", write(10))))

@@ -1,4 +1,4 @@
-"""Invalid programs under tests/errors/mint, with all diagnostics in a `.txt`."""
+"""Invalid programs under tests/errors/mint, each with its diagnostics in a `.txt`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The listing of a program is the code that a run executes."""
+"""The listing of a program is exactly the code that a run executes."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ GALLERY = sorted((Path(__file__).parents[3] / "scripts" / "mint").glob("*.mnt"))
 
 
 def executed(text: str) -> str:
-    """Return the code of units as a tree, without comments and line breaks."""
+    """Return the syntax trees of a program's code, free of comments and line breaks."""
     return ast.dump(ast.parse(f"def _():\n{text}"))
 
 

@@ -1,4 +1,4 @@
-"""Programs with errors of every kind: a diagnostic, never a traceback or a hang."""
+"""Programs with errors of any kind give a diagnostic, never a traceback or a hang."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _OPERATORS = ("+", "-", "*", "/", "\\", "=", "<", "&", "^")
 
 
 def kind_of(piece: str) -> str:
-    """Return the kind of tokens that may mostly replace a token."""
+    """Return the kind of a token; it is mostly replaced by tokens of the same kind."""
     if piece[0].isdigit():
         return "number"
     if piece[0].isalpha():

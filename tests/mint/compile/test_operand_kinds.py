@@ -1,4 +1,4 @@
-"""Operators take every kind of number, comparisons included, with right results."""
+"""Operators and comparisons take every kind of number, with correct results."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ TEXT = "PRINT Str({whole})\n"
 
 
 def outcome(text: str) -> tuple[list[str], bool] | None:
-    """Return a program's output, and if it completed; None if it is rejected."""
+    """Return a program's output and whether it completed; None if it is rejected."""
     try:
         result = run(Source("a.mnt", text), cache=False)
     except ProgramError:
@@ -75,7 +75,7 @@ def outcome(text: str) -> tuple[list[str], bool] | None:
 def agreeing(expected: dict[str, tuple[list[str], bool]]) -> int:
     """Compare expressions in one program; return how many are not rejected.
 
-    A program with a rejected expression is divided.
+    If the program is rejected, its halves are compared.
     """
     text = "".join((PROGRAM + TEXT).format(whole=whole) for whole in expected)
     fast = outcome(VARIABLES + text)
@@ -108,7 +108,7 @@ def test_operators_and_operands(op: str) -> None:
 
 @pytest.mark.parametrize("whole", ["n > 1", "Not n", '"a" = "b"', "s", "(n > 1)", "IIf(n > 0, n > 1, n > 2)"])
 def test_a_truth_is_the_integer_1_or_0(whole: str) -> None:
-    """It is printed, converted to text, and divided as a number."""
+    """A truth value is printed, converted to text, and divided like a number."""
     text = (
         f"Dim n As Integer, s As Semaphore\nn = 2\nPRINT {whole}\nPRINT Str({whole})\nPRINT ({whole}) Mod n"
     )

@@ -1,4 +1,4 @@
-"""The stored outline of a compiled program equals that of the text."""
+"""The stored outline of a compiled program equals the outline of its text."""
 
 from __future__ import annotations
 

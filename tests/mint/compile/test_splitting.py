@@ -1,7 +1,7 @@
-"""Long programs are split, and compiled on demand, without a visible difference.
+"""Long programs are split into chunks that are compiled on demand.
 
 Every page and every script is run normally, and again in chunks of a few lines, each compiled at its first
-call: the reports are equal to the last digit of every time.
+call. The reports must be equal to the last digit of every time.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ def test_a_part_of_a_long_program_is_not_a_caller() -> None:
 
 
 def machine_of(path: Path) -> dict[str, object]:
-    """Return the machine of a page: from a file, or from its own comments.
+    """Return the machine of a page or script.
 
-    The file is next to it, or that of a script.
+    It is in a file next to it, or in the page's own comments.
     """
     for beside in (path.with_suffix(".toml"), path.with_suffix(".machine.toml")):
         if beside.exists():
@@ -77,7 +77,7 @@ def test_parts_change_nothing(path: Path, monkeypatch: pytest.MonkeyPatch) -> No
 
 @pytest.mark.parametrize("cut", [False, True], ids=["whole", "in parts"])
 def test_every_line_names_the_variables_that_are_shared(cut: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A variable that a line does not name would be a different generated global."""
+    """A shared variable that a line did not declare would become a different global."""
     if cut:
         short_parts(monkeypatch)
     for path in PROGRAMS:

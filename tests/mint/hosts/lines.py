@@ -1,4 +1,4 @@
-"""A Mint controller in this process, with a host at its line."""
+"""A Mint controller in this process, connected to a host by a serial line."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from motionlang.source import Source
 
 
 class Line:
-    """A host's line; `said` returns what came since the last call."""
+    """A host's line to the controller."""
 
     def __init__(self, program: str = "", echo: bool = False, model: str = "NextMove ESB-2") -> None:
         self.complaints: list[Diagnostic] = []
@@ -20,12 +20,12 @@ class Line:
         self.port = self.console.open(echo)
 
     def send(self, data: bytes) -> None:
-        """Send characters; typed lines are carried out."""
+        """Send characters; the controller executes typed lines."""
         self.port.feed(data)
         self.console.settle(self.console.now + 10.0)
 
     def run(self, seconds: float) -> None:
-        """Let machine time pass."""
+        """Advance the machine time, s."""
         self.console.run(self.console.now + seconds)
 
     def said(self) -> str:
@@ -33,7 +33,7 @@ class Line:
         return self.port.take().decode("latin-1").replace("\r\n", "\n")
 
     def ask(self, data: bytes) -> str:
-        """Send characters and return the output."""
+        """Send characters and return the output that follows."""
         self.said()
         self.send(data)
         return self.said()

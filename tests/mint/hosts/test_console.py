@@ -1,4 +1,4 @@
-"""The line of a Mint controller: program, typed lines, Ctrl-E, download."""
+"""The serial line of a Mint controller: program, typed lines, Ctrl-E, download."""
 
 from __future__ import annotations
 
@@ -82,7 +82,10 @@ def test_an_input_of_a_typed_line_asks_its_host() -> None:
 
 
 def test_a_download_as_a_host_does_it() -> None:
-    """Ctrl-E, PROG, NEW, EDIT, lines (an empty one as a blank), an empty line, RUN."""
+    """A host sends Ctrl-E, PROG, NEW, EDIT, the lines, an empty line, and RUN.
+
+    An empty line of the program is sent as a blank.
+    """
     line = Line(COUNTER)
     line.run(0.1)
     assert "Break" in line.ask(b"\x05")

@@ -1,4 +1,4 @@
-"""HCP frames: bytes worked out by hand, and everything that is answered with NAK."""
+"""HCP frames: bytes computed by hand, and everything that NAK answers."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ ACK, NAK = "\x06", "\x15"
 
 
 def test_a_write_frame_byte_by_byte() -> None:
-    """0 xor 5 xor 1 xor 2 xor ETX: 0x30 ^ 0x35 ^ 0x31 ^ 0x32 ^ 0x03 is 0x05."""
+    """The checksum of 0, 5, 1, 2, ETX is 0x30 ^ 0x35 ^ 0x31 ^ 0x32 ^ 0x03 = 0x05."""
     assert write_frame(5, "12") == b"\x0400\x020512\x03\x05"
 
 
 def test_a_read_frame_and_its_answer_byte_by_byte() -> None:
-    """0 xor 5 xor 7 xor ETX: 0x30 ^ 0x35 ^ 0x37 ^ 0x03 is 0x31."""
+    """The checksum of 0, 5, 7, ETX is 0x30 ^ 0x35 ^ 0x37 ^ 0x03 = 0x31."""
     assert read_frame(5) == b"\x0400\x0205\x05"
     assert answer_frame(5, "7") == b"\x02057\x031"
     assert text_of_answer(b"\x02057\x031") == (5, "7")

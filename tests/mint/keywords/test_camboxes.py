@@ -1,6 +1,6 @@
 """Cam boxes in any motion: the output is on exactly where the table states.
 
-A program checks it often.
+Each program reads the output at many times.
 """
 
 from __future__ import annotations

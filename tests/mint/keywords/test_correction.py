@@ -1,4 +1,4 @@
-"""Corrections of a move, superposed motion, and the unit of time."""
+"""Corrections of a move, superposed motion, and the time unit of speeds."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ def ran(text: str, until: float = 20.0) -> Run:
 
 
 def offset_of(result: Run) -> Any:
-    """Return the row of the report about the offset."""
+    """Return the report's entry of the offset."""
     moves: Any = result.report["moves"]
     return next(row for row in moves if row["command"] == "OFFSET")
 
 
 def test_a_correction_moves_the_end_of_the_move() -> None:
-    """100 at 100 and 1000: 1.1 s; 2 more take 20 ms more."""
+    """100 at speed 100 and rate 1000 take 1.1 s; 2 more take another 20 ms."""
     result = ran(
         RATES + "MOVER(0) = 100\nGO(0)\nWAIT = 500\nMOVECORRECTION(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)"
     )
@@ -54,9 +54,9 @@ def test_at_rest_there_is_nothing_to_correct() -> None:
 
 
 def test_speeds_may_be_a_minute() -> None:
-    """600 per minute are 10 per second, 36000 per minute² 10 per second².
+    """600 per minute are 10 per second, and 36000 per minute² are 10 per second².
 
-    So it takes 1 s up, 1 s at speed, 1 s down.
+    So the move takes 1 s up, 1 s at speed, and 1 s down.
     """
     result = ran(
         "TIMESCALE(0) = 60\nSPEED(0) = 600 : ACCEL(0) = 36000 : DECEL(0) = 36000\n"
@@ -85,7 +85,10 @@ def test_jogs_and_references_too_and_through_a_new_scale() -> None:
 
 
 def test_an_offset_on_a_follower_is_an_entry_of_its_own() -> None:
-    """10 at 20 and 100: 0.2 + 0.3 + 0.2 s, counted from the slave's base position."""
+    """10 at 20 with 100 takes 0.2 + 0.3 + 0.2 s.
+
+    Its start and end count from the slave's base position.
+    """
     result = ran(SLAVE + "OFFSET(1) = 10\nGO(1)\nWAIT = 1000\nSTOP(0)\nPAUSE IDLE(0)")
     row = offset_of(result)
     assert (row["axis"], row["line"], row["start"], row["end"]) == (1, 7, 0.0, 10.0)

@@ -1,4 +1,4 @@
-"""Speed, velocity and position references: against arithmetic by hand."""
+"""References for speed, velocity and position, against hand arithmetic."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def ran(text: str, until: float = 60.0, **machine: object) -> Run:
 
 
 def test_a_speed_reference_ramps_in_its_times() -> None:
-    """2000 per second² up to 500: 62.5; 0.75 s at 500; 1000 down: 125."""
+    """2000/s² up to 500 covers 62.5, 0.75 s at 500 375, and 1000/s² down 125."""
     result = ran(
         DRIVE + "SPEEDREF(0) = 500\nWAIT = 1000\nPRINT VEL(0)\nSPEEDREF(0) = 0\nPAUSE IDLE(0)\nPRINT IDLE(0)"
     )
@@ -64,7 +64,7 @@ def test_the_reference_is_limited_and_disabled() -> None:
 
 
 def test_the_reference_may_be_an_analogue_input() -> None:
-    """40 % of 1000, with a ramp of 2000 per second²."""
+    """An input of 40 % commands 40 % of 1000, with a ramp of 2000 per second²."""
     analogue = [{"channel": 3, "at": 0.5, "value": 40.0}, {"channel": 3, "at": 1.5, "value": 0.0}]
     result = ran(
         DRIVE + "SPEEDREFSOURCE(0) = 4\nWAIT = 1000\nPRINT VEL(0), SPEEDREF(0)\nWAIT = 2000",
@@ -75,7 +75,7 @@ def test_the_reference_may_be_an_analogue_input() -> None:
 
 
 def test_an_error_brakes_in_its_own_time() -> None:
-    """From 500 at 1000/250 ms: 31.25 units."""
+    """From 500 at a rate of 1000/250 ms, the axis stops within 31.25 units."""
     text = (
         DRIVE
         + "SPEEDREFERRORDECELTIME(0) = 250\nERRORINPUTMODE(0) = _emERROR_DECEL\nSPEEDREF(0) = 500\nWAIT = 3000\n"
@@ -112,7 +112,7 @@ def test_a_velocity_reference_is_reached_in_a_millisecond() -> None:
 
 
 def test_a_position_reference_goes_in_straight_lines() -> None:
-    """A sine, in steps of 1 ms: always a millisecond late."""
+    """A sine in steps of 1 ms: the axis follows one step, 1 ms, behind the reference."""
     result = ran(
         "For i = 1 To 200\nPOSREF(0) = 10 * Sin(i)\nWAIT = 1\nNext\nPAUSE IDLE(0)\nPRINT POS(0), POSREF(0)"
     )

@@ -1,4 +1,4 @@
-"""Handlers of events that the simulated machine never raises give a message."""
+"""A handler of an event that the simulated machine never raises gives a message."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Every simulated keyword of Mint that depends on memory has an assumption."""
+"""Every simulated Mint keyword that depends on memory has a listed assumption."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ CHAPTERS = ("Mint: ", "Motion on the controller", "The servo")
 
 
 def mint() -> str:
-    """Return the chapters about Mint, in lower case."""
+    """Return the chapters about Mint of the list of assumptions, in lower case."""
     chapters = PAGE.split("\n## ")[1:]
     return "\n".join(chapter for chapter in chapters if chapter.startswith(CHAPTERS)).lower()
 
 
 def test_what_rests_on_memory_is_listed() -> None:
-    """It has its name, or its beginning and an ellipsis, such as LATCH…"""
+    """The list has the keyword, or its beginning and an ellipsis, such as LATCH…"""
     text = mint()
     words = set(re.findall(r"\w+", text))
     stems = tuple(re.findall(r"(\w{3,})…", text))

@@ -1,4 +1,7 @@
-"""HTA: control of an axis by a sensor with a rising value, against its recurrence."""
+"""HTA, control of an axis by a sensor, against the recurrence of its control law.
+
+The sensor's value rises with the position.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ def ran(text: str, sensor: list[dict[str, float]] | None = None, until: float = 
 
 
 def at_ticks(result: Run, count: int) -> list[float]:
-    """Return positions at the ticks from the first command of the axis on."""
+    """Return the positions at `count` control ticks from the axis's first command on."""
     a = result.controller.axes[0]
     first = a.starts[2]
     return [a.position(first + k * PERIOD) for k in range(count)]
@@ -30,7 +33,7 @@ def at_ticks(result: Run, count: int) -> list[float]:
 def law(
     wanted: float, kp: float, kd: float = 0.0, ki: float = 0.0, per_unit: float = 2.0, n: int = 200
 ) -> list[float]:
-    """Return the positions of the control law.
+    """Return the positions that the control law gives at `n` ticks.
 
     x' = x + T (v + v')/2, v' = kp e + kd (e - e_before) + ki sum(e), e = wanted - per_unit x.
     """
@@ -48,9 +51,9 @@ def law(
 
 
 def test_proportional_holding_has_a_closed_form() -> None:
-    """e'' = (1 - a) e' - a e with a = slope gain T/2.
+    """The error obeys e'' = (1 - a) e' - a e, with a = slope gain T/2.
 
-    Of its two roots the larger one is the time constant.
+    The larger one of its two roots gives the time constant.
     """
     result = ran(RATES + "HTAKPROP(0) = 10\nHTA(0) = 40\nWAIT = 2000\nPRINT ADC(2), VEL(0)\nSTOP(0)")
     a = 2.0 * 10.0 * PERIOD / 2.0
@@ -87,7 +90,7 @@ def test_within_the_dead_band_it_stands() -> None:
 
 
 def test_it_keeps_to_speed_and_acceleration() -> None:
-    """50 at 200: 0.25 s, 6.25 units up; the gain alone would give 400."""
+    """Speed 50 at a rate of 200 takes 0.25 s over 6.25; the gain alone would give 400."""
     text = "SPEED(0) = 50 : ACCEL(0) = 200 : DECEL(0) = 200\nHTACHANNEL(0) = 2 : HTAKPROP(0) = 10\n"
     result = ran(text + "HTA(0) = 40\nWAIT = 2000\nSTOP(0)")
     a = result.controller.axes[0]
@@ -106,7 +109,7 @@ def test_a_new_value_and_a_filter() -> None:
 
 
 def test_it_sleeps_when_there_is_nothing_to_do_and_wakes_when_the_input_changes() -> None:
-    """A pulse of 30 percent: -30 per second for 100 ms, with ramps of a tick."""
+    """A pulse of 30 percent causes a speed of -30 for 100 ms, with ramps of one tick."""
     pulse = [{"channel": 2, "at": 1.0, "for": 0.1, "value": 30.0}]
     result = ran(RATES + "HTAKPROP(0) = 1\nHTA(0) = 0\nWAIT = 2000\nPRINT VEL(0)\nSTOP(0)", pulse)
     assert result.output == ["0.0000"]
@@ -115,7 +118,7 @@ def test_it_sleeps_when_there_is_nothing_to_do_and_wakes_when_the_input_changes(
 
 
 def test_the_gain_is_zero_until_it_is_written() -> None:
-    """MN1270 p. 91: the default of HTAKPROP is 0, at which nothing moves."""
+    """MN1270 p. 91: the default of HTAKPROP is 0, so nothing moves."""
     result = ran(RATES + "PRINT HTAKPROP(0)\nHTA(0) = 40\nWAIT = 100\nPRINT POS(0)\nSTOP(0)")
     assert result.output == ["0.0000", "0.0000"]
 
@@ -137,7 +140,7 @@ def test_the_sum_begins_anew_within_the_dead_band_and_with_a_new_gain() -> None:
 
 @pytest.mark.parametrize(("range_", "counts"), [(0, 20.48), (1, 40.96)])
 def test_the_dead_band_is_in_counts_of_the_converter(range_: int, counts: float) -> None:
-    """12 bits are -100 to 100 percent, or 0 to 100: 50 is 2.4 or 1.2 percent."""
+    """12 bits cover -100 to 100 or 0 to 100 percent: 50 counts are 2.4 or 1.2 percent."""
     text = RATES + f"ADCMODE(2) = {range_} : HTAKPROP(0) = 10 : HTADEADBAND(0) = 50\n"
     place = 2.0 * ran(text + "HTA(0) = 40\nWAIT = 3000\nSTOP(0)").controller.position(0)
     assert 40.0 - 50 / counts <= place < 40.0 - 50 / counts + 0.5
@@ -176,7 +179,7 @@ def test_suspended_it_rests_and_goes_on() -> None:
 
 
 def test_a_program_waits_for_the_force() -> None:
-    """Contact at 20, 5 percent per unit: 50 percent at 30."""
+    """Contact is at 20; with 5 percent per unit beyond, 50 percent is at 30."""
     contact = [{"channel": 2, "axis": 0, "above": 20.0, "value": 0.0, "per_unit": 5.0}]
     result = ran(
         "SPEED(0) = 10\nJOG(0) = 10\nPAUSE ADC(2) >= 50\nSTOP(0)\nPAUSE IDLE(0)\nPRINT POS(0)", contact

@@ -1,6 +1,6 @@
-"""HOME away from its switch: an error at its line for any wait.
+"""HOME away from its switch is an error at its line, whatever the wait.
 
-There is none if something lies ahead.
+It is no error if something ahead, such as a limit switch, ends the search.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Digital inputs of Mint against a sampling model; errors in the fault sections.
+"""Digital inputs of Mint against a sampling model, and errors in fault entries.
 
-The sections are those of the machine file.
+The fault entries are those of the machine file.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ edges = st.lists(st.integers(1, 200), min_size=1, max_size=12, unique=True).map(
 
 
 def sampled(times: list[int], samples: int) -> list[tuple[int, bool]]:
-    """Time of the state change, in half milliseconds.
+    """Return the changes of the debounced state, with times in half milliseconds.
 
-    It comes after so many samples of a level, one each millisecond.
+    The state changes after `samples` equal samples of the level, one each millisecond.
     """
     found, state, level, count = [], False, False, 0
     for now in range(300):
@@ -105,15 +105,15 @@ CONTACT = [{"channel": 0, "at": 0.0103}]
 
 
 def first_seen(samples: int, text: str = "INX(0)") -> str:
-    """The time at which a loop sees a contact that closes at 10.3 ms."""
+    """Return the TIME, ms, at which a loop sees a contact that closes at 10.3 ms."""
     program = f"INPUTDEBOUNCE = {samples}\nRepeat\nUntil {text}\nPRINT TIME"
     return run(Source("a.mnt", program), machine={"input": CONTACT}, cache=False).output[0]
 
 
 def test_one_sample_is_no_debouncing() -> None:
-    """1, the default, reads the input when called (manual MN1270 p. 95).
+    """With 1, the default, a reading is the present level (manual MN1270 p. 95).
 
-    2 needs two samples, at 11 and 12 ms.
+    With 2, two samples are needed, at 11 and 12 ms.
     """
     assert [first_seen(samples) for samples in (1, 2, 3, 10)] == ["10", "12", "13", "20"]
     assert run(Source("a.mnt", "PRINT INPUTDEBOUNCE, IDB(1)"), cache=False).output == ["11"]

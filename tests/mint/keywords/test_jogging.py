@@ -1,4 +1,4 @@
-"""Jogging by a command, with its own ramps, for a time: against hand arithmetic."""
+"""Jogs by command, with own ramps, and for a time: against hand arithmetic."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def ran(text: str, until: float = 60.0) -> Run:
 
 
 def test_a_jog_for_a_time_slows_down_when_it_is_over() -> None:
-    """0.1 s up, slew until 0.4 s, 0.2 s down: 5 + 30 + 10."""
+    """0.1 s up, at speed until 0.4 s, 0.2 s down: 5 + 30 + 10."""
     result = ran(COMMAND + "JOGMODE(0) = 1 : JOGDURATION(0) = 400\nJOGCOMMAND(0) = 1\nPAUSE IDLE(0)")
     first, last = result.controller.log.moves
     assert last.start_time - first.start_time == pytest.approx(0.4)
@@ -45,7 +45,10 @@ def test_without_a_time_it_jogs_until_the_command_is_0() -> None:
 
 
 def test_a_new_speed_acts_at_once_and_the_time_goes_on() -> None:
-    """100 until 0.2 s, then 200 until 0.4 s: 5 + 10 + 15 + 0.1 200, and 200²/1000."""
+    """100 until 0.2 s, then 200 until 0.4 s, then down at 500.
+
+    That covers 5 + 10, then 15 + 0.1 * 200, then 200²/1000.
+    """
     text = "JOGMODE(0) = 1 : JOGDURATION(0) = 400\nJOGCOMMAND(0) = 1\nWAIT = 200\nJOGSPEED(0) = 200\nPAUSE IDLE(0)"
     result = ran(COMMAND + text)
     assert [move.profile.peak_speed for move in result.controller.log.moves if move.profile] == [
@@ -75,7 +78,10 @@ def test_a_stop_or_another_motion_ends_the_time_too() -> None:
 
 
 def test_ramps_of_jogs_are_times_to_the_highest_speed() -> None:
-    """200 in 1 s is 200 per second²; down in 0.5 s 400: 100²/400 + 0.5 100 + 100²/800."""
+    """200 in 1 s is 200 per second² up, and 200 in 0.5 s is 400 per second² down.
+
+    The jog at 100 covers 100²/400 + 0.5 * 100 + 100²/800.
+    """
     times = "MAXSPEED(0) = 200 : JOGACCELTIMEMAX(0) = 1000 : JOGDECELTIMEMAX(0) = 500\n"
     for end in ("STOP(0)", "JOG(0) = 0"):
         result = ran(RATES + times + f"JOG(0) = 100\nWAIT = 1000\n{end}\nPAUSE IDLE(0)")

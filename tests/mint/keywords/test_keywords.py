@@ -1,4 +1,4 @@
-"""The vocabulary: simulated keywords have running examples, others are diagnosed."""
+"""The vocabulary: simulated keywords have examples that run, others a diagnostic."""
 
 from __future__ import annotations
 
@@ -67,9 +67,9 @@ def test_rows_are_complete() -> None:
 
 
 def test_nothing_in_the_library_is_shadowed() -> None:
-    """A keyword that becomes simulated leaves the files of the library.
+    """A keyword that becomes simulated must be removed from the files of the library.
 
-    A short form that is in use is not there.
+    The library has no short form that is in use.
     """
     lines = [line for file in sorted(LIBRARY.glob("*.txt")) for line in file.read_text("utf-8").splitlines()]
     spellings = [spelling.lower() for line in lines for spelling in line.split("|")[:2] if spelling]

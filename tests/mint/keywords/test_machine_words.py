@@ -1,4 +1,4 @@
-"""Any order of machine keywords with any values: no internal error."""
+"""Machine keywords in any order, with any values, cause no internal error."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Exact motion of Mint: profiles at exact times, against hand arithmetic."""
+"""Exact times and positions of Mint's profiles, against hand arithmetic."""
 
 from __future__ import annotations
 
@@ -71,9 +71,9 @@ SPEEDS = "ACCEL(0) = 100 : DECEL(0) = 100\nFEEDRATEMODE(0) = {mode} : SPEED(0) =
 
 
 def test_a_speed_written_in_motion_acts_at_once_in_speed_mode() -> None:
-    """30 for 25 units, 0.2 s down to 10, then 10.
+    """Speed 30 for half of the 50, then 0.2 s down to speed 10, then 10.
 
-    In all 0.3 + 20.5/30 + 0.2 + 20.5/10 + 0.1 s.
+    In all that takes 0.3 + 20.5/30 + 0.2 + 20.5/10 + 0.1 s.
     """
     result = ran(
         SPEEDS.format(mode=0, speed=30)
@@ -99,7 +99,7 @@ def test_a_move_keeps_its_speed_in_feed_rate_mode() -> None:
 
 
 def test_the_override_ends_in_motion() -> None:
-    """At 10 for half a second, then 20: the ramp between them takes 0.1 s."""
+    """Speed 10 up to position 5, then 20: the ramp between them takes 0.1 s."""
     result = ran(
         SPEEDS.format(mode=2, speed=20)
         + "FEEDRATEOVERRIDE(0) = 50\nMOVEA(0) = 20 : GO(0)\nPAUSE POS(0) >= 5\nFEEDRATEMODE(0) = 0\nPAUSE IDLE(0)"
@@ -130,7 +130,7 @@ def test_an_arc_lies_on_its_circle() -> None:
 
 
 def test_scales_do_not_bend_a_path() -> None:
-    """User units count, whatever the counts are: 3 : 4 with 100 and 7 counts per unit."""
+    """A path is straight in user units: 3 : 4, with 100 and 7 counts per unit."""
     result = ran(
         "SCALEFACTOR(0) = 100 : SCALEFACTOR(1) = 7\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
         "VECTORR(0, 1) = 30, 40 : GO(0)\nPAUSE IDLE(0)"
@@ -164,7 +164,7 @@ def test_a_shear_is_as_fast_as_its_master_while_it_cuts() -> None:
 
 
 def test_a_continuous_spline_goes_over_into_itself() -> None:
-    """Four points on a sine: no velocity jump at the seam.
+    """Four points on a sine: the velocity does not jump where the spline repeats.
 
     The acceleration jumps only with SPLINE_1.
     """

@@ -1,4 +1,4 @@
-"""Rejections of Mint's motion keywords: a program, the line, the message."""
+"""Rejections by Mint's motion keywords: a program, the line, and the message."""
 
 from __future__ import annotations
 
@@ -69,9 +69,9 @@ def test_what_can_be_known_is_told_beforehand(program: str, message: str) -> Non
 
 
 def test_a_rejected_home_leaves_the_axis_free() -> None:
-    """The brake holds the axis.
+    """The brake holds the axis, so HOME is rejected.
 
-    Once it is released the axis moves, and its soft limit stops it at 15 of 20.
+    Once the brake is released the axis moves, and its soft limit stops it at 15 of 20.
     """
     program = (
         "SOFTLIMITFORWARD(0) = 15 : SOFTLIMITREVERSE(0) = -15\n"

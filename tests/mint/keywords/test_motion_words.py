@@ -1,6 +1,6 @@
-"""Any order of motion keywords with any values, with a motor and without one.
+"""Motion keywords in any order, with any values, with a motor and without one.
 
-They are jogs, references, presets and holding.
+They are jogs, references, presets and holding to analogue.
 """
 
 from __future__ import annotations

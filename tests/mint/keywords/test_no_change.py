@@ -1,6 +1,7 @@
 """Writing the current value of a setting or command changes no motion.
 
-Loops of machine programs write JOG, SPEED or FEEDRATEOVERRIDE in every iteration, whatever their buttons are.
+Machine programs write JOG, SPEED or FEEDRATEOVERRIDE in every iteration of a loop, whether or not a button
+changed.
 """
 
 from __future__ import annotations

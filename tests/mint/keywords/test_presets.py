@@ -38,9 +38,9 @@ def test_enabling_starts_the_selected_one_and_another_index_the_next() -> None:
 
 
 def test_a_preset_moves_at_its_own_speed_and_rates() -> None:
-    """20 at 1000: 0.02 + 9.6/20 + 0.02 s.
+    """The first, 10 at speed 20 and rate 1000, takes 0.02 + 9.6/20 + 0.02 s.
 
-    40 at 500 up to 100 and down: 0.2 + 0.2 + 0.2 s.
+    The second, 40 at speed 100 and rate 500, takes 0.2 + 0.2 + 0.2 s.
     """
     text = "PRESETINDEX(0) = 1\nPRESETMOVEENABLE(0) = 1\nPAUSE IDLE(0)\nPRESETINDEX(0) = 2\nPAUSE IDLE(0)"
     first, last = (move.profile for move in ran(TABLE + text).controller.log.moves)
@@ -79,7 +79,7 @@ def test_each_trigger_steps_on_through_the_table() -> None:
 
 
 def test_inputs_select_it() -> None:
-    """Inputs 4 and 5 are the bits of the number: 1, then 3, then 2."""
+    """Inputs 4 and 5 are the bits of the preset's number: 1, then 3, then 2."""
     bits = [{"channel": 4, "at": 0.1, "for": 2.0}, {"channel": 5, "at": 1.0}]
     text = "PRESETTRIGGERINPUT(0) = 8 : PRESETINDEXSOURCE(0) = 1 : PRESETSELECTORINPUT(0) = 4\nPRESETINPUTSMAX(0) = 2\n"
     waits = (
@@ -94,7 +94,10 @@ def test_inputs_select_it() -> None:
 
 
 def test_the_table_goes_round_by_itself() -> None:
-    """0.52 s, a rest of 0.3 s, 0.6 s, a rest, and 50 back at 100 and 1000: 0.6 s."""
+    """Moves of 0.52, 0.6 and 0.6 s with dwells of 0.3 s between them.
+
+    The third is 50 back at 100 with 1000.
+    """
     text = (
         "PRESETINDEX(0) = 1 : PRESETINDEXMODE(0) = 2 : PRESETDWELLTIME(0) = 300\n"
         "PRESETMOVEENABLE(0) = 1\nWAIT = 2800\n"
@@ -106,7 +109,10 @@ def test_the_table_goes_round_by_itself() -> None:
 
 
 def test_a_rest_ends_with_what_it_belonged_to() -> None:
-    """Disabled and enabled within 300 ms of rest: one start, the next 300 ms later."""
+    """Disabling and enabling after 200 ms of a dwell begins a new one of 300 ms.
+
+    So the next preset starts at 500 ms and not at 300 ms.
+    """
     text = (
         "PRESETINDEX(0) = 3 : PRESETINDEXMODE(0) = 2 : PRESETDWELLTIME(0) = 300\nPRESETMOVEENABLE(0) = 1\n"
         "WAIT = 200\nPRESETMOVEENABLE(0) = 0\nPRESETINDEX(0) = 3\nPRESETMOVEENABLE(0) = 1\nWAIT = 200\n"

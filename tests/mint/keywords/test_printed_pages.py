@@ -1,4 +1,4 @@
-"""Details of keywords on printed pages of the manuals, which a reader would try."""
+"""Details of keywords from the printed manuals that a reader would try."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def refused(text: str) -> list[str]:
 
 
 def test_only_a_virtual_auxiliary_encoder_runs_at_its_speed() -> None:
-    """MN1270 p. 34: AUXENCODERMODE.0 = 8 before AUXENCODERSPEED and FOLLOW.
+    """MN1270 p. 34: AUXENCODERMODE.0 = 8 comes before AUXENCODERSPEED and FOLLOW.
 
     MASTERSOURCE comes in between.
     """
@@ -57,7 +57,7 @@ SPLINE += "SPLINETABLE(0, way, NULL, {})\nSPLINE(0) = 0\nGO(0)\nTIME = 0\nPAUSE 
 
 @pytest.mark.parametrize(("given", "taken"), [(101, 200), (100, 200), (5, 8), (103, 204)])
 def test_segments_of_splines_take_whole_steps_of_two_milliseconds(given: int, taken: int) -> None:
-    """MN1270 p. 128: a segment takes 4 to 60000 ms, resolution 2 ms."""
+    """MN1270 p. 128: a segment takes 4 to 60000 ms, with a resolution of 2 ms."""
     assert ran(SPLINE.format(100, given, "NULL")).output == [str(taken)]
     assert ran(SPLINE.format(given, 100, "times")).output == [str(taken // 2 + 100)]
 

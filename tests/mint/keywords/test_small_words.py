@@ -1,4 +1,4 @@
-"""Small rules of single keywords, each the only test of its rule."""
+"""Small rules of single keywords, each with its only test."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""SUSPEND and STOP of a spline near the end of a cycle, into the next one.
+"""SUSPEND and STOP of a spline near the end of a cycle.
 
-Its playback slows down.
+The playback slows down across the seam to the next cycle.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def ran(text: str) -> Run:
 
 
 def undisturbed(mode: int, time: float) -> float:
-    """Return the position of the spline at a time after its start."""
+    """Return the spline's position `time` seconds after its start, with no suspend."""
     a = ran(TABLE.format(100, mode) + "WAIT = 6000\nCANCEL(0)").controller.axes[0]
     return a.position(a.starts[1] + time)
 
@@ -77,9 +77,9 @@ def test_a_spline_that_ends_while_it_slows_down_has_ended() -> None:
 
 @pytest.mark.parametrize("stop_at", [500, 900])
 def test_the_rest_of_the_segment_takes_the_suspend_time(stop_at: int) -> None:
-    """MN1270 p. 128: a segment of 1000 ms, suspended, and resumed, ends 400 ms later.
+    """MN1270 p. 128: a suspended segment ends SPLINESUSPENDTIME after it is resumed.
 
-    SPLINESUSPENDTIME is 400.
+    The segment takes 1000 ms, SPLINESUSPENDTIME is 400 ms.
     """
     text = f"""Dim c(3) As Float = 2, 10, 30
 SPLINETABLE(0, c)

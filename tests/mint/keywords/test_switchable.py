@@ -17,7 +17,7 @@ from motionlang.mint.keywords.switchable import (
 
 
 def test_a_setting_has_one_name_whose_default_counts() -> None:
-    """FEEDRATE writes SPEED, so it has no default of its own."""
+    """FEEDRATE is another name of SPEED, so it has no default of its own."""
     settings = [row.verb or row.name for row in with_default()]
     assert len(set(settings)) == len(settings)
     assert "mint.speed-default" in switches()

@@ -1,4 +1,4 @@
-"""Torque references on a pure inertia: speed is the integral of the torque.
+"""Torque references on a pure inertia: the speed is the integral of the torque.
 
 The motor has a current amplifier.
 """
@@ -36,7 +36,7 @@ def numbers(text: str, **machine: object) -> list[float]:
 
 
 def test_a_torque_that_rises_makes_no_table_for_each_of_its_values() -> None:
-    """A loop per millisecond for half a second: only its neighbours have tables."""
+    """The torque rises in loops of 1 ms for half a second; few values need a table."""
     before = closed_form.cache_info().misses
     text = "TORQUEREFRISETIME(0) = 1000\nTORQUEREF(0) = 50 : WAIT = 1000\nPRINT TORQUEDEMAND(0)\nCANCEL(0)"
     assert numbers(text) == [50.0]
@@ -44,7 +44,7 @@ def test_a_torque_that_rises_makes_no_table_for_each_of_its_values() -> None:
 
 
 def test_at_once_it_is_the_output() -> None:
-    """20 % are 2 V, 2 A: in 100 ms 0.2 V s."""
+    """20 % are 2 V and 2 A: an integral of 0.2 V s in 100 ms."""
     text = "LOOPTIME = 100\nTORQUEREF(0) = 20\nWAIT = 100\nPRINT VEL(0)\n"
     text += "PRINT TORQUEDEMAND(0)\nPRINT CURRENTMEAS(0, 0)\nCANCEL(0)"
     velocity, demand, current = numbers(text)
@@ -53,7 +53,7 @@ def test_at_once_it_is_the_output() -> None:
 
 
 def test_it_rises_in_steps_of_a_servo_loop() -> None:
-    """200 steps of 0.1 % in 20 ms: 0.0201 V s; then 0.2 V s in 100 ms."""
+    """200 steps of 0.1 % in 20 ms give 0.0201 V s, then 100 ms at 20 % give 0.2 V s."""
     ramp = (
         "LOOPTIME = 100 : TORQUEREFRISETIME(0) = 100\nTORQUEREF(0) = 20\nWAIT = 120\nPRINT VEL(0)\nCANCEL(0)"
     )
@@ -62,7 +62,7 @@ def test_it_rises_in_steps_of_a_servo_loop() -> None:
 
 
 def test_it_falls_in_its_own_time_and_through_0() -> None:
-    """From 10 % down to 0 in 50 ms, up to -10 % in 10 ms; -0.1 V s in 100 ms more."""
+    """From 10 % to 0 in 50 ms, on to -10 % in 10 ms; then -0.1 V s in 100 ms."""
     ramps = "LOOPTIME = 100 : TORQUEREFRISETIME(0) = 100 : TORQUEREFFALLTIME(0) = 500\n"
     text = ramps + "TORQUEREF(0) = 10\nWAIT = 200\nPRINT VEL(0)\nTORQUEREF(0) = -10\nWAIT = 160\nPRINT VEL(0)"
     first, last = numbers(text + "\nCANCEL(0)")
@@ -97,7 +97,7 @@ def test_again_and_again_it_is_said_once(word: str) -> None:
 
 @pytest.mark.parametrize("wait", ["PAUSE EFFORT(0) > 5", "While EFFORT(0) <= 5\nEnd While"])
 def test_a_program_waits_for_the_effort_of_a_motor_under_control(wait: str) -> None:
-    """The first acceleration needs more than 5 % within the first ticks."""
+    """The acceleration at the start needs more than 5 % within the first ticks."""
     text = "KPROP(0) = 20 : KDERIV(0) = 200\nSPEED(0) = 20000 : ACCEL(0) = 200000\nJOG(0) = 20000\nTIME = 0\n"
     (time,) = numbers(text + f"{wait}\nPRINT TIME\nCANCEL(0)")
     assert 0 < time < 50  # without an event the wait would last until the end of a block, half a second

@@ -1,4 +1,4 @@
-"""Known keywords that are not simulated: a program's progress and its messages."""
+"""Known keywords that are not simulated: how far a program runs, and its messages."""
 
 from __future__ import annotations
 

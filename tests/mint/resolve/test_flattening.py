@@ -1,6 +1,6 @@
-"""Labels inside blocks: such a block is compiled to jumps, equal to a block.
+"""Blocks with labels are compiled to jumps, and run like a block without.
 
-Its duration is equal, too.
+They also take as long.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def outcome(text: str, machine: dict[str, object], until: float = 3.0) -> tuple[
 
 
 def with_labels(text: str) -> str:
-    """Return a program with a label at the end of every block except its Fors."""
+    """Return a program with a label at the end of every block, except in For loops."""
     count = iter(range(1000))
     return _ENDS.sub(lambda match: f"#here{next(count)}\n{match[1]}", text)
 

@@ -1,4 +1,4 @@
-"""Names are resolved once: their meaning is stored at each use."""
+"""Names are resolved once: each use of a name stores its meaning."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_no_later_pass_looks_a_name_up() -> None:
 
 
 def resolved(text: str) -> dict[str, list[nodes.Name]]:
-    """Return the names of a program by their spelling, in the order of the text."""
+    """Return the uses of each name in a program, in source order, by spelling."""
     module = parse(Source("a.mnt", text))
     names = Names(table(), Problems(module))
     names.declare_module(module)

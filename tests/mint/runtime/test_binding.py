@@ -1,4 +1,4 @@
-"""Checks before a keyword's operation: a value in range, an existing axis."""
+"""Checks before a keyword's operation: the value is in range, and the axis exists."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def bound(row: Keyword, how: str) -> tuple[Any, list[int]]:
 
 
 def beyond(row: Keyword) -> list[float]:
-    """Return values that a row does not take."""
+    """Return values outside the range of a row."""
     found = [nan]
     found += [row.high + 1.0] if row.high is not None else []
     found += [row.low - 1.0] if row.low is not None else []

@@ -1,4 +1,4 @@
-"""Polling loops are skipped, with an equal result."""
+"""Skipping polling loops does not change the result."""
 
 from __future__ import annotations
 
@@ -178,7 +178,7 @@ FOR_EVER = {
 
 
 def outcome(text: str, machine: dict[str, object] | None = None, until: float = 100.0) -> list[object]:
-    """Return a program's output, diagnostics, end and moves."""
+    """Return a program's output, diagnostics, end time and moves."""
     machine = machine or {"controller.instruction_time": COST}
     result = run(Source("a.mnt", text), machine=machine, cache=False, until=until)
     starts = [move.start_time for move in result.controller.log.moves]
@@ -289,7 +289,7 @@ def test_skipping_makes_no_difference_to_what_loops_keep(first: int, monkeypatch
 
 
 def test_an_input_that_nobody_reads_changes_nothing() -> None:
-    """This applies to a single task and to several."""
+    """An input that no loop reads changes nothing, with one task or with several."""
     cost: dict[str, object] = {"controller.instruction_time": COST}
     programs = [(PROGRAMS[name], cost) for name in ("states", "two steps", "both ends")]
     for text, machine in programs + [program(seed) for seed in range(100, 130)]:
@@ -299,7 +299,10 @@ def test_an_input_that_nobody_reads_changes_nothing() -> None:
 
 
 def test_a_time_is_that_of_the_number_of_statements() -> None:
-    """A running sum of the durations of 300 000 statements has another last digit."""
+    """The time is the number of statements times the duration of one.
+
+    A running sum of the durations of 300 000 statements would have another last digit.
+    """
     text = "n = 0\nWhile n < 100000\n  n = n + 1\n  If n < 0 Then Exit While\nEnd While"
     result = run(Source("a.mnt", text), machine={"controller.instruction_time": COST}, cache=False)
     assert result.time == round(result.time / COST) * COST
@@ -307,7 +310,7 @@ def test_a_time_is_that_of_the_number_of_statements() -> None:
 
 
 def effort(text: str, monkeypatch: pytest.MonkeyPatch) -> tuple[Run, int]:
-    """Return a run of eight hours, and how often a task was resumed or checked in it."""
+    """Return a run of eight hours, and how often it resumed or checked a task."""
     count = 0
 
     def counted(original: object) -> object:
@@ -445,9 +448,9 @@ def test_a_loop_that_was_interrupted_by_a_handler_that_waits_is_skipped_on() -> 
 
 
 def test_a_loop_within_one_that_is_left_alone_is_not_skipped_too_far() -> None:
-    """The inner loop records no dependencies any more.
+    """In its back-off, the inner loop records no dependencies.
 
-    Its readings while recording was off prevent the outer one from skipping.
+    What it reads meanwhile must prevent the outer loop from being skipped.
     """
     text = """\
 Dim k As Integer, n As Integer
@@ -485,7 +488,7 @@ End Function
 
 
 def test_a_task_that_only_counts_costs_nothing_while_it_is_alone(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An iteration takes 20 µs, so a second of them is 50 000."""
+    """An iteration takes 20 µs, so a second has 50 000 of them."""
     calls = 0
     turn = Site.turn
 

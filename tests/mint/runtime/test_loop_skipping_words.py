@@ -1,6 +1,6 @@
 """A loop that reads any keyword is skipped with an equal result.
 
-Keywords that change by themselves are known.
+Keywords whose value changes by itself are marked as such.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Random motion: no traceback or hang, and an equal result for an equal program."""
+"""Random motion causes no traceback or hang, and the same program the same result."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""nv data: the next run finds those of the last one, if they fit.
+"""nv data: a run finds the data of the previous one, if they match its variables.
 
-A file is needed.
+The data need a file.
 """
 
 from __future__ import annotations
@@ -149,7 +149,7 @@ def test_a_place_where_nothing_can_be_written_is_told(tmp_path: Path) -> None:
 
 
 def test_a_second_run_on_the_same_data_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """It would read data that the first is about to change, and one would be lost."""
+    """Two runs on one file would each miss or overwrite the changes of the other."""
     monkeypatch.setattr(nonvolatile, "PATIENCE", 0.0)
     file, link = tmp_path / "kept.json", tmp_path / "link.json"
     link.symlink_to(file)

@@ -13,7 +13,7 @@ JOG = "SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100\nSOFTLIMITFORWARD(0) = 5\
 
 
 def ended(text: str, machine: dict[str, object] | None = None) -> Run:
-    """Return the run of a program, which ends after 20 s at the latest."""
+    """Return the run of a program, which must end within 20 s."""
     return run(Source("a.mnt", "Dim n As Integer\n" + text), machine=machine, cache=False, until=20.0)
 
 
@@ -54,7 +54,7 @@ def test_another_error_of_the_same_axis_is_a_new_one() -> None:
 
 
 def test_an_error_of_the_controller_is_pending_too() -> None:
-    """It comes at 10, 20 and 40 ms; MISCERROR = 0 clears it at 30 ms."""
+    """The error occurs at 10, 20 and 40 ms; MISCERROR = 0 clears it at 30 ms."""
     machine: dict[str, object] = {
         "fault": [{"kind": "controller", "value": 4, "at": at} for at in (0.01, 0.02, 0.04)]
     }
@@ -111,7 +111,7 @@ def test_a_handler_may_raise_itself_often() -> None:
 
 
 def test_a_task_that_runs_in_between_begins_the_count_again() -> None:
-    """Each pass causes STOP twice; 12 000 of these are no chain."""
+    """Each iteration causes STOP twice; 12 000 of them are no endless chain."""
     text = (
         "For i = 1 To 12000\n  n = 0\n  EVENTPEND(2, 0, 0)\nNext\nPRINT n\nEnd\n"
         "Event STOP\n  n = n + 1\n  If n < 2 Then EVENTPEND(2, 0, 0)\nEnd Event"
@@ -120,7 +120,10 @@ def test_a_task_that_runs_in_between_begins_the_count_again() -> None:
 
 
 def test_a_handler_that_takes_longer_than_the_period_of_its_timer_is_none_of_them() -> None:
-    """The timer raises it, not the handler: it continues until the run is over."""
+    """The timer raises the event, not the handler, so this is no endless chain.
+
+    The program continues until the time limit of the run.
+    """
     result = ended("TIMEREVENT = 1\nWAIT = 10\nEnd\nEvent TIMER\n  WAIT = 1.2\nEnd Event")
     assert result.status == "until"
     assert not result.diagnostics

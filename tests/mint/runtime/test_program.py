@@ -1,4 +1,4 @@
-"""Compiled programs: stored as bytes, started twice, with overrides, and typed."""
+"""Compiled programs: stored as bytes, started twice, with overrides, and typed in."""
 
 from __future__ import annotations
 
@@ -71,7 +71,10 @@ def test_a_program_can_be_started_again() -> None:
 def test_a_counter_that_only_counts_begins_with_another_value(
     overrides: dict[str, float], printed: str
 ) -> None:
-    """`parts = parts + 1` is not its initial value, and neither is a sub's."""
+    """An override replaces the initial value, not that of `parts = parts + 1`.
+
+    The same applies to a variable that only a sub writes.
+    """
     text = (
         "Dim parts As Integer, faults As Integer\nparts = parts + 1\nparts = parts + 1\nfault\n"
         "PRINT parts; faults\nparts = 0\nEnd\nSub fault\n  faults = faults + 0\nEnd Sub"
@@ -136,7 +139,7 @@ def test_a_cached_run_imports_neither_parser_nor_compiler_and_only_the_files_of_
 
 
 class Prompt:
-    """Lines typed one after the other, and their output."""
+    """Prompt at which a test types one line after the other, with their output."""
 
     def __init__(self) -> None:
         self.machine = Machine()

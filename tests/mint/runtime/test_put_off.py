@@ -1,4 +1,4 @@
-"""An event due at a statement's time precedes it: the statement is delayed.
+"""A statement may be delayed, so that an event due at its time comes first.
 
 Nothing else changes.
 """
@@ -37,7 +37,10 @@ def test_a_handler_at_the_moment_of_a_statement_decides_what_it_writes(value: st
 
 @pytest.mark.parametrize("before", BEFORE)
 def test_what_fails_when_it_is_done_at_last_fails_in_its_line_at_its_moment(before: int) -> None:
-    """It is in a sub, from which the program continues."""
+    """A delayed statement that fails is reported with its own line and time.
+
+    It is in a sub, from which the program continues.
+    """
     text = (
         f"{FILL}x = -5\nbad\nEnd\nSub bad\n"
         + "n = n + 1\n" * (before - 1)

@@ -1,4 +1,4 @@
-"""Mint without physics: its verbs to the controller, in counts and seconds."""
+"""Mint without physics: the verbs that it calls, in counts and seconds."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from motionlang.source import Source
 
 
 def heard(text: str, **answers: Any) -> list[tuple[Any, ...]]:
-    """Return the calls of the controller, without the initial setting of every axis.
+    """Return the calls of the controller, without those of the start-up.
 
-    That setting makes Mint's speeds act at once.
+    At start-up, Mint sets every axis so that its speeds act at once.
     """
     machine = Machine()
     recorder = Recorder(answers=answers)

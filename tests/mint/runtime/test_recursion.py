@@ -1,4 +1,4 @@
-"""Calls nest 1000 deep, and not one more, wherever and however they are made."""
+"""Calls nest exactly 1000 deep, from anywhere and of any kind."""
 
 from __future__ import annotations
 
@@ -57,14 +57,14 @@ RECURSIONS = {
 
 
 def outcome(text: str, file: str = "a.mnt") -> tuple[object, ...]:
-    """Return a run's output and end time."""
+    """Return the output and the end time of a run."""
     result = run(Source(file, text), cache=False)
     found = [(each.code, each.message, each.line) for each in result.diagnostics]
     return result.status, result.output, found, result.time
 
 
 def below(frames: int, call: Callable[[], object]) -> object:
-    """Return the result of a call `frames` Python frames deeper."""
+    """Call a function `frames` Python frames deeper, and return its result."""
     return below(frames - 1, call) if frames else call()
 
 
@@ -88,7 +88,7 @@ def test_the_error_is_at_the_call() -> None:
 
 
 def test_a_gosub_is_a_call() -> None:
-    """The main program pauses in Gosub 1000, and Gosub 1001 is the error."""
+    """The main program pauses within Gosub 1000; Gosub 1001 is an error."""
     text = "Dim n As Integer\n#again\nn = n + 1\nIf n > {} Then PRINT n : End\nGosub again\nEnd\n"
     assert outcome(text.format(1000))[:2] == ("ended", ["1001"])
     assert outcome(text.format(1001))[2] == [("recursion", "calls are nested more than 1000 deep", 5)]
@@ -96,7 +96,7 @@ def test_a_gosub_is_a_call() -> None:
 
 @pytest.mark.parametrize("depth", [999, 1000, 1001])
 def test_a_recursion_of_a_given_depth(depth: int) -> None:
-    """1 + 2 + … + n takes n calls, and so does a chain of n subs without recursion."""
+    """1 + 2 + … + n takes n recursive calls; a chain of n subs takes n calls, too."""
     text = (
         f"PRINT Sum({depth})\nEnd\nFunction Sum(ByVal n As Integer) As Integer\n"
         "  If n = 1 Then Sum = 1 : Exit Function\n  Sum = n + Sum(n - 1)\nEnd Function"
@@ -135,7 +135,7 @@ def test_threads_at_the_same_time() -> None:
 
 
 def test_each_task_and_handler_has_a_stack_of_its_own() -> None:
-    """The main program waits 600 deep while a task and a handler go 600 deep."""
+    """The main program waits 600 calls deep while a task and a handler nest 600 calls."""
     text = (
         "Dim a As Integer, b As Integer\nTIMEREVENT = 10\nRun Other\nDeep(600)\nPRINT a, b\nEnd\n"
         "Sub Deep(ByVal n As Integer)\n  If n > 1 Then\n    Deep(n - 1)\n  Else\n    WAIT = 50\n  End If\nEnd Sub\n"

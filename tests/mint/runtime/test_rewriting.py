@@ -1,4 +1,7 @@
-"""A loop may write any keyword repeatedly, with the result of every iteration."""
+"""A loop may write any keyword in each iteration, with or without skipping.
+
+The result is that of every iteration.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +38,7 @@ End Task
 
 
 def spellings(row: Keyword) -> list[str]:
-    """Return the keyword without brackets, and with a 0 for everything in them."""
+    """Return the keyword without brackets, and with a 0 for each entry in them."""
     return [row.name, f"{row.name}({zeros(row)})"]
 
 
@@ -54,9 +57,9 @@ def outcome(text: str) -> object:
 
 
 def outcomes(program: str, words: list[Keyword]) -> dict[str, object]:
-    """Return each keyword's result in a program, in its first valid spelling.
+    """Return the result of a program with each keyword, in its first valid spelling.
 
-    The program with the most lines counts.
+    The program with the most lines decides which spelling is valid.
     """
     found: dict[str, object] = {}
     for row in words:

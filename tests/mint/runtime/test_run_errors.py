@@ -1,4 +1,4 @@
-"""Run-time faults between statements: ONERROR is called, and the axis rests."""
+"""Run-time faults between statements: ONERROR is called, and the axis is at rest."""
 
 from __future__ import annotations
 

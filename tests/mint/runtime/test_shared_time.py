@@ -54,7 +54,7 @@ def test_a_program_runs_alike_whether_it_calls_a_sub_or_none(body: str, others: 
 
 @pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
 def test_a_sub_takes_as_long_as_its_statements(body: str) -> None:
-    """The call takes its time at its end: the sub's first statement has its own."""
+    """The call's own time passes at its end, so the sub's first statement is on time."""
     inside = ran(f"fill\nEnd\nSub fill\n{body}\nEnd Sub")
     outside = ran(f"{body}\nEnd")
     assert told(inside) == told(outside)

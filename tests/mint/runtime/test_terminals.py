@@ -10,7 +10,7 @@ from motionlang.views.table import render
 
 
 def ran(text: str, **machine: object) -> tuple[str, dict[str, list[str]], list[str]]:
-    """Return the screen, the other terminals, the console."""
+    """Return the screen, the lines of the other terminals by name, and the console."""
     shown: list[str] = []
     result = run(Source("a.mnt", text), machine=machine, show=shown.append, cache=False)
     assert [each.message for each in result.diagnostics] == []

@@ -1,4 +1,4 @@
-"""Waits of a program's only task pass without a switch, with an equal result.
+"""Waits of a program's only task need no task switch, with an equal result.
 
 It is equal to the last bit.
 """
@@ -194,7 +194,7 @@ INPUTS: dict[str, object] = {
 @pytest.mark.parametrize("until", [None, 0.0121, 0.006, 0.03505])
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_a_wait_is_over_at_once_or_waited_out(name: str, until: float | None) -> None:
-    """It runs to the end of the program, to the middle of a wait or to the end of one."""
+    """The run ends with the program, in the middle of a wait, or at the end of a wait."""
     source = Source("waits.mnt", PROGRAMS[name])
     at_once = execution.run(source, machine=INPUTS, cache=False, until=until)
     # The clock is observed.
@@ -211,7 +211,7 @@ def test_a_wait_is_no_less_than_nothing_and_has_an_end(written: str, told: str) 
 
 
 def test_a_wait_of_a_number_ends_when_one_of_the_same_value_does() -> None:
-    """For a literal its units are known before the start; for a value each time."""
+    """A literal is converted before the start, a variable at each wait, equally."""
     waits = "".join(f"WAIT({{{k}}})\n" for k in range(6))
     lengths = ("1", "0.3", "7.77", "0.000001", "0.123456789", "500000")
     begin = "Dim a As Float, b As Float, c As Float, d As Float, e As Float, f As Float, i As Integer\n"
@@ -276,7 +276,7 @@ def test_the_log_of_many_waits_is_packed_as_it_grows() -> None:
 
 
 def test_a_pause_for_a_position_ends_where_it_is_passed_however_late_that_is() -> None:
-    """20 000 s after the start 50 at 33 take 50/33 s, plus half of the ramp.
+    """50 at a speed of 33 takes 50/33 s plus half of the ramp, also after 20 000 s.
 
     The ramp to 33 takes 33/1000 s.
     """

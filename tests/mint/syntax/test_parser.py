@@ -1,4 +1,4 @@
-"""Around the tree: positions, highlighting, completeness of a text, and any text."""
+"""Properties of the syntax tree: positions, highlighting, completeness, any text."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def test_places_take_no_part_in_equality() -> None:
 
 @pytest.mark.parametrize("name", samples())
 def test_tokens_are_the_text(name: str) -> None:
-    """The tokens are at their offsets, in order, and omit blanks and line ends only."""
+    """The tokens are in order at their offsets, and omit only blanks and line ends."""
     text, end = samples()[name], 0
     for kind, piece, at in tokens(text):
         assert kind in {"word", "control", "number", "string", "comment", "operator", "separator"}
@@ -92,7 +92,7 @@ LINES = [line for text in [*samples().values(), *broken().values()] for line in 
 @settings(max_examples=300)
 @given(st.one_of(SOUP, st.lists(st.sampled_from(LINES), max_size=10).map("\n".join)))
 def test_any_text_is_answered(text: str) -> None:
-    """The result is a tree, or diagnostics inside the text and never two equal ones."""
+    """The result is a tree, or diagnostics inside the text without duplicates."""
     diagnostics = mistakes(text)
     assert len(diagnostics) == len({(d.line, d.column, d.message) for d in diagnostics})
     assert all(1 <= d.line <= text.count("\n") + 2 and d.column >= 1 for d in diagnostics)
@@ -114,7 +114,10 @@ BLOCKS = ["For i = 1 To 3|Next", "While a|End While", "If a Then|End If", "Repea
 @settings(max_examples=200)
 @given(st.lists(st.tuples(st.sampled_from(BLOCKS), st.integers(0, 6)), min_size=1, max_size=7), st.data())
 def test_one_line_missing_is_one_diagnostic(shape: list[tuple[str, int]], data: st.DataObject) -> None:
-    """An indented program loses an opener or a closer: one diagnostic names its line."""
+    """If a block lacks its opener or closer, one diagnostic names its line.
+
+    The program is indented.
+    """
     lines, open_blocks = [], []  # type: ignore[var-annotated]
     for block, closed in shape:
         opener, closer = block.split("|")
@@ -135,7 +138,7 @@ def test_one_line_missing_is_one_diagnostic(shape: list[tuple[str, int]], data: 
 
 
 def test_parsing_imports_nothing_heavy() -> None:
-    """Start-up time matters: Lark and the like are not imported without an error."""
+    """For a fast start, Lark and the like are only imported if there is an error."""
     code = (
         "import sys; from motionlang.source import Source; from motionlang.mint.syntax.parser import parse;"
         "parse(Source('a', 'x = 1')).line(0);"

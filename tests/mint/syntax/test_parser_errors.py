@@ -92,7 +92,7 @@ def test_a_tree_that_is_accepted_can_be_walked() -> None:
 
 
 def test_blocks_agree_with_the_grammar() -> None:
-    """The messages about blocks match the tables."""
+    """The messages about blocks match the tables of the grammar."""
     assert set(OPENERS) | set(CLOSERS) | DECLARATIONS <= set(LITERALS.values())
     for kind in OPENERS:
         opened = feed_all(empty(TABLES), PLAIN[kind], 0)

@@ -14,7 +14,7 @@ HERE = Path(__file__).parent
 
 
 def samples() -> dict[str, str]:
-    """Return name and text of every sample of the specification."""
+    """Return the samples of the specification, by name."""
     blocks = (HERE / "parser_spec.txt").read_text().removesuffix("----\n").split("\n----\n")
     return {block.partition("\n")[0]: block.partition("\n")[2] for block in blocks}
 
@@ -25,7 +25,7 @@ def goldens() -> dict[str, str]:
 
 
 def shown(module: Module) -> str:
-    """Return a tree as text: one statement or declaration per line, under its list."""
+    """Return a tree as text: a line per statement or declaration, below its list."""
     lines = []
     for name in module.__slots__:
         items = getattr(module, name)

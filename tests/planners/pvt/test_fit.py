@@ -1,4 +1,4 @@
-"""Any motion as PVT points: within tolerance, on the grid, in the fewest segments."""
+"""Fit of any motion by PVT points: within tolerance, on the grid, fewest segments."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ SHAPES = {
 
 
 def error_of(fit_points: Profile, motion: Profile, span: float) -> float:
-    """Return the largest difference, at other times than those of the fit itself."""
+    """Return the largest difference, at other times than those that the fit checks."""
     times = np.linspace(0.0, span, 7919)
     return max(abs(fit_points.position(float(t)) - motion.position(float(t))) for t in times)
 

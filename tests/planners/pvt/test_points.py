@@ -1,4 +1,4 @@
-"""From points to motion: the points themselves, and the motion between them."""
+"""From points to motion: the points themselves and the motion in between."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ point = st.builds(Point, numbers, st.one_of(st.none(), numbers), times, st.boole
 
 @st.composite
 def moves(draw: st.DrawFn) -> list[Point]:
-    """Cubic and linear, relative and absolute points mixed, ended by a zero time."""
+    """Return cubic and linear, relative and absolute points; the last time is zero."""
     made = draw(st.lists(point, min_size=1, max_size=8))
     last = draw(point)
     return [*made, Point(last.position, last.velocity, 0.0, last.relative)]

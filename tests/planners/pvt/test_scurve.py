@@ -1,4 +1,4 @@
-"""S-curves as PVT points: the note's four segments, and moves within limits."""
+"""S-curves as PVT points: the four segments of the note, and moves within limits."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ jerks, accels, speeds = st.floats(1e3, 1e7), st.floats(1e2, 1e6), st.floats(1e1,
 
 
 def largest_jerk(profile: Profile) -> float:
-    """Return the largest jerk, less the rounding of positions in a third difference."""
+    """Return the largest jerk, without the rounding error of third differences."""
     noise = 1e-15 * abs(profile.distance) / min(s.duration for s in segments(profile)) ** 3
     return max(abs(s.jerk) for s in segments(profile)) - 12 * noise
 
@@ -44,9 +44,9 @@ def test_acceleration_never_jumps(distance: float, time: float) -> None:
 
 @given(distances, jerks, accels, speeds)
 def test_limits_are_kept_and_met(distance: float, jerk: float, accel: float, speed: float) -> None:
-    """The planner of Mint's S-ramp is the reference: equal limits, equal duration.
+    """The duration is that of Mint's S-ramp with the same limits.
 
-    Its arithmetic is its own.
+    The two planners share no arithmetic.
     """
     profile = plan_points(limited_scurve(distance, jerk, accel, speed))
     oracle = plan_jerk(0.0, distance, speed, accel, accel, jerk, jerk)

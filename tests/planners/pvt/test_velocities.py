@@ -1,4 +1,4 @@
-"""Velocities for points: the note's worked examples, and general properties."""
+"""Velocities at points: the note's worked examples, and general properties."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ points = st.lists(st.integers(-100_000, 100_000).map(float), min_size=3, max_siz
 
 
 def moves() -> st.SearchStrategy[tuple[list[float], list[float]]]:
-    """Points with a time of 1 to 255 ms for each segment."""
+    """Return points, and a time of 1 to 255 ms for each segment."""
     return points.flatmap(
         lambda p: st.tuples(
             st.just(p),
@@ -86,7 +86,7 @@ def test_the_exact_velocities_leave_no_jump(move: tuple[list[float], list[float]
 def test_the_exact_velocities_solve_the_spline(
     move: tuple[list[float], list[float]], first: float, last: float
 ) -> None:
-    """NumPy's dense solver solves the same system."""
+    """They equal the solution of the same system by NumPy's dense solver."""
     p, h = move
     n = len(p)
     matrix, right = np.eye(n), np.zeros(n)
