@@ -42,16 +42,14 @@ CHECKSUM = 4
 class Entry:
     """The cached result of compiling some inputs with some files of the package."""
 
-    __slots__ = ("_makers", "_name", "_states", "_whose")
-
-    def __init__(self, kind: str, makers: tuple[str, ...], *parts: str) -> None:
+    def __init__(self, kind: str, makers: tuple[str, ...], *keys: str) -> None:
         """Store the inputs and the makers.
 
         `makers` are folders, which end with a separator, and files of the package. The result depends on those that are
         loaded.
         """
         self._makers = makers
-        self._whose = (sys.version, *makers, *parts)
+        self._whose = (sys.version, *makers, *keys)
         text = "\0".join(self._whose).encode("utf-8", "surrogatepass")
         # Two inputs with one name replace each other's file: `get` compares the complete input.
         self._name = f"{kind}-{crc32(text):08x}-{len(text):x}"
@@ -87,10 +85,10 @@ class Entry:
         _write(self._name, checksum(data) + data)
 
 
-def program_entry(package: str, *parts: str) -> Entry:
+def program_entry(package: str, *keys: str) -> Entry:
     """Return the entry of a program, compiled by the language in the folder `package`."""
     root = os.path.dirname(package) + os.sep
-    return Entry("program", (package + os.sep, *(root + name for name in SHARED)), *parts)
+    return Entry("program", (package + os.sep, *(root + name for name in SHARED)), *keys)
 
 
 def machine_entry(text: str) -> Entry:
@@ -192,13 +190,13 @@ def _raise(error: OSError) -> None:
 
 def _read(name: str) -> bytes | None:
     """Return the content of a cache file; None if there is no trustworthy one."""
-    place = folder() if wanted() else None
-    if place is None:
+    directory = folder() if wanted() else None
+    if directory is None:
         return None
     try:
-        if not _is_private(os.stat(place)):
+        if not _is_private(os.stat(directory)):
             return None
-        with open(os.path.join(place, name), "rb") as file:
+        with open(os.path.join(directory, name), "rb") as file:
             return file.read() if _is_private(os.fstat(file.fileno())) else None
     except OSError:
         return None
@@ -206,24 +204,24 @@ def _read(name: str) -> bytes | None:
 
 def _write(name: str, data: bytes) -> None:
     """Write a cache file, and remove the oldest ones if there are too many."""
-    place = folder() if wanted() else None
-    if place is None:
+    directory = folder() if wanted() else None
+    if directory is None:
         return
     from motionlang.files import replacing
 
     try:
-        os.makedirs(place, 0o700, exist_ok=True)
-        if not _is_private(os.stat(place)) or not os.access(place, os.W_OK):
+        os.makedirs(directory, 0o700, exist_ok=True)
+        if not _is_private(os.stat(directory)) or not os.access(directory, os.W_OK):
             return
-        with replacing(os.path.join(place, name), private=True) as file:
+        with replacing(os.path.join(directory, name), private=True) as file:
             file.write(data)
-        _remove_oldest(place)
+        _remove_oldest(directory)
     except OSError:
         pass
 
 
-def _remove_oldest(place: str) -> None:
-    files = [file for file in os.scandir(place) if file.is_file()]
+def _remove_oldest(directory: str) -> None:
+    files = [file for file in os.scandir(directory) if file.is_file()]
     if len(files) <= ENTRIES:
         return
     files.sort(key=lambda file: file.stat().st_mtime)

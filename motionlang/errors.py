@@ -292,6 +292,13 @@ LIBRARIES = {
 REQUIRED = ("numpy",)
 
 
+def as_hint(description: str) -> str:
+    """Return a description as a hint: without capital and full stop."""
+    second = description[1:2]
+    begin = description[:1].lower() if second.islower() or second == " " else description[:1]
+    return begin + description[1:].removesuffix(".")
+
+
 class MissingExtra(ImportError):
     """`user`, a feature or an option, needs libraries of an extra that are missing.
 

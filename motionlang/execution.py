@@ -132,8 +132,8 @@ def run(
         show=show,
         overrides=overrides,
         accelerators=accelerators(fast),
+        hook=hook,
     )
-    virtual.hook = hook
     result = Run(source, language, virtual)
     if wrong:
         result.diagnostics, result.status = wrong, "fault"
@@ -179,7 +179,7 @@ def _perform(
     if prove:
         from motionlang.log.expected_motion import ExpectedMotion
 
-        result.orders = ExpectedMotion(result.controller)
+        result.expected_motion = ExpectedMotion(result.controller)
     if begun is not None:
         begun(result.machine)
     result.diagnostics += compiled.warnings

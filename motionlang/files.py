@@ -38,6 +38,12 @@ def scratch() -> IO[bytes]:
     return TemporaryFile(prefix="motionlang-")
 
 
+def package_text(path: str) -> str:
+    """Return the text of a file in the package's folder, without importing pathlib."""
+    with open(os.path.join(os.path.dirname(__file__), path), encoding="utf-8") as file:
+        return file.read()
+
+
 class Replacement:
     """The context manager of `replacing`, without the slow import of contextlib."""
 

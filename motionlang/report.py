@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from itertools import islice
 from marshal import dumps
+from math import inf
 
 from motionlang.log.plain_moves import move_of
 from motionlang.planners.packed import RAMPS, packed
@@ -162,10 +163,10 @@ def _key(move: PlainRow) -> object:
 
     Zeros are distinguished by their text, 0.0 or -0.0.
     """
-    axis, _, start, end, duration, recipe, asked, scale, zero, (_, _, command, at, _, _) = move
+    axis, _, start, end, duration, recipe, commanded, scale, zero, (_, _, command, at, _, _) = move
     ramps = recipe[1], recipe[3], recipe[4], recipe[7]  # the rest of a recipe is equal for all
-    places = start or repr(start), end or repr(end), zero or repr(zero)
-    return axis, command, at, places, duration, ramps, asked, scale
+    positions = start or repr(start), end or repr(end), zero or repr(zero)
+    return axis, command, at, positions, duration, ramps, commanded, scale
 
 
 def _long_key(move: Move) -> object:
@@ -177,7 +178,7 @@ def _long_key(move: Move) -> object:
     profile: Any = packed(move.profile)
     if len(profile) != RAMPS:
         return None
-    about = move.axis, move.command, move.line, move.asked, move.scale, move.zero, move.ended
+    about = move.axis, move.command, move.line, move.commanded_speed, move.scale, move.zero, move.ended
     return dumps((profile, about), 2)
 
 
@@ -216,7 +217,7 @@ def _move(run: Run, move: Move, running: dict[int, float | None], motor: MotorFi
         "end": (profile.end - zero) / scale,
         "distance": (profile.end - profile.start) / scale,
         "peak_speed": _peak(profile) / size,
-        **({} if move.asked is None else {"commanded_speed": move.asked / size}),
+        **({} if move.commanded_speed is None else {"commanded_speed": move.commanded_speed / size}),
         "phases": [
             {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
             for phase in profile.phases
@@ -402,6 +403,6 @@ def finite(value: object) -> object:
         return {name: finite(each) for name, each in value.items()}
     if isinstance(value, list):
         return [finite(each) for each in value]
-    if isinstance(value, float) and not abs(value) < float("inf"):
+    if isinstance(value, float) and not abs(value) < inf:
         return None
     return value

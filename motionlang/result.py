@@ -6,6 +6,8 @@ figures are computed in `motionlang.report`, which most runs of a script do not 
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.errors import Diagnostic, Terminated, clipped
 
 TYPE_CHECKING = False
@@ -35,20 +37,6 @@ class Run:
     (Ctrl-C or a signal); `time` is the machine time at its end, in seconds.
     """
 
-    __slots__ = (
-        "certificate",
-        "crash",
-        "diagnostics",
-        "dialect",
-        "machine",
-        "notes",
-        "orders",
-        "program",
-        "source",
-        "status",
-        "time",
-    )
-
     def __init__(self, source: Source, dialect: Dialect, machine: Machine) -> None:
         self.source, self.dialect = source, dialect
         self.machine: Machine = machine
@@ -59,7 +47,7 @@ class Run:
         # An internal error, which ended the run.
         self.crash: Exception | None = None
         self.program: Program | None = None  # the compiled source
-        self.orders: ExpectedMotion | None = None  # of a run to be proved
+        self.expected_motion: ExpectedMotion | None = None  # of a run to be proved
         self.certificate: list[Limit] | None = None  # of a run with certified limits
 
     @property
@@ -90,14 +78,14 @@ class Run:
         from motionlang.analysis.proof.prove import prove
         from motionlang.log.track import Recorded
 
-        if self.orders is None:
+        if self.expected_motion is None:
             raise ValueError("the run was not made with prove=True")
         if not views:
-            return prove(Recorded(self.controller), self.orders, self.time)
+            return prove(Recorded(self.controller), self.expected_motion, self.time)
         from motionlang.report import moves
 
         samples = self.trace.sample(ROWS / self.time) if self.time > 0.0 else None
-        return prove(Recorded(self.controller), self.orders, self.time, moves(self), samples)
+        return prove(Recorded(self.controller), self.expected_motion, self.time, moves(self), samples)
 
     def _repr_html_(self) -> str:
         # Requested by a notebook, which has the views; no layer below may import them.
@@ -139,11 +127,11 @@ MAX_LINES = 5
 
 def report_keywords_without_effect(result: Run) -> None:
     """Report keywords without full effect, with the lines that use them."""
-    _tell(result, "keywords without effect here", result.machine.without_effect)
-    _tell(result, "unknown values, 0 or empty here", result.machine.assumed)
+    _note_keywords(result, "keywords without effect here", result.machine.without_effect)
+    _note_keywords(result, "unknown values, 0 or empty here", result.machine.assumed)
 
 
-def _tell(result: Run, what: str, words: Mapping[str, list[int]]) -> None:
+def _note_keywords(result: Run, what: str, words: Mapping[str, list[int]]) -> None:
     if words:
         named = ", ".join(word + _in_lines(lines) for word, lines in words.items())
         result.notes.append(f"{what}: {named}")
@@ -177,16 +165,16 @@ def open_nonvolatile(result: Run, path: str) -> bool:
 
 def save_nonvolatile(result: Run) -> None:
     """Write the nv file, or report which data do not outlive the run."""
-    kept = result.machine.kept
-    if kept.path is None:
-        if kept.names:
-            words = ", ".join(kept.names)
+    nonvolatile = result.machine.nonvolatile
+    if nonvolatile.path is None:
+        if nonvolatile.names:
+            words = ", ".join(nonvolatile.names)
             result.notes.append(f"nv data stored only during the run (use --nv FILE): {words}")
         return
     try:
-        kept.save()
+        nonvolatile.save()
     except OSError as problem:
-        _no_nonvolatile(result, f"the nv data cannot be written to {kept.path}: {_why_not(problem)}")
+        _no_nonvolatile(result, f"the nv data cannot be written to {nonvolatile.path}: {_why_not(problem)}")
 
 
 def _why_not(problem: Exception) -> str:
@@ -207,14 +195,14 @@ def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
         _report_endless_homing(result, scheduler)
         return
     for task in scheduler.tasks:
-        if task.wait is not None and task.wait.due() == float("inf"):
+        if task.wait is not None and task.wait.due() == inf:
             line, _, _ = result.dialect.locate(result.source, task.at)
             since = f"since {task.wait.since:.3f} s"
             _log_wait(result, task.at, task.wait.why)
             result.notes.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
         elif task.in_vain is not None:
             line, _, _ = result.dialect.locate(result.source, task.at)
-            polled = f"polled {task.looks_at}" if task.looks_at else "polled"
+            polled = f"polled {task.last_poll}" if task.last_poll else "polled"
             what = f"still {polled}, which could no longer change"
             result.notes.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
 
@@ -231,7 +219,7 @@ def _report_endless_homing(result: Run, scheduler: Scheduler) -> None:
 
 
 def _is_hopeless(task: Task) -> bool:
-    waits = task.wait is not None and task.wait.due() == float("inf")
+    waits = task.wait is not None and task.wait.due() == inf
     return waits or task.done or task.in_vain is not None
 
 
@@ -239,13 +227,15 @@ def _lost(result: Run) -> list[Diagnostic]:
     """Return the diagnostics of homing moves that never end, each at its line."""
     found = []
     for axis, homing in result.controller.homings.items():
-        if homing.in_vain:
+        if homing.endless_motion:
             text = result.source.line(homing.line)
             column, length = len(text) - len(text.lstrip()) + 1, max(1, len(text.strip()))
             keys = f"axis.{axis}.home_switch, travel and index_every"
             other = "home in the other direction, or " if homing.provided else ""
             hint = f"{other}give its position in the machine file: {keys}"
-            found.append(Diagnostic("never", homing.in_vain, homing.line, column, length=length, hint=hint))
+            found.append(
+                Diagnostic("never", homing.endless_motion, homing.line, column, length=length, hint=hint)
+            )
     return found
 
 
@@ -269,9 +259,9 @@ def report_guesses(result: Run) -> None:
         count += len(used)
     if tables.get("answer"):
         left = machine.unasked()
-        asked = [each for each in tables["answer"] if each["text"] not in left]
-        found += [_counted(len(asked), "answer")] if asked else []
-        count += len(asked)
+        answers = [each for each in tables["answer"] if each["text"] not in left]
+        found += [_counted(len(answers), "answer")] if answers else []
+        count += len(answers)
     if tables.get("key"):
         pressed = [each for each in tables["key"] if each.get("at", 0.0) <= machine.clock.now]  # type: ignore[operator]
         found += [_counted(len(pressed), "key")] if pressed else []
@@ -283,7 +273,7 @@ def report_guesses(result: Run) -> None:
     count += len(homed)
     if found:
         message = f"this result depends on {_counted(count, 'guess')} of the machine file: {'; '.join(found)}"
-        hint = "correct them there, and take guess = true away"
+        hint = "correct each in the machine file and remove its guess = true"
         result.diagnostics.append(Diagnostic("guess", message, hint=hint, severity="warning"))
 
 

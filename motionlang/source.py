@@ -34,6 +34,21 @@ def contents(file: BinaryIO) -> bytes:
     return data
 
 
+def without_padding(data: bytes) -> bytes:
+    """Return the bytes of a text without the NULs that old disks put at its end.
+
+    Raises OSError if another NUL shows that the file is not text.
+    """
+    if b"\0" not in data or _utf16(data):
+        return data
+    found = data.rstrip(b"\0")
+    if not found or b"\0" in found:
+        import errno
+
+        raise OSError(errno.EILSEQ, "not a text file")
+    return found
+
+
 def _utf16(data: bytes) -> str:
     """Return the UTF-16 encoding of bytes, or "" if they are not UTF-16.
 
@@ -89,7 +104,7 @@ class Source:
     def read(cls, path: str | os.PathLike[str]) -> Source:
         """Read a file; raise OSError if `open` does, or if the file is not text."""
         with open(path, "rb") as file:
-            return cls.from_bytes(os.path.basename(os.fspath(path)), contents(file))
+            return cls.from_bytes(os.path.basename(os.fspath(path)), without_padding(contents(file)))
 
     def line(self, number: int) -> str:
         """Return the text of line `number`, counted from 1; "" if there is none."""
@@ -97,8 +112,8 @@ class Source:
             self._lines = self.text.split("\n")
         return self._lines[number - 1] if 1 <= number <= len(self._lines) else ""
 
-    def place(self, offset: int) -> tuple[int, int]:
-        """Return line and column, both from 1, of a character offset."""
+    def location(self, offset: int) -> tuple[int, int]:
+        """Return line and column of a character offset, both counted from 1."""
         from bisect import bisect_left
 
         if self._ends is None:

@@ -23,8 +23,8 @@ FAILURES = (Exception, pytest.fail.Exception)
 def one_in(number: int, values: Iterable[Any]) -> list[Any]:
     """Return `values` for `parametrize`, all marked `long` except one in `number`."""
     return [
-        pytest.param(value, marks=() if place % number == 0 else pytest.mark.long)
-        for place, value in enumerate(values)
+        pytest.param(value, marks=() if index % number == 0 else pytest.mark.long)
+        for index, value in enumerate(values)
     ]
 
 
@@ -46,7 +46,7 @@ def cases(
                 try:
                     test(**dict(zip(wanted, row, strict=True)), **given)
                 except FAILURES as error:
-                    error.add_note(f"case {', '.join(str(spell(part)) for part in row)}")
+                    error.add_note(f"case {', '.join(str(spell(argument)) for argument in row)}")
                     failures.append(error)
             if len(failures) == 1:
                 raise failures[0]

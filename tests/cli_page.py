@@ -16,7 +16,7 @@ from motionlang.cli.commands import COMMANDS, build_parser
 from motionlang.cli.parser import OLD_OPTIONS
 
 PAGE = Path(__file__).parents[1] / "docs" / "cli.md"
-_PART = re.compile(r"(<!-- (commands|old options|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)
+_SECTION = re.compile(r"(<!-- (commands|old options|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)
 # Commands with a page of their own.
 PAGES = {
     "init": "old-machine.md",
@@ -66,14 +66,14 @@ def written(text: str) -> str:
     """Return the page `text` with its generated sections updated."""
     known = parsers()
 
-    def part(found: re.Match[str]) -> str:
+    def section(found: re.Match[str]) -> str:
         if found[3]:
             body = "".join(_options(known[found[3]]))
         else:
             body = "".join(_commands() if found[2] == "commands" else _old_options())
         return f"{found[1]}{body}{found[4]}"
 
-    return _PART.sub(part, text)
+    return _SECTION.sub(section, text)
 
 
 def _commands() -> Iterator[str]:

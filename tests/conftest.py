@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import gc
+import os
 import signal
 import zipfile
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+from hypothesis.internal.conjecture import providers
 
 from tests.built import distributions
 
@@ -20,13 +22,22 @@ if TYPE_CHECKING:
     from motionlang.lang.scheduler import Outside
     from motionlang.result import Run
 
+TESTS = Path(__file__).parent
+
+# The tests share the processors already: threads of NumPy's BLAS would only wait for each other, in this process
+# and in those that it starts.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 # A shell starts background processes with Ctrl-C disabled, which every process of a test would inherit.
 for _name in ("SIGINT", "SIGTERM", "SIGHUP"):
     _number = getattr(signal, _name, None)
     if _number is not None and signal.getsignal(_number) == signal.SIG_IGN:
         signal.signal(_number, signal.default_int_handler if _name == "SIGINT" else signal.SIG_DFL)
 
-# No property depends on the speed of the machine, and each run draws the same cases.
+# No property depends on the speed of the machine, and each run draws the same cases. Hypothesis would also
+# draw constants of those modules of the package that earlier tests have imported.
+if hasattr(providers, "_local_constants"):  # private, so a later version may not have it
+    providers._get_local_constants = lambda: providers._local_constants
 settings.register_profile(
     "motionlang",
     deadline=None,
@@ -57,10 +68,10 @@ def _prove_every_run() -> None:
         from motionlang.log.expected_motion import ExpectedMotion
         from motionlang.log.track import Recorded
 
-        orders = ExpectedMotion(result.controller) if result.orders is None else None
+        expected = ExpectedMotion(result.controller) if result.expected_motion is None else None
         execute(result, compiled, until, pace, outside)
-        if orders is not None and not orders.is_full:
-            found = prove(Recorded(result.controller), orders, result.machine.clock.now).violations
+        if expected is not None and not expected.is_full:
+            found = prove(Recorded(result.controller), expected, result.machine.clock.now).violations
             assert not found, [f"{each.line}: {each.message}" for each in found]
 
     execution._execute = proved
@@ -92,6 +103,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     the package. The first process gets an eighth of all tests at once, so only that process builds these. The
     last tests take less than two seconds each, so that no process waits long for another at the end.
     """
+    items.sort(key=lambda item: item.path.parent != TESTS)
     if "long" in (config.getoption("-m") or ""):
         return
     long = [item for item in items if item.get_closest_marker("long")]
@@ -101,10 +113,16 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 @pytest.fixture(scope="session")
-def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def built(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """Return the source distribution and the wheel."""
+    sdist, wheel = distributions(tmp_path_factory.mktemp("built"), "sdist", "wheel")
+    return sdist, wheel
+
+
+@pytest.fixture(scope="session")
+def wheel(built: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return the folder with the unpacked wheel."""
     folder = tmp_path_factory.mktemp("wheel")
-    (built,) = distributions(folder, "wheel")
-    with zipfile.ZipFile(built) as archive:
-        archive.extractall(folder / "unpacked")
-    return folder / "unpacked"
+    with zipfile.ZipFile(built[1]) as archive:
+        archive.extractall(folder)
+    return folder

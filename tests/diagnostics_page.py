@@ -25,10 +25,12 @@ def written() -> str:
 
 def _section(code: str) -> str:
     link = f" [More](lint.md#{code})" if code in WARNINGS and code not in ("unknown-word",) else ""
-    parts = [f"## {code}\n\n{CODES[code]}{link}\n"]
+    sections = [f"## {code}\n\n{CODES[code]}{link}\n"]
     for title, example in zip(("With it", "Without it"), EXAMPLES.get(code, ()), strict=False):
-        parts.append(f"\n{title}:\n\n```text\n" + "".join(f"{line}\n" for line in listing(example)) + "```\n")
-    return "".join([*parts, f"\nFix: {FIXES[code]}.\n"])
+        sections.append(
+            f"\n{title}:\n\n```text\n" + "".join(f"{line}\n" for line in listing(example)) + "```\n"
+        )
+    return "".join([*sections, f"\nFix: {FIXES[code]}.\n"])
 
 
 if __name__ == "__main__":

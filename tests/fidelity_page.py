@@ -14,12 +14,12 @@ from motionlang.assumptions.page import markdown, summary
 DOCS = Path(__file__).parent.parent / "docs"
 LIST = DOCS / "contributing" / "assumptions.md"
 PAGE = DOCS / "fidelity.md"
-_PART = re.compile(r"(<!-- generated -->\n).*?(<!-- end -->)", re.DOTALL)
+_SECTION = re.compile(r"(<!-- generated -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
 def written(text: str) -> str:
     """Return the page with its tables."""
-    return _PART.sub(lambda found: f"{found[1]}{summary()}{found[2]}", text)
+    return _SECTION.sub(lambda found: f"{found[1]}{summary()}{found[2]}", text)
 
 
 if __name__ == "__main__":

@@ -91,8 +91,10 @@ def closure(requirements: Iterable[str]) -> set[str]:
     found: set[str] = set()
     left = [(Requirement(each), {""}) for each in requirements]
     while left:
-        required, asked = left.pop()
-        if required.marker and not any(required.marker.evaluate({"extra": extra}) for extra in asked):
+        required, enabled_extras = left.pop()
+        if required.marker and not any(
+            required.marker.evaluate({"extra": extra}) for extra in enabled_extras
+        ):
             continue
         try:
             there = distribution(required.name)

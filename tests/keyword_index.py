@@ -10,7 +10,7 @@ from importlib import import_module
 from pathlib import Path
 from textwrap import fill
 
-from motionlang.lang.keyword import Keyword, Table
+from motionlang.lang.keyword import Keyword
 
 PACKAGES = ("motionlang.mint.keywords", "motionlang.mccl.keywords")
 _HEAD = '''"""The keywords of each file, in lower case.
@@ -24,7 +24,7 @@ FILES = {
 '''
 
 
-def place(package: str) -> Path:
+def index_path(package: str) -> Path:
     """Return the file of an index."""
     return Path(str(import_module(package).__file__)).with_name("index.py")
 
@@ -32,7 +32,9 @@ def place(package: str) -> Path:
 def written(package: str) -> str:
     """Return the text of an index; raise AssertionError for a duplicate keyword."""
     files = {name: import_module(f"{package}.{name}") for name in import_module(package).ORDER.split()}
-    Table(row for file in files.values() for row in file.ROWS)
+    words = [word for file in files.values() for word in _words(_rows(file))]
+    twice = {word for word in words if words.count(word) > 1}
+    assert not twice, f"defined twice: {', '.join(sorted(twice))}"
     return _HEAD + "".join(_entry(name, _rows(file)) for name, file in files.items()) + "}\n"
 
 
@@ -40,12 +42,15 @@ def _rows(file: object) -> tuple[Keyword, ...]:
     return (*getattr(file, "ROWS", ()), *getattr(file, "HIDDEN", ()))
 
 
+def _words(rows: tuple[Keyword, ...]) -> list[str]:
+    return [spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling]
+
+
 def _entry(name: str, rows: tuple[Keyword, ...]) -> str:
-    words = [spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling]
-    return f'    "{name}": """\n{fill(" ".join(words), 110)}\n""",\n'
+    return f'    "{name}": """\n{fill(" ".join(_words(rows)), 110)}\n""",\n'
 
 
 if __name__ == "__main__":
     for each in PACKAGES:
-        place(each).write_text(written(each), encoding="utf-8", newline="\n")
+        index_path(each).write_text(written(each), encoding="utf-8", newline="\n")
         sys.stdout.write(f"{each}: {len(list(import_module(each).table()))} keywords\n")

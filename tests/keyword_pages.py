@@ -20,7 +20,7 @@ from motionlang.views.words import dialect_name
 ROOT = Path(__file__).parent.parent
 FOLDER = ROOT / "docs" / "keywords"
 MENU = ROOT / "mkdocs.yml"
-_PART = re.compile(r"( *# keywords\n).*?( *# end of keywords\n)", re.DOTALL)
+_SECTION = re.compile(r"( *# keywords\n).*?( *# end of keywords\n)", re.DOTALL)
 # The time limit of an example, seconds of machine time.
 UNTIL = 60.0
 
@@ -56,7 +56,7 @@ def stored(language: str) -> dict[str, str]:
 
 def with_menu(text: str) -> str:
     """Return the site's configuration with the current menu of keyword pages."""
-    return _PART.sub(lambda found: found[1] + "".join(_menu()) + found[2], text)
+    return _SECTION.sub(lambda found: found[1] + "".join(_menu()) + found[2], text)
 
 
 def _menu() -> Iterator[str]:

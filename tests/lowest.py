@@ -65,12 +65,12 @@ def interpreters() -> dict[str, str | None]:
     """Return a Python of this machine for each supported version; None if missing."""
     found: dict[str, str | None] = {}
     for name in SUPPORTED:
-        places = [
+        candidates = [
             sys.executable,
             shutil.which(f"python{name}") or "",
             *map(str, sorted(Path.home().glob(f".pyenv/versions/{name}.*/bin/python"))),
         ]
-        found[name] = next((each for each in places if each and is_version(each, name)), None)
+        found[name] = next((each for each in candidates if each and is_version(each, name)), None)
     return found
 
 

@@ -51,15 +51,15 @@ SERVO = {
 def written() -> str:
     """Return the page as it has to be: its handwritten text, and the tables."""
     text = PAGE.read_text(encoding="utf-8")
-    parts = [text.partition(FROM)[0] + FROM, _table({key: help for key, (_, help) in KEYS.items()})]
-    parts.append("`N` is the number of an axis as the language numbers it.\n")
+    sections = [text.partition(FROM)[0] + FROM, _table({key: help for key, (_, help) in KEYS.items()})]
+    sections.append("`N` is the number of an axis as the language numbers it.\n")
     for section, (sentence, keys) in SERVO.items():
-        parts.append(f"## `[axis.N.{section}]`\n\n{sentence}\n\n{_servo_table(keys)}")
+        sections.append(f"## `[axis.N.{section}]`\n\n{sentence}\n\n{_servo_table(keys)}")
     for name, rows in TABLES.items():
         needed = REQUIRED[name]
         shown = {key: help + (" Required." if key in needed else "") for key, (_, help) in rows.items()}
-        parts.append(f"## `[[{name}]]`\n\n{SENTENCES[name]}\n\n{_table(shown)}")
-    return "\n".join(parts)
+        sections.append(f"## `[[{name}]]`\n\n{SENTENCES[name]}\n\n{_table(shown)}")
+    return "\n".join(sections)
 
 
 def _servo_table(keys: dict[str, Key]) -> str:

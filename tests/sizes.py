@@ -143,7 +143,7 @@ class Classes:
             break
         return found
 
-    def with_owned(self, name: str, path: str) -> int:
+    def with_owned(self, name: str, path: str, without: frozenset[str] = frozenset()) -> int:
         """Return the number of fields of a class and of the objects that only it creates.
 
         Only objects with a class of the package count, except those of the classes `without`.
@@ -152,7 +152,7 @@ class Classes:
         count = len(fields)
         for value in fields.values():
             made = value.func.id if isinstance(value, ast.Call) and isinstance(value.func, ast.Name) else ""
-            if made in self._found and self._makers.get(made) == {path}:
+            if made in self._found.keys() - without and self._makers.get(made) == {path}:
                 count += len(self.fields(made))
         return count
 
@@ -169,8 +169,8 @@ def _own_fields(node: ast.ClassDef) -> dict[str, ast.expr | None]:
         each.name for each in node.body if isinstance(each, ast.FunctionDef) and each.decorator_list
     }
     for method in (each for each in node.body if isinstance(each, ast.FunctionDef)):
-        for part in ast.walk(method):
-            targets, value = _assigned(part)
+        for child in ast.walk(method):
+            targets, value = _assigned(child)
             for target in targets:
                 if (
                     isinstance(target, ast.Attribute)
@@ -188,7 +188,7 @@ def _assigned(node: ast.AST) -> tuple[list[ast.expr], ast.expr | None]:
     if not isinstance(node, ast.Assign):
         return [], None
     targets = [
-        part for each in node.targets for part in (each.elts if isinstance(each, ast.Tuple) else [each])
+        element for each in node.targets for element in (each.elts if isinstance(each, ast.Tuple) else [each])
     ]
     return targets, node.value
 
@@ -225,7 +225,7 @@ def entered(root: Path, statement: str) -> tuple[int, ...]:
     command = [sys.executable, "-c", TRACE, name, f"{before}\n{statement}\n"]
     environment = {**os.environ, "PYTHONPATH": str(root)}
     done = subprocess.run(command, cwd=root, env=environment, check=True, capture_output=True, text=True)
-    return tuple(int(part) for part in done.stdout.split())
+    return tuple(int(number) for number in done.stdout.split())
 
 
 def tree_of(commit: str, folder: Path) -> Path:

@@ -102,7 +102,7 @@ def _tree(value: Any, name: str = "", depth: int = 0) -> list[str]:
         for cls in reversed(type(value).__mro__):
             for field in getattr(cls, "__slots__", ()):
                 inner = getattr(value, field, None)
-                if field not in ("at", "places") and inner is not False and inner not in (None, [], (), ""):
+                if field not in ("at", "offsets") and inner is not False and inner not in (None, [], (), ""):
                     lines += _tree(inner, field, depth + 1)
         return lines
     if isinstance(value, (list, tuple)):

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
 from tests.cases import cases
-from tests.trees import text_of, tree_of
+from tests.sizes import CLASSES, Classes
+from tests.trees import nodes_of, tree_of
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "motionlang"
@@ -67,7 +68,7 @@ LEVELS: dict[str, int] = {
 }
 # Packages of one level that import each other. `Run.report` is built on request; the controller writes the
 # log, whose readers need its axes.
-BESIDE: tuple[set[str], ...] = (
+PEERS: tuple[set[str], ...] = (
     {"report", "result"},
     {"library.moves", "result"},
     {"library.report_types", "result"},
@@ -104,6 +105,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "parsing",
             "machine",
             "vocabulary",
+            "waits",
         ),
         ("scheduler",),
     ),
@@ -176,7 +178,7 @@ FILES = sorted(PACKAGE.rglob("*.py"))
 def imports(path: Path) -> set[str]:
     """Return every module that a file imports anywhere, including imports for types."""
     found: set[str] = set()
-    for node in ast.walk(tree_of(path)):
+    for node in nodes_of(path):
         if isinstance(node, ast.Import):
             found.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module:
@@ -193,7 +195,7 @@ def at_run_time(path: Path) -> set[str]:
     """
     found: set[str] = set()
 
-    def look(node: ast.AST) -> None:
+    def visit(node: ast.AST) -> None:
         if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
             return
         if isinstance(node, ast.Import):
@@ -201,9 +203,9 @@ def at_run_time(path: Path) -> set[str]:
         elif isinstance(node, ast.ImportFrom) and node.module:
             found.update(f"{node.module}.{alias.name}" for alias in node.names)
         for child in ast.iter_child_nodes(node):
-            look(child)
+            visit(child)
 
-    look(tree_of(path))
+    visit(tree_of(path))
     return {name for name in found if name.startswith("motionlang.")}
 
 
@@ -211,11 +213,11 @@ def at_run_time(path: Path) -> set[str]:
 VOCABULARY = frozenset(("index", "event_kinds", "switchable"))
 
 
-def inner(package: str, parts: list[str]) -> str:
+def inner(package: str, components: list[str]) -> str:
     """Return the name of a module in `FLOORS`, from its path below the package."""
-    if parts[0] != "keywords":
-        return parts[0]
-    return "vocabulary" if len(parts) == 1 or parts[1] in VOCABULARY else "keywords"
+    if components[0] != "keywords":
+        return components[0]
+    return "vocabulary" if len(components) == 1 or components[1] in VOCABULARY else "keywords"
 
 
 def layer(module: str) -> str:
@@ -245,7 +247,7 @@ def test_imports_point_down(path: Path) -> None:
         there = layer(module)
         if there not in LEVELS:
             continue  # a name, not a module: `from motionlang import __version__`
-        assert here == there or LEVELS[there] < LEVELS[here] or {here, there} in BESIDE, (
+        assert here == there or LEVELS[there] < LEVELS[here] or {here, there} in PEERS, (
             f"{here} imports {module}, which lies above it or beside it"
         )
 
@@ -259,59 +261,16 @@ def test_only_the_module_that_reads_the_switch_imports_accelerators() -> None:
     assert {name for name in importers if not name.startswith("fast/")} == {"execution.py"}
 
 
-# The classes that a newcomer reads first: how many fields each may have, with its bases and the objects that
-# only its module names. `Watches` is older than the limit.
-FIELDS = {("controller/axis.py", "Axis"): 50, ("lang/scheduler.py", "Scheduler"): 18}
-OLDER_OBJECTS = frozenset(("Watches",))
+# How many fields each of the classes that a newcomer reads first may have, with its bases and the objects that
+# only it makes. `Watches` is older than the limit.
+FIELDS = {"Axis": 50, "Scheduler": 18}
+OLDER = frozenset(("Watches",))
 
 
-def classes() -> dict[str, tuple[Path, ast.ClassDef]]:
-    """Return the top-level classes of the package, by name."""
-    found = {}
-    for path in FILES:
-        found.update(
-            {node.name: (path, node) for node in tree_of(path).body if isinstance(node, ast.ClassDef)}
-        )
-    return found
-
-
-def fields(node: ast.ClassDef) -> set[str]:
-    """Return the slots of a class and its assignments to `self`, without properties."""
-    found: set[str] = set()
-    for part in ast.walk(node):
-        if isinstance(part, ast.Assign) and ast.unparse(part.targets[0]) == "__slots__":
-            found.update(ast.literal_eval(part.value))
-        elif isinstance(part, ast.Attribute) and isinstance(part.ctx, ast.Store):
-            found.update({part.attr} if ast.unparse(part.value) == "self" else ())
-    properties = {
-        each.name for each in node.body if isinstance(each, ast.FunctionDef) and each.decorator_list
-    }
-    return found - properties
-
-
-def count_fields(path: Path, node: ast.ClassDef) -> int:
-    """Return the number of fields of a class, its bases and its private objects.
-
-    Private objects are those that it makes and no other module names.
-    """
-    known = classes() | {node.name: (path, node)}
-    made = {ast.unparse(each.func) for each in ast.walk(node) if isinstance(each, ast.Call)}
-    own = {
-        name
-        for name in made & known.keys() - OLDER_OBJECTS
-        if not any(re.search(rf"\b{name}\b", text_of(p)) for p in FILES if p not in (path, known[name][0]))
-    }
-    parts = [ast.unparse(base) for base in node.bases] + sorted(own)
-    return len(fields(node)) + sum(count_fields(*known[name]) for name in parts if name in known)
-
-
-@cases("where", sorted(FIELDS))
-def test_the_centre_has_few_fields(where: tuple[str, str]) -> None:
-    path = PACKAGE / where[0]
-    (node,) = (
-        each for each in tree_of(path).body if isinstance(each, ast.ClassDef) and each.name == where[1]
-    )
-    assert count_fields(path, node) <= FIELDS[where]
+@cases("name", sorted(FIELDS))
+def test_the_centre_has_few_fields(name: str) -> None:
+    classes = Classes({path.relative_to(PACKAGE).as_posix(): tree_of(path) for path in FILES})
+    assert classes.with_owned(name, CLASSES[name], OLDER) <= FIELDS[name]
 
 
 # Methods that change a list, a set or a dictionary.
@@ -372,8 +331,8 @@ def reaches_into_the_controller(tree: ast.AST) -> Iterator[str]:
         for _ in range(3):
             for target, given in bindings(function):
                 if is_of_controller(given, names):
-                    parts = target.elts if isinstance(target, ast.Tuple) else [target]
-                    names.update(each.id for each in parts if isinstance(each, ast.Name))
+                    elements = target.elts if isinstance(target, ast.Tuple) else [target]
+                    names.update(each.id for each in elements if isinstance(each, ast.Name))
         for node in ast.walk(function):
             found = False
             if isinstance(node, ast.Attribute | ast.Subscript):
@@ -433,17 +392,17 @@ def test_what_reaches_into_the_controller_is_seen() -> None:
     )
 
 
-def module_parts(name: str) -> list[str]:
+def module_components(name: str) -> list[str]:
     """Return the components of a module's name below its package.
 
-    For a name in a module they are those of the module.
+    For a name inside a module, these are the components of the module.
     """
-    parts = name.split(".")[1:]
-    while len(parts) > 1 and not (
-        (there := PACKAGE.joinpath(*parts)).is_dir() or there.with_suffix(".py").exists()
+    components = name.split(".")[1:]
+    while len(components) > 1 and not (
+        (there := PACKAGE.joinpath(*components)).is_dir() or there.with_suffix(".py").exists()
     ):
-        parts.pop()
-    return parts[1:]
+        components.pop()
+    return components[1:]
 
 
 @cases("package", FLOORS)
@@ -455,7 +414,7 @@ def test_floors_inside_a_package(package: str) -> None:
             continue  # the interface of the package
         here = inner(package, own)
         for name in sorted(at_run_time(path)):
-            below = module_parts(name)
+            below = module_components(name)
             if name.split(".")[1] != package or not below:
                 continue
             there = inner(package, below)
@@ -556,16 +515,16 @@ def is_whole(node: ast.expr) -> bool:
     return is_length or isinstance(node, ast.Compare)
 
 
-def float_sums(tree: ast.AST) -> list[int]:
+def float_sums(nodes: Sequence[ast.AST]) -> list[int]:
     """Return the lines that use the builtin `sum` on anything but certain integers."""
     counting = set()
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
             (of,) = node.args
             lengths = isinstance(of, ast.Call) and ast.unparse(of).startswith("map(len, ")
             if lengths or (isinstance(of, ast.GeneratorExp | ast.ListComp) and is_whole(of.elt)):
                 counting.add(node.func)
-    names = (node for node in ast.walk(tree) if isinstance(node, ast.Name) and node.id == "sum")
+    names = (node for node in nodes if isinstance(node, ast.Name) and node.id == "sum")
     return [node.lineno for node in names if node not in counting]
 
 
@@ -575,7 +534,7 @@ def test_no_figure_comes_from_the_builtin_sum(path: Path) -> None:
 
     `planners.total`, `math.fsum` and plain additions give the same result in every version.
     """
-    found = float_sums(tree_of(path))
+    found = float_sums(nodes_of(path))
     assert bool(found) is (path.relative_to(PACKAGE).as_posix() in WHOLE_SUMS), f"sum() on lines {found}"
 
 
@@ -592,4 +551,4 @@ def test_no_figure_comes_from_the_builtin_sum(path: Path) -> None:
     ],
 )
 def test_a_sum_of_floats_is_seen(text: str, lines: list[int]) -> None:
-    assert sorted(float_sums(ast.parse(text))) == lines
+    assert sorted(float_sums([*ast.walk(ast.parse(text))])) == lines

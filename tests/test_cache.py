@@ -22,15 +22,15 @@ HELLO = Source("hello.mnt", 'PRINT "hello"\n')
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    place = tmp_path / "cache"
-    monkeypatch.setenv("MOTIONLANG_CACHE", str(place))
+    path = tmp_path / "cache"
+    monkeypatch.setenv("MOTIONLANG_CACHE", str(path))
     monkeypatch.delenv(cache.OFF, raising=False)
-    return place
+    return path
 
 
-def entry(*parts: str) -> Entry:
+def entry(*components: str) -> Entry:
     """Return the cache entry of a program, computed as in a new process."""
-    return program_entry(str(PACKAGE / "mint"), *(parts or ("a",)))
+    return program_entry(str(PACKAGE / "mint"), *(components or ("a",)))
 
 
 def the_file(folder: Path) -> Path:
@@ -38,7 +38,7 @@ def the_file(folder: Path) -> Path:
     return found
 
 
-def test_the_settings_of_a_machine_file_are_kept_by_its_text() -> None:
+def test_the_settings_of_a_machine_file_are_cached_by_its_text() -> None:
     machine_entry("[axis.0]\nstart = 3.0\n").put(b"settings")
     assert machine_entry("[axis.0]\nstart = 3.0\n").get() == b"settings"
     assert machine_entry("[axis.0]\nstart = 4.0\n").get() is None
@@ -50,9 +50,9 @@ def test_what_was_put_comes_back() -> None:
     assert entry("b").get() is None
 
 
-def test_every_part_counts() -> None:
+def test_every_component_counts() -> None:
     entry("a", "b").put(b"program")
-    assert [entry(*parts).get() for parts in (("ab", ""), ("a",), ("b", "a"))] == [None] * 3
+    assert [entry(*components).get() for components in (("ab", ""), ("a",), ("b", "a"))] == [None] * 3
     assert entry("a", "b").get() == b"program"
     assert program_entry(str(PACKAGE / "mccl"), "a", "b").get() is None
 
@@ -61,8 +61,8 @@ def test_a_damaged_entry_is_ignored(folder: Path) -> None:
     entry().put(b"program")
     file = the_file(folder)
     data = file.read_bytes()
-    turned = [data[:k] + bytes((data[k] ^ 0x55,)) + data[k + 1 :] for k in range(0, len(data), 7)]
-    for damaged in (data[:-1], data + b"x", data[:33], b"", b"\0" * len(data), *turned):
+    flipped = [data[:k] + bytes((data[k] ^ 0x55,)) + data[k + 1 :] for k in range(0, len(data), 7)]
+    for damaged in (data[:-1], data + b"x", data[:33], b"", b"\0" * len(data), *flipped):
         file.write_bytes(damaged)
         assert entry().get() is None
 
@@ -124,10 +124,10 @@ print(*(m.__file__ for n, m in sys.modules.items() if n.startswith('motionlang')
 """
 
 
-def installed(place: Path) -> Path:
+def installed(root: Path) -> Path:
     """Return a copy of the package in the form of an installation."""
-    shutil.copytree(PACKAGE, place / "motionlang", ignore=shutil.ignore_patterns("__pycache__"))
-    return place / "motionlang"
+    shutil.copytree(PACKAGE, root / "motionlang", ignore=shutil.ignore_patterns("__pycache__"))
+    return root / "motionlang"
 
 
 def compiled(root: Path) -> list[str]:
@@ -146,7 +146,7 @@ def holds(root: Path) -> bool:
     return program_entry(str(root / "mint"), "a").get() == b"program"
 
 
-def test_an_entry_has_every_module_of_the_compiler_beside_it(tmp_path: Path, folder: Path) -> None:
+def test_an_entry_lists_every_module_of_the_compiler(tmp_path: Path, folder: Path) -> None:
     root = installed(tmp_path)
     modules = set(compiled(root))
     assert {
@@ -156,13 +156,13 @@ def test_an_entry_has_every_module_of_the_compiler_beside_it(tmp_path: Path, fol
         "errors.py",
     } <= modules
     _, compiler, _ = loads(the_file(folder).read_bytes()[cache.CHECKSUM :])
-    beside = {Path(place).relative_to(root).as_posix() for place, _ in compiler}
+    hashed = {Path(path).relative_to(root).as_posix() for path, _ in compiler}
     # Versions in __init__.py of the package are not compiled in, and the file store does not depend on
     # contents. The controller does not affect the meaning of a program: the files of keywords import it for
     # the run.
     left = {
         path
-        for path in modules - beside
+        for path in modules - hashed
         if not path.startswith(("controller/", "log/", "planners/", "servo/"))
     }
     assert left == {
@@ -183,7 +183,7 @@ def test_a_change_in_a_module_of_the_compiler_makes_an_entry_void(tmp_path: Path
     assert not holds(root)
 
 
-def test_what_compiles_more_of_a_program_later_stands_beside_it_too(
+def test_what_compiles_more_of_a_program_later_is_listed_too(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first, second = (str(PACKAGE / "mint" / "compile" / name) for name in ("compiler.py", "loops.py"))
@@ -198,14 +198,14 @@ def test_what_compiles_more_of_a_program_later_stands_beside_it_too(
     assert ({first, second} <= dict(compiler).keys(), payload) == (True, b"more of it")
 
 
-def test_what_was_kept_by_a_compiler_that_has_changed_meanwhile_gets_no_more_parts(
+def test_an_entry_of_a_compiler_that_has_changed_meanwhile_does_not_grow(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     entry().put(b"program")
     later = entry()
     assert later.get() == b"program"
     as_it_was = cache.state
-    monkeypatch.setattr(cache, "state", lambda place: (0, 0, 0))
+    monkeypatch.setattr(cache, "state", lambda path: (0, 0, 0))
     later.put(b"more of it")
     monkeypatch.setattr(cache, "state", as_it_was)
     assert entry().get() == b"program"
@@ -242,7 +242,7 @@ def test_a_change_in_the_data_of_the_compiler_makes_an_entry_void(tmp_path: Path
     assert not holds(root)
 
 
-def test_a_program_compiled_by_another_compiler_is_compiled_anew(tmp_path: Path) -> None:
+def test_a_program_compiled_by_another_compiler_is_compiled_again(tmp_path: Path) -> None:
     installed(tmp_path)
     (tmp_path / "hello.mnt").write_text(HELLO.text)
     command = [sys.executable, "-m", "motionlang", "run", "hello.mnt", "--format", "none"]
@@ -256,7 +256,7 @@ def test_a_program_compiled_by_another_compiler_is_compiled_anew(tmp_path: Path)
     assert ran() == "bye\n"
 
 
-def test_without_files_to_look_at_nothing_is_cached(tmp_path: Path, folder: Path) -> None:
+def test_without_files_to_check_nothing_is_cached(tmp_path: Path, folder: Path) -> None:
     installed(tmp_path / "loose")
     archive = shutil.make_archive(str(tmp_path / "motionlang"), "zip", tmp_path / "loose")
     program = tmp_path / "hello.mnt"
@@ -273,21 +273,21 @@ def test_without_files_to_look_at_nothing_is_cached(tmp_path: Path, folder: Path
     assert not folder.exists()
 
 
-def test_what_is_not_kept_is_not_looked_for(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    looked: list[Entry] = []
+def test_what_is_not_cached_is_not_looked_up(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    lookups: list[Entry] = []
 
-    def look(entry: Entry) -> None:
-        looked.append(entry)
+    def look_up(entry: Entry) -> None:
+        lookups.append(entry)
 
-    monkeypatch.setattr(Entry, "get", look)
+    monkeypatch.setattr(Entry, "get", look_up)
     execution.run(Source("hello.mcl", "0"))
     execution.run(HELLO, cache=False)
     monkeypatch.setenv(cache.OFF, "1")
     execution.run(HELLO)
-    assert looked == []
+    assert lookups == []
     monkeypatch.delenv(cache.OFF)
     execution.run(HELLO)
-    assert len(looked) == 1
+    assert len(lookups) == 1
 
 
 def test_a_cached_run_is_the_same_run(folder: Path) -> None:
@@ -298,7 +298,7 @@ def test_a_cached_run_is_the_same_run(folder: Path) -> None:
     execution.run(HELLO, cache=False)
 
 
-def test_a_cached_run_that_fails_names_its_place_too() -> None:
+def test_a_cached_run_that_fails_names_its_location_too() -> None:
     source = Source("wrong.mnt", "x = 0\nPRINT 1 / x\n")
-    places = [[(d.line, d.column, d.code) for d in execution.run(source).diagnostics] for _ in range(2)]
-    assert places == [[(2, 1, "division-by-zero")]] * 2
+    locations = [[(d.line, d.column, d.code) for d in execution.run(source).diagnostics] for _ in range(2)]
+    assert locations == [[(2, 1, "division-by-zero")]] * 2

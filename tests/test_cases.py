@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis.internal.conjecture import providers
 
+import motionlang
 from tests.cases import cases
 
 
@@ -30,3 +32,10 @@ def test_one_failure_is_raised_as_it_is() -> None:
     with pytest.raises(pytest.fail.Exception) as error:
         run()
     assert error.value.__notes__ == ["case number 2"]
+
+
+def test_hypothesis_draws_no_constants_of_the_package() -> None:
+    """Such constants would depend on the modules that earlier tests imported."""
+    assert motionlang is not None
+    constants = getattr(providers.HypothesisProvider(None), "_local_constants", ())  # private to Hypothesis
+    assert len(constants) == 0

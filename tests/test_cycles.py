@@ -9,7 +9,7 @@ import ast
 from collections import defaultdict
 from pathlib import Path
 
-from tests.trees import tree_of
+from tests.trees import nodes_of
 
 PACKAGE = Path(__file__).parent.parent / "motionlang"
 
@@ -22,7 +22,6 @@ GROUPS: dict[tuple[str, str], str] = {
     ("controller/triggers", "next_watches watch"): "the watches of an axis are solved together",
     ("debug", "debugger state"): "what a debugger shows is a part of it, which asks it for the present stop",
     ("debug", "replay scopes"): "a replay makes the scopes of its stops, which read the replay",
-    ("lang", "dependencies task"): "a task records what it reads; what it read decides when it goes on",
     ("log", "__init__ log moves"): "the folder's `__init__` has the formats that the log and its moves share",
     ("mcapi", "block call interface session"): "a session has interfaces, which carry out its calls and blocks",
     ("lsp", "features protocol server"): "a server answers requests with its features, which ask it for texts",
@@ -52,7 +51,7 @@ GROUPS: dict[tuple[str, str], str] = {
 def imports_of(path: Path) -> set[Path]:
     """Return the files of the same folder that a file imports anywhere in its code."""
     found = set()
-    for node in ast.walk(tree_of(path)):
+    for node in nodes_of(path):
         if not isinstance(node, ast.ImportFrom) or not (node.module or "").startswith("motionlang"):
             continue
         base = PACKAGE.joinpath(*str(node.module).split(".")[1:])

@@ -21,7 +21,7 @@ COPIED = ("motionlang", "grammars", "docs", "playground", "tests")
 
 @pytest.mark.parametrize("package", keyword_index.PACKAGES)
 def test_the_index_names_the_file_of_each_keyword(package: str) -> None:
-    assert keyword_index.place(package).read_text(encoding="utf-8") == keyword_index.written(package)
+    assert keyword_index.index_path(package).read_text(encoding="utf-8") == keyword_index.written(package)
 
 
 def insert(path: Path, before: str, text: str) -> None:
@@ -63,11 +63,11 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     )
     does = (
         "def halfway(environment: Environment, axis: int) -> float:\n"
-        "    place = environment.controller.position(axis) / 2\n"
-        "    return scale_of(environment, axis).position_to_user(place)\n"
+        "    counts = environment.controller.position(axis) / 2\n"
+        "    return scale_of(environment, axis).position_to_user(counts)\n"
         "\n\n"
     )
-    insert(mint / "state.py", "def place(", does)
+    insert(mint / "state.py", "def wrapped_position(", does)
     insert(mint / "state.py", ")  # fmt: skip", row)
     insert(mint / "state.py", "\nTYPE_CHECKING", "from motionlang.mint.runtime.binding import of\n")
     row = '    _row("HY", "reading", "R", "none", "number", tell_half, "Tell a half.", "HY"),\n'
@@ -102,7 +102,7 @@ def test_a_word_added_by_the_recipe_is_explained(copy: Path, word: str) -> None:
 
 def test_the_linter_knows_it_by_its_row(copy: Path) -> None:
     (copy / "wait.mnt").write_text("PAUSE HALFWAY(0) > 1\n", encoding="utf-8")
-    said = subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-m", "motionlang", "check", "wait.mnt"],
         cwd=copy,
         capture_output=True,
@@ -110,4 +110,4 @@ def test_the_linter_knows_it_by_its_row(copy: Path) -> None:
         encoding="utf-8",
         check=False,
     )
-    assert "endless-wait" in said.stdout + said.stderr
+    assert "endless-wait" in result.stdout + result.stderr

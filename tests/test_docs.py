@@ -16,6 +16,7 @@ import shlex
 import shutil
 from collections.abc import Iterator
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -51,11 +52,15 @@ def blocks(*kinds: str) -> list[ParameterSet]:
     return found
 
 
+# Building the options of a command takes longer than parsing a line with them.
+parser_of = cache(build_parser)
+
+
 def commands(block: str) -> Iterator[tuple[str, str]]:
     """Yield each command of a console block with the output shown below it."""
-    parts = re.split(r"^\$ ", block, flags=re.MULTILINE)
-    for part in filter(None, parts):
-        command, _, output = part.partition("\n")
+    chunks = re.split(r"^\$ ", block, flags=re.MULTILINE)
+    for chunk in filter(None, chunks):
+        command, _, output = chunk.partition("\n")
         yield command, output
 
 
@@ -121,7 +126,7 @@ def test_commands_in_the_text_exist_with_their_options(
         if any(re.fullmatch(r"COMMAND|SHELL|NAME|HOST:PORT", word) for word in words[:3]):
             continue
         with suppress(SystemExit):
-            build_parser(words[0]).parse_args(words)
+            parser_of(words[0]).parse_args(words)
         error = capsys.readouterr().err
         assert not error or "are required" in error or "expected one argument" in error, error
 

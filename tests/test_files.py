@@ -17,7 +17,7 @@ import pytest
 import motionlang
 from motionlang import files
 from motionlang.files import InUse, Lock, replacing, same_file, unwritable
-from tests.trees import tree_of
+from tests.trees import nodes_of
 
 PACKAGE = Path(motionlang.__file__).parent
 # Files that are not the user's: the null device, a history that prompt_toolkit appends to, a build.
@@ -34,7 +34,7 @@ ELSEWHERE = {
     "lsp/workers.py",
 }
 # The flags of read-only access.
-READING = {"O_RDONLY", "O_BINARY"}
+READ_FLAGS = {"O_RDONLY", "O_BINARY"}
 WRITERS = {
     "write_text",
     "write_bytes",
@@ -126,7 +126,7 @@ def writes(node: ast.Call) -> bool:
         )
     if called == "os.open":
         flags = set(re.findall(r"\bO_\w+", ast.unparse(node)))
-        return not flags or not flags <= READING
+        return not flags or not flags <= READ_FLAGS
     where, _, name = called.rpartition(".")
     if name in ("replace", "rename", "symlink", "link"):
         return where in ("os", "path", "shutil")
@@ -137,7 +137,7 @@ def test_nothing_else_opens_a_file_for_writing() -> None:
     found = {
         path.relative_to(PACKAGE).as_posix()
         for path in PACKAGE.rglob("*.py")
-        for node in ast.walk(tree_of(path))
+        for node in nodes_of(path)
         if isinstance(node, ast.Call) and writes(node)
     }
     assert found == ELSEWHERE

@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 
 import motionlang
-from tests.trees import tree_of
+from tests.trees import nodes_of, tree_of
 
 PACKAGE = Path(motionlang.__file__).parent
 # Libraries that take longer to import than most programs run, or may be missing.
@@ -22,8 +22,9 @@ HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "ric
 LAZY = {
     # Lazy packages: each opens a family of modules; most programs need few. That of the command line
     # is the table of its commands.
-    "fast/__init__.py": "command_counters command_rounds loop_counters loop_switches moves ranges timer_ticks",
-    "fast/time_slices.py": "recurrence",
+    "fast/__init__.py": "command_counters command_rounds loop_counters loop_switches moves ranges",
+    "fast/time_slices.py": "recurrence timer_ticks",
+    "fast/timer_ticks.py": "polled_ticks",
     "controller/axis_verbs.py": "motion.jog motion.profile_playback",
     "controller/controller.py": "io.encoder motion.follow motion.offset motion.reference motion.sampled_velocity "
     "moves.cam moves.entries moves.path triggers.latch triggers.limit",
@@ -46,7 +47,7 @@ LAZY = {
     "planners/shapes.py": "jerk parabolic scurve",
     # The plainest runs, which load as little as they can.
     "planners/trapezoid.py": "feasibility",
-    "cli/__init__.py": "commands complaints crash options run",
+    "cli/__init__.py": "commands complaints crash options run welcome",
     "cli/input_files.py": "complaints",
     "cli/run.py": "certify complaints crash event_status keyboard output_files run_progress show_code",
     # Those that need one another.
@@ -72,8 +73,8 @@ LAZY = {
 
 def path_of(name: str) -> Path | None:
     """Return the file of a module of the package, or None."""
-    place = PACKAGE.parent.joinpath(*name.split("."))
-    files = (place.with_suffix(".py"), place / "__init__.py")
+    base = PACKAGE.parent.joinpath(*name.split("."))
+    files = (base.with_suffix(".py"), base / "__init__.py")
     return next((file for file in files if file.exists()), None)
 
 
@@ -122,13 +123,11 @@ def brought_in(path: Path) -> set[str]:
 
     Modules that load a heavy library are left out.
     """
-    parts = path.relative_to(PACKAGE).with_suffix("").parts
+    components = path.relative_to(PACKAGE).with_suffix("").parts
     # `analysis` holds a package for each question.
-    package = ".".join(("motionlang", *parts[: 2 if parts[0] == "analysis" else 1], ""))
-    already = heavy(".".join(("motionlang", *parts)).removesuffix(".__init__"))
-    functions = (
-        node for node in ast.walk(tree_of(path)) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
-    )
+    package = ".".join(("motionlang", *components[: 2 if components[0] == "analysis" else 1], ""))
+    already = heavy(".".join(("motionlang", *components)).removesuffix(".__init__"))
+    functions = (node for node in nodes_of(path) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef))
     modules = {
         module_of(node, alias.name)
         for function in functions

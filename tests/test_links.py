@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.trees import text_of, tree_of
+from tests.trees import nodes_of, text_of
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -59,7 +59,7 @@ def test_messages_name_pages_that_exist() -> None:
         name
         for path in (ROOT / "motionlang").rglob("*.py")
         if "docs/" in text_of(path)
-        for node in ast.walk(tree_of(path))
+        for node in nodes_of(path)
         if isinstance(node, ast.Constant) and isinstance(node.value, str)
         for name in re.findall(r"docs/[\w/.-]+\.\w+", node.value)
     }

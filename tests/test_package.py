@@ -15,16 +15,8 @@ from pathlib import Path
 import pytest
 
 from motionlang._wheel import without_links
-from tests.built import distributions
 
 ROOT = Path(__file__).parent.parent
-
-
-@pytest.fixture(scope="session")
-def built(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """Return the source distribution and the wheel."""
-    sdist, wheel = distributions(tmp_path_factory.mktemp("package"), "sdist", "wheel")
-    return sdist, wheel
 
 
 def run(command: list[str], folder: Path, **environment: str) -> str:
@@ -108,7 +100,7 @@ def test_links_become_names(text: str, shown: str) -> None:
 
 def test_the_matrix_is_what_the_package_says() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    said = [each.rpartition(" ")[2] for each in project["classifiers"] if ":: 3." in each]
+    versions = [each.rpartition(" ")[2] for each in project["classifiers"] if ":: 3." in each]
     matrix = (ROOT / ".github" / "workflows" / "ci.yml").read_text(encoding="utf-8")
-    assert f"python: {json.dumps(said)}" in matrix
-    assert project["requires-python"] == f">={said[0]}"
+    assert f"python: {json.dumps(versions)}" in matrix
+    assert project["requires-python"] == f">={versions[0]}"

@@ -41,12 +41,13 @@ def test_a_collector_without_thresholds(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 @pytest.mark.parametrize("has_freeze", [True, False])
-def test_what_is_left_when_a_command_ends_is_not_looked_through(
+def test_what_is_left_when_a_command_ends_is_not_collected(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, has_freeze: bool
 ) -> None:
-    """A caller of `main` with arguments lives on, so nothing is frozen.
+    """The objects are frozen only if the process ends with the command.
 
-    The same applies to a collector that cannot freeze.
+    If `main` gets arguments, its caller lives on, so nothing is frozen. A collector that cannot freeze is no
+    error.
     """
     program = tmp_path / "a.mnt"
     program.write_text("PRINT 1\n")
@@ -77,8 +78,8 @@ def test_the_cache_of_one_python_is_not_that_of_another(
     assert program_entry(str(ROOT / "motionlang" / "mint"), "program").get() is None
 
 
-def test_nothing_asks_for_what_only_cpython_tells() -> None:
-    """Reference counts and object sizes are CPython's own."""
+def test_nothing_uses_what_only_cpython_has() -> None:
+    """Only CPython has reference counts and object sizes."""
     for path in (ROOT / "motionlang").rglob("*.py"):
         program = path.read_text(encoding="utf-8")
         for word in ("getrefcount", "getsizeof", "get_referrers", "_PyObject", "ctypes"):

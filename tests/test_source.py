@@ -38,3 +38,17 @@ def test_a_file_without_an_end_is_refused(tmp_path: Path, monkeypatch: pytest.Mo
     path.write_bytes(b"'" * 100_001)
     with pytest.raises(OSError, match="File too large"):
         Source.read(path)
+
+
+@pytest.mark.parametrize("data", [b"\0\0\0\0", b"\x7fELF\2\1\0\0\3", b"x = 1\0\ny = 2\n"])
+def test_a_file_that_is_no_text_is_refused(tmp_path: Path, data: bytes) -> None:
+    path = tmp_path / "program.mnt"
+    path.write_bytes(data)
+    with pytest.raises(OSError, match="not a text file"):
+        Source.read(path)
+
+
+def test_padding_of_a_disk_block_is_no_text(tmp_path: Path) -> None:
+    path = tmp_path / "old.prg"
+    path.write_bytes(b"x = 1\r\n\x1a" + bytes(120))
+    assert Source.read(path).text == "x = 1\n "

@@ -13,7 +13,7 @@ from motionlang.mccl.models import MODELS
 from motionlang.mint.keywords import table
 from motionlang.mint.models import ABSENT, LARGEST
 from motionlang.servo import gains
-from tests.trees import tree_of
+from tests.trees import nodes_of
 
 PACKAGE = Path(motionlang.__file__).parent
 MINT = {row.name for row in table()}
@@ -52,25 +52,24 @@ def named() -> dict[str, set[str]]:
     """
     found: defaultdict[str, set[str]] = defaultdict(set)
     for path in PACKAGE.rglob("*.py"):
-        place = path.relative_to(PACKAGE)
+        relative = path.relative_to(PACKAGE)
         # MCAPI is a translation of calls into commands.
-        if "keywords" in place.parts or place.parts[0] == "mcapi":
+        if "keywords" in relative.parts or relative.parts[0] == "mcapi":
             continue
-        words = {"mint": MINT, "mccl": MCCL}.get(place.parts[0], MINT | MCCL)
-        tree = tree_of(path)
+        words = {"mint": MINT, "mccl": MCCL}.get(relative.parts[0], MINT | MCCL)
         # Placeholders of options.
         apart = {
-            each.value for each in ast.walk(tree) if isinstance(each, ast.keyword) and each.arg == "metavar"
+            each.value for each in nodes_of(path) if isinstance(each, ast.keyword) and each.arg == "metavar"
         }
-        for node in ast.walk(tree):
+        for node in nodes_of(path):
             text = node.value if isinstance(node, ast.Constant) and node not in apart else None
             if isinstance(text, str) and text in words and text.isupper() and len(text) > 1:
-                found[place.as_posix()].add(text)
+                found[relative.as_posix()].add(text)
     return found
 
 
 def test_no_module_outside_the_vocabulary_names_a_word_that_is_not_listed() -> None:
-    assert named() == {place: set(words.split()) for place, words in NAMED.items()}
+    assert named() == {path: set(words.split()) for path, words in NAMED.items()}
 
 
 def test_no_code_compares_the_name_of_a_row() -> None:
@@ -78,7 +77,7 @@ def test_no_code_compares_the_name_of_a_row() -> None:
     compared = [
         f"{path.relative_to(PACKAGE)}: {ast.unparse(node)}"
         for path in PACKAGE.rglob("*.py")
-        for node in ast.walk(tree_of(path))
+        for node in nodes_of(path)
         if isinstance(node, ast.Compare)
         and isinstance(node.comparators[0], ast.Constant | ast.Tuple | ast.Set)
         if ast.unparse(node.left).endswith("row.name")
@@ -86,7 +85,7 @@ def test_no_code_compares_the_name_of_a_row() -> None:
     assert compared == []
 
 
-def test_effects_are_said_in_the_words_for_them() -> None:
+def test_effects_are_described_in_the_words_for_them() -> None:
     for row in (*table(), *commands()):
         effects = row.effect.split()
         assert set(effects) <= ROLES.keys() | TRAITS.keys(), row.name
@@ -103,9 +102,9 @@ def test_a_family_that_a_controller_lacks_or_limits_is_one_of_the_rows() -> None
 
 
 def test_what_people_mean_by_a_word_of_english_is_no_command() -> None:
-    meant = {word for row in commands() for word in row.meant.split()}
-    assert meant
-    assert not {word for word in meant if commands().get(word)} - {"ON"}
+    suggested = {word for row in commands() for word in row.meant.split()}
+    assert suggested
+    assert not {word for word in suggested if commands().get(word)} - {"ON"}
 
 
 def test_every_kind_of_effect_is_one_of_some_word() -> None:

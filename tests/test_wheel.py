@@ -74,15 +74,15 @@ def test_every_command_without_numpy(wheel: Path, tmp_path: Path) -> None:
             assert status == 0, (command, err)
             assert "error" not in err, command
         else:
-            told = f"error[extra]: {user} needs numpy\n  hint: python -m pip install numpy\n"
-            assert (status, out, err) == (69, "", told), command
+            message = f"error[extra]: {user} needs numpy\n  hint: python -m pip install numpy\n"
+            assert (status, out, err) == (69, "", message), command
     lines = "MOVER(0) = 5 : GO(0)\n.settle\n.plot\nPRINT POS(0)\n"
-    asked = subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-S", "-m", "motionlang", "repl"], input=lines, cwd=install.folder,
         env=install.environment, capture_output=True, text=True, check=False,
     )  # fmt: skip
-    assert "velocity of axis 0" in asked.stdout
-    assert asked.stdout.endswith("5.0000\n")
+    assert "velocity of axis 0" in result.stdout
+    assert result.stdout.endswith("5.0000\n")
 
 
 @links

@@ -27,7 +27,7 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
-from tests.trees import text_of, tree_of
+from tests.trees import nodes_of, text_of, tree_of
 
 ROOT = Path(__file__).parent.parent
 FOLDERS = ("motionlang", "benchmarks", "tests")
@@ -151,7 +151,7 @@ def comments(path: Path, file: str) -> Iterator[Text]:
 def messages(path: Path, file: str) -> Iterator[Text]:
     """Yield the strings of a file with more than one word, except docstrings."""
     lines = {each.line for each in docstrings(path, file)}
-    for node in ast.walk(tree_of(path)):
+    for node in nodes_of(path):
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.lineno not in lines:
             text = node.value
             if " " in text.strip() and "\n" not in text.strip() and re.search(r"[a-z]{2} [a-z]{2}", text):

@@ -123,7 +123,7 @@ def violations(
 
     `machine` names the file or setting in which limits are set.
     """
-    found = [_told(line) for line in lines if line.verdict != "within"]
+    found = [_diagnostic_of(line) for line in lines if line.verdict != "within"]
     found += [Diagnostic("proof", each) for each in contradictions(controller, lines, until)]
     if not lines:
         found.append(
@@ -134,7 +134,7 @@ def violations(
     return found
 
 
-def _told(line: Limit) -> Diagnostic:
+def _diagnostic_of(line: Limit) -> Diagnostic:
     if line.reached is None:
         message = f"the {line.name} of axis {line.axis} cannot be certified: no motor is simulated"
         return Diagnostic("beyond-limit", message, hint=f"add [axis.{line.axis}.plant] to the machine file")
@@ -177,7 +177,7 @@ def contradictions(controller: Controller, lines: list[Limit], until: float) -> 
         for chunk in controller.trace.chunks(rate, (number,), until, tuple(bounds)):
             for quantity, (low, high) in bounds.items():
                 values = chunk.get(number, quantity)
-                slack = 1e-6 * max(1.0, abs(low), abs(high)) if high < float("inf") else 0.0
+                slack = 1e-6 * max(1.0, abs(low), abs(high)) if high < inf else 0.0
                 if values.min() < low - slack or values.max() > high + slack:
                     found.append(
                         f"axis {number}: the {quantity} has samples outside its extremes {low:g} and {high:g}"

@@ -18,8 +18,6 @@ class Plan:
     reach it.
     """
 
-    __slots__ = (*NAMES, "_wanted", "commanded_speed")
-
     distance: float
     time: float
     accel_time: float

@@ -7,6 +7,7 @@ A world is a machine file that adds to the program's own. The scenarios of `pick
 from __future__ import annotations
 
 import os
+from math import inf
 
 from motionlang.execution import machine_of, run
 from motionlang.lang.machine.file import read_machine
@@ -29,8 +30,6 @@ WITHIN = 1e-6
 
 class Scenario:
     """One world: `settings` on top of the program's, and `expected` entries of both."""
-
-    __slots__ = ("expected", "path", "program", "settings")
 
     def __init__(self, program: str, path: str) -> None:
         """Read a scenario.
@@ -66,13 +65,13 @@ def scenario_files(program: str) -> list[str]:
 
 def unmet(result: Run, expected: list[Entry]) -> list[str]:
     """Return unmet expectations and unexpected errors of a run, each as a sentence."""
-    found = [told for entry in expected if (told := _unmet(result, entry))]
+    found = [text for entry in expected if (text := _unmet(result, entry))]
     codes = {entry["diagnostic"] for entry in expected if "diagnostic" in entry}
     faults = any(entry.get("status") == "fault" for entry in expected)
     for each in result.diagnostics:
         if each.severity == "error" and each.code not in codes and not (faults and not codes):
-            place = f"line {each.line}: " if each.line else ""
-            found.append(f"the run had an unexpected error: {place}{each.message} [{each.code}]")
+            location = f"line {each.line}: " if each.line else ""
+            found.append(f"the run had an unexpected error: {location}{each.message} [{each.code}]")
     return found
 
 
@@ -140,7 +139,7 @@ def _untimely(what: str, did: str, times: list[float], entry: Entry, never: bool
     The event is expected, or forbidden with `never`, between two times. `instead` describes the actual
     events.
     """
-    low, high = entry.get("after", 0.0), entry.get("before", float("inf"))
+    low, high = entry.get("after", 0.0), entry.get("before", inf)
     assert isinstance(low, (int, float))
     assert isinstance(high, (int, float))
     inside = [time for time in times if low <= time <= high]
@@ -149,7 +148,7 @@ def _untimely(what: str, did: str, times: list[float], entry: Entry, never: bool
     if inside:
         return ""
     when = f" from {low:g} to {high:g} s"
-    if high == float("inf"):
+    if high == inf:
         when = f" after {low:g} s" if low else ""
     elif not low:
         when = f" before {high:g} s"

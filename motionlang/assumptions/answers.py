@@ -67,13 +67,13 @@ def read(text: str, wanted: str = "") -> Answers:
     """
     found = Answers()
     lines = [_STAMP.sub("", line) for line in _ESCAPE.sub("", re.sub(r"\r\n?", "\n", text)).split("\n")]
-    told = _answers_of_mint(lines, found) if any("<" in line and "|" in line for line in lines) else {}
-    if told:
+    answered = _answers_of_mint(lines, found) if any("<" in line and "|" in line for line in lines) else {}
+    if answered:
         found.language = "mint"
     else:
-        told = _answers_of_mccl(lines, found)
-        found.language = "mccl" if told else ""
-    if not told:
+        answered = _answers_of_mccl(lines, found)
+        found.language = "mccl" if answered else ""
+    if not answered:
         what = (
             "the questions are here, and no answers"
             if _is_a_probe(text)
@@ -85,7 +85,7 @@ def read(text: str, wanted: str = "") -> Answers:
         hint = f"motionlang probe {found.language} --answers reads them"
         found.complain(f"these are the answers to a probe of {found.language}, not of {wanted}", hint)
         return found
-    _verdict_of(found, told)
+    _verdict_of(found, answered)
     return found
 
 
@@ -102,53 +102,53 @@ def _answers_of_mint(lines: list[str], found: Answers) -> dict[str, list[tuple[s
 
     A listing of the probe in the output is not mistaken for answers: there a quote follows the name.
     """
-    told: dict[str, list[tuple[str, int]]] = {}
+    answered: dict[str, list[tuple[str, int]]] = {}
     for number, line in enumerate(lines, 1):
         for match in _MINT.finditer(line):
             name, answer, closed = match.groups()
             if '"' in answer:
                 continue
             if closed:
-                told.setdefault(name, []).append((_plain(answer), number))
+                answered.setdefault(name, []).append((_plain(answer), number))
             elif name in questions():
                 found.complain(f"the answer to {name} is cut off", line=number)
-    return told
+    return answered
 
 
 def _answers_of_mccl(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
     """Return the answers by name: the text after each mark, without the echo."""
     names = {mark(name): name for name in (*questions(), BEGIN, END, NEXT)}
-    told: dict[str, list[tuple[str, int]]] = {}
+    answered: dict[str, list[tuple[str, int]]] = {}
     name, begun = "", 0
-    parts: list[str] = []
+    chunks: list[str] = []
     for number, line in enumerate(lines, 1):
-        said = line.strip()
-        if said.startswith(">"):
-            rest = said.lstrip("> ")
-            said = rest if _MARK.fullmatch(rest) else ""
-        if _MARK.fullmatch(said) and FIRST_MARK <= int(said) < FIRST_MARK + MARKS:
+        stripped = line.strip()
+        if stripped.startswith(">"):
+            rest = stripped.lstrip("> ")
+            stripped = rest if _MARK.fullmatch(rest) else ""
+        if _MARK.fullmatch(stripped) and FIRST_MARK <= int(stripped) < FIRST_MARK + MARKS:
             if name and name != NEXT:
-                told.setdefault(name, []).append((_plain(" ".join(parts)), begun))
-            name, parts, begun = names.get(int(said), f"question {said}"), [], number
-        elif said and not _is_echo(said, name):
-            parts.append(said)
+                answered.setdefault(name, []).append((_plain(" ".join(chunks)), begun))
+            name, chunks, begun = names.get(int(stripped), f"question {stripped}"), [], number
+        elif stripped and not _is_echo(stripped, name):
+            chunks.append(stripped)
     if name == END:
-        told[name] = [("", begun)]
+        answered[name] = [("", begun)]
     elif name in questions():
         found.complain(f"the answer to {name} is cut off", line=begun)
-    return told
+    return answered
 
 
-def _is_echo(said: str, name: str) -> bool:
+def _is_echo(line: str, name: str) -> bool:
     """True if a line without a prompt is an echo of the input."""
-    if _MARK.search(said) or said.startswith(";"):
+    if _MARK.search(line) or line.startswith(";"):
         return True
     assumption = questions().get(name)
     return (
         assumption is not None
         and assumption.probe is not None
-        and any(letter.isalpha() for letter in said)
-        and re.fullmatch(_FILLED.sub(r"[-+.\\de]+", re.escape(assumption.probe.ask)), said) is not None
+        and any(letter.isalpha() for letter in line)
+        and re.fullmatch(_FILLED.sub(r"[-+.\\de]+", re.escape(assumption.probe.ask)), line) is not None
     )
 
 
@@ -160,15 +160,15 @@ def _plain(answer: str) -> str:
 # answers
 
 
-def _verdict_of(found: Answers, told: dict[str, list[tuple[str, int]]]) -> None:
-    begin, end = told.pop(BEGIN, []), told.pop(END, [])
+def _verdict_of(found: Answers, answered: dict[str, list[tuple[str, int]]]) -> None:
+    begin, end = answered.pop(BEGIN, []), answered.pop(END, [])
     known = {
         name
         for name, each in questions().items()
         if each.probe is not None and each.probe.language == found.language
     }
-    order = {name: place for place, name in enumerate(questions())}
-    for name, answers in told.items():
+    order = {name: rank for rank, name in enumerate(questions())}
+    for name, answers in answered.items():
         if name not in known:
             other = "a reading of the other language" if name in questions() else "no reading"
             found.complain(f"{name} is {other}", "was the probe written by another version?", answers[0][1])
@@ -180,7 +180,7 @@ def _verdict_of(found: Answers, told: dict[str, list[tuple[str, int]]]) -> None:
             _take(found, questions()[name], answer, line)
     found.verdicts.sort(key=lambda each: order[each.assumption.name])
     count = re.search(r"\d+", begin[0][0]) if begin else None
-    got = sum(name in known for name in told)
+    got = sum(name in known for name in answered)
     if all(each.answer == REFUSED for each in found.verdicts) and found.verdicts:
         return
     if not begin or not end:
@@ -259,12 +259,12 @@ def _are_equal(wanted: str, given: str) -> bool:
         return True
     if not (re.fullmatch(NUMBER, wanted) and re.fullmatch(NUMBER, given)):
         return False
-    places = (
+    decimals = (
         min(len(each.lower().partition("e")[0].partition(".")[2]) for each in (wanted, given) if "." in each)
         if ("." in wanted and "." in given)
         else 9
     )
-    return abs(float(wanted) - float(given)) <= 0.5000001 * 10.0**-places + 1e-6 * abs(float(wanted)) * (
+    return abs(float(wanted) - float(given)) <= 0.5000001 * 10.0**-decimals + 1e-6 * abs(float(wanted)) * (
         "e" in given
     )
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 import tomllib
 from functools import cache
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from motionlang.assumptions.assumption import Assumption, Probe
 from motionlang.assumptions.facts import STRENGTHS, of_word
 from motionlang.assumptions.rules import default_probe, other_defaults
+from motionlang.files import package_text
 from motionlang.lang.machine.machine import ASSUMPTIONS
 from motionlang.lang.machine.switch import switch
 from motionlang.mint.keywords.switchable import name_of, row_with_default, with_default
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
     from motionlang.lang.keyword import Keyword
 
-ROOT = Path(__file__).parent.parent
 # The files of evidence, in the order of the chapters of docs/contributing/assumptions.md.
 FILES = (
     "mint/evidence/language.toml",
@@ -75,7 +74,7 @@ class Chapter:
 @cache
 def chapters() -> tuple[Chapter, ...]:
     """Return all evidence files as chapters; AssertionError for a duplicate name."""
-    of_files = [_chapter(ROOT / file) for file in FILES]
+    of_files = [_chapter(file) for file in FILES]
     found = (*of_files[:AFTER], _defaults(), *of_files[AFTER:])
     names = [each.name for each in _assumptions(found)]
     assert len(names) == len(set(names)), sorted(name for name in names if names.count(name) > 1)
@@ -108,7 +107,7 @@ def _texts() -> Mapping[str, list[tuple[int, str]]]:
     """Return by word the TOML of the entries that name it, with their file numbers."""
     found: dict[str, list[tuple[int, str]]] = {}
     for number, file in enumerate(FILES):
-        for entry in (ROOT / file).read_text(encoding="utf-8").split("\n[[section")[1:]:
+        for entry in package_text(file).split("\n[[section")[1:]:
             words = _WORDS.search(entry) if entry.startswith(_HEAD) else None
             for word in words[1].split() if words else ():
                 found.setdefault(word, []).append((number, entry.removeprefix(_HEAD)))
@@ -121,8 +120,8 @@ def _assumptions(found: Sequence[Chapter]) -> Iterator[Assumption]:
             yield from section.assumptions
 
 
-def _chapter(path: Path) -> Chapter:
-    tree = tomllib.loads(path.read_text(encoding="utf-8"))
+def _chapter(file: str) -> Chapter:
+    tree = tomllib.loads(package_text(file))
     sections = [
         Section(
             each["title"], each.get("text", ""), [_assumption(entry) for entry in each.get("reading", ())]
@@ -134,10 +133,10 @@ def _chapter(path: Path) -> Chapter:
 
 def _assumption(entry: dict[str, Any]) -> Assumption:
     """Convert an entry of a file, and separate the fields of its probe."""
-    asked = {key: entry.pop(key) for key in PROBE_KEYS if key in entry}
+    probe = {key: entry.pop(key) for key in PROBE_KEYS if key in entry}
     language = entry.pop("language", entry["name"].partition(".")[0])
-    if asked:
-        entry["probe"] = Probe(language, **asked)
+    if probe:
+        entry["probe"] = Probe(language, **probe)
     if "key" not in entry and switch(entry["name"]) is not None:
         entry["key"] = ASSUMPTIONS + entry["name"]
     assert entry["strength"] in STRENGTHS, entry

@@ -7,9 +7,9 @@ of each keyword. It is read by `keywords`, the documents and `check --evidence`,
 from __future__ import annotations
 
 from functools import cache
-from pathlib import Path
 from typing import TYPE_CHECKING
 
+from motionlang.files import package_text
 from motionlang.lang.dialect import dialects
 
 if TYPE_CHECKING:
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
     from motionlang.lang.keyword import Keyword
 
-ROOT = Path(__file__).parent.parent
 # How well a fact is known. A sibling is another product of the same maker, or in the same style, whose rule
 # is printed; a choice has no evidence. For a meaning that is "name only" the source has the name, the
 # arguments and the type.
@@ -69,7 +68,7 @@ def listed(language: str) -> Mapping[tuple[str, str], Evidence]:
     assert language in dialects(), language
     found: dict[tuple[str, str], Evidence] = {}
     facts, evidence = [""], UNKNOWN
-    for line in (ROOT / language / "evidence" / "facts.txt").read_text(encoding="utf-8").splitlines():
+    for line in package_text(f"{language}/evidence/facts.txt").splitlines():
         if line.startswith("  "):
             for word in line.split():
                 for fact in facts:

@@ -46,11 +46,11 @@ TABLE = "| question | assumption | evidence | name |\n|---|---|---|---|\n"
 
 def markdown() -> str:
     """Return the page of assumptions."""
-    parts = [HEAD, "\n## Contents\n\n"]
-    parts += [f"* [{each.title}](#{anchor(each.title)})\n" for each in chapters()]
+    sections = [HEAD, "\n## Contents\n\n"]
+    sections += [f"* [{each.title}](#{anchor(each.title)})\n" for each in chapters()]
     for chapter in chapters():
-        parts += _chapter(chapter)
-    return "".join(parts)
+        sections += _chapter(chapter)
+    return "".join(sections)
 
 
 def summary() -> str:
@@ -83,8 +83,8 @@ def _strengths(language: str) -> Counter[str]:
     return Counter(of_word(language, row)["meaning"].strength for row in rows)
 
 
-def rests_on(assumption: Assumption) -> str:
-    """Return its strength, and the reason for the choice."""
+def basis_of(assumption: Assumption) -> str:
+    """Return the strength of an assumption, and the reason for the choice."""
     kind, _, confidence = assumption.strength.partition(" ")
     strength = f"{kind} ({confidence})" if confidence else kind
     return f"{strength}: {assumption.why}" if assumption.why else strength
@@ -115,7 +115,7 @@ def _row(assumption: Assumption) -> str:
     row = (
         assumption.question,
         assumption.chosen + others,
-        rests_on(assumption),
+        basis_of(assumption),
         f"`{assumption.name}`{marks}",
     )
     return f"| {' | '.join(map(_cell, row))} |\n"

@@ -14,7 +14,8 @@ from collections.abc import Collection, Iterator, Sequence
 from zlib import crc32
 
 from motionlang.assumptions.assumption import REFUSED, Assumption, Probe
-from motionlang.assumptions.entries import ROOT, assumptions
+from motionlang.assumptions.entries import assumptions
+from motionlang.files import package_text
 from motionlang.record import record
 
 # The number that a probe of MCCL prints before an answer, from a register; each name has its own.
@@ -102,10 +103,10 @@ def alone(assumption: Assumption, axis: int, motion: Motion | None = None) -> st
     if motion is not None and assumption.probe.motion:
         first.append(_reach(assumption.probe, motion))
     above = [f"{assumption.name}: {assumption.question}", *first, *meanings(assumption)]
-    told = ["Then: motionlang probe --answers LOG, where LOG is what the terminal showed."]
+    last = ["Then: motionlang probe --answers LOG, where LOG is what the terminal showed."]
     if REFUSED in assumption.probe.answers:
-        told[0] += f" Of a program that is refused, LOG is <{assumption.name}|{REFUSED}>."
-    lines = [sign + f" {line}".rstrip() for each in (*above, *told) for line in _wrapped(each)]
+        last[0] += f" Of a program that is refused, LOG is <{assumption.name}|{REFUSED}>."
+    lines = [sign + f" {line}".rstrip() for each in (*above, *last) for line in _wrapped(each)]
     return "\n".join((*lines, *maker([assumption], axis, motion))) + "\n"
 
 
@@ -119,8 +120,8 @@ def meanings(assumption: Assumption, most: int = 110) -> list[str]:
     probe = assumption.probe
     assert probe is not None
     chosen = f"{assumption.chosen} (chosen here)"
-    meant = [(probe.answers[0], chosen), *zip(probe.answers[1:], assumption.alternatives, strict=False)]
-    shown = [(as_shown(answer), meaning) for answer, meaning in meant]
+    pairs = [(probe.answers[0], chosen), *zip(probe.answers[1:], assumption.alternatives, strict=False)]
+    shown = [(as_shown(answer), meaning) for answer, meaning in pairs]
     if probe.form:
         shown[1:] = [("another number", "that is it")]
     width = min(WIDE, max(len(answer) for answer, _ in shown))
@@ -229,20 +230,20 @@ def _behind(assumption: Assumption, axis: int) -> Iterator[str]:
     for line in assumption.probe.behind:
         yield line.replace("{a}", str(axis))
     if assumption.probe.error:
-        said = assumption.probe.error.replace("{a}", str(axis))
+        command = assumption.probe.error.replace("{a}", str(axis))
         yield "Event ONERROR"
-        yield f'  PRINT "<{assumption.name}|"; {said}; ">"'
+        yield f'  PRINT "<{assumption.name}|"; {command}; ">"'
         yield f'  PRINT "<{END}|mint 1>"'
         yield "  End"
         yield "End Event"
 
 
 def _mccl(found: Sequence[Assumption], axis: int, motion: Motion | None) -> Iterator[str]:
-    frame = tomllib.loads((ROOT / "mccl" / "evidence" / "probe.toml").read_text(encoding="utf-8"))
+    frame = tomllib.loads(package_text("mccl/evidence/probe.toml"))
 
     def marked(name: str) -> str:
-        said: str = frame["mark"].format(mark=mark(name))
-        return said
+        text: str = frame["mark"].format(mark=mark(name))
+        return text
 
     yield frame["begin"].format(mark=mark(BEGIN), count=len(found))
     if motion is not None:

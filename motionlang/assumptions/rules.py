@@ -13,7 +13,8 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from motionlang.assumptions.assumption import ERROR, REFUSED, SETTLED, Assumption, Probe
-from motionlang.assumptions.facts import ROOT, of_word
+from motionlang.assumptions.facts import of_word
+from motionlang.files import package_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -85,7 +86,7 @@ def unasked(language: str) -> frozenset[tuple[str, str]]:
     """Return the keywords and facts that the dialect's `unasked.txt` excludes."""
     found: set[tuple[str, str]] = set()
     facts: list[str] = []
-    for line in (ROOT / language / "evidence" / "unasked.txt").read_text(encoding="utf-8").splitlines():
+    for line in package_text(f"{language}/evidence/unasked.txt").splitlines():
         if line.startswith("  "):
             found.update((word, fact) for word in line.split() for fact in facts)
         elif line and not line.startswith("#"):
@@ -96,8 +97,8 @@ def unasked(language: str) -> frozenset[tuple[str, str]]:
 Questions = list[tuple[str, str, str, list[str], Probe]]
 
 
-def _place(row: Keyword) -> str | None:
-    """Return the contents of the brackets after a keyword: the axis, or its example's.
+def _subscript(row: Keyword) -> str | None:
+    """Return the text in the brackets after a keyword: the axis, or its example's.
 
     None if it is unknown.
     """
@@ -124,11 +125,11 @@ def _is_stored(row: Keyword) -> bool:
 
 
 def _default(row: Keyword) -> Questions:
-    place = _place(row)
-    if place is None or row.kind != "setting" or "R" not in row.access or isinstance(row.default, str):
+    subscript = _subscript(row)
+    if subscript is None or row.kind != "setting" or "R" not in row.access or isinstance(row.default, str):
         return []
-    probe = Probe("mint", f"{row.name}{place}", answers=(f"{row.default:.10g}",), form="{}", alone=True)
-    question = f"What {row.name}{place.replace('{a}', 'axis')} is at power-up"
+    probe = Probe("mint", f"{row.name}{subscript}", answers=(f"{row.default:.10g}",), form="{}", alone=True)
+    question = f"What {row.name}{subscript.replace('{a}', 'axis')} is at power-up"
     return [("default", question, f"{row.default:.10g}", other_defaults(row), probe)]
 
 
@@ -188,7 +189,7 @@ def _unit(row: Keyword) -> Questions:
 def _scale(row: Keyword) -> Questions:
     """Return a question with a second scale, which changes values stored in counts."""
     first, second = SCALES
-    kept = VALUE * first / second
+    stored = VALUE * first / second
     high, low = row.high if row.high is not None else VALUE, row.low if row.low is not None else 0
     if not low <= VALUE <= high:
         return []
@@ -200,7 +201,7 @@ def _scale(row: Keyword) -> Questions:
             f"{row.name}({{a}}) = {VALUE}",
             f"SCALEFACTOR({{a}}) = {second}",
         ),
-        answers=(f"{kept:g}", f"{VALUE}"),
+        answers=(f"{stored:g}", f"{VALUE}"),
         alone=True,
         needs=AGAIN,
     )
@@ -233,10 +234,10 @@ def _short(row: Keyword) -> Questions:
 
     There is none if reading causes motion.
     """
-    place = _place(row)
-    if place is None or "R" not in row.access:
+    subscript = _subscript(row)
+    if subscript is None or "R" not in row.access:
         return []
-    ask = f'{row.short}{place}; " "; {row.name}{place}'
+    ask = f'{row.short}{subscript}; " "; {row.name}{subscript}'
     probe = Probe("mint", ask, answers=(r"re:(\S+) \1", REFUSED, r"re:(\S+) (?!\1$)\S+"), alone=True)
     others = ["no such short form is known", f"it is the short form of another word than {row.name}"]
     return [("short", f"The short form of {row.name}", row.short.upper(), others, probe)]
@@ -277,8 +278,8 @@ def _bare(row: Keyword) -> Questions:
     if row.kind != "reading" or row.access != "R" or row.index not in ("axis", "axes"):
         return []
     lines, code = "it reports every axis, one per line", "it answers a code: an axis must be named"
-    said = [(lines, r"re:\d.*"), (code, r"re:\?-?\d+")]
-    (chosen, first), (other, second) = said if row.index == "axes" else said[::-1]
+    outcomes = [(lines, r"re:\d.*"), (code, r"re:\?-?\d+")]
+    (chosen, first), (other, second) = outcomes if row.index == "axes" else outcomes[::-1]
     probe = Probe("mccl", row.name, answers=(first, second), alone=True)
     return [("axis", f"{row.name} without an axis number", chosen, [other], probe)]
 

@@ -112,10 +112,15 @@ def quick_options(given: Sequence[str]) -> Options | None:
 
 
 def _command(given: Sequence[str]) -> int:
+    if not given:
+        from motionlang.cli.welcome import welcome
+
+        sys.stderr.write(welcome())
+        return 2
     gc.disable()  # loaded objects stay, and need no collection; a run collects for itself
     try:
         if given[:1] == ["run"]:
-            SIGNALS.hold()  # until the run can report how it ended
+            SIGNALS.defer()  # until the run can report how it ended
         options = quick_options(given)
         if options is not None:
             from motionlang.cli.run import run_command

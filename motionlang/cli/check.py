@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from functools import partial
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.dialect_option import add_dialect
 from motionlang.cli.findings_options import add_form
 from motionlang.cli.fix import Fixed, fix
 from motionlang.cli.input_files import read_source
-from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.parallel import add_jobs, in_parallel
 from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.program_files import programs
@@ -24,6 +23,7 @@ from motionlang.lang.machine.axes import missing_axes
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.mccl.models import MODELS
+from motionlang.record import record
 from motionlang.source import STDIN, STDIN_NAME, Source, name_of
 from motionlang.views.diagnostics import tally
 from motionlang.views.findings import Found, written
@@ -53,6 +53,7 @@ examples:
 """
 
 
+@record
 class CheckOptions:
     """The options of a check.
 
@@ -61,27 +62,16 @@ class CheckOptions:
     `views.findings.FORMATS`, `jobs` the number of processes, 0 for the number of cores.
     """
 
-    __slots__ = (
-        "dialect", "evidence", "fix", "form", "jobs", "literals", "machine", "model", "quiet", "strict",
-    )  # fmt: skip
-
-    def __init__(
-        self,
-        dialect: str | None = None,
-        *,
-        form: str = "text",
-        jobs: int = 0,
-        machine: str | None = None,
-        model: str | None = None,
-        strict: bool = False,
-        evidence: bool = False,
-        fix: bool = False,
-        literals: bool = False,
-        quiet: bool = False,
-    ) -> None:
-        self.literals, self.quiet = literals, quiet
-        self.dialect, self.form, self.jobs, self.machine = dialect, form, jobs, machine
-        self.model, self.strict, self.evidence, self.fix = model, strict, evidence, fix
+    dialect: str | None = None
+    form: str = "text"
+    jobs: int = 0
+    machine: str | None = None
+    model: str | None = None
+    strict: bool = False
+    evidence: bool = False
+    fix: bool = False
+    literals: bool = False
+    quiet: bool = False
 
 
 def add_parser(commands: Commands, summary: str) -> None:
@@ -171,14 +161,14 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
     ):
         wrong = wrong or any(options.strict or each.severity == "error" for each in diagnostics)
         name = STDIN_NAME if file == STDIN else file
-        place = source.name if source is not None and source.name != name_of(file) else name
+        path = source.name if source is not None and source.name != name_of(file) else name
         if options.form not in ("text", "json"):
-            document.append(Found(name, diagnostics, source, place, options.strict))
+            document.append(Found(name, diagnostics, source, path, options.strict))
             continue
         if fixed and options.form == "text":
             sys.stdout.write("".join(f"{printable(f'{name}:{each}')}\n" for each in fixed))
         if options.form == "text":
-            complain(diagnostics, source, place, sys.stdout)
+            complain(diagnostics, source, path, sys.stdout)
         found = [each.as_dict() for each in diagnostics]
         rows.append({"program": name, "dialect": language, "diagnostics": found})
         if options.fix:
@@ -192,6 +182,8 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
         if options.evidence and settings is not None and source is not None:
             _report_evidence(language, source, settings, rows[-1], options.form == "json")
     if options.form == "json":
+        import json
+
         sys.stdout.write(json.dumps({"schema": SCHEMA, "files": rows}, indent=1) + "\n")
     elif options.form != "text":
         sys.stdout.write(written(document, options.form, "check"))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -11,7 +10,6 @@ from motionlang import __version__
 from motionlang.cli.complaints import complain
 from motionlang.cli.format_options import into
 from motionlang.cli.parser import Parser
-from motionlang.cli.welcome import welcome
 from motionlang.errors import ProgramError
 
 if TYPE_CHECKING:
@@ -61,11 +59,10 @@ OLD_COMMANDS = {"profiles": ("profiles", "compare the four velocity profiles of 
 EPILOG = """\
 examples:
   motionlang run pick.mnt                        print its output, then a table of its moves
-  motionlang run pick.mnt --plot pick.png        draw position, velocity and acceleration
+  motionlang run pick.mnt --plot pick.html       draw position, velocity and acceleration
   motionlang run pick.mnt --format json          write the same figures as JSON
   motionlang check *.mnt                         check without running
-  motionlang plan --distance 20 --time 0.6 --rule third
-                                                 work out speed and rates, write a program
+  motionlang plan --distance 20 --time 0.6 --rule third  work out speed and rates, write a program
   motionlang keywords ACCELTIME                  look up a keyword
 """
 
@@ -75,9 +72,6 @@ def parse(given: Sequence[str]) -> int:
     if given and given[0] == "help":
         given = [*given[1:2], "--help"]
     parser = build_parser(given[0] if given else "")
-    if not given:
-        sys.stderr.write(welcome())
-        return 2
     arguments, unknown = parser.parse_known_args(_with_factor(given))
     arguments.given = list(given)
     if unknown:

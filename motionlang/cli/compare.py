@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from math import isfinite, nan
+from math import inf, isfinite, nan
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable
@@ -119,7 +119,7 @@ def _tolerance(text: str) -> tuple[str, float]:
         value = float(size.removesuffix("/s").removesuffix("uu"))
     except ValueError:
         value = -1.0
-    if not 0.0 <= value < float("inf"):
+    if not 0.0 <= value < inf:
         raise argparse.ArgumentTypeError(f"{text!r} is not a tolerance such as position=0.05uu")
     return (what.strip() if equals else "position"), value
 

@@ -6,11 +6,12 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.cli.address import address
 from motionlang.cli.complaints import complain
 from motionlang.cli.parser import add_command
 from motionlang.dap.server import serve_connection, serve_stdio
 from motionlang.errors import Diagnostic
-from motionlang.serve.address import BadAddress, listen, parse, shown
+from motionlang.serve.address import listen, shown
 
 if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
@@ -30,20 +31,13 @@ def add_parser(commands: Commands, summary: str) -> None:
     parser = add_command(commands, "dap", summary, _dap, EPILOG)
     parser.add_argument(
         "--tcp",
-        type=_address,
+        type=address,
         metavar="HOST:PORT",
         help=(
             "listen on this address for one client; without HOST only this computer can connect, port 0 is any free "
             "port (default: standard input and output)"
         ),
     )
-
-
-def _address(text: str) -> tuple[str, int]:
-    try:
-        return parse(text)
-    except BadAddress as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def _dap(arguments: argparse.Namespace) -> int:

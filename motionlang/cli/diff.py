@@ -16,9 +16,10 @@ from motionlang.analysis.diff.reports import checked, difference
 from motionlang.analysis.diff.tolerance import Tolerance
 from motionlang.cli.compare import add_mapping, compare_with
 from motionlang.cli.complaints import complain, no_dialect, unreadable
+from motionlang.cli.dialect_option import add_dialect
 from motionlang.cli.format_options import add_format
 from motionlang.cli.golden import golden_files
-from motionlang.cli.machine_options import add_dialect, set_values
+from motionlang.cli.machine_options import set_values
 from motionlang.cli.output_files import written
 from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.run_options import machine_time
@@ -232,15 +233,15 @@ def _variant(
     path = os.path.splitext(program)[0] + SUFFIX
     if not os.path.isfile(path):
         raise ValueError(f"there is no {os.path.basename(path)} next to it")
-    wishes = read_description(path)
-    worlds = wishes.worlds()
+    description = read_description(path)
+    worlds = description.worlds()
     made = Sweep(
         program,
-        wishes.space(worlds),
+        description.space(worlds),
         machine=settings,
         overrides=overrides,
         worlds=worlds,
-        until=wishes.until,
+        until=description.until,
     )
     if not 0 <= number < len(made.space):
         raise ValueError(f"no variant {number}: {os.path.basename(path)} has 0 to {len(made.space) - 1}")
@@ -285,7 +286,7 @@ def _data(
         "time_by_line": [as_dict(each) for each in charges],
         "status": found.status,
         "lines": [as_dict(each) for each in found.lines],
-        "removed_moves": found.gone,
+        "removed_moves": found.removed,
         "added_moves": found.new,
         "prints": [
             dict(zip(("old", "new", "old_text", "new_text"), each, strict=True)) for each in found.prints

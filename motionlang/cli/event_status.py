@@ -31,17 +31,17 @@ def complaints(run: Run, allowed: frozenset[str]) -> list[str]:
     handled: dict[int | None, int] = {}
     # As plain tuples: importing the record type takes as long as starting an empty Python.
     events = list(run.machine.log.events.as_stored())
-    for place, (_, kind, axis, *_) in enumerate(events):
+    for index, (_, kind, axis, *_) in enumerate(events):
         if kind == "handler":
-            handled[None] = place
+            handled[None] = index
         elif kind == "cleared":
-            handled[axis] = place
+            handled[axis] = index
     kinds = {kind for name, kinds in ALLOWED.items() if name not in allowed for kind in kinds}
     found: dict[tuple[str, int | None], str] = {}
-    for place, (time, kind, axis, _, _, at, ordered, text) in enumerate(events):
+    for index, (time, kind, axis, _, _, at, ordered, text) in enumerate(events):
         if kind not in kinds or (kind, axis) in found or text == HOMING:
             continue
-        if kind in _HANDLED and max(handled.get(None, -1), handled.get(axis, -1)) > place:
+        if kind in _HANDLED and max(handled.get(None, -1), handled.get(axis, -1)) > index:
             continue
         line = ordered or (run.dialect.locate(run.source, at)[0] if at >= 0 else 0)
         name = next(name for name, kinds in ALLOWED.items() if kind in kinds)

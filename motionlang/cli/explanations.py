@@ -66,8 +66,8 @@ _MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n"
 EXAMPLES: dict[str, Pair] = {
     "syntax": _checked("PAUSE IDLE(0\n", "PAUSE IDLE(0)\n"),
     "language": _commands({"pick.prg": "1MN,1MR100\n", MCCL: "1MN,1MR100\n"}, "run pick.prg", f"run {MCCL}"),
-    "missing-end": _checked("If INX(1) Then\n  OUT(1) = 1\n", "If INX(1) Then\n  OUT(1) = 1\nEnd If\n"),
-    "stray-end": _checked("OUT(1) = 1\nEnd If\n", "OUT(1) = 1\n"),
+    "missing-end": _checked("If INX(1) Then\n  OUTX(1) = 1\n", "If INX(1) Then\n  OUTX(1) = 1\nEnd If\n"),
+    "stray-end": _checked("OUTX(1) = 1\nEnd If\n", "OUTX(1) = 1\n"),
     "answers": _commands({"answers.txt": "hello\n"}, "probe --answers answers.txt", "probe POS"),
     "unknown-word": _checked("SPED(0) = 100\n" + _MOVE, "SPEED(0) = 100\n" + _MOVE),
     "not-simulated": _checked("ABSENCODERTURNS(0) = 4\n" + _MOVE, _MOVE),
@@ -81,7 +81,7 @@ EXAMPLES: dict[str, Pair] = {
     "duplicate": _checked("Dim part = 1\nDim part = 2\nPRINT part\n", "Dim part = 1\npart = 2\nPRINT part\n"),
     "range": _checked("SPEED(0) = -5\nMOVER(0) = 5 : GO(0)\n", "SPEED(0) = 5\nMOVER(0) = 5 : GO(0)\n"),
     "axis": _checked("SPEED(40) = 5\nMOVER(0) = 5 : GO(0)\n", "SPEED(0) = 5\nMOVER(0) = 5 : GO(0)\n"),
-    "channel": _run("OUT(99) = 1\n", "OUT(1) = 1\n"),
+    "channel": _run("OUTX(1000) = 1\n", "OUTX(1) = 1\n"),
     "output": _run("COMPAREENABLE(3) = 1\n", "COMPAREOUTPUT(0) = 3\nCOMPAREENABLE(3) = 1\n"),
     "no-connection": _run(
         "PRINT MODBUSTCP16(5, 6)\n", "PRINT MODBUSTCP16(4, 6)\n", "[[modbus.server]]\nid = 4\n"
@@ -151,7 +151,7 @@ EXAMPLES: dict[str, Pair] = {
         "CAPTURETRIGGERMODE(0) = 1\nCAPTURETRIGGERSOURCE(0) = 13\nCAPTURECOMMAND = 1\nCAPTURETRIGGER\n",
     ),
     "event": _run(
-        "EVENTPEND(99, 0, 0)\n", "EVENTPEND(5, 0, 0)\nWAIT = 5\nEnd\nEvent TIMER\n  OUT(1) = 1\nEnd Event\n"
+        "EVENTPEND(99, 0, 0)\n", "EVENTPEND(5, 0, 0)\nWAIT = 5\nEnd\nEvent TIMER\n  OUTX(1) = 1\nEnd Event\n"
     ),
     "recursion": _run(
         "PRINT Down(9)\nFunction Down(ByVal n As Integer) As Integer\n  Down = Down(n - 1)\nEnd Function\n",
@@ -237,12 +237,12 @@ EXAMPLES: dict[str, Pair] = {
         "JOG(0) = 5\nPAUSE IDLE(0)\n", "JOG(0) = 5\nWAIT = 100\nSTOP(0)\nPAUSE IDLE(0)\n"
     ),
     "endless-loop": _checked(
-        "Dim n\nWhile n < 5\n  OUT(1) = 1\nEnd While\n",
-        "Dim n\nWhile n < 5\n  OUT(1) = 1\n  n = n + 1\nEnd While\n",
+        "Dim n\nWhile n < 5\n  OUTX(1) = 1\nEnd While\n",
+        "Dim n\nWhile n < 5\n  OUTX(1) = 1\n  n = n + 1\nEnd While\n",
     ),
     "constant-condition": _checked(
-        "Dim n = INX(1)\nIf n = 1 Or 2 Then OUT(1) = 1\n",
-        "Dim n = INX(1)\nIf n = 1 Or n = 2 Then OUT(1) = 1\n",
+        "Dim n = INX(1)\nIf n = 1 Or 2 Then OUTX(1) = 1\n",
+        "Dim n = INX(1)\nIf n = 1 Or n = 2 Then OUTX(1) = 1\n",
     ),
     "mixed-operators": _checked(
         "If INX(1) = 1 & INX(2) = 1 Then PRINT 1\n", "If (INX(1) = 1) & (INX(2) = 1) Then PRINT 1\n"
@@ -257,17 +257,17 @@ EXAMPLES: dict[str, Pair] = {
     ),
     "wrong-channel": _checked_mccl("CN1\n", "CT1,CN1\n"),
     "unused-sub": _checked(
-        "Sub Feed()\n  OUT(1) = 1\nEnd Sub\n", "Feed\nSub Feed()\n  OUT(1) = 1\nEnd Sub\n"
+        "Sub Feed()\n  OUTX(1) = 1\nEnd Sub\n", "Feed\nSub Feed()\n  OUTX(1) = 1\nEnd Sub\n"
     ),
     "unused-task": _checked(
-        "Task Feed\n  OUT(1) = 1\nEnd Task\n", "Run Feed\nTask Feed\n  OUT(1) = 1\nEnd Task\n"
+        "Task Feed\n  OUTX(1) = 1\nEnd Task\n", "Run Feed\nTask Feed\n  OUTX(1) = 1\nEnd Task\n"
     ),
     "motor-off": _checked_mccl("1MR100\n", "1MN,1MR100\n"),
     "nothing-to-wait-for": _checked_mccl("1MN\n1WS\n", "1MN,1MR100\n1WS\n"),
     "still-running": _checked_mccl("1MN,1VM,1GO\n1WS\n", "1MN,1VM,1GO\n1ST,1WS\n"),
     "else-if": _checked(
-        "Dim n = INX(1)\nIf n = 1 Then\n  OUT(1) = 1\nElse If n = 2 Then OUT(2) = 1\n  OUT(3) = 1\nEnd If\n",
-        "Dim n = INX(1)\nIf n = 1 Then\n  OUT(1) = 1\nElseIf n = 2 Then\n  OUT(2) = 1\n  OUT(3) = 1\nEnd If\n",
+        "Dim n = INX(1)\nIf n = 1 Then\n  OUTX(1) = 1\nElse If n = 2 Then OUTX(2) = 1\n  OUTX(3) = 1\nEnd If\n",
+        "Dim n = INX(1)\nIf n = 1 Then\n  OUTX(1) = 1\nElseIf n = 2 Then\n  OUTX(2) = 1\n  OUTX(3) = 1\nEnd If\n",
     ),
     "silenced": _checked(
         "PRINT 1 ' lint: ignore unused-varable\n", "PRINT 1 ' lint: ignore unused-variable\n"

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from motionlang.analysis.guesses import Guesses, answer_entry, guessed
 from motionlang.analysis.guesses.file import inline, machine_text
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.dialect_option import add_dialect
 from motionlang.cli.format_options import add_format
-from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.options import REPORTS, Options
 from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.program_files import programs
@@ -32,11 +32,11 @@ if TYPE_CHECKING:
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0
 EPILOG = """\
-init runs the program and looks where it is stuck: at an input, at INPUT, at a key, in a homing. It guesses what would
-let it go on, writes the guesses into FILE.machine.toml beside the program, and runs it. On a terminal it asks about
-each guess; Enter keeps it. A file that is there already is never overwritten.
+init runs the program and finds where it waits for its machine: for an input, for an answer to INPUT, for a key, in a
+homing. It guesses what lets the program continue, writes the guesses into FILE.machine.toml next to the program, and
+runs it. On a terminal it asks about each guess; Enter keeps it. A file that exists is never overwritten.
 
-exit status: 0 the file is written and the program ran; 1 it is there already, or the program is wrong or faulted
+exit status: 0 the file is written and the program ran; 1 the file exists, or the program has an error or a fault
 
 examples:
   motionlang init packer.prg
@@ -90,9 +90,7 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
         return 2
     if os.path.lexists(path):
         hint = f"motionlang run {file} runs the program with it"
-        complain(
-            [Diagnostic("file", f"{path} is there already, and init never overwrites", hint=hint)], None, file
-        )
+        complain([Diagnostic("file", f"{path} exists, and is not overwritten", hint=hint)], None, file)
         return 1
     try:
         source = Source.read(file)
@@ -101,9 +99,7 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
         return 1
     mistakes = [each for each in language.check(source, {}) if each.severity == "error"]
     if mistakes:
-        one = "1 mistake" if len(mistakes) == 1 else f"{len(mistakes)} mistakes"
-        hint = f"motionlang check {file} shows {'it' if len(mistakes) == 1 else 'them'}"
-        complain([Diagnostic("syntax", f"{file} has {one} and cannot run", hint=hint)], None, file)
+        complain(mistakes, source, file)
         return 1
     fixed: dict[str, object] = {}
     reads = language.input_reads(source)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from marshal import dumps, loads
 
-from motionlang.source import STDIN, STDIN_NAME, Source, contents
+from motionlang.source import STDIN, STDIN_NAME, Source, contents, without_padding
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 def read_source(file: str) -> Source:
     """Return the program of a file, or of standard input for `-`; may raise OSError."""
     if file == STDIN:
-        return Source.from_bytes(STDIN_NAME, contents(sys.stdin.buffer))
+        return Source.from_bytes(STDIN_NAME, without_padding(contents(sys.stdin.buffer)))
     return Source.read(file)
 
 
@@ -48,9 +48,9 @@ def _settings(source: Source, cached: bool) -> dict[str, object]:
     from motionlang.cache import machine_entry
 
     entry = machine_entry(source.text) if cached else None
-    kept = entry.get() if entry is not None else None
-    if kept is not None:
-        settings: dict[str, object] = loads(kept)
+    stored = entry.get() if entry is not None else None
+    if stored is not None:
+        settings: dict[str, object] = loads(stored)
         return settings
     from motionlang.lang.machine.file import read_machine
 

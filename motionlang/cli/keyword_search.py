@@ -34,7 +34,7 @@ def search(question: str, tables: Mapping[str, Iterable[Keyword]]) -> tuple[dict
         for row in rows:
             has = {_stem(word) for word in _words(f"{row.help} {row.group}")}
             named = len([word for word in words if word in row.name.lower()])
-            described = [word for word in words if any(_alike(word, each) for each in has)]
+            described = [word for word in words if any(_are_similar(word, each) for each in has)]
             count = len({*described, *(word for word in words if word in row.name.lower())})
             scores.append((count, named, language, row))
     best = max((count for count, *_ in scores), default=0)
@@ -64,7 +64,7 @@ def _stem(word: str) -> str:
     return word
 
 
-def _alike(one: str, other: str) -> bool:
+def _are_similar(one: str, other: str) -> bool:
     """True if one stem begins with the other, such as `mov` and `move`."""
     short, long = sorted((one, other), key=len)
     return one == other or (len(short) >= 3 and long.startswith(short) and len(long) - len(short) <= 2)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import sys
 from typing import TYPE_CHECKING
@@ -10,12 +9,12 @@ from typing import TYPE_CHECKING
 from motionlang.assumptions.assumption import SETTLED
 from motionlang.assumptions.facts import of_word as of_word_facts
 from motionlang.assumptions.questions import of_word
+from motionlang.cli.dialect_option import add_dialect
 from motionlang.cli.format_options import add_format
 from motionlang.cli.keyword_search import search
-from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.parser import add_command, arrange
 from motionlang.errors import Diagnostic, nearest
-from motionlang.execution import dialect, dialects
+from motionlang.lang.dialect import dialect, dialects
 from motionlang.views import assumptions
 from motionlang.views.diagnostics import render
 from motionlang.views.keywords import as_dict, listing, page
@@ -86,6 +85,8 @@ def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) 
             for each, rows in found.items()
             for row in rows
         ]
+        import json
+
         sys.stdout.write(json.dumps({"schema": SCHEMA, "keywords": rows}, indent=1) + "\n")
     else:
         _print(found, single)
@@ -108,12 +109,12 @@ def _print(found: dict[str, list[Keyword]], single: bool) -> None:
     seen = is_terminal(sys.stdout) or "COLUMNS" in os.environ
     width = width_of(sys.stdout) if seen else PIPED_WIDTH
     if single:
-        parts = [_page(row, each, width, colour) for each, (row,) in found.items()]
+        pages = [_page(row, each, width, colour) for each, (row,) in found.items()]
     else:
-        parts = [
+        pages = [
             listing(rows, each, width=width, colour=colour, whole=not seen) for each, rows in found.items()
         ]
-    text = "\n".join(parts)
+    text = "\n".join(pages)
     sys.stdout.write(text if draws(sys.stdout) else plain(text))
 
 

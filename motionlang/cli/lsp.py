@@ -6,11 +6,12 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.cli.address import address
 from motionlang.cli.complaints import complain
 from motionlang.cli.parser import add_command
 from motionlang.errors import Diagnostic, need
 from motionlang.files import reason
-from motionlang.serve.address import BadAddress, listen, parse, shown
+from motionlang.serve.address import listen, shown
 
 if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
@@ -32,20 +33,13 @@ def add_parser(commands: Commands, summary: str) -> None:
     group.add_argument("--stdio", action="store_true", help="use standard input and output (default)")
     group.add_argument(
         "--tcp",
-        type=_address,
+        type=address,
         metavar="HOST:PORT",
         help=(
             "wait for one editor at this address; without HOST only this computer can connect, port 0 is "
             "any free port"
         ),
     )
-
-
-def _address(text: str) -> tuple[str, int]:
-    try:
-        return parse(text)
-    except BadAddress as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def _serve(arguments: argparse.Namespace) -> int:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from motionlang.cli.dialect_option import add_dialect
 from motionlang.errors import ProgramError, clipped, shown
-from motionlang.execution import dialects
 from motionlang.lang.literals import canonical
 from motionlang.lang.machine.file import check_setting, current_key, read_value
 
@@ -30,12 +30,6 @@ def add_machine(parser: argparse.ArgumentParser) -> None:
         help="set a name of the program, or a key of the machine file by its dotted name, such as "
         "controller.axes; may be repeated",
     )
-
-
-def add_dialect(
-    parser: argparse.ArgumentParser, what: str = "the language; default: by file extension"
-) -> None:
-    parser.add_argument("--dialect", choices=dialects(), help=what)
 
 
 def set_values(

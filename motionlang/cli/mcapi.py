@@ -114,9 +114,9 @@ def path_command(args: argparse.Namespace) -> int:
 def library(target: str = "linux") -> Path | None:
     """Return the path of the library; None, with a message, if it has not been built."""
     from motionlang.mcapi.build import TARGETS as BUILT
-    from motionlang.mcapi.build import place
+    from motionlang.mcapi.build import default_path
 
-    found = place(BUILT[target])
+    found = default_path(BUILT[target])
     if found is not None and found.exists():
         return found
     option = "" if target == "linux" else f" --target {target}"

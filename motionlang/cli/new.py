@@ -33,7 +33,7 @@ ACCEL(0) = 1250 : DECEL(0) = 1250       ' mm/s²
 PAUSE INX(2)                            ' start button: the machine file presses it
 MOVEA(0) = 200 : GO(0)                  ' load a move to 200 mm, and start it
 PAUSE IDLE(0)                           ' wait until the axis is at rest
-OUT(1) = 1 : WAIT = 100 : OUT(1) = 0    ' open the gripper for 100 ms
+OUTX(1) = 1 : WAIT = 100 : OUTX(1) = 0  ' open the gripper for 100 ms
 MOVEA(0) = 0 : GO(0)
 PAUSE IDLE(0)
 PRINT "back at "; POS(0); " mm"
@@ -41,10 +41,11 @@ PRINT "back at "; POS(0); " mm"
 MCCL = """\
 ; Axis 1 feeds a part by 200 mm and returns; channel 9 opens a gripper in between.
 1US1000,1MN             ; counts per mm, motor on: from here on lengths are mm
+CT9                     ; channel 9 is an output
 1SV250,1SA1250,1DS1250  ; mm/s, mm/s²
 WN2                     ; start button: the machine file presses it
 1MA200,1WS              ; move to 200 mm, and wait until the axis is at rest
-CT9,WA0.1,CF9           ; open the gripper for 100 ms
+CN9,WA0.1,CF9           ; open the gripper for 100 ms
 1MA0,1WS
 1TP                     ; print the position
 """
@@ -79,7 +80,7 @@ def new_command(arguments: argparse.Namespace) -> int:
     if os.path.basename(arguments.name)[:1] in ("", "."):
         parser.error("NAME needs a name, such as feed")
     if language is None:
-        parser.error(f"{name}: the suffix is neither of Mint (.mnt) nor of MCCL (.mcl)")
+        parser.error(f"{name} is neither Mint (.mnt) nor MCCL (.mcl) by its extension")
     text, axis = TEXTS[language.name]
     machine = os.path.splitext(name)[0] + MACHINE_SUFFIX
     for path in (name, machine):
@@ -95,6 +96,9 @@ def new_command(arguments: argparse.Namespace) -> int:
             complain([unwritten(path, error)], None, path)
             return 1
     sys.stdout.write(f"{name}, {machine}: written\n")
-    for verb in (f"run {name}", f"check {name}", f"plot {name} {os.path.splitext(name)[0]}.html"):
+    program, picture = (
+        f'"{each}"' if " " in each else each for each in (name, f"{os.path.splitext(name)[0]}.html")
+    )
+    for verb in (f"run {program}", f"check {program}", f"plot {program} {picture}"):
         sys.stdout.write(f"  motionlang {verb}\n")
     return 0

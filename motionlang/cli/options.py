@@ -19,37 +19,6 @@ if TYPE_CHECKING:
 class Options:
     """The options of a run, as given on the command line."""
 
-    __slots__ = (
-        "allow",
-        "cache",
-        "certify",
-        "columns",
-        "dialect",
-        "everything",
-        "file",
-        "given",
-        "log_size",
-        "machine",
-        "nv",
-        "overrides",
-        "paths",
-        "plot",
-        "points",
-        "profile",
-        "profile_to",
-        "prove",
-        "rate",
-        "realtime",
-        "report",
-        "settings",
-        "show_code",
-        "show_tree",
-        "trace",
-        "until",
-        "window",
-        "world",
-    )
-
     def __init__(self, file: str) -> None:
         self.file = file
         self.dialect: str | None = None
@@ -89,8 +58,6 @@ class Options:
         self.allow: frozenset[str] = frozenset()
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Options) and all(
-            getattr(self, name) == getattr(other, name) for name in Options.__slots__ if name != "given"
-        )
+        return isinstance(other, Options) and vars(self) | {"given": other.given} == vars(other)
 
     __hash__ = None  # type: ignore[assignment]

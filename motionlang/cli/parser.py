@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
-import textwrap
 from typing import TYPE_CHECKING, NoReturn
 
 from motionlang.errors import nearest, renamed
@@ -40,6 +40,11 @@ OLD_OPTIONS = {
 class Formatter(argparse.RawDescriptionHelpFormatter):
     """Help whose paragraphs fill the width and whose indented lines are not joined."""
 
+    def __init__(self, prog: str, **options: int) -> None:
+        # argparse makes one for each option, and would import shutil for its width.
+        options.setdefault("width", _columns() - 2)
+        super().__init__(prog, **options)
+
     def _fill_text(self, text: str, width: int, indent: str) -> str:
         lines: list[str] = []
         for block in text.split("\n\n"):
@@ -55,12 +60,30 @@ class Formatter(argparse.RawDescriptionHelpFormatter):
         return "\n".join(lines).rstrip("\n") + "\n"
 
 
+def _columns() -> int:
+    """Return the terminal width for help texts, like `shutil.get_terminal_size`.
+
+    Importing shutil would load its compression libraries.
+    """
+    named = os.environ.get("COLUMNS", "")
+    if named.isdigit() and int(named) > 0:
+        return int(named)
+    try:
+        return os.get_terminal_size(sys.__stdout__.fileno()).columns or 80  # type: ignore[union-attr]
+    except (AttributeError, ValueError, OSError):
+        return 80
+
+
 def _filled(paragraph: list[str], width: int) -> list[str]:
+    import textwrap
+
     return textwrap.wrap(" ".join(paragraph), width, break_on_hyphens=False) if paragraph else []
 
 
 def _example(line: str, width: int) -> list[str]:
     """Return an indented line; if it is too long, its remark moves to the next line."""
+    import textwrap
+
     if len(line) <= width:
         return [line]
     command, gap, remark = re.fullmatch(r"( +\S+(?: \S+)*)(  +|$)(.*)", line).groups()  # type: ignore[union-attr]
@@ -134,11 +157,11 @@ class Parser(argparse.ArgumentParser):
 
         Example: `--json` leads to `--format json`.
         """
-        said: dict[str, str] = {}
+        spellings: dict[str, str] = {}
         for action in self._actions:
             for choice in action.choices or ():
-                said[f"--{choice}"] = " ".join((*action.option_strings[-1:], str(choice)))
-        return said | {option: option for action in self._actions for option in action.option_strings}
+                spellings[f"--{choice}"] = " ".join((*action.option_strings[-1:], str(choice)))
+        return spellings | {option: option for action in self._actions for option in action.option_strings}
 
     def _words(self) -> list[str]:
         """Return every option and every choice, including those of the commands."""

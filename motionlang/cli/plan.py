@@ -18,7 +18,7 @@ from motionlang.cli.plan_scale import add_scale_arguments, scale_of
 from motionlang.execution import dialects
 from motionlang.notes.an00115 import formulas
 from motionlang.planners.reach import needed_distance, remedies
-from motionlang.planners.solve import NAMES, RULES
+from motionlang.planners.solve import NAMES, RULES, Underdetermined
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import draws, plain, styled, wants_colour
 from motionlang.views.words import dialect_name
@@ -109,7 +109,10 @@ def plan_command(arguments: argparse.Namespace) -> int:
         move, assumed, wanted = solve_plan(given, arguments.rule)
     except ValueError as problem:
         changes = remedies(arguments.rule, given)
-        parser.error(f"{problem}\n  hint: change one: {'; '.join(changes)}" if changes else str(problem))
+        hint = f"\n  hint: change one: {'; '.join(changes)}" if changes else ""
+        if isinstance(problem, Underdetermined):
+            hint = "\n  hint: give distance, speed and accel, or distance and time with a --rule"
+        parser.error(f"{problem}{hint}")
     stated = (set(given) - set(wanted)) | assumed
     behind = formulas(move, stated, arguments.rule)
     if arguments.plot:

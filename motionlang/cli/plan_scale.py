@@ -40,13 +40,15 @@ def add_scale_arguments(parser: argparse.ArgumentParser) -> None:
 def scale_of(arguments: argparse.Namespace) -> tuple[float, str]:
     """Return counts per user unit and their derivation; ValueError if unknown."""
     lines, resolution = arguments.encoder_lines, arguments.resolution
-    ways = [name for name in ("scale", "encoder_lines", "resolution") if getattr(arguments, name) is not None]
-    if len(ways) > 1:
-        one, other = (f"--{name.replace('_', '-')}" for name in ways[:2])
+    options = [
+        name for name in ("scale", "encoder_lines", "resolution") if getattr(arguments, name) is not None
+    ]
+    if len(options) > 1:
+        one, other = (f"--{name.replace('_', '-')}" for name in options[:2])
         raise ValueError(f"{one} and {other} both set the scale")
-    parts = [name for name in ("quadrature", "gear", "pitch") if getattr(arguments, name) is not None]
-    if lines is None and (parts or arguments.degrees):
-        raise ValueError(f"--{parts[0] if parts else 'degrees'} needs --encoder-lines")
+    factors = [name for name in ("quadrature", "gear", "pitch") if getattr(arguments, name) is not None]
+    if lines is None and (factors or arguments.degrees):
+        raise ValueError(f"--{factors[0] if factors else 'degrees'} needs --encoder-lines")
     if resolution is not None:
         scale, how = linear_scale(resolution), f"1/{resolution:g}"
     elif lines is not None:
@@ -63,9 +65,9 @@ def _rotary(arguments: argparse.Namespace) -> tuple[float, str]:
         raise ValueError("--encoder-lines needs either --pitch or --degrees")
     lines, gear = arguments.encoder_lines, 1.0 if arguments.gear is None else arguments.gear
     quadrature = 4 if arguments.quadrature is None else arguments.quadrature
-    turn = 360.0 if arguments.degrees else arguments.pitch
-    how = f"{lines:g} lines · {quadrature}" + (f" · {gear:g}" if gear != 1.0 else "") + f" / {turn:g}"
-    return rotary_scale(lines, turn, gear, quadrature), how
+    per_turn = 360.0 if arguments.degrees else arguments.pitch
+    how = f"{lines:g} lines · {quadrature}" + (f" · {gear:g}" if gear != 1.0 else "") + f" / {per_turn:g}"
+    return rotary_scale(lines, per_turn, gear, quadrature), how
 
 
 def _ratio(text: str) -> float:

@@ -97,9 +97,9 @@ def _probe(arguments: argparse.Namespace) -> int:
         if arguments.motion is not None or arguments.axis is not None or arguments.skip or arguments.list:
             parser.error("--answers reads answers; the other options write a probe")
         if what is not None and what not in dialects():
-            said = f"{what!r} is not one of {', '.join(dialects())}"
+            problem = f"{what!r} is not one of {', '.join(dialects())}"
             parser.error(
-                f"{said}; --answers reports every question in the log" if what in questions() else said
+                f"{problem}; --answers reports every question in the log" if what in questions() else problem
             )
         return _answers(arguments.answers, what or "")
     if what is None and not arguments.list:
@@ -190,14 +190,14 @@ def _answers(path: str, language: str) -> int:
     found = read(source.text, language)
     complain(found.problems, source, STDIN_NAME if path == STDIN else path)
     if found.verdicts:
-        sys.stderr.write(_told(found))
+        sys.stderr.write(_summary(found))
         sys.stderr.flush()
         sys.stdout.write(machine_text(found, STDIN_NAME if path == STDIN else name_of(path)))
     return 1 if any(each.severity == "error" for each in found.problems) else 0
 
 
-def _told(found: Answers) -> str:
-    """Return the result of the answers as text."""
+def _summary(found: Answers) -> str:
+    """Return the evaluation of the answers as text."""
     lines: list[str] = []
     by_status = {
         status: [each for each in found.verdicts if each.status == status]

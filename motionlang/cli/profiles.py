@@ -106,10 +106,10 @@ def _draw(demand: Demand, path: str) -> int:
     try:
         draw_profiles(demand, path)
     except OSError as problem:
-        told = Diagnostic("file", f"{path}: {problem.strerror or problem}")
+        diagnostic = Diagnostic("file", f"{path}: {problem.strerror or problem}")
     else:
         return 0
-    sys.stderr.write(render(told, None))
+    sys.stderr.write(render(diagnostic, None))
     return 1
 
 

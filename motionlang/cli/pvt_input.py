@@ -221,12 +221,12 @@ def _from_program(args: argparse.Namespace) -> Move:
     whole = WholeTrack(axis)
     starts, profiles = list(whole.starts), list(whole.profiles)
     track = Track(starts, profiles, *_span(starts, profiles))
-    parts = track.starts, track.profiles
+    columns = track.starts, track.profiles
     tolerance = TOLERANCE if args.tolerance is None else args.tolerance
     try:
-        fit = fit_track(*parts, tolerance, track.begin, track.end)
+        fit = fit_track(*columns, tolerance, track.begin, track.end)
     except OutOfTolerance as problem:
-        least = least_tolerance(*parts, tolerance, track.begin, track.end)
+        least = least_tolerance(*columns, tolerance, track.begin, track.end)
         hint = f"a tolerance of {least:.3g} counts can be met" if least else "the motion jumps there"
         raise ProgramError([Diagnostic("range", str(problem), hint=hint)]) from None
     except ValueError as problem:

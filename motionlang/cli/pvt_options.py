@@ -126,7 +126,7 @@ OPTIONS: dict[str, Callable[[argparse.ArgumentParser], None]] = {
 def _numbers(text: str) -> list[float]:
     """Parse comma-separated numbers; `points` validates them and reports the index."""
     try:
-        return [float(part) for part in text.split(",")]
+        return [float(item) for item in text.split(",")]
     except ValueError:
         raise _refused(text, "numbers with commas between them") from None
 
@@ -146,7 +146,7 @@ def _picture(text: str) -> str:
 
 
 def _counts(text: str) -> list[int]:
-    return [_count(part) for part in text.split(",")]
+    return [_count(item) for item in text.split(",")]
 
 
 def _count(text: str) -> int:

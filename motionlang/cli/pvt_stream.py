@@ -47,7 +47,7 @@ def _stream_to_simulated(args: argparse.Namespace, move: Move) -> int:
     points = relative(move.points, start) if args.relative else move.points
     wire = to_wire(points)
     drive = Drive(start)
-    with LockstepBus(drive, args.node, _look(args, wire), args.interface, args.channel) as bus:
+    with LockstepBus(drive, args.node, _poll_period(args, wire), args.interface, args.channel) as bus:
         problem, done = "", None
         try:
             done = Master(bus, args.node).stream(wire, args.transfer)
@@ -62,10 +62,10 @@ def _stream_to_simulated(args: argparse.Namespace, move: Move) -> int:
     return 1 if problem else 0
 
 
-def _look(args: argparse.Namespace, wire: Sequence[WirePoint]) -> int:
+def _poll_period(args: argparse.Namespace, wire: Sequence[WirePoint]) -> int:
     """Return the polling period of the master, microseconds.
 
-    In sub-mode 0 it sends a point in each, so it is the time between points.
+    In sub-mode 0 the master sends one point per period, so the period is the time between points.
     """
     usual = float(wire[0].time or 1) if args.transfer == "0" else 1.0
     return max(1, round((usual if args.poll_interval is None else args.poll_interval) * 1000))

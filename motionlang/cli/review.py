@@ -87,7 +87,7 @@ def review(program: str, result: Run) -> bool:
     if not all_of_them:  # printed output is stored twice, and only the other one differs
         other = os.path.basename(printed)
         return _whole(program, result, f"the printed output differs from {other}. Accept it?")
-    accepted, ends = _asked(program, all_of_them, found)
+    accepted, ends = _ask_each(program, all_of_them, found)
     whole = len(accepted) == len(all_of_them)
     if accepted:
         content = text(result, whole=False) if whole else rendered(merged(old, new, found, accepted))
@@ -107,8 +107,8 @@ def _whole(program: str, result: Run, question: str) -> bool:
     return answer == "y"
 
 
-def _asked(program: str, all_of_them: list[Change], found: object) -> tuple[list[Change], bool]:
-    """Return the accepted changes, and if the user has quit."""
+def _ask_each(program: str, all_of_them: list[Change], found: object) -> tuple[list[Change], bool]:
+    """Return the accepted changes, and True if the user has quit."""
     accepted: list[Change] = []
     for number, change in enumerate(all_of_them):
         lines = "\n".join(f"  {line}" for line in change_lines(found, change))  # type: ignore[arg-type]

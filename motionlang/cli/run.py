@@ -33,28 +33,28 @@ def run_command(options: Options) -> int:
     There is exactly one complete report, however the run ends: a signal during its output waits until it is
     written.
     """
-    told = False
+    is_reported = False
     try:
-        SIGNALS.let_go()
+        SIGNALS.deliver()
         result = _result(options)
         if isinstance(result, int):
             return result
-        with SIGNALS.held:
-            status = _tell(result, options)
-            told = True
+        with SIGNALS.deferred:
+            status = _report_outcome(result, options)
+            is_reported = True
         return _write_files(result, options) or status
     except (KeyboardInterrupt, Terminated) as error:
-        if told:
+        if is_reported:
             raise
         from motionlang.result import who_ended
 
-        SIGNALS.hold()
+        SIGNALS.defer()
         ended = [Diagnostic("interrupted", f"the run was ended {who_ended(error)}")]
         return _refuse(options, ended, None, status_of(error), "interrupted")
     except (OSError, ProgramError):
         raise
     except Exception as error:
-        if told:
+        if is_reported:
             raise
         found = _crash(error, options)
         return _refuse(options, [found], None, UNAVAILABLE if found.code == "extra" else CRASHED)
@@ -109,7 +109,7 @@ def _result(options: Options) -> Run | int:
     return _run(options, source, settings)
 
 
-def _tell(result: Run, options: Options) -> int:
+def _report_outcome(result: Run, options: Options) -> int:
     """Print report and complaints, and return the exit status."""
     if isinstance(result.crash, OSError):  # of the program's output, which `main` handles
         raise result.crash
@@ -137,7 +137,7 @@ def _tell(result: Run, options: Options) -> int:
         from motionlang.cli.complaints import complain
 
         warned = result.machine.warned
-        left = [each for each in result.diagnostics if not any(each is told for told in warned)]
+        left = [each for each in result.diagnostics if not any(each is other for other in warned)]
         complain(left, result.source, options.file)
     sys.stdout.flush()
     if result.crash is not None:
@@ -154,7 +154,7 @@ def _proof(result: Run) -> Proof | None:
 
     A run that has crashed, or was interrupted after long motion, has no proof.
     """
-    if result.orders is None or result.crash is not None:
+    if result.expected_motion is None or result.crash is not None:
         return None
     profiles = sum(len(axis.profiles) for axis in result.controller.axes.values())
     if result.status == "interrupted" and profiles > PROVED_IN_TIME:
@@ -328,13 +328,13 @@ def _report(result: Run, options: Options) -> None:
         made = TimeProfile(result)
         table += "\n" + render_profile(made, width=width, colour=colour, everything=options.everything)
     if options.everything:
-        table += _rests_on(result, options)
+        table += _assumptions_of(result, options)
     if result.machine.log.prints:
         table = "\n" + table
     sys.stdout.write(table if drawn else plain(table))
 
 
-def _rests_on(result: Run, options: Options) -> str:
+def _assumptions_of(result: Run, options: Options) -> str:
     from motionlang.report import assumptions
 
     """Return the number of open assumptions of the run, for a complete report only.

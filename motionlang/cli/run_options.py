@@ -354,7 +354,7 @@ def _allowed(text: str) -> frozenset[str]:
     unknown = sorted(names - ALLOWED.keys())
     if unknown:
         raise argparse.ArgumentTypeError(
-            f"--allow cannot accept {unknown[0]!r}: choose from {', '.join(ALLOWED)} or all"
+            f"{unknown[0]!r} is no event that a run can accept: choose from {', '.join(ALLOWED)} or all"
         )
     return names
 
@@ -374,7 +374,7 @@ def _path(text: str) -> tuple[int, ...]:
 
 
 def _rate(text: str) -> float:
-    what = f"a number of samples per second above 0, {HIGHEST_RATE:,.0f} at most"
+    what = f"a rate above 0 and up to {HIGHEST_RATE:,.0f} samples per second"
     return _number(text, 0.0, HIGHEST_RATE, what, open_low=True)
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
+from motionlang.cli.address import address
 from motionlang.cli.complaints import refuse, unreadable
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import add_machine, set_values
@@ -20,7 +21,6 @@ from motionlang.cli.serve_line import serve_line
 from motionlang.cli.serve_modbus import serve_modbus
 from motionlang.errors import Diagnostic, MissingExtra
 from motionlang.execution import machine_of
-from motionlang.serve.address import BadAddress, parse
 
 if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
@@ -63,7 +63,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     add_addresses(parser)
     add(
         "--modbus",
-        type=_address,
+        type=address,
         metavar="HOST:PORT",
         help="run a Mint program and serve its memory to Modbus TCP clients on this address",
     )
@@ -75,7 +75,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     )
     add(
         "--mcapi",
-        type=_address,
+        type=address,
         metavar="HOST:PORT",
         help="listen on this address for hosts that call PMC's library MCAPI (see `motionlang mcapi`)",
     )
@@ -96,7 +96,7 @@ def add_addresses(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add(
         "--tcp",
-        type=_address,
+        type=address,
         action="append",
         default=[],
         metavar="HOST:PORT",
@@ -251,13 +251,6 @@ def _speaks_mint(args: argparse.Namespace) -> bool:
     return bool(
         args.dialect == "mint" or (args.dialect is None and found is not None and found.name == "mint")
     )
-
-
-def _address(text: str) -> tuple[str, int]:
-    try:
-        return parse(text if ":" in text else ":" + text)
-    except BadAddress as problem:
-        raise argparse.ArgumentTypeError(str(problem)) from None
 
 
 def _count(text: str) -> int:

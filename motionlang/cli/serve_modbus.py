@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import sys
+from math import inf
 from typing import TYPE_CHECKING
 
 from motionlang import __version__
@@ -53,7 +54,7 @@ def serve_modbus(
             source,
             dialect="mint",
             machine=settings,
-            until=end_of(settings) if "run.until" in settings else float("inf"),
+            until=end_of(settings) if "run.until" in settings else inf,
             overrides=overrides,
             show=_show,
             outside=outside,

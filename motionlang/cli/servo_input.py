@@ -103,10 +103,10 @@ def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) 
     from motionlang.servo.tuning import suggest
 
     tuned = suggest(plant, args.bandwidth or 50.0, loop).loop
-    kept = {
+    given = {
         name: getattr(loop, name) for name in ("velocity_ff", "accel_ff", "decel_ff", "dac_bits", "override")
     }
-    return replace(tuned, **kept)
+    return replace(tuned, **given)
 
 
 def machine_of(args: argparse.Namespace) -> dict[str, object] | None:
@@ -195,8 +195,8 @@ def _section(args: argparse.Namespace, name: str) -> dict[str, object]:
         found: object = read_toml(Source.read(path))
     except ProgramError as error:
         raise _first(path, error) from None
-    for part in ("axis", str(args.axis), name):
-        found = found.get(part, {}) if isinstance(found, dict) else {}
+    for key in ("axis", str(args.axis), name):
+        found = found.get(key, {}) if isinstance(found, dict) else {}
     if not isinstance(found, dict):
         raise ValueError(f"{path}: axis.{args.axis}.{name} must be a table")
     return dict(found)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
 # Seconds within which another signal is a duplicate: `timeout` signals its child and the group that it is in.
-ONE_WISH = 1.0
+DUPLICATE_WINDOW = 1.0
 # Seconds after which a lost signal is sent again.
 AGAIN = 1e-3
 
@@ -30,18 +30,16 @@ class Signals:
     disabled, as `nohup` does, stays disabled.
     """
 
-    __slots__ = ("_asked", "_before", "_held", "_hook", "_lost", "_pending", "_since")
-
     def __init__(self) -> None:
         self._before: dict[int, Any] = {}
         # The last signal that was raised, the one that waits for the end of a held block, and the lost one.
-        self._asked = self._pending = self._lost = 0
-        self._held = 0
+        self._raised = self._pending = self._lost = 0
+        self._depth = 0
         self._since = 0.0
         self._hook: Any = None
 
     def __enter__(self) -> Self:
-        self._asked = self._pending = self._lost = self._held = 0
+        self._raised = self._pending = self._lost = self._depth = 0
         for name in NAMES:
             number = getattr(signal, name, None)  # Windows has no SIGHUP
             if number is None or signal.getsignal(number) in (signal.SIG_IGN, None):
@@ -64,42 +62,43 @@ class Signals:
     @property
     def status(self) -> int:
         """The exit status after the last signal raised; that of Ctrl-C if there was none."""
-        return 128 + (self._asked or signal.SIGINT)
+        return 128 + (self._raised or signal.SIGINT)
 
     @property
-    def held(self) -> Held:
-        """`with SIGNALS.held:` completes its block; a further signal ends it.
+    def deferred(self) -> Deferral:
+        """`with SIGNALS.deferred:` completes its block; only a second signal ends it.
 
         A signal within a second of the first is a duplicate.
         """
-        return Held(self)
+        return Deferral(self)
 
     def _end(self, number: int, frame: FrameType | None) -> None:
         now = monotonic()
-        if self._asked and now - self._since < ONE_WISH:
+        if self._raised and now - self._since < DUPLICATE_WINDOW:
             return
-        first, self._asked, self._since = not self._asked, number, now
-        if self._held and first:
+        first, self._raised, self._since = not self._raised, number, now
+        if self._depth and first:
             self._pending = number
             return
         raise error_of(number)
 
-    def let_go(self) -> None:
-        """End a held block: a pending signal is raised now."""
-        self._held = max(0, self._held - 1)
-        if self._pending and not self._held:
+    def defer(self) -> None:
+        """Begin a block in which the first signal waits for `deliver`."""
+        self._depth += 1
+
+    def deliver(self) -> None:
+        """End a deferring block; raise the exception of a pending signal."""
+        self._depth = max(0, self._depth - 1)
+        if self._pending and not self._depth:
             number, self._pending = self._pending, 0
             raise error_of(number)
-
-    def hold(self) -> None:
-        self._held += 1
 
     def _unraisable(self, lost: Any) -> None:
         """Repeat a signal whose exception Python dropped, such as in an import callback."""
         if not isinstance(lost.exc_value, KeyboardInterrupt | Terminated) or not hasattr(signal, "setitimer"):
             self._hook(lost)
             return
-        self._lost, self._asked = self._asked, 0
+        self._lost, self._raised = self._raised, 0
         signal.signal(signal.SIGALRM, self._come_again)
         signal.setitimer(signal.ITIMER_REAL, AGAIN)
 
@@ -107,22 +106,20 @@ class Signals:
         self._end(self._lost, frame)
 
 
-class Held:
-    """The context manager of `Signals.held`."""
-
-    __slots__ = ("_signals",)
+class Deferral:
+    """The context manager of `Signals.deferred`."""
 
     def __init__(self, signals: Signals) -> None:
         self._signals = signals
 
     def __enter__(self) -> None:
-        self._signals.hold()
+        self._signals.defer()
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         if kind is None:
-            self._signals.let_go()
+            self._signals.deliver()
 
 
 def status_of(error: BaseException) -> int:

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 OUT, PLOT = (".csv", ".parquet"), (".png", ".svg")
 # The suffix of --rows-to for the rows of an incomplete sweep.
-PART = ".part"
+PARTIAL_SUFFIX = ".part"
 
 
 def add_parser(commands: Commands, summary: str) -> None:
@@ -52,8 +52,8 @@ def sweep_command(arguments: argparse.Namespace) -> int:
     if problem is not None:
         parser.error(problem)
     try:
-        wishes = _description(arguments)
-        made = _made(arguments, wishes)
+        description = _description(arguments)
+        made = _made(arguments, description)
     except OSError as error:
         complain([unreadable(str(error.filename or arguments.file), error)], None, arguments.file)
         return 1
@@ -66,7 +66,7 @@ def sweep_command(arguments: argparse.Namespace) -> int:
         done = _earlier(arguments, sweep)
     except OtherSweep:
         why = "the program or the sweep has changed"
-        what = f"{arguments.out}{PART} has the rows of another sweep: {why}"
+        what = f"{arguments.out}{PARTIAL_SUFFIX} has the rows of another sweep: {why}"
         complain([Diagnostic("file", what, hint="run without --resume to start again")], None, arguments.file)
         return 2
     return _run(arguments, sweep, report, done)
@@ -91,39 +91,39 @@ def _wrong_files(arguments: argparse.Namespace) -> str | None:
 
 def _description(arguments: argparse.Namespace) -> Description:
     """Return the options, completed by the description file next to the program."""
-    beside = os.path.splitext(arguments.file)[0] + SUFFIX
-    if arguments.file != STDIN and os.path.isfile(beside):
+    default_path = os.path.splitext(arguments.file)[0] + SUFFIX
+    if arguments.file != STDIN and os.path.isfile(default_path):
         try:
-            wishes = read_description(beside)
+            description = read_description(default_path)
         except ProgramError as error:
-            complain(error.diagnostics, Source.read(beside), beside)
+            complain(error.diagnostics, Source.read(default_path), default_path)
             raise SystemExit(1) from None
     else:
-        wishes = Description()
+        description = Description()
     if arguments.vary or arguments.machines or arguments.scenarios:
-        wishes.dimensions = [dimension(each) for each in arguments.vary]
-        wishes.machines, wishes.scenarios = arguments.machines, arguments.scenarios
+        description.dimensions = [dimension(each) for each in arguments.vary]
+        description.machines, description.scenarios = arguments.machines, arguments.scenarios
     if arguments.random or arguments.latin:
-        wishes.random, wishes.latin = arguments.random, arguments.latin
+        description.random, description.latin = arguments.random, arguments.latin
     if arguments.minimise or arguments.maximise or arguments.pareto:
-        wishes.minimise, wishes.maximise = arguments.minimise, arguments.maximise
-        wishes.pareto = arguments.pareto
+        description.minimise, description.maximise = arguments.minimise, arguments.maximise
+        description.pareto = arguments.pareto
     for name in ("seed", "until", "where"):
         if getattr(arguments, name) is not None:
-            setattr(wishes, name, getattr(arguments, name))
+            setattr(description, name, getattr(arguments, name))
     if arguments.keep is not None:
-        wishes.keep = [each.strip() for each in arguments.keep.split(",") if each.strip()]
-    wishes.prove = wishes.prove or arguments.prove
-    wishes.certify = wishes.certify or arguments.certify
+        description.keep = [each.strip() for each in arguments.keep.split(",") if each.strip()]
+    description.prove = description.prove or arguments.prove
+    description.certify = description.certify or arguments.certify
     for name in ("certify", "prove"):
-        if getattr(wishes, name):
+        if getattr(description, name):
             need(f"--{name}", "numpy")
-    if wishes.minimise is not None and wishes.maximise is not None:
+    if description.minimise is not None and description.maximise is not None:
         raise ValueError("give either --minimise or --maximise, not both")
-    return wishes
+    return description
 
 
-def _made(arguments: argparse.Namespace, wishes: Description) -> tuple[Sweep, Report] | int:
+def _made(arguments: argparse.Namespace, description: Description) -> tuple[Sweep, Report] | int:
     """Return the sweep and its report, or the exit status after a reported file error."""
     source = read_source(arguments.file)
     if arguments.dialect is None and dialect_of(arguments.file) is None:
@@ -142,9 +142,9 @@ def _made(arguments: argparse.Namespace, wishes: Description) -> tuple[Sweep, Re
         return 2
     settings = laid
     try:
-        worlds = wishes.worlds()
-        space = wishes.space(worlds)
-        report = Report(wishes, space.names, tuple(wishes.keep) or KEEP)
+        worlds = description.worlds()
+        space = description.space(worlds)
+        report = Report(description, space.names, tuple(description.keep) or KEEP)
         sweep = Sweep(
             source,
             space,
@@ -153,9 +153,9 @@ def _made(arguments: argparse.Namespace, wishes: Description) -> tuple[Sweep, Re
             machine=settings,
             overrides=options.overrides,
             worlds=worlds,
-            until=wishes.until,
-            prove=wishes.prove,
-            certify=wishes.certify,
+            until=description.until,
+            prove=description.prove,
+            certify=description.certify,
         )
     except ProgramError as error:
         complain(error.diagnostics, source, arguments.file)
@@ -167,11 +167,11 @@ def _earlier(arguments: argparse.Namespace, sweep: Sweep) -> dict[int, Result]:
     """Return the rows of the sweep to resume, by variant number."""
     if not arguments.resume:
         return {}
-    part = arguments.out + PART
-    if not os.path.exists(part):
-        sys.stderr.write(f"{part} does not exist: nothing to resume, so all {len(sweep)} variants run\n")
+    partial = arguments.out + PARTIAL_SUFFIX
+    if not os.path.exists(partial):
+        sys.stderr.write(f"{partial} does not exist: nothing to resume, so all {len(sweep)} variants run\n")
         return {}
-    return {row[0]: row for row in read(part, _digest(sweep)) if 0 <= row[0] < len(sweep)}
+    return {row[0]: row for row in read(partial, _digest(sweep)) if 0 <= row[0] < len(sweep)}
 
 
 def _digest(sweep: Sweep) -> str:
@@ -187,9 +187,9 @@ def _run(arguments: argparse.Namespace, sweep: Sweep, report: Report, done: dict
     journal, rows = None, done
     if arguments.out is not None:
         try:
-            journal = Journal(arguments.out + PART, _digest(sweep), resume=bool(done))
+            journal = Journal(arguments.out + PARTIAL_SUFFIX, _digest(sweep), resume=bool(done))
         except OSError as error:
-            complain([unwritten(arguments.out + PART, error)], None, arguments.file)
+            complain([unwritten(arguments.out + PARTIAL_SUFFIX, error)], None, arguments.file)
             return 1
     progress = Progress(sys.stderr, os.path.basename(arguments.file))
     ended = False
@@ -207,8 +207,8 @@ def _run(arguments: argparse.Namespace, sweep: Sweep, report: Report, done: dict
         if close is not None:
             close()
         progress.done()
-    with SIGNALS.held:
-        status = report.tell(arguments, sweep, rows)
+    with SIGNALS.deferred:
+        status = report.report(arguments, sweep, rows)
         if journal is not None:
             status = max(status, _finish(arguments, sweep, report, rows, journal))
     if ended:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import sys
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 from motionlang.analysis.sweeps.expression import Expression, pareto
@@ -34,12 +35,10 @@ class Report:
     These are the requested results and those used in expressions.
     """
 
-    __slots__ = ("_costs", "_expressions", "keep", "names")
-
-    def __init__(self, wishes: Description, names: Sequence[str], keep: Sequence[str]) -> None:
+    def __init__(self, description: Description, names: Sequence[str], keep: Sequence[str]) -> None:
         """Parse the expressions; ValueError for an invalid one or an unknown name."""
         self.names = tuple(names)
-        self._expressions, self._costs = wishes.expressions(), wishes.costs()
+        self._expressions, self._costs = description.expressions(), description.costs()
         needed = [name for each in (*self._expressions.values(), *self._costs) for name in each.names]
         self.keep = tuple(dict.fromkeys((*keep, *(name for name in needed if name not in names))))
 
@@ -51,11 +50,11 @@ class Report:
     def cells(self, sweep: Sweep, rows: dict[int, Result]) -> Iterator[Cells]:
         """Yield the rows of the file, in the order of the variants."""
         for index in sorted(rows):
-            _, kept, problem = rows[index]
-            yield [index, *sweep.space[index], *kept, problem and problem["message"]]
+            _, results, problem = rows[index]
+            yield [index, *sweep.space[index], *results, problem and problem["message"]]
 
-    def tell(self, arguments: argparse.Namespace, sweep: Sweep, rows: dict[int, Result]) -> int:
-        """Print and draw the requested output; 1 on a failed variant or picture."""
+    def report(self, arguments: argparse.Namespace, sweep: Sweep, rows: dict[int, Result]) -> int:
+        """Print and draw the requested output; 1 if a variant failed or a picture did."""
         bad = {index: result[2] for index, result in sorted(rows.items()) if result[2] is not None}
         if arguments.format == "csv":
             from motionlang.views.sweep_files import write_csv
@@ -135,7 +134,7 @@ class Report:
 
             def cost(index: int) -> tuple[float, int]:
                 number = wanted.number(self._values(sweep, rows, index))
-                return (float("inf") if number is None else sign * number), index
+                return (inf if number is None else sign * number), index
 
             shown = sorted(shown, key=cost)
         cells = [[*sweep.space[n], *rows[n][1]] for n in shown[:most]]
@@ -170,14 +169,14 @@ class Report:
         """Report failed variants separately, grouped by error."""
         from motionlang.views.sweep_table import cell
 
-        alike: dict[str, tuple[str, list[int]]] = {}
+        groups: dict[str, tuple[str, list[int]]] = {}
         for index, problem in bad.items():
-            place = f" (line {problem['line']})" if problem["line"] else ""
-            message = f"{problem['code']}: {problem['message']}{place}"
+            location = f" (line {problem['line']})" if problem["line"] else ""
+            message = f"{problem['code']}: {problem['message']}{location}"
             # Errors that differ only in figures are grouped.
-            alike.setdefault(_FIGURES.sub("", message), (message, []))[1].append(index)
+            groups.setdefault(_FIGURES.sub("", message), (message, []))[1].append(index)
         sys.stderr.write(f"{len(bad)} of {count} variants failed\n")
-        for message, indices in alike.values():
+        for message, indices in groups.values():
             named = [
                 ", ".join(f"{n} = {cell(v)}" for n, v in zip(self.names, sweep.space[index], strict=True))
                 for index in indices[:MAX_FAILED]
@@ -248,14 +247,14 @@ class Report:
             plot_lines(path, varied[0], curves, units, marks)
             return None
         x, y, z = varied[0], varied[1], figures[0]
-        spots = [(v[x], v[y], v[z]) for _, v in table if all(_is_number(v[name]) for name in (x, y, z))]
+        samples = [(v[x], v[y], v[z]) for _, v in table if all(_is_number(v[name]) for name in (x, y, z))]
         chosen_best = dict(table).get(best) if best is not None else None
-        plot_map(path, (x, y, z), spots, units, (chosen_best[x], chosen_best[y]) if chosen_best else None)
+        plot_map(path, (x, y, z), samples, units, (chosen_best[x], chosen_best[y]) if chosen_best else None)
         return None
 
 
 def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < float("inf")
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < inf
 
 
 def _short(value: object) -> str:

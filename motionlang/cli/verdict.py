@@ -22,30 +22,28 @@ class Verdict:
     `kind` is "program", "scenario" or "sweep".
     """
 
-    __slots__ = ("diagnostics", "failed", "kind", "lines", "name", "place", "source")
-
     def __init__(self, name: str, kind: str = "program") -> None:
-        self.name = self.place = name
+        self.name = self.path = name
         self.kind = kind
         self.failed = False
         self.lines: list[str] = []
         self.diagnostics: list[Diagnostic] = []
         self.source: Source | None = None
 
-    def refuse(self, diagnostics: list[Diagnostic], source: Source | None = None, place: str = "") -> None:
+    def refuse(self, diagnostics: list[Diagnostic], source: Source | None = None, path: str = "") -> None:
         """Fail because the program could not run, or golden files not be read or written.
 
         `source` is the text with the error.
         """
         self.failed, self.diagnostics = True, diagnostics
-        self.source, self.place = source, place or self.name
+        self.source, self.path = source, path or self.name
 
     def fail(self, message: str) -> None:
         """Fail for a reason of one line."""
         self.failed = True
         self.lines.append(f"{self.name}: {message}")
 
-    def tell(self, found: Sequence[str]) -> None:
+    def report(self, found: Sequence[str]) -> None:
         """Fail if any differences were found."""
         if found:
             self.fail("differs")
@@ -55,5 +53,5 @@ class Verdict:
 
     def findings(self) -> list[Diagnostic]:
         """Return the result as diagnostics, for other tools."""
-        told = [Diagnostic("golden", "\n".join(self.lines))] if self.failed and self.lines else []
-        return self.diagnostics + told
+        from_golden = [Diagnostic("golden", "\n".join(self.lines))] if self.failed and self.lines else []
+        return self.diagnostics + from_golden

@@ -95,11 +95,11 @@ def verify_command(
         return 1
     verdicts: list[Verdict] = []
     quits = False
-    for each in in_parallel(partial(_judged, rewrite), found, jobs):
+    for each in in_parallel(partial(_verdicts_of, rewrite), found, jobs):
         for verdict in each:
             verdicts.append(verdict)
             if form in ("text", "json"):
-                complain(verdict.diagnostics, verdict.source, verdict.place)
+                complain(verdict.diagnostics, verdict.source, verdict.path)
             if form == "text":
                 sys.stdout.writelines(f"{line}\n" for line in verdict.lines)
             if asks and verdict.failed and verdict.lines and not quits:
@@ -118,7 +118,7 @@ def verify_command(
             json.dumps({"schema": SCHEMA, "programs": list(map(_row, verdicts))}, indent=1) + "\n"
         )
     elif form != "text":
-        document = [Found(each.name, each.findings(), each.source, each.place) for each in verdicts]
+        document = [Found(each.name, each.findings(), each.source, each.path) for each in verdicts]
         sys.stdout.write(written(document, form, "verify"))
     return 1 if any(each.failed for each in verdicts) else 0
 
@@ -153,7 +153,7 @@ def _review_rows(program: str, verdict: Verdict) -> None:
     if answer == "y":
         (again,) = further_checks(program, True, verdict.name)
         verdict.failed = again.failed
-        complain(again.diagnostics, again.source, again.place)
+        complain(again.diagnostics, again.source, again.path)
 
 
 def _count(verdicts: Sequence[Verdict], kind: str) -> str:
@@ -168,11 +168,8 @@ def _row(verdict: Verdict) -> dict[str, object]:
     return {verdict.kind: verdict.name, "matches_golden": not verdict.failed, "diagnostics": found}
 
 
-def _judged(rewrite: bool, program: str) -> list[Verdict]:
-    """Return the verdict of a program, and those of its scenarios and sweep.
-
-    Or that of a log.
-    """
+def _verdicts_of(rewrite: bool, program: str) -> list[Verdict]:
+    """Return the verdicts of a program, its scenarios and its sweep, or that of a log."""
     if program.endswith(LOG_SUFFIX):
         return [verify_log(program)]
     verdict = Verdict(program)
@@ -197,7 +194,7 @@ def _verify(verdict: Verdict) -> None:
         what = "is not JSON" if isinstance(error, json.JSONDecodeError) else "cannot be compared with"
         verdict.fail(f"{os.path.basename(report)} {what}: {error}")
     else:
-        verdict.tell(expectations(result) + found)
+        verdict.report(expectations(result) + found)
         if verdict.failed and result.diagnostics:  # for example of a program that no longer compiles
             verdict.diagnostics, verdict.source = result.diagnostics, result.source
 

@@ -77,34 +77,34 @@ def _scenario(program: str, verdict: Verdict, rewrite: bool) -> None:
         found.append(
             "it has neither [[expect]] entries nor a golden file; add [[expect]] or run with --update"
         )
-    verdict.tell(found)
+    verdict.report(found)
 
 
 def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
     """Check the rows of a sweep against its golden file."""
     path = verdict.name
-    wishes = read_description(path)
-    worlds = wishes.worlds()
+    description = read_description(path)
+    worlds = description.worlds()
     sweep = Sweep(
         program,
-        wishes.space(worlds),
-        keep=tuple(wishes.keep) or KEEP,
+        description.space(worlds),
+        keep=tuple(description.keep) or KEEP,
         worlds=worlds,
-        until=wishes.until,
-        prove=wishes.prove,
-        certify=wishes.certify,
+        until=description.until,
+        prove=description.prove,
+        certify=description.certify,
     )
     names = ["variant", *sweep.space.names, *sweep.job.keep, "problem"]
     rows = [
-        [str(cell) for cell in (index, *sweep.space[index], *kept, problem["message"] if problem else "")]
-        for index, kept, problem in sorted(sweep.results(), key=lambda row: row[0])
+        [str(cell) for cell in (index, *sweep.space[index], *results, problem["message"] if problem else "")]
+        for index, results, problem in sorted(sweep.results(), key=lambda row: row[0])
     ]
     golden = sweep_golden(path)
     if rewrite:
         _write(verdict, golden, names, rows)
         return
     if not os.path.exists(golden):
-        verdict.tell([f"no {os.path.basename(golden)} next to it; --update writes one"])
+        verdict.report([f"no {os.path.basename(golden)} next to it; --update writes one"])
         return
     with open(golden, encoding="utf-8", newline="") as file:
         expected = list(csv.reader(file))
@@ -115,7 +115,7 @@ def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
         for name, was, is_ in zip(names, old, new, strict=False):
             if not _same(was, is_):
                 found.append(f"variant {new[0]}: {name} is {is_} instead of {was}")
-    verdict.tell(found)
+    verdict.report(found)
 
 
 def _same(was: str, found: str) -> bool:

@@ -33,5 +33,5 @@ def verify_log(path: str) -> Verdict:
         if replay.first is not None:
             first = replay.first
             where = f"{os.path.basename(path)}:{first.entry.line}"
-            verdict.tell([f"{where}: {call_of(first.entry)}: {first.text}", replay.summary])
+            verdict.report([f"{where}: {call_of(first.entry)}: {first.text}", replay.summary])
     return verdict

@@ -11,16 +11,16 @@ from motionlang.views.terminal import printable
 MAX_NAMED, MAX_FILES = 3, 10_000
 
 
-def welcome(folder: str = ".") -> str:
+def welcome() -> str:
     """Return the text; in a folder with programs it has commands for the first one."""
-    found = _programs(folder)
+    found = _programs()
     lines = ["motionlang runs Mint and MCCL motion programs without the controller.", ""]
     if found:
         first = _quoted(found[0])
         more = f" and {len(found) - MAX_NAMED} more" if len(found) > MAX_NAMED else ""
         lines += [f"this folder has {', '.join(map(printable, found[:MAX_NAMED]))}{more}", ""]
         steps = [(f"run {first}", "run it and report what it did"), (f"check {first}", "find its errors")]
-        if not os.path.exists(os.path.join(folder, os.path.splitext(found[0])[0] + MACHINE_SUFFIX)):
+        if not os.path.exists(os.path.splitext(found[0])[0] + MACHINE_SUFFIX):
             steps.append((f"init {first}", "write a machine file for it"))
     else:
         steps = [
@@ -34,16 +34,14 @@ def welcome(folder: str = ".") -> str:
     return "\n".join(lines) + "\n"
 
 
-def _programs(folder: str) -> list[str]:
+def _programs() -> list[str]:
     """Return the programs of this folder by name; none if it cannot be read."""
     try:
-        with os.scandir(folder) as entries:
+        with os.scandir() as entries:
             names = sorted(entry.name for entry, _ in zip(entries, range(MAX_FILES), strict=False))
     except OSError:
         return []
-    return [
-        name for name in names if dialect_of(name) is not None and os.path.isfile(os.path.join(folder, name))
-    ]
+    return [name for name in names if dialect_of(name) is not None and os.path.isfile(name)]
 
 
 def _quoted(name: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 # The first question of a client, whose echo is not an answer, and the answer to ESC.
-ASKED, CANCELLED = "VE", "?-7"
+VERSION_QUERY, CANCELLED = "VE", "?-7"
 _PROMPT = re.compile(rb"[\r\n]>")
 _LAST = re.compile(rb"([^\r\n>][^\r\n]*)(?:\r\n|\r|\n)>")
 _CODE = re.compile(r"\?\s*([+-]?\d+)\s*")
@@ -28,7 +28,7 @@ def version_in(data: bytes) -> tuple[str, int]:
     """
     for match in _LAST.finditer(data):
         line = match[1].decode("latin-1")
-        if line not in (ASKED, CANCELLED):
+        if line not in (VERSION_QUERY, CANCELLED):
             return line, match.end()
     return "", 0
 

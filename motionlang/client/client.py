@@ -8,7 +8,15 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING, Self
 
-from motionlang.client.answer import ASKED, CANCELLED, code_of, end_of, lines_of, number_of, version_in
+from motionlang.client.answer import (
+    CANCELLED,
+    VERSION_QUERY,
+    code_of,
+    end_of,
+    lines_of,
+    number_of,
+    version_in,
+)
 from motionlang.client.connection import TIMEOUT, Connection
 from motionlang.client.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
 from motionlang.client.status import Status
@@ -187,34 +195,34 @@ class Client(Connection):
         if not self._wire.fresh:
             self._drain()
         for _ in range(ATTEMPTS):
-            self._wire.send(ESC + ASKED.encode() + b"\r")
-            if self._hear_version(self.timeout / ATTEMPTS):
+            self._wire.send(ESC + VERSION_QUERY.encode() + b"\r")
+            if self._await_version(self.timeout / ATTEMPTS):
                 return
             self._drain()
-        raise NoReply(ASKED, self.timeout)
+        raise NoReply(VERSION_QUERY, self.timeout)
 
-    def _hear_version(self, seconds: float) -> bool:
+    def _await_version(self, seconds: float) -> bool:
         """Read the answer to VE; return False if there is none."""
         end, data, lines = self._wire.now() + seconds, b"", [""]
         while True:
             try:
-                said = self._wire.receive(min(QUIET, seconds) if lines[-1] else end - self._wire.now())
+                received = self._wire.receive(min(QUIET, seconds) if lines[-1] else end - self._wire.now())
             except ConnectionLost:
                 if code_of(data.decode("latin-1").strip()) is not None:
                     raise ConnectionLost("the server accepts no more hosts") from None
                 raise
-            data += said
+            data += received
             self.version, whole = version_in(data)
             self.prompts = whole > 0
             if self.prompts:
                 self._rest = data[whole:]
                 return True
-            if not said or self._wire.now() >= end:
+            if not received or self._wire.now() >= end:
                 self.version = lines[-1]
                 return bool(lines[-1])
             # A board without a prompt ends its answer with silence.
             ended = data[: max(data.rfind(b"\n"), data.rfind(b"\r")) + 1]
-            lines = ["", *(line for line in lines_of(ended, ASKED) if line != CANCELLED)]
+            lines = ["", *(line for line in lines_of(ended, VERSION_QUERY) if line != CANCELLED)]
 
     def _answer(self, line: str, seconds: float) -> list[str]:
         wire, data = self._wire, b""
@@ -222,20 +230,20 @@ class Client(Connection):
         while True:
             left = end - wire.now()
             ended = data[-1:] in (b"\n", b"\r") and not self.prompts
-            said = wire.receive(min(left, QUIET) if ended else left)
-            data += said
-            whole = end_of(data) if self.prompts else len(data) * (ended and not said)
+            received = wire.receive(min(left, QUIET) if ended else left)
+            data += received
+            whole = end_of(data) if self.prompts else len(data) * (ended and not received)
             if whole:
                 self._rest = data[whole:]
                 return lines_of(data[:whole], line)
-            if not said:
+            if not received:
                 self.escape()
                 raise NoReply(line, seconds)
 
     def _collect_unasked(self) -> None:
-        said = self._rest + self._wire.receive(0.0)
-        if said:
-            self.unasked.extend(lines_of(said))
+        received = self._rest + self._wire.receive(0.0)
+        if received:
+            self.unasked.extend(lines_of(received))
             self._rest = b""
 
     def _drain(self) -> None:

@@ -26,8 +26,8 @@ class CommandError(ClientError):
     def __init__(self, code: int, line: str, answer: Sequence[str] = (), number: int | None = None) -> None:
         self.code, self.line, self.answer, self.number = code, line, list(answer), number
         self.meaning = MEANINGS.get(code, "a code that is not in the manual")
-        place = "" if number is None else f"line {number}: "
-        super().__init__(f"{place}{line}: ?{code}, {self.meaning}")
+        prefix = "" if number is None else f"line {number}: "
+        super().__init__(f"{prefix}{line}: ?{code}, {self.meaning}")
 
 
 class FrameRejected(ClientError):

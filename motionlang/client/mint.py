@@ -157,17 +157,17 @@ class MintClient(Connection):
         return lines[1:] if lines and lines[0] == line else lines
 
     def _await(
-        self, search: Callable[[bytes], re.Match[bytes] | None], asked: str, timeout: float | None
+        self, search: Callable[[bytes], re.Match[bytes] | None], query: str, timeout: float | None
     ) -> bytes:
         """Wait for the answer and return it; input outside it is output."""
         seconds = self.timeout if timeout is None else timeout
-        received = self._read_until(lambda found: search(found) is not None, asked, seconds)
+        received = self._read_until(lambda found: search(found) is not None, query, seconds)
         match = search(received)
         assert match is not None
         self._output.extend(_text(received[: match.start()] + received[match.end() :]))
         return match[0]
 
-    def _read_until(self, enough: Callable[[bytes], bool], asked: str, seconds: float) -> bytes:
+    def _read_until(self, enough: Callable[[bytes], bool], query: str, seconds: float) -> bytes:
         """Read until `enough` returns True; raise NoReply after `seconds`."""
         end, received = self._wire.now() + seconds, b""
         while not enough(received):
@@ -175,7 +175,7 @@ class MintClient(Connection):
             received = (received + chunk)[-MAX_BEFORE:]
             if not chunk and self._wire.now() >= end:
                 self._output.extend(_text(received))
-                raise NoReply(asked, seconds)
+                raise NoReply(query, seconds)
         return received
 
 

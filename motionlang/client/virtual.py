@@ -40,9 +40,9 @@ class VirtualWire:
 
         Returns at once if there is already output.
         """
-        said = self._port.take()
-        if said or timeout <= 0.0:
-            return said
+        received = self._port.take()
+        if received or timeout <= 0.0:
+            return received
         end = self.console.now + timeout
         if (not self.console.settle(end) or self._port.busy) and self.console.now < end:
             # The board waits for an impossible event or for a key: it has no output for the whole time.
@@ -67,26 +67,26 @@ class MintWire:
     def __init__(self, console: MintConsole, step: float) -> None:
         self.console, self._step = console, step
         self._port = console.open(echo=False)
-        self._owed = console.now + step
+        self._busy_until = console.now + step
 
     def send(self, data: bytes) -> None:
         """Send characters, after the time that the previous ones take."""
-        if self._owed > self.console.now:
-            self.console.run(self._owed)
+        if self._busy_until > self.console.now:
+            self.console.run(self._busy_until)
         self._port.feed(data)
-        self._owed = self.console.now + self._step
+        self._busy_until = self.console.now + self._step
 
     def receive(self, timeout: float) -> bytes:
         """Return the output within `timeout` machine seconds, or b""."""
-        said = self._port.take()
+        received = self._port.take()
         console, end = self.console, self.console.now + max(timeout, 0.0)
-        if not said and timeout > 0.0 and console.settle(end) and console.now < self._owed:
-            console.run(min(self._owed, end))
-        said = said or self._port.take()
-        while not said and console.now < end:
+        if not received and timeout > 0.0 and console.settle(end) and console.now < self._busy_until:
+            console.run(min(self._busy_until, end))
+        received = received or self._port.take()
+        while not received and console.now < end:
             console.run(min(end, max(console.next_time(), console.now) + SLICE))
-            said = self._port.take()
-        return said
+            received = self._port.take()
+        return received
 
     def now(self) -> float:
         return self.console.now

@@ -31,18 +31,6 @@ class Accelerators:
       method `skip`
     """
 
-    __slots__ = (
-        "axes",
-        "counted",
-        "ranges",
-        "registers",
-        "rounds",
-        "scheduler",
-        "servo",
-        "switches",
-        "ticks",
-    )
-
     def __init__(
         self,
         *,
@@ -54,11 +42,10 @@ class Accelerators:
         scheduler: Callable[..., Any] | None = None,
         servo: Callable[..., Any] | None = None,
         switches: Callable[[Any], Any] | None = None,
-        ticks: Callable[[Any], Any] | None = None,
     ) -> None:
         self.axes, self.counted, self.ranges = axes, counted, ranges
         self.registers, self.switches = registers, switches
-        self.rounds, self.scheduler, self.servo, self.ticks = rounds, scheduler, servo, ticks
+        self.rounds, self.scheduler, self.servo = rounds, scheduler, servo
 
 
 NO_ACCELERATORS = Accelerators()

@@ -88,7 +88,6 @@ class Axis:
         "feedrate_mode",
         "followers",
         "gains",
-        "held",
         "index",
         "index_every",
         "index_origin",
@@ -111,6 +110,7 @@ class Axis:
         "shape",
         "speed",
         "starts",
+        "suspend_reasons",
         "suspend_time",
         "target",
         "watches",
@@ -144,7 +144,7 @@ class Axis:
         self.override = 1.0
         # Speed, acceleration and deceleration of moves loaded from now on; None for those of the axis.
         self.own_rates: tuple[float | None, float | None, float | None] | None = None
-        self.held = 0  # reasons for its suspension: `BY_WORD`, `BY_INPUT` or both
+        self.suspend_reasons = 0  # reasons for its suspension: `BY_WORD`, `BY_INPUT` or both
         self.suspend_time = 0.1  # seconds in which the playback of a profile comes to rest
         # Limits that apply to paths, whatever their master commands.
         self.max_speed = self.max_accel = self.max_decel = INFINITY
@@ -275,7 +275,7 @@ class Axis:
         """The start of the profile after the one at `time`; infinite for the last one."""
         starts = self.starts
         if time >= starts[-1]:
-            return float("inf")
+            return INFINITY
         if time < starts[0] and self.older is not None:
             k = self.older.in_force(time) + 1
             return self.older.start(k) if k < self.older.count else starts[0]
@@ -302,7 +302,7 @@ class Axis:
     @property
     def suspended(self) -> bool:
         """True if the axis has a reason for suspension: it stops and keeps its moves."""
-        return self.held != 0
+        return self.suspend_reasons != 0
 
     @property
     def index_pitch(self) -> float:

@@ -73,16 +73,16 @@ class AxisVerbs(Core):
         if getattr(a, name) != value:
             self.log.settings.add((self.clock.now, axis, name, value))
         setattr(a, name, value)
-        if self.orders is not None and name in ("blend_mode", "blend_distance"):
-            self.orders.prompt(a, name)
+        if self.expected_motion is not None and name in ("blend_mode", "blend_distance"):
+            self.expected_motion.prompt(a, name)
         if name == "accel":
             a.accel_time = None
         elif name == "decel":
             a.decel_time = None
         if a.move is not None and name in LIVE:
             motion.feedrate.changed(self, a, name)
-            if self.orders is not None:
-                self.orders.heed(a)
+            if self.expected_motion is not None:
+                self.expected_motion.heed(a)
 
     def restore(self, axis: int) -> None:
         """Reset all `SETTINGS` of an axis at rest to their values at power-up."""
@@ -98,7 +98,7 @@ class AxisVerbs(Core):
     def set_scale(self, axis: int, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
         """Set the conversion between user units and counts."""
         self.axes[axis].scale.set(counts, rate, zero)
-        self.tell("scale", axis)
+        self.notify("scale", axis)
 
     def set_units(self, axis: int, speed: float | None, acceleration: float | None) -> None:
         """Set the units of speed and of acceleration, each as a number of counts.
@@ -135,7 +135,7 @@ class AxisVerbs(Core):
     def set_home_switch(self, axis: int, on: bool) -> None:
         """Close or open the home switch of an axis from outside."""
         (self.at_home.add if on else self.at_home.discard)(axis)
-        self.tell("home", axis)
+        self.notify("home", axis)
 
     def set_limit_action(self, axis: int, bit: int, action: str) -> None:
         """Set the action of those limits of an axis that raise the fault `bit`."""
@@ -167,9 +167,10 @@ class AxisVerbs(Core):
         a.faults = 0
         if a.feedback is not None:
             a.feedback.take_over(self)
+            a.feedback.search_again()
         if a.move is None:
             a.target = a.position(self.clock.now)
-        self.tell("switched", axis)
+        self.notify("switched", axis)
 
     def disable(self, axis: int) -> None:
         """Disable an axis.
@@ -181,7 +182,7 @@ class AxisVerbs(Core):
         a.enabled = False
         if a.feedback is not None:
             a.feedback.open(0.0)
-        self.tell("switched", axis)
+        self.notify("switched", axis)
 
     def clear_faults(self, axis: int) -> None:
         """Clear the faults of an axis."""
@@ -190,7 +191,7 @@ class AxisVerbs(Core):
         a.faults = 0
         if a.feedback is not None:
             a.feedback.search_again()
-        self.tell("cleared", axis)
+        self.notify("cleared", axis)
 
     def define_position(self, axis: int, position: float) -> None:
         """Give the present position a new value; the rest of a move shifts with it."""
@@ -249,8 +250,8 @@ class AxisVerbs(Core):
             if a.start_loaded(self):
                 continue
             a = self.movable(axis)
-            if self.orders is not None:
-                self.orders.prompt(a, "go")
+            if self.expected_motion is not None:
+                self.expected_motion.prompt(a, "go")
             for move in a.buffer:
                 if move.action is None:
                     move.released = True
@@ -292,8 +293,8 @@ class AxisVerbs(Core):
 
         a = self.movable(axis)
         jog(self, a, velocity, command, line, rates, ends)
-        if self.orders is not None:
-            self.orders.jogs(a, velocity)
+        if self.expected_motion is not None:
+            self.expected_motion.jogs(a, velocity)
 
     def play(
         self,
@@ -315,11 +316,11 @@ class AxisVerbs(Core):
 
         a = self.movable(axis)
         move = Move(axis, command, line, profile.end)
-        played = Playback(on_path, step)
-        move.action = action or played
+        playback = Playback(on_path, step)
+        move.action = action or playback
         self.end_move(a, "retarget")
         self.run_profile(
-            a, move, played.waiting(self, profile) if a.suspended and action is None else profile
+            a, move, playback.waiting(self, profile) if a.suspended and action is None else profile
         )
 
     def redirect(self, axis: int, profile: Profile, ended: str = "") -> None:
@@ -336,9 +337,9 @@ class AxisVerbs(Core):
         """
         a = self.axes[axis]
         if ended == "stop":
-            triggers.events.stopped(self, a, ended)
-        if self.orders is not None:
-            self.orders.stop(a, ended)
+            triggers.events.stopped(self, a, ended, hard)
+        if self.expected_motion is not None:
+            self.expected_motion.stop(a, ended)
         self._hold(a)
         freed = triggers.conditions.release(self, a)
         if axis in self.homings:
@@ -346,29 +347,29 @@ class AxisVerbs(Core):
         if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended, hard):
             self.empty(a, ended)
             motion.halt.stop(self, a, ended, hard)
-        if self.orders is not None:
-            self.orders.heed(a)
+        if self.expected_motion is not None:
+            self.expected_motion.heed(a)
         for each in freed:
             if each is not a and not each.suspended:
                 self.start_next(each)
 
     def come_to_rest(self, axis: int, ended: str = "") -> None:
         """Decelerate to rest at the set rate; the move buffer stays and runs next."""
-        if ended and self.orders is not None:
-            self.orders.stop(self.axes[axis], ended)
+        if ended and self.expected_motion is not None:
+            self.expected_motion.stop(self.axes[axis], ended)
         motion.halt.stop(self, self.axes[axis], ended)
 
     def suspend(self, axis: int, reason: int = BY_WORD) -> None:
         """Ramp to rest and keep the moves until every reason has been removed by `resume`."""
         motion.halt.suspend(self, self.axes[axis], reason)
-        if self.orders is not None:
-            self.orders.heed(self.axes[axis])
+        if self.expected_motion is not None:
+            self.expected_motion.heed(self.axes[axis])
 
     def resume(self, axis: int, reason: int = BY_WORD) -> None:
         """Remove a reason for suspension; continue if none remains."""
         a = self.axes[axis]
-        if self.orders is not None:
-            self.orders.prompt(a, "resume")
+        if self.expected_motion is not None:
+            self.expected_motion.prompt(a, "resume")
         motion.halt.resume(self, a, reason)
         if not a.suspended and a.move is None and a.buffer:
             self.start_next(a)
@@ -402,6 +403,6 @@ class AxisVerbs(Core):
         elif action == "off":
             self.disable(axis)
         if action != "ignore":
-            self.tell("fault", axis)
+            self.notify("fault", axis)
             if is_new:
-                self.tell("error", axis)
+                self.notify("error", axis)

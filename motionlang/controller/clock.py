@@ -35,13 +35,13 @@ class Clock:
     scheduled and those that have run. `leaps` counts the jumps over periodic execution.
     """
 
-    __slots__ = ("_heap", "_kept", "fired", "horizon", "leaps", "made", "now")
+    __slots__ = ("_heap", "_reserved", "fired", "horizon", "leaps", "made", "now")
 
     def __init__(self) -> None:
         self.now = 0.0
         self.horizon = INFINITY
         self.made = self.fired = self.leaps = 0
-        self._kept = 0  # order numbers reserved for events entered later
+        self._reserved = 0  # order numbers reserved for events entered later
         self._heap: list[tuple[float, int, Event]] = []
 
     def at(self, time: float, call: Callable[[], object]) -> Event:
@@ -51,7 +51,7 @@ class Clock:
         """
         event = Event(time, call)
         self.made += 1
-        heappush(self._heap, (time, self.made + self._kept, event))
+        heappush(self._heap, (time, self.made + self._reserved, event))
         if time < self.horizon:
             self.horizon = time
         return event
@@ -60,17 +60,17 @@ class Clock:
         """Schedule an event that has already run for another time."""
         event.time = time
         self.made = made = self.made + 1
-        heappush(self._heap, (time, made + self._kept, event))
+        heappush(self._heap, (time, made + self._reserved, event))
         if time < self.horizon:
             self.horizon = time
 
-    def keep(self, count: int) -> int:
-        """Reserve `count` order numbers and return the last one before them.
+    def reserve(self, count: int) -> int:
+        """Reserve `count` order numbers and return the number before the first of them.
 
-        The events count as made now.
+        Events scheduled with them rank as if they were created now.
         """
-        first = self.made + self._kept
-        self._kept += count
+        first = self.made + self._reserved
+        self._reserved += count
         return first
 
     def at_reserved(self, time: float, order: int, call: Callable[[], object]) -> Event:
@@ -175,3 +175,43 @@ class Clock:
             heappop(heap)
         self.horizon = INFINITY
         return bool(quiet)
+
+
+class WatchedClock(Clock):
+    """A clock that calls `watch` with each time to which it is about to advance.
+
+    The result is that of an ordinary clock, unless `watch` raises an exception.
+    """
+
+    __slots__ = ("_watch",)
+
+    def __init__(self, watch: Callable[[float], None]) -> None:
+        super().__init__()
+        self._watch = watch
+
+    def advance(self, time: float) -> None:
+        """Advance like `Clock.advance`, one time after the other."""
+        while (due := self.next_time()) < time:
+            self._watch(due)
+            super().advance(due)
+        if time > self.now or due == time:
+            self._watch(time)
+        super().advance(time)
+
+    def advance_to_news(self, end: float) -> bool:
+        """Advance like `Clock.advance_to_news`, one time after the other."""
+        while (due := self.next_time()) < end:
+            self._watch(due)
+            if not super().advance_to_news(due):
+                return False
+        if end > self.now or due == end:
+            self._watch(end)
+        return super().advance_to_news(end)
+
+    def reach(self, event: Event) -> bool:
+        self._watch(event.time)
+        return super().reach(event)
+
+    def ring(self, moment: float) -> bool:
+        self._watch(moment)
+        return super().ring(moment)

@@ -176,8 +176,8 @@ class Controller(AxisVerbs):
         """Begin the next path of the axis now, superposed on the rest of the present one."""
         from motionlang.controller.moves.path import run_of
 
-        if self.orders is not None:
-            self.orders.prompt(self.axes[axis], "blend")
+        if self.expected_motion is not None:
+            self.expected_motion.prompt(self.axes[axis], "blend")
         run = run_of(self.axes[axis])
         if run is not None:
             run.blend()
@@ -249,8 +249,8 @@ class Controller(AxisVerbs):
 
         a = self.movable(axis)
         gear(self, a, self._master(master, encoder), ratio, ramp, command, line)
-        if self.orders is not None:
-            self.orders.gears(a, ratio)
+        if self.expected_motion is not None:
+            self.expected_motion.gears(a, ratio)
 
     def set_ratio(self, axis: int, ratio: float) -> None:
         """Change the ratio of an axis that follows a master; a no-op for any other axis."""
@@ -258,8 +258,8 @@ class Controller(AxisVerbs):
 
         a = self.axes[axis]
         set_ratio(a, ratio)
-        if self.orders is not None:
-            self.orders.gears(a, ratio)
+        if self.expected_motion is not None:
+            self.expected_motion.gears(a, ratio)
 
     def leave_master(self, axis: int) -> None:
         """Stop following a master; the present profile continues to its end."""
@@ -271,7 +271,7 @@ class Controller(AxisVerbs):
         self,
         axis: int,
         master: int,
-        places: Sequence[float],
+        positions: Sequence[float],
         values: Sequence[float],
         *,
         kind: str = "linear",
@@ -293,7 +293,7 @@ class Controller(AxisVerbs):
             self,
             self.movable(axis),
             self._master(master, encoder),
-            places,
+            positions,
             values,
             kind=kind,
             cyclic=cyclic,

@@ -91,7 +91,7 @@ class Core(Readings):
             accel, decel = move.rates[0] or accel, move.rates[1] or decel
         if move.overridden:
             speed *= a.override
-        move.asked = speed
+        move.commanded_speed = speed
         if a.limited:
             if speed > a.max_speed:
                 triggers.events.clamped(self, a, move.line, speed)
@@ -107,8 +107,10 @@ class Core(Readings):
             from motionlang.planners.ramp_down import onset
 
             jerks = (a.accel_jerk, a.decel_jerk) if shape == "scurve" else (INFINITY, INFINITY)
-            eased, start, velocity, bent = onset(last, self.clock.now - a.starts[-1], shape, jerks[0])
-            made = plan(shape, start, move.target, speed, accel, decel, velocity, a.ramp, *jerks, bent)
+            eased, start, velocity, acceleration = onset(last, self.clock.now - a.starts[-1], shape, jerks[0])
+            made = plan(
+                shape, start, move.target, speed, accel, decel, velocity, a.ramp, *jerks, acceleration
+            )
             return made if eased is None else eased.then(made)
         except ValueError as problem:
             raise Rejected("range", f"axis {a.index} cannot move: {problem}") from None
@@ -144,8 +146,8 @@ class Core(Readings):
 
     def extend_track(self, a: Axis, profile: Profile) -> None:
         """Put `profile` on the track now: solve watches, notify followers, check limits."""
-        if self.orders is not None:
-            self.orders.add(a)
+        if self.expected_motion is not None:
+            self.expected_motion.add(a)
         now = self.clock.now
         a.starts.append(now)
         a.profiles.append(profile)
@@ -179,8 +181,8 @@ class Core(Readings):
         self.log.finish_updates(axes)
         for a in axes:
             del a.starts[len(a.profiles) :]
-        if self.orders is not None:
-            self.orders.finish_updates()
+        if self.expected_motion is not None:
+            self.expected_motion.finish_updates()
 
     def arrive(self, a: Axis) -> None:
         """Handle the end of the profile of the move in progress."""
@@ -195,7 +197,7 @@ class Core(Readings):
             self.homings[a.index].at_rest()
         self.start_waiting(a)
         if a.move is None:
-            self.tell("idle", a.index)
+            self.notify("idle", a.index)
 
     def start_waiting(self, a: Axis) -> None:
         """Start the next entry like `start_next`, with no statement waiting for it.
@@ -231,14 +233,14 @@ class Core(Readings):
             except Rejected as rejected:
                 rejected.line = rejected.line or move.line
                 for each in (a,) if move.action is None else move.action.together_with(a):
-                    if self.orders is not None:
-                        self.orders.refuse(each)
+                    if self.expected_motion is not None:
+                        self.expected_motion.refuse(each)
                     self._begin_waiting(each)
                 raise
 
-    def take_entry(self, a: Axis, place: int = 0) -> None:
+    def take_entry(self, a: Axis, index: int = 0) -> None:
         """Remove an entry, by default the first one, from the move buffer."""
-        a.last_id = a.buffer.pop(place).id
+        a.last_id = a.buffer.pop(index).id
         if a.buffer_low >= 0:
             moves.buffer.taken(self, a)
 
@@ -246,20 +248,20 @@ class Core(Readings):
         """Discard and log the buffer, with related entries in the buffers of other axes."""
         entries, a.buffer = a.buffer, []
         for move in entries:
-            gone = [move] if move.action is None else [move, *move.action.purge(a)]
-            for each in gone:
+            dropped = [move] if move.action is None else [move, *move.action.purge(a)]
+            for each in dropped:
                 each.ended = ended
             if move.action is None or not move.action.is_sequel:
-                for each in gone:
+                for each in dropped:
                     self.log.dropped.add(each)
-            for each in gone:
+            for each in dropped:
                 if each.axis != a.index:  # entries behind a path continue, unless they are discarded too
                     self._begin_waiting(self.axes[each.axis])
 
     def _begin_waiting(self, a: Axis) -> None:
         """Schedule the start of the buffer after all other events of this time."""
-        if self.orders is not None:
-            self.orders.prompt(a, "drop")
+        if self.expected_motion is not None:
+            self.expected_motion.prompt(a, "drop")
 
         def begin() -> None:
             if a.index in self.homings or not a.buffer:
@@ -315,8 +317,8 @@ class Core(Readings):
                 move.action.leave(self, a, ended)
             done = move.until(self.clock.now)
             exact = a.here(self.clock.now) - move.offset
-            # An axis that has not moved is where it was; one on two blended paths is not where either of them
-            # has it.
+            # An axis that has not moved is where it was. The position of one on two blended paths is that of
+            # neither path.
             if done.distance and abs(exact - done.end) < triggers.watch.margin(exact):
                 done = done.ending_at(exact)
             move.profile = done
@@ -325,8 +327,8 @@ class Core(Readings):
 
     def freeze(self, a: Axis, ended: str) -> None:
         """Stop the axis at once at its present position."""
-        if self.orders is not None:
-            self.orders.freeze(a, ended)
+        if self.expected_motion is not None:
+            self.expected_motion.freeze(a, ended)
         triggers.conditions.release(self, a)
         if a.index in self.homings:
             self.homings[a.index].cancel()
@@ -340,4 +342,4 @@ class Core(Readings):
         a.target = here = a.here(self.clock.now)
         self.end_move(a, ended)
         self.extend_track(a, hold(here))
-        self.tell("idle", a.index)
+        self.notify("idle", a.index)

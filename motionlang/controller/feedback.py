@@ -47,7 +47,7 @@ import numpy as np
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import FOLLOWING_ERROR, Rejected
 from motionlang.controller.joined import Followed
-from motionlang.controller.triggers.watch import margin, place
+from motionlang.controller.triggers.watch import margin, watched_position
 from motionlang.planners import hold
 from motionlang.servo.axis_loop import axis_loop
 from motionlang.servo.lookahead import (
@@ -95,35 +95,6 @@ class Feedback:
     called if the following error exceeds `error_limit` (counts).
     """
 
-    __slots__ = (
-        "_axis",
-        "_clock",
-        "_due",
-        "_event",
-        "_gains",
-        "_long",
-        "_made_of",
-        "_servo",
-        "_sight",
-        "_size",
-        "_stillness",
-        "changes",
-        "chosen",
-        "closed",
-        "demand_shift",
-        "error_limit",
-        "first_loop",
-        "model",
-        "plant",
-        "scanned",
-        "section",
-        "tripped",
-        "warn_limit",
-        "warned",
-        "warning",
-        "windows",
-    )
-
     def __init__(
         self, axis: Axis, clock: Clock, plant: Section, section: Section, servo: Servos | None = None
     ) -> None:
@@ -145,12 +116,12 @@ class Feedback:
         }
         self._gains: Gains = {}
         self._servo: SpeculativeServo | None = None
-        self._sight: SampleBlock | None = None
+        self._samples: SampleBlock | None = None
         self._size = self._long = 0
         # The event of the next check, and its sample.
         self._event: Event | None = None
-        self._due = _NEVER
-        self._stillness = StandstillDetector()
+        self._next_check = _NEVER
+        self._standstill = StandstillDetector()
         # The last sample that was searched for events, which have all run.
         self.scanned = 0
 
@@ -162,18 +133,18 @@ class Feedback:
         if self._servo is None:
             return self._axis.position(self._clock.now)
         k = self._here()
-        assert self._sight is not None
-        return float(self._sight.encoder[k]) - self._servo.offset
+        assert self._samples is not None
+        return float(self._samples.encoder[k]) - self._servo.offset
 
     def known_position(self, time: float) -> float | None:
         """Return the measured position at a time, counts, if it has been computed already."""
-        sight = self._sight
-        if self._servo is None or sight is None:
+        samples = self._samples
+        if self._servo is None or samples is None:
             return None
         number = sample_at(time, self._rate)
-        if not sight.first <= number < sight.end:
+        if not samples.first <= number < samples.end:
             return None
-        return float(sight.encoder[number - sight.first]) - self._servo.offset
+        return float(samples.encoder[number - samples.first]) - self._servo.offset
 
     @property
     def velocity(self) -> float:
@@ -206,7 +177,7 @@ class Feedback:
         if self._servo is None:
             return 0.0
         k = self._here()
-        return float(getattr(self._sight, column)[k])
+        return float(getattr(self._samples, column)[k])
 
     # ---------------------------------------------------------------------------------------- predictions
 
@@ -217,8 +188,8 @@ class Feedback:
         """
         if self._servo is None:
             return INFINITY
-        k, sight = self._ahead()
-        return self._sample_time(sight, k, crossing(sight.encoder[k:], position + self._servo.offset))
+        k, samples = self._ahead()
+        return self._sample_time(samples, k, crossing(samples.encoder[k:], position + self._servo.offset))
 
     def error_crossing_time(self, error: float) -> float:
         """Return when the following error reaches `error`, counts.
@@ -227,11 +198,11 @@ class Feedback:
         """
         if self._servo is None:
             return INFINITY
-        k, sight = self._ahead()
-        return self._sample_time(sight, k, next_other_side(sight.error[k:], error))
+        k, samples = self._ahead()
+        return self._sample_time(samples, k, next_other_side(samples.error[k:], error))
 
-    def _sample_time(self, sight: SampleBlock, k: int, found: int | None) -> float:
-        return self._horizon(sight) if found is None else (sight.first + k + found) / self._rate
+    def _sample_time(self, samples: SampleBlock, k: int, found: int | None) -> float:
+        return self._horizon(samples) if found is None else (samples.first + k + found) / self._rate
 
     def settled_time(self, name: str = "rest") -> float:
         """Return when the motor has been within a window for long enough; now if it has.
@@ -240,39 +211,37 @@ class Feedback:
         """
         if self._servo is None:
             return self._clock.now
-        k, sight = self._ahead()
-        found = self.windows[name].settled(sight, self._target, sight.first + k, self._rate)
+        k, samples = self._ahead()
+        found = self.windows[name].settled(samples, self._target, samples.first + k, self._rate)
         if found < INFINITY:
-            return max(found / self._rate, self._clock.now) if found > sight.first + k else self._clock.now
-        return self._horizon(sight)
+            return max(found / self._rate, self._clock.now) if found > samples.first + k else self._clock.now
+        return self._horizon(samples)
 
     def settled_since(self, name: str = "program") -> float:
         """Return since when the motor has been within a window; inf if it is outside."""
         if self._servo is None:
             return 0.0
-        k, sight = self._ahead()
+        k, samples = self._ahead()
         window = self.windows[name]
-        outside = np.flatnonzero(~window.inside(sight, self._target)[: k + 1])
+        outside = np.flatnonzero(~window.inside(samples, self._target)[: k + 1])
         if not len(outside):
-            return (window.since if window.since < INFINITY else sight.first) / self._rate
-        return INFINITY if outside[-1] == k else (sight.first + int(outside[-1]) + 1) / self._rate
-
-    def is_settled(self, name: str = "rest") -> bool:
-        """True if a window has been observed for long enough."""
-        return self.settled_time(name) <= self._clock.now
+            return (window.since if window.since < INFINITY else samples.first) / self._rate
+        return INFINITY if outside[-1] == k else (samples.first + int(outside[-1]) + 1) / self._rate
 
     @property
     def at_standstill(self) -> bool:
         """True if the motor is at rest and stays there unless something affects it."""
-        return self._stillness.at_standstill
+        return self._standstill.at_standstill
 
     @property
     def resting(self) -> bool:
         """True if the motor is settled, at standstill elsewhere, or not under control."""
-        return self._servo is None or not self.closed or self.at_standstill or self.is_settled()
+        if self._servo is None or not self.closed or self.at_standstill:
+            return True
+        return self.settled_time() <= self._clock.now
 
-    def _horizon(self, sight: SampleBlock) -> float:
-        return INFINITY if self.at_standstill else max((sight.end - 1) / self._rate, self._clock.now)
+    def _horizon(self, samples: SampleBlock) -> float:
+        return INFINITY if self.at_standstill else max((samples.end - 1) / self._rate, self._clock.now)
 
     # -------------------------------------------------------------------------------------- commands
 
@@ -331,9 +300,9 @@ class Feedback:
             return
         self.windows["program"] = window
         if self._servo is not None:
-            assert self._sight is not None
+            assert self._samples is not None
             self.search_again()
-            self._sight.keep(self.scanned, self._sight.end)
+            self._samples.keep(self.scanned, self._samples.end)
 
     def set_error_limit(self, limit: float) -> None:
         """Set the following error, counts, at which the axis trips; inf for none."""
@@ -350,11 +319,11 @@ class Feedback:
         if self._servo is None:
             return
         now = self._now
-        due, self._due = self._due, _NEVER
-        if self.scanned < due <= now:  # time passed it in one step
-            self._happen(due)
+        next_check, self._next_check = self._next_check, _NEVER
+        if self.scanned < next_check <= now:  # time passed it in one step
+            self._happen(next_check)
         self.scanned = max(self.scanned, now)
-        self._stillness.disturb()
+        self._standstill.disturb()
         self._await(now)
 
     def arm(self, watch: Watch) -> None:
@@ -363,7 +332,7 @@ class Feedback:
         self.search_again()
 
     def _take_side(self, watch: Watch) -> None:
-        off = self.position - place(self._axis, watch)
+        off = self.position - watched_position(self._axis, watch)
         if abs(off) > margin(off):
             watch.side = 1 if off > 0.0 else -1
 
@@ -411,74 +380,74 @@ class Feedback:
         assert last is not None
         self._size = servo.short
         self._long = max(round(LONG * self._rate), self._size)
-        self._sight = SampleBlock(servo.sample - len(last), seen_of(last))
-        self._sight.keep(self._now, servo.sample)
+        self._samples = SampleBlock(servo.sample - len(last), seen_of(last))
+        self._samples.keep(self._now, servo.sample)
         self.scanned = self._now
 
     def _here(self) -> int:
         """Return the index of the present sample in `_samples`."""
-        assert self._sight is not None
-        sight, now = self._sight, self._now
-        while now >= sight.end:
+        assert self._samples is not None
+        samples, now = self._samples, self._now
+        while now >= samples.end:
             self._extend(now)
-        return max(now - sight.first, 0)
+        return max(now - samples.first, 0)
 
     def _ahead(self) -> tuple[int, SampleBlock]:
         """Return the index of the present sample, and the samples with some after it.
 
         There may be none after it if the motor is at standstill for good.
         """
-        assert self._sight is not None
-        k, sight = self._here(), self._sight
-        if k + 1 >= len(sight) and not self.at_standstill:
-            self._extend(sight.first + k)
+        assert self._samples is not None
+        k, samples = self._here(), self._samples
+        if k + 1 >= len(samples) and not self.at_standstill:
+            self._extend(samples.first + k)
             k = self._here()
-        return k, sight
+        return k, samples
 
     def _extend(self, now: int) -> None:
         """Compute one more block; drop past samples that have been searched."""
-        servo, sight = self._servo, self._sight
+        servo, samples = self._servo, self._samples
         assert servo is not None
-        assert sight is not None
-        if self._due > now:
-            self.scanned = max(self.scanned, min(now, sight.end - 1))
-        first = min(self.scanned, sight.end - 1)
+        assert samples is not None
+        if self._next_check > now:
+            self.scanned = max(self.scanned, min(now, samples.end - 1))
+        first = min(self.scanned, samples.end - 1)
         for window in self.windows.values():
-            window.pass_by(sight, self._target, first + 1)
-        sight.keep(first, sight.end)
-        sight.extend(servo.run_block(self._size))
+            window.pass_by(samples, self._target, first + 1)
+        samples.keep(first, samples.end)
+        samples.extend(servo.run_block(self._size))
         if self._size == self._long:
-            self._check_standstill(sight, now)
+            self._check_standstill(samples, now)
         self._size = min(4 * self._size, self._long)
 
-    def _check_standstill(self, sight: SampleBlock, now: int) -> None:
+    def _check_standstill(self, samples: SampleBlock, now: int) -> None:
         """Decide whether the motor is at standstill for good.
 
         It is if its commanded position rests and the last block reached no new state.
         """
-        servo, was_calm = self._servo, self.at_standstill
+        servo, was_at_standstill = self._servo, self.at_standstill
         assert servo is not None
         new = None
         if stays_at_rest(servo, self._long, servo.sample):
-            new = extent(sight.encoder[-self._long :], sight.output[-self._long :])
-        self._stillness.check(new, LONG)
+            new = extent(samples.encoder[-self._long :], samples.output[-self._long :])
+        self._standstill.check(new, LONG)
         if self.at_standstill and now > servo.sample and servo.state == servo.began:
-            sight.keep(sight.end - 1, sight.end)
-            sight.first = now - 1
+            samples.keep(samples.end - 1, samples.end)
+            samples.first = now - 1
             servo.skip(now - servo.sample)
-        if was_calm and not self.at_standstill:
+        if was_at_standstill and not self.at_standstill:
             self._await(now)
 
     def _forget(self) -> None:
         """Drop the samples after the present one, which are now invalid."""
-        servo, sight = self._servo, self._sight
+        servo, samples = self._servo, self._samples
         assert servo is not None
-        assert sight is not None
-        here = self._here()  # may drop past samples, so that `_sight` begins later
-        until = sight.first + here + 1
-        if until < sight.end:
+        assert samples is not None
+        here = self._here()  # may drop past samples, so that `_samples` begins later
+        until = samples.first + here + 1
+        if until < samples.end:
             servo.back(until)
-            sight.keep(sight.first, until)
+            samples.keep(samples.first, until)
         self._size = servo.short
         self.search_again()
 
@@ -487,20 +456,22 @@ class Feedback:
     def _await(self, sample: int) -> None:
         """Schedule a check at a sample, unless an earlier one is due."""
         if self._event is not None:
-            if self._due <= sample:
+            if self._next_check <= sample:
                 return
             self._event.cancel()
-        self._due = sample
-        self._event = self._clock.at(max(sample / self._rate, self._clock.now), self._run_due)
+        self._next_check = sample
+        self._event = self._clock.at(max(sample / self._rate, self._clock.now), self._run_check)
 
-    def _run_due(self) -> None:
-        """Run what is due, and find the next event."""
-        self._event, self._due = None, _NEVER
+    def _run_check(self) -> None:
+        """Run the events that are due, and schedule the next one."""
+        self._event, self._next_check = None, _NEVER
         while self._event is None:
-            _, sight = self._ahead()
-            sample = self._next(sight)
+            sample = self._next_at_end()
+            _, samples = self._ahead()
+            if sample is None:
+                sample = self._next(samples)
             if sample is None and not self.at_standstill:
-                self._await(sight.end - 1)
+                self._await(samples.end - 1)
             if sample is None:
                 return
             if sample > self._now:
@@ -508,28 +479,37 @@ class Feedback:
             else:
                 self._happen(sample)
 
-    def _next(self, sight: SampleBlock) -> int | None:
+    def _next_at_end(self) -> int | None:
+        """Return the present sample if it is the last of its block and has an event.
+
+        A search of the next block would miss it, because that begins after it.
+        """
+        now, k, samples = self._now, self._here(), self._samples
+        assert samples is not None
+        return now if k + 1 == len(samples) and self._next(samples) == now else None
+
+    def _next(self, samples: SampleBlock) -> int | None:
         """Return the next sample with an event; None if the block has none."""
         assert self._servo is not None
-        found = [sample for _, sample, _ in self._passes(sight) if sample is not None]
-        lo = self.scanned + 1 - sight.first
+        found = [sample for _, sample, _ in self._passes(samples) if sample is not None]
+        lo = self.scanned + 1 - samples.first
         limits = [self.error_limit] * self._is_armed + [self.warn_limit] * (self.closed and not self.warning)
         if min(limits, default=INFINITY) < INFINITY:
-            beyond = np.flatnonzero(np.abs(sight.error[lo:]) > min(limits))
-            found += [sight.first + lo + int(k) for k in beyond[:1]]
+            beyond = np.flatnonzero(np.abs(samples.error[lo:]) > min(limits))
+            found += [samples.first + lo + int(k) for k in beyond[:1]]
         for window in self.windows.values():
             if window.announced:
-                onsets = window.onsets(sight, self._target, self._rate)
-                found += [sample for sample, _ in onsets if self.scanned < sample < sight.end][:1]
+                onsets = window.onsets(samples, self._target, self._rate)
+                found += [sample for sample, _ in onsets if self.scanned < sample < samples.end][:1]
         return min(found, default=None)
 
-    def _passes(self, sight: SampleBlock) -> list[tuple[Watch, int | None, int]]:
+    def _passes(self, samples: SampleBlock) -> list[tuple[Watch, int | None, int]]:
         """Return the next sample past each watched position (or None), and the side then."""
         assert self._servo is not None
         found = []
-        seen = sight.encoder[self.scanned - sight.first :]
+        seen = samples.encoder[self.scanned - samples.first :]
         for watch in self._axis.watches:
-            k, side = next_side(seen, place(self._axis, watch) + self._servo.offset, watch.side)
+            k, side = next_side(seen, watched_position(self._axis, watch) + self._servo.offset, watch.side)
             found.append((watch, None if k is None else self.scanned + k, side))
         return found
 
@@ -539,11 +519,13 @@ class Feedback:
 
     def _happen(self, sample: int) -> None:
         """Run the events of a sample: positions passed, excessive following error."""
-        sight = self._sight
-        assert sight is not None
-        passed = [(watch, side) for watch, at, side in self._passes(sight) if at == sample]
-        trips = self._is_armed and abs(sight.error[sample - sight.first]) > self.error_limit
-        warns = self.closed and not self.warning and abs(sight.error[sample - sight.first]) > self.warn_limit
+        samples = self._samples
+        assert samples is not None
+        passed = [(watch, side) for watch, at, side in self._passes(samples) if at == sample]
+        trips = self._is_armed and abs(samples.error[sample - samples.first]) > self.error_limit
+        warns = (
+            self.closed and not self.warning and abs(samples.error[sample - samples.first]) > self.warn_limit
+        )
         self.scanned = sample
         for watch, side in passed:
             before, watch.side = watch.side, side

@@ -30,8 +30,6 @@ KINDS = (
 class Listeners:
     """The subscribers in order of notification, each with the kinds it wants."""
 
-    __slots__ = ("_calls", "of_rest")
-
     def __init__(self) -> None:
         self._calls: list[tuple[Listener, tuple[str, ...]]] = []
         # True if any subscriber wants axes that come to rest, the most frequent kind.
@@ -52,8 +50,8 @@ class Listeners:
         """End a subscription; a no-op if it has ended."""
         self._set([each for each in self._calls if each[0] != call])
 
-    def tell(self, what: str, number: int) -> None:
-        """Notify the subscribers of a kind; one may leave during its notification."""
+    def notify(self, what: str, number: int) -> None:
+        """Notify the subscribers of a kind; they may unsubscribe meanwhile."""
         for call, kinds in self._calls:
             if what in kinds:
                 call(what, number)

@@ -29,10 +29,10 @@ class Move:
 
     __slots__ = (
         "action",
-        "asked",
         "axis",
         "base",
         "command",
+        "commanded_speed",
         "ended",
         "id",
         "line",
@@ -54,7 +54,7 @@ class Move:
     def __init__(self, axis: int, command: str, line: int, target: float) -> None:
         self.axis, self.command, self.line, self.target = axis, command, line, target
         self.action: Action | None = None
-        self.asked: float | None = None  # the commanded speed, before its axis's limit, counts/s
+        self.commanded_speed: float | None = None  # the commanded speed, before its axis's limit, counts/s
         self.base: float | None = None
         self.id = 0
         self.speed: float | None = None
@@ -139,6 +139,10 @@ class Action:
 
     def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         """Come to rest in a manner of its own; False to decelerate as usual."""
+        return False
+
+    def is_stopping(self, hard: bool) -> bool:
+        """True if it is coming to rest already, and such a stop would change nothing."""
         return False
 
     def suspend(self, controller: Core, a: Axis) -> bool:

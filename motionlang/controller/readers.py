@@ -11,6 +11,7 @@ from operator import attrgetter
 
 from motionlang.controller.axis import LIVE
 from motionlang.controller.axis_verbs import SETTINGS
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.scale import POWERS
 
 TYPE_CHECKING = False
@@ -32,15 +33,15 @@ if TYPE_CHECKING:
     Until = Callable[..., float]
 
     class DependencySink(Protocol):
-        """A subscriber to readings; `notes` is None while there is none."""
+        """A subscriber to readings; `notes` is None while it does not subscribe."""
 
         notes: list[Any] | None
 
         def note(self, until: Until, *about: Any) -> None:
-            """Record a reading that may change at `until(*about)`."""
+            """Record a reading that may change at the time `until(*about)`."""
 
     class Subscriber(Protocol):
-        """The subscriber to readings, and the wrap of positions by axis."""
+        """The subscriber to readings, and by axis the value at which positions wrap."""
 
         @property
         def dependencies(self) -> DependencySink: ...
@@ -48,7 +49,6 @@ if TYPE_CHECKING:
         wraps: dict[int, float]
 
 
-INFINITY = float("inf")
 # The unit of a position on the axis, which counts from its zero.
 POSITION = "place"
 # Verbs that give the time at which a reading passes a level, in counts, or has an extremum if that is
@@ -119,7 +119,7 @@ def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping
             return float(crossing_time(axis, scale.to_counts(level, unit)))
         here = scale.position_to_user(getattr(controller, name)(axis)) if wrap else 0.0
         return passing_within(
-            wrap, here, level, lambda place: crossing_time(axis, scale.position_to_counts(place))
+            wrap, here, level, lambda position: crossing_time(axis, scale.position_to_counts(position))
         )
 
     return until
@@ -132,9 +132,9 @@ def passing_within(wrap: float | None, here: float, level: float, passing: Calla
     """
     if not wrap:
         return passing(level)
-    turn = here // wrap * wrap
-    places = [turn + each + offset for each in (-wrap, 0.0, wrap) for offset in (0.0, level % wrap)]
-    return min(map(passing, places))
+    base = here // wrap * wrap
+    levels = [base + each + offset for each in (-wrap, 0.0, wrap) for offset in (0.0, level % wrap)]
+    return min(map(passing, levels))
 
 
 def setting(get: Callable[[Any], Any], of: object, unit: str) -> Reader:
@@ -158,10 +158,10 @@ def converted(
     if not unit and subscriber is NO_SUBSCRIBER:
         return read
     power, factors = POWERS.get(unit), scale.factors
-    asked, note = subscriber.dependencies, subscriber.dependencies.note
+    dependencies, note = subscriber.dependencies, subscriber.dependencies.note
 
     def read_and_record(level: Level = None) -> Any:
-        if asked.notes is not None:
+        if dependencies.notes is not None:
             note(until, level)
         if power is None:
             return float(read()) if unit else read()
@@ -188,8 +188,8 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
             return
         if getattr(a, name) != value:
             add((clock.now, axis, name, value))
-            if blends and controller.orders is not None:
-                controller.orders.prompt(a, name)
+            if blends and controller.expected_motion is not None:
+                controller.expected_motion.prompt(a, name)
         setattr(a, name, value)
         if time:
             setattr(a, time, None)
@@ -205,7 +205,7 @@ def _position(
     It caches the present piece of the profile, because polling loops read little else.
     """
     clock, scale = controller.clock, a.scale
-    asked, note, wraps, axis = (
+    dependencies, note, wraps, axis = (
         subscriber.dependencies,
         subscriber.dependencies.note,
         subscriber.wraps,
@@ -217,7 +217,7 @@ def _position(
 
     def read(level: Level = None) -> float:
         nonlocal begun, since, until, profile, still, c0, c1, c2, c3
-        if asked.notes is not None:
+        if dependencies.notes is not None:
             note(until_passed, level)
         if actual and a.feedback is not None:
             found = a.feedback.position
@@ -248,14 +248,14 @@ def _velocity(
 ) -> Reader:
     """Return the reader of the velocity; it caches the present piece of the profile."""
     clock, factors = controller.clock, a.scale.factors
-    asked, note = subscriber.dependencies, subscriber.dependencies.note
+    dependencies, note = subscriber.dependencies, subscriber.dependencies.note
     begun = since = c1 = twice_c2 = thrice_c3 = 0.0
     until = -1.0
     profile: Profile | None = None
 
     def read(level: Level = None) -> float:
         nonlocal begun, since, until, profile, c1, twice_c2, thrice_c3
-        if asked.notes is not None:
+        if dependencies.notes is not None:
             note(until_passed, level)
         if actual and a.feedback is not None:
             found = a.feedback.velocity

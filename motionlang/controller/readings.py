@@ -7,7 +7,7 @@ from math import atan2, degrees
 from motionlang.controller import triggers
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY, Clock
-from motionlang.controller.io.inputs import Channels
+from motionlang.controller.io.channels import AnalogueInputs, Channels
 from motionlang.controller.listeners import Listeners
 
 TYPE_CHECKING = False
@@ -43,7 +43,7 @@ class Readings:
         self.log = log
         self.inputs = Channels(clock, log.inputs)
         self.outputs = Channels(clock, log.outputs)
-        self.analogue_inputs = Channels(clock, log.analogue_inputs)
+        self.analogue_inputs = AnalogueInputs(clock, log)
         self.analogue_outputs = Channels(clock, log.analogue_outputs)
         # The events at which pulses of outputs end.
         self._pulses: dict[int, Event] = {}
@@ -62,12 +62,11 @@ class Readings:
         # The status of the last offset of an axis, bits (`motion/offset.py`).
         self.offset_statuses: dict[int, int] = {}
         self.listeners = Listeners()
-        # The conditions to be checked when all axes of a motion have it; None if they are checked at once.
+        # The conditions to check once all axes of a motion have their profiles; None to check at once.
         self.deferred_checks: list[Condition] | None = None
-        # The record of a run that is to be proved.
-        self.orders: ExpectedMotion | None = None
-        # The handler of run-time faults while the program does something else; it returns true if it has
-        # handled one.
+        # The record of a run whose motion is to be verified.
+        self.expected_motion: ExpectedMotion | None = None
+        # The handler of run-time faults outside a statement; it returns true if it has handled the fault.
         self.fault_handler: Callable[[Rejected], bool] | None = None
 
     def moving(self) -> list[int]:
@@ -278,6 +277,9 @@ class Readings:
         elapsed = now - start
         if elapsed >= profile.duration:
             return INFINITY
+        found = None if abs(velocity) == INFINITY else profile.velocity_crossing(velocity, elapsed)
+        if profile.has_ramps and abs(velocity) != INFINITY and (found is None or found > elapsed):
+            return start + (profile.duration if found is None else found)
         piece = profile.cubic(elapsed)
         if piece is None:
             return now
@@ -286,7 +288,6 @@ class Readings:
             return now if abs(velocity) == INFINITY else start + until
         if c3 and elapsed < since - c2 / (3.0 * c3) < until:
             until = since - c2 / (3.0 * c3)
-        found = profile.velocity_crossing(velocity, elapsed)
         return start + (until if found is None else min(found, until))
 
     def turns(self, channel: int) -> bool:
@@ -331,15 +332,17 @@ class Readings:
 
     def set_output(self, channel: int, value: float) -> bool:
         """Set an output; return True if that changed it."""
-        changed = self.outputs[channel] != value
-        self.outputs[channel] = value
-        return changed
+        outputs = self.outputs
+        if outputs[channel] == value:
+            return False
+        outputs[channel] = value
+        return True
 
     def pulse(self, channel: int, duration: float) -> None:
         """Turn a digital output on for `duration` seconds; another pulse prolongs it."""
-        due = self._pulses.get(channel)
-        if due is not None:
-            due.cancel()
+        pending = self._pulses.get(channel)
+        if pending is not None:
+            pending.cancel()
         self.outputs[channel] = 1
         end = self.clock.now + duration
         self._pulses[channel] = self.clock.at(end, lambda: self.outputs.__setitem__(channel, 0))
@@ -355,6 +358,6 @@ class Readings:
         if self.fault_handler is None or not self.fault_handler(rejected):
             raise rejected
 
-    def tell(self, what: str, axis: int) -> None:
-        """Notify the listeners; one may leave during its notification."""
-        self.listeners.tell(what, axis)
+    def notify(self, what: str, axis: int) -> None:
+        """Notify the listeners of a kind; they may unsubscribe meanwhile."""
+        self.listeners.notify(what, axis)

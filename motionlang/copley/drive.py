@@ -20,7 +20,7 @@ IDLE, WAITING, MOVING, STOPPING = "idle", "waiting", "moving", "stopping"
 
 SERVO_PERIOD = 250
 """Servo period in microseconds; sub-mode 0 adjusts its times by one of them."""
-KEPT = 3
+START_POINTS = 3
 """Points that sub-mode 0 needs before it moves, and aims to keep in the buffer."""
 ABORT_DECELERATION = 1_000_000.0
 """Deceleration of an aborted move, counts/s²."""
@@ -96,7 +96,7 @@ class Drive:
         if not taken:
             self._note("a point came to a full buffer and was dropped: overflow")
             self._event()
-        elif self.state == WAITING and len(self.buffer.entries) >= KEPT:
+        elif self.state == WAITING and len(self.buffer.entries) >= START_POINTS:
             self._begin()
         return taken
 
@@ -126,7 +126,7 @@ class Drive:
         if self.steering:
             self.buffer.clear()
             self.state = WAITING
-            self._note(f"waiting for {KEPT} points")
+            self._note(f"waiting for {START_POINTS} points")
         else:
             self._begin()
 
@@ -189,14 +189,14 @@ class Drive:
         if first is None:
             self._run_dry("the move was started with no point in the buffer")
             return
-        place = self._place(first)
-        if place != here:
-            self._note(f"commanded position steps from {here:.10g} to {place:.10g} at the start")
-            self._append(hold(place))
+        position = self._position_of(first)
+        if position != here:
+            self._note(f"commanded position steps from {here:.10g} to {position:.10g} at the start")
+            self._append(hold(position))
         self._velocity = 0.0 if first.velocity is None else first.velocity / 10.0
         self._entry = first
         self.state = MOVING
-        self._note(f"move started at {place:.10g}")
+        self._note(f"move started at {position:.10g}")
         self._next_segment()
 
     def _arrive(self) -> None:
@@ -224,12 +224,12 @@ class Drive:
     def _run(self, target: Entry) -> None:
         span = self._steered(self._entry.microseconds)
         begin = self._reference
-        place = self._place(target)
+        position = self._position_of(target)
         given = None if target.velocity is None else target.velocity / 10.0
-        piece = pvt_piece(begin, self._velocity, place, given, span / 1e6)
+        piece = pvt_piece(begin, self._velocity, position, given, span / 1e6)
         end_velocity = piece[1] if given is None else given
         curve = ((0.0, span / 1e6), (piece,), (("segment", 0),))
-        self._append(from_curve("pvt", begin, place, curve, piece[1], end_velocity))
+        self._append(from_curve("pvt", begin, position, curve, piece[1], end_velocity))
         self._velocity, self._entry = end_velocity, target
         self._boundary = self.microseconds + span
 
@@ -241,12 +241,12 @@ class Drive:
         """
         if not self.steering or span == 0:
             return span
-        surplus = len(self.buffer.entries) - KEPT
+        surplus = len(self.buffer.entries) - START_POINTS
         step = self.servo_period if surplus < 0 else -self.servo_period if surplus > 0 else 0
         return max(span + step, self.servo_period)
 
-    def _place(self, entry: Entry) -> float:
-        """Return the absolute position of a point, and store it as the next reference."""
+    def _position_of(self, entry: Entry) -> float:
+        """Return the absolute position of a point, the reference for the next one."""
         self._reference = self._reference + entry.position if entry.relative else float(entry.position)
         return self._reference
 
@@ -272,8 +272,8 @@ class Drive:
         self._append(stop)
         self._boundary = self.microseconds + max(1, round(stop.duration * 1e6))
 
-    def _rest(self, place: float) -> None:
-        self._append(hold(place))
+    def _rest(self, position: float) -> None:
+        self._append(hold(position))
         self.state, self._boundary, self._velocity = IDLE, None, 0.0
 
     def _append(self, profile: Profile) -> None:

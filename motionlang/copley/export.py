@@ -75,9 +75,9 @@ def sdo_download(node: int, index: int, sub: int, data: bytes) -> list[str]:
         return [frame(0x600 + node, command + address + data.ljust(4, b"\0"))]
     frames = [frame(0x600 + node, b"\x21" + address + size.to_bytes(4, "little"))]
     for i in range(0, size, 7):
-        part, toggle, last = data[i : i + 7], (i // 7 & 1) << 4, i + 7 >= size
-        command = bytes([toggle | (7 - len(part)) << 1 | last])
-        frames.append(frame(0x600 + node, command + part.ljust(7, b"\0")))
+        chunk, toggle, last = data[i : i + 7], (i // 7 & 1) << 4, i + 7 >= size
+        command = bytes([toggle | (7 - len(chunk)) << 1 | last])
+        frames.append(frame(0x600 + node, command + chunk.ljust(7, b"\0")))
     return frames
 
 
@@ -92,11 +92,11 @@ def _serial(points: Sequence[WirePoint]) -> Export:
         f"# parameter 0x{serial.TRAJECTORY_PARAMETER:X} = {serial.PVT_CONFIGURATION}: PVT interpolation",
         f"# parameter 0x{serial.PARAMETER:X}, one point per line: time word, position, velocity",
     ]
-    told = [" ".join([f"{word:04X}", *(f"{value:08X}" for value in rest)]) for word, *rest in messages]
+    texts = [" ".join([f"{word:04X}", *(f"{value:08X}" for value in rest)]) for word, *rest in messages]
     start = f"# op-code {serial.START_OPCODE}: start move"
-    lines += [*told[:SIZE], start]
-    if told[SIZE:]:
-        lines += ["# from here on: whenever reading the parameter shows free places", *told[SIZE:]]
+    lines += [*texts[:SIZE], start]
+    if texts[SIZE:]:
+        lines += ["# from here on: whenever reading the parameter shows free places", *texts[SIZE:]]
     return Export(
         lines, [point for m in messages if not isinstance(point := serial.decode(m), serial.BufferCommand)]
     )

@@ -92,15 +92,15 @@ class Master:
             self._send_sdo(packet.encode_command(packet.PacketCommand(packet.CLEAR)))
         self.refresh()
 
-    def stream(self, points: Sequence[WirePoint], way: str = "pdo") -> Streamed:
+    def stream(self, points: Sequence[WirePoint], transfer: str = "pdo") -> Streamed:
         """Stream a whole move with one of `TRANSFERS`.
 
         Raises `StreamError` if the drive or the points do not allow it.
         """
-        if way not in TRANSFERS:
-            raise StreamError(f"there is no way {way!r} to stream; there is {', '.join(TRANSFERS)}")
+        if transfer not in TRANSFERS:
+            raise StreamError(f"there is no way {transfer!r} to stream; there is {', '.join(TRANSFERS)}")
         try:
-            return self._stream(points, way)
+            return self._stream(points, transfer)
         except canopen.SdoCommunicationError:
             raise StreamError(f"node {self.node_id} does not answer") from None
         except canopen.SdoAbortedError as rejected:
@@ -108,14 +108,14 @@ class Master:
         except can.CanError as problem:
             raise StreamError(f"the bus failed: {problem}") from None
 
-    def _stream(self, points: Sequence[WirePoint], way: str) -> Streamed:
+    def _stream(self, points: Sequence[WirePoint], transfer: str) -> Streamed:
         self.prepare()
-        if way in ("pdo", "sdo"):
+        if transfer in ("pdo", "sdo"):
             self._write(
                 0x60C0, 0, CUBIC_MODE
             )  # any mode but 0, which would drop the points sent before the start
-            return self._stream_packets(points, self._send_pdo if way == "pdo" else self._send_sdo)
-        mode = int(way)
+            return self._stream_packets(points, self._send_pdo if transfer == "pdo" else self._send_sdo)
+        mode = int(transfer)
         self._write(0x60C0, 0, mode)
         if mode in FIXED_TIME:
             return self._stream_fixed(points, mode)

@@ -176,7 +176,7 @@ class ProfileModes:
         A motion that begins on an active limit switch in its direction is refused.
         """
         drive, switches = self._drive, self._switches
-        here, last = self._place, end + drive.datum
+        here, last = self._position, end + drive.datum
         forwards = last > here
         limit = switches.positive if forwards else switches.negative
         self._limited = False
@@ -219,31 +219,31 @@ class ProfileModes:
         The end of the stage's motion resumes the sequence.
         """
         switches, fast, slow = self._switches, self._speed(0x6099, 1), self._speed(0x6099, 2)
-        home = self._place
+        home = self._position
         if method not in METHODS:
             raise _NotFound
         if method in (1, 17):
-            yield from self._leave_switch(switches.negative, -fast, slow, self._place <= switches.negative)
+            yield from self._leave_switch(switches.negative, -fast, slow, self._position <= switches.negative)
             home = switches.negative
         elif method in (2, 18):
-            yield from self._leave_switch(switches.positive, fast, -slow, self._place >= switches.positive)
+            yield from self._leave_switch(switches.positive, fast, -slow, self._position >= switches.positive)
             home = switches.positive
         elif method == 19:
-            yield from self._leave_switch(switches.home, fast, -slow, self._place >= switches.home)
+            yield from self._leave_switch(switches.home, fast, -slow, self._position >= switches.home)
             home = switches.home
         elif method == 20:
-            yield from self._leave_switch(switches.home, -fast, slow, self._place < switches.home)
+            yield from self._leave_switch(switches.home, -fast, slow, self._position < switches.home)
             home = switches.home
         if method in (1, 2, 33, 34):
             direction = slow if method in (1, 34) else -slow
-            home = switches.next_index(self._place, direction)
+            home = switches.next_index(self._position, direction)
             yield from self._search(home, direction)
         yield from self._return_to(home)
         self._drive.shift(home - self._drive.datum + self._values[0x607C, 0])
 
     @property
-    def _place(self) -> float:
-        """The position on the machine."""
+    def _position(self) -> float:
+        """The position on the machine, counts."""
         return self._drive.position + self._drive.datum
 
     def _leave_switch(self, edge: float, fast: float, slow: float, active: bool) -> Iterator[None]:
@@ -263,7 +263,7 @@ class ProfileModes:
         reach = min(edge, limit) if velocity > 0 else max(edge, limit)
         if abs(reach) == inf:
             raise _NotFound
-        if (reach - self._place) * velocity > 0.0:
+        if (reach - self._position) * velocity > 0.0:
             profile = plan_velocity("trapezoid", drive.position, drive.velocity, velocity, rate, rate)
             drive.follow(profile, crossing(profile, reach - drive.datum), self._continue_homing)
             yield
@@ -296,19 +296,19 @@ class ProfileModes:
         return self._values[index, 0] * RATE_UNIT
 
 
-def crossing(profile: Profile, place: float) -> float:
+def crossing(profile: Profile, position: float) -> float:
     """Return the last time at which a profile crosses a position.
 
     The profile must start on one side of the position and end on the other.
     """
     ramps = profile.knots[-2]
-    if profile.duration == inf and (place - profile.position(ramps)) * profile.end_velocity >= 0.0:
-        return float(ramps + (place - profile.position(ramps)) / profile.end_velocity)
+    if profile.duration == inf and (position - profile.position(ramps)) * profile.end_velocity >= 0.0:
+        return float(ramps + (position - profile.position(ramps)) / profile.end_velocity)
     low, high = 0.0, ramps if profile.duration == inf else profile.duration
-    upwards = profile.position(high) > place
+    upwards = profile.position(high) > position
     for _ in range(80):
         middle = 0.5 * (low + high)
-        if (profile.position(middle) > place) is upwards:
+        if (profile.position(middle) > position) is upwards:
             high = middle
         else:
             low = middle

@@ -14,12 +14,12 @@ from canopen import LocalNode, SdoAbortedError
 from canopen.objectdictionary import ObjectDictionary, ODRecord, ODVariable, datatypes
 
 from motionlang import __version__
+from motionlang.controller.clock import INFINITY
 from motionlang.copley.drive import Drive
 from motionlang.copley.objects import BY_ADDRESS, OBJECTS, Abort, Object, ObjectServer
 from motionlang.copley.pdo import (
     EVENT_DRIVEN,
     ID_STEP,
-    INFINITY,
     MAX_BITS,
     PDO_INVALID,
     PDOS,
@@ -53,7 +53,7 @@ STOPPED, OPERATIONAL, PRE_OPERATIONAL = 4, 5, 127
 # Seconds from a reset to the boot-up message; a master needs some to begin to wait for it.
 BOOT_TIME = 0.02
 # The object with the node whose heartbeat the drive waits for, and its longest time, ms.
-HEARD = 0x1016
+CONSUMER_HEARTBEAT = 0x1016
 # EMCY: a received PDO that is too short, and a heartbeat that does not come.
 PDO_LENGTH, NO_HEARTBEAT = 0x8210, 0x8130
 # The error register: bit 0 for any error, bit 4 for communication.
@@ -85,9 +85,9 @@ def object_dictionary(node_id: int = 0) -> ObjectDictionary:
         ("Producer heartbeat time", 0x1017, u16, "rw", 0),
     ):
         dictionary.add_object(_variable(name, index, 0, kind, access, default, mappable=index == 0x1001))
-    heartbeats = ODRecord("Consumer heartbeat time", HEARD)
-    heartbeats.add_member(_variable("Highest sub-index", HEARD, 0, u8, "ro", 1))
-    heartbeats.add_member(_variable("Node and time", HEARD, 1, u32, "rw", 0))
+    heartbeats = ODRecord("Consumer heartbeat time", CONSUMER_HEARTBEAT)
+    heartbeats.add_member(_variable("Highest sub-index", CONSUMER_HEARTBEAT, 0, u8, "ro", 1))
+    heartbeats.add_member(_variable("Node and time", CONSUMER_HEARTBEAT, 1, u32, "rw", 0))
     dictionary.add_object(heartbeats)
     _add_identity(dictionary, node_id)
     for number in range(PDOS):
@@ -115,7 +115,7 @@ class DriveNode(LocalNode):
         # The time at which the next heartbeat is due.
         self._heartbeat_at = INFINITY
         # The node whose heartbeat is expected, and the time by which it must come; infinite until the first.
-        self._heard, self._silent_at = 0, INFINITY
+        self._monitored, self._silent_at = 0, INFINITY
         # The time at which a reset is over.
         self._boot_at = INFINITY
         self._nmt_state = 0
@@ -128,7 +128,7 @@ class DriveNode(LocalNode):
     def boot(self) -> None:
         """Join the bus: send the boot-up message and become pre-operational."""
         self.network.unsubscribe(self.sdo.rx_cobid, self.sdo.on_request)
-        self.network.subscribe(self.sdo.rx_cobid, self._asked)
+        self.network.subscribe(self.sdo.rx_cobid, self._on_request)
         self.network.subscribe(0, self._commanded)
         self.network.subscribe(SYNC_ID, self._synchronise)
         self._start()
@@ -152,7 +152,7 @@ class DriveNode(LocalNode):
         if operational:
             for each in self._sent:
                 data = self._data_of(each)
-                if each.due(data, self.now):
+                if each.is_due(data, self.now):
                     self._transmit(each, data)
 
     def next_time(self) -> float:
@@ -238,7 +238,7 @@ class DriveNode(LocalNode):
                 self.objects.reset()
             self._heartbeat_at, self._boot_at = INFINITY, self.now + BOOT_TIME
 
-    def _asked(self, can_id: int, data: bytearray, timestamp: float) -> None:
+    def _on_request(self, can_id: int, data: bytearray, timestamp: float) -> None:
         """Answer an SDO request, unless the node is stopped."""
         if self.nmt_state != STOPPED:
             self.sdo.on_request(can_id, data, timestamp)  # type: ignore[no-untyped-call]
@@ -249,14 +249,14 @@ class DriveNode(LocalNode):
 
     def _listen_to(self, node: int) -> None:
         """Monitor the heartbeat of a node, beginning with its first one; 0 monitors none."""
-        if self._heard:
-            self.network.unsubscribe(HEARTBEAT_ID + self._heard, self._alive)
-        self._heard, self._silent_at = node, INFINITY
+        if self._monitored:
+            self.network.unsubscribe(HEARTBEAT_ID + self._monitored, self._alive)
+        self._monitored, self._silent_at = node, INFINITY
         if node:
             self.network.subscribe(HEARTBEAT_ID + node, self._alive)
 
     def _alive(self, _: int, data: bytearray, __: float) -> None:
-        self._silent_at = self.now + (self._number(HEARD, 1) & 0xFFFF) * 1e-3
+        self._silent_at = self.now + (self._number(CONSUMER_HEARTBEAT, 1) & 0xFFFF) * 1e-3
 
     def _send_heartbeat(self) -> None:
         self.network.send_message(HEARTBEAT_ID + int(self.id or 0), bytes([self.nmt_state]))
@@ -276,7 +276,7 @@ class DriveNode(LocalNode):
         elif 0x1800 <= index < 0x1800 + PDOS and subindex == 2 and data[:1] in (b"\xfc", b"\xfd"):
             raise SdoAbortedError(VALUE_RANGE)  # remote frames are not answered
         super().set_data(index, subindex, data, check_writable=check_writable)
-        if (index, subindex) == (HEARD, 1):
+        if (index, subindex) == (CONSUMER_HEARTBEAT, 1):
             value = int.from_bytes(data, "little")
             self._listen_to(value >> 16 & 0x7F if value & 0xFFFF else 0)
         if 0x1400 <= index < 0x1C00:
@@ -422,12 +422,12 @@ def _add_pdo(
     dictionary: ObjectDictionary,
     communication: int,
     mapping: int,
-    way: str,
+    direction: str,
     can_id: int,
     default: tuple[tuple[int, int], ...],
 ) -> None:
     """Add one PDO with its default mapping; enable only the first of each direction."""
-    record = ODRecord(f"{way} PDO {(communication & 0xFF) + 1} communication", communication)
+    record = ODRecord(f"{direction} PDO {(communication & 0xFF) + 1} communication", communication)
     sends = communication >= 0x1800
     on = communication & 0xFF == 0
     for sub, name, kind, value in (
@@ -441,7 +441,7 @@ def _add_pdo(
             access = "ro" if sub == 0 else "rw"
             record.add_member(_variable(name, communication, sub, kind, access, value))
     dictionary.add_object(record)
-    record = ODRecord(f"{way} PDO {(mapping & 0xFF) + 1} mapping", mapping)
+    record = ODRecord(f"{direction} PDO {(mapping & 0xFF) + 1} mapping", mapping)
     record.add_member(_variable("Number of objects", mapping, 0, datatypes.UNSIGNED8, "rw", len(default)))
     for sub in range(1, 9):
         value = entry(*default[sub - 1]) if sub <= len(default) else 0

@@ -79,12 +79,12 @@ def encode_points(points: Sequence[WirePoint], number: int = 0) -> list[bytes]:
     """
     packets, last = list[bytes](), None
     for i, point in enumerate(points):
-        place = _place(point, last)
-        if i == 0 and place is not None and point.velocity is not None and place not in INT24:
-            packets.append(encode_packet(Packet(number, initial=place)))
-            last = place
+        position = _initial_position(point, last)
+        if i == 0 and position is not None and point.velocity is not None and position not in INT24:
+            packets.append(encode_packet(Packet(number, initial=position)))
+            last = position
         packets.append(encode_packet(Packet(number + len(packets), _fitting(i, point, last))))
-        last = place
+        last = position
     return packets
 
 
@@ -96,8 +96,8 @@ def encode_packet(packet: Packet) -> bytes:
     assert point is not None
     if point.velocity is None:
         form = LINEAR_RELATIVE if point.relative else LINEAR
-        place = _signed_bytes(point.position, 4, "position")
-        return _header(packet.number, form) + _time_byte(point.time) + place + bytes(2)
+        position = _signed_bytes(point.position, 4, "position")
+        return _header(packet.number, form) + _time_byte(point.time) + position + bytes(2)
     coarse = point.velocity not in INT24
     velocity = _coarse(point.velocity) if coarse else point.velocity
     form = (CUBIC_RELATIVE if point.relative else CUBIC) + coarse
@@ -126,13 +126,13 @@ def decode(data: bytes) -> Packet | PacketCommand:
     if form == INITIAL:
         return Packet(number, initial=int.from_bytes(data[1:5], "little", signed=True))
     if form in (LINEAR, LINEAR_RELATIVE):
-        place = int.from_bytes(data[2:6], "little", signed=True)
-        return Packet(number, WirePoint(place, None, data[1], form == LINEAR_RELATIVE))
+        position = int.from_bytes(data[2:6], "little", signed=True)
+        return Packet(number, WirePoint(position, None, data[1], form == LINEAR_RELATIVE))
     if form not in FORMATS:
         raise BadPacket(f"there is no segment format {form}")
-    place = int.from_bytes(data[2:5], "little", signed=True)
+    position = int.from_bytes(data[2:5], "little", signed=True)
     velocity = int.from_bytes(data[5:8], "little", signed=True) * (COARSE if form & 1 else 1)
-    return Packet(number, WirePoint(place, velocity, data[1], form >= CUBIC_RELATIVE))
+    return Packet(number, WirePoint(position, velocity, data[1], form >= CUBIC_RELATIVE))
 
 
 def encode_status(status: BufferStatus) -> int:
@@ -158,8 +158,8 @@ def error_names(errors: int) -> str:
     return ", ".join(name for bit, name in ERRORS.items() if errors & bit)
 
 
-def _place(point: WirePoint, last: int | None) -> int | None:
-    """Return the position of a point; None while it depends on the start position."""
+def _initial_position(point: WirePoint, last: int | None) -> int | None:
+    """Return the absolute position of a point; None if it is relative to the start."""
     if not point.relative:
         return point.position
     return None if last is None else last + point.position

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import inf
 
 PDOS = 4
 EVENT_DRIVEN = (254, 255)
@@ -33,8 +34,7 @@ SENT = (
 STATUS_PERIOD = 100
 # Identifiers of PDO 1, of each direction, without the node; the next ones are 0x100 apart.
 RECEIVE_ID, SEND_ID, ID_STEP = 0x200, 0x180, 0x100
-NEVER = float("-inf")
-INFINITY = float("inf")
+NEVER = -inf
 
 Address = tuple[int, int]
 
@@ -57,8 +57,8 @@ class Sent:
     at: float = NEVER
     syncs: int = 0
 
-    def due(self, data: bytes, now: float) -> bool:
-        """True if it must be sent now, on its own account."""
+    def is_due(self, data: bytes, now: float) -> bool:
+        """True if an event-driven PDO must be sent now."""
         if self.kind not in EVENT_DRIVEN:
             return False
         if self.timer and now >= self.at + self.timer:
@@ -68,8 +68,8 @@ class Sent:
     def next_time(self) -> float:
         """Return the time of the next check if its data do not change, s."""
         if self.kind not in EVENT_DRIVEN or self.at == NEVER:
-            return INFINITY
-        return self.at + self.timer if self.timer else INFINITY
+            return inf
+        return self.at + self.timer if self.timer else inf
 
     def on_sync(self, data: bytes) -> bool:
         """True if it is sent on this SYNC."""

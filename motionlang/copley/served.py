@@ -87,13 +87,13 @@ class DriveServer:
     def run(self) -> None:
         """Serve until `stop`."""
         while not self._over:
-            self.turn(self._timeout())
+            self.run_once(self._timeout())
 
     def stop(self) -> None:
         """End `run` soon; may be called from a signal handler or another thread."""
         self._over = True
 
-    def turn(self, timeout: float = 0.0) -> None:
+    def run_once(self, timeout: float = 0.0) -> None:
         """Wait at most `timeout` seconds for a frame, and do what is due."""
         try:
             message = self._bus.recv(timeout)

@@ -25,7 +25,7 @@ def next_state(state: int, before: int, control: int) -> int:
         return QUICK_STOP if state in (ENABLED, QUICK_STOP) else DISABLED
     if state == QUICK_STOP:
         return ENABLED if control & SWITCH_ON and control & ENABLE else QUICK_STOP
-    asked = READY if not control & SWITCH_ON else ON if not control & ENABLE else ENABLED
+    requested = READY if not control & SWITCH_ON else ON if not control & ENABLE else ENABLED
     if state == DISABLED:
-        return READY if asked == READY else DISABLED
-    return asked
+        return READY if requested == READY else DISABLED
+    return requested

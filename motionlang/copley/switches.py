@@ -19,11 +19,11 @@ class Switches:
     home: float = inf
     index: float = 4000.0
 
-    def inputs(self, place: float) -> int:
+    def inputs(self, position: float) -> int:
         """Return object 0x60FD: bits 0 and 1 are limit switches, bit 2 the home switch."""
-        return (place <= self.negative) | (place >= self.positive) << 1 | (place >= self.home) << 2
+        return (position <= self.negative) | (position >= self.positive) << 1 | (position >= self.home) << 2
 
-    def next_index(self, place: float, direction: float) -> float:
+    def next_index(self, position: float, direction: float) -> float:
         """Return the first index mark beyond a position."""
-        count = place / self.index
+        count = position / self.index
         return (floor(count) + 1 if direction > 0 else ceil(count) - 1) * self.index

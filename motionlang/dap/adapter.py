@@ -175,7 +175,7 @@ class Adapter:
         debugger = Debugger(
             source, language, settings,
             overrides=launch.overrides, until=launch.until,
-            show=self.output, say=lambda text: self.output(f"{text}\n", "console"), ask=self._ask,
+            show=self.output, log_message=lambda text: self.output(f"{text}\n", "console"), ask=self._ask,
         )  # fmt: skip
         debugger.observe(self._checkpoints, self._progress)
         self._launch, self._debugger = launch, debugger

@@ -49,8 +49,8 @@ class Breaking:
             message = each.text("logMessage", "")
             condition, hits = each.text("condition", ""), each.text("hitCondition", "")
             try:
-                places = self._debugger.offsets_at(line)
-                made.append(Breakpoint(places, condition, hits, message or None))
+                offsets = self._debugger.offsets_at(line)
+                made.append(Breakpoint(offsets, condition, hits, message or None))
             except WrongExpression as error:
                 answers.append(_unverified(str(error)))
             else:

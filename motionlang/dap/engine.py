@@ -30,7 +30,7 @@ class Engine:
     def __init__(self, channel: socket.socket, announcements: socket.socket) -> None:
         self._channel, self._announcements = channel, announcements
         self._is_current = True
-        checkpoints = Checkpoints(self._keep, self._drop, self._leave, self._revive)
+        checkpoints = Checkpoints(self._store, self._drop, self._leave, self._revive)
         self._adapter = Adapter(self._send, checkpoints, self._hand_over)
 
     def serve(self) -> NoReturn:
@@ -62,7 +62,7 @@ class Engine:
 
     # -------------------------------------------------------------------------------------------- copies
 
-    def _keep(self, key: int, channel: socket.socket) -> None:
+    def _store(self, key: int, channel: socket.socket) -> None:
         socket.send_fds(self._announcements, [f"copy {key}".encode()], [channel.fileno()])
 
     def _drop(self, keys: Iterable[int]) -> None:

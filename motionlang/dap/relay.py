@@ -59,7 +59,7 @@ class Relay:
         far.close()
         announcements.close()
         self._control = control
-        for work in (self._pass_on, self._keep_copies):
+        for work in (self._pass_on, self._maintain_copies):
             threading.Thread(target=work, daemon=True).start()
 
     # --------------------------------------------------------------------------------------- to the engine
@@ -170,8 +170,8 @@ class Relay:
 
     # -------------------------------------------------------------------------------------------- copies
 
-    def _keep_copies(self) -> None:
-        """Keep the channels of new copies, and close those of dropped ones."""
+    def _maintain_copies(self) -> None:
+        """Store the channels of new copies, and close those of dropped ones."""
         while True:
             try:
                 packet, found, _, _ = socket.recv_fds(self._control, MAX_PACKET, 1)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from motionlang.dap.relay import Relay
 
 
-def serve(reading: IO[bytes], writing: IO[bytes], close: Callable[[], None]) -> None:
+def serve(incoming: IO[bytes], outgoing: IO[bytes], close: Callable[[], None]) -> None:
     """Serve a client until it disconnects or its stream ends.
 
     In a forked process, `close` closes the streams of the client.
@@ -30,8 +30,8 @@ def serve(reading: IO[bytes], writing: IO[bytes], close: Callable[[], None]) -> 
         if broken:
             return
         try:
-            writing.write(written(message))
-            writing.flush()
+            outgoing.write(written(message))
+            outgoing.flush()
         except (OSError, ValueError):
             broken = True  # the client has gone; the end of its stream ends the session
 
@@ -39,7 +39,7 @@ def serve(reading: IO[bytes], writing: IO[bytes], close: Callable[[], None]) -> 
     try:
         while not adapter.is_over and not broken:
             try:
-                message = read(reading)
+                message = read(incoming)
             except WrongMessage as error:
                 adapter.output(f"{error}\n", "stderr")
                 if error.is_fatal:
@@ -76,5 +76,5 @@ def serve_connection(listener: socket.socket) -> None:
     connection, _ = listener.accept()
     listener.close()
     connection.setblocking(True)
-    with connection, connection.makefile("rb") as reading, connection.makefile("wb") as writing:
-        serve(reading, writing, lambda: close_here(connection.fileno()))
+    with connection, connection.makefile("rb") as incoming, connection.makefile("wb") as outgoing:
+        serve(incoming, outgoing, lambda: close_here(connection.fileno()))

@@ -111,7 +111,7 @@ class Showing:
 
     def _frame(self, task: str, depth: int, frame: Frame) -> Body:
         self._frames.append((task, depth))
-        line, column, length = self._debugger.location_of(frame.place)
+        line, column, length = self._debugger.location_of(frame.offset)
         return {
             "id": self._old_frames + len(self._frames), "name": frame.name, "source": self._source(),
             "line": line - self._line, "column": column - self._column,
@@ -175,8 +175,8 @@ class Showing:
         """Return the variables of a scope, or the elements of a variable."""
         path, frame, found = self._referred(given)
         first, count = max(given.number("start", 0), 0), given.number("count", 0)
-        part = found[first : first + count if count > 0 else None]
-        return [self._variable((*path, each.name), frame, each) for each in part]
+        section = found[first : first + count if count > 0 else None]
+        return [self._variable((*path, each.name), frame, each) for each in section]
 
     def _variable(self, path: Path, frame: int | None, variable: Variable) -> Body:
         body: Body = {"name": variable.name, **self._value(path, frame, variable)}

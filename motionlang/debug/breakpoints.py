@@ -28,13 +28,13 @@ class Breakpoint:
 
     def __init__(
         self,
-        places: Sequence[int],
+        offsets: Sequence[int],
         condition: str = "",
         hits: str = "",
         message: str | None = None,
         text: str = "",
     ) -> None:
-        self.places, self.text = frozenset(places), text
+        self.offsets, self.text = frozenset(offsets), text
         self.condition: Expression | None = parse(condition) if condition.strip() else None
         self._counts = _hits(hits)
         self.is_counted = bool(hits.strip())
@@ -69,8 +69,8 @@ def _message(text: str) -> Callable[[Names], str]:
 
     Expressions in braces are replaced by their values.
     """
-    parts = re.split(r"\{([^{}]*)\}", text)
-    expressions = [parse(each) for each in parts[1::2]]
+    segments = re.split(r"\{([^{}]*)\}", text)
+    expressions = [parse(each) for each in segments[1::2]]
 
     def message(state: Names) -> str:
         values = []
@@ -79,7 +79,7 @@ def _message(text: str) -> Callable[[Names], str]:
                 values.append(shown(expression(state)))
             except ValueError as error:
                 values.append(f"<{error}>")
-        return "".join(one + other for one, other in zip(parts[::2], [*values, ""], strict=True))
+        return "".join(one + other for one, other in zip(segments[::2], [*values, ""], strict=True))
 
     return message
 

@@ -78,12 +78,12 @@ class Checkpoints:
 
     def __init__(
         self,
-        keep: Callable[[int, socket.socket], None],
+        store: Callable[[int, socket.socket], None],
         drop: Callable[[Iterable[int]], None],
         leave: Callable[[], None],
         revive: Callable[[socket.socket, bytes], None],
     ) -> None:
-        self._keep, self._drop, self._leave, self._revive = keep, drop, leave, revive
+        self._store, self._drop, self._leave, self._revive = store, drop, leave, revive
         # The number of the statement, its time and the key of each copy, in order.
         self.known: list[tuple[int, float, int]] = []
         self.last_key = 0
@@ -95,7 +95,7 @@ class Checkpoints:
         near, far = socket.socketpair()
         if _fork():
             far.close()
-            self._keep(key, near)
+            self._store(key, near)
             near.close()
             insort(self.known, (number, time, key))
             if len(self.known) > MAX_COPIES:
@@ -115,7 +115,7 @@ class Checkpoints:
             near, far = socket.socketpair()
             if _fork():
                 far.close()
-                self._keep(key, near)
+                self._store(key, near)
                 near.close()
                 self._revive(channel, state)
                 return

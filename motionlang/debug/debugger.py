@@ -26,10 +26,12 @@ from __future__ import annotations
 
 from collections import deque
 
+from motionlang.controller.clock import INFINITY
 from motionlang.debug import checkpoints, moments, scopes
 from motionlang.debug.breakpoints import Breakpoint, Watched
 from motionlang.debug.checkpoints import HandOver
 from motionlang.debug.journal import Assigned, Entered, Journal
+from motionlang.debug.patience import Patience
 from motionlang.debug.replay import MEMORY, Output, Point, Remembered, Replay, Setup
 from motionlang.debug.state import State
 from motionlang.record import record
@@ -46,7 +48,6 @@ if TYPE_CHECKING:
     from motionlang.result import Run
     from motionlang.source import Source
 
-INFINITY = float("inf")
 # Statements between two searches of the log.
 STRIDE = 4096
 # Statements that are recorded to find the one before a stop, if it is not among the last ones.
@@ -93,15 +94,17 @@ class Debugger:
         overrides: Mapping[str, float | str] | None = None,
         until: float | None = None,
         show: Callable[[str], object] = lambda text: None,
-        say: Callable[[str], object] = lambda text: None,
+        log_message: Callable[[str], object] = lambda text: None,
         ask: Callable[[str], str | None] | None = None,
+        interrupted: Callable[[], bool] | None = None,
     ) -> None:
         """Compile the program; raise ProgramError with all its errors.
 
         `show` takes its output, and `log_message` the texts of log points. `ask` returns a line for INPUT. While
         `interrupted()` is true, whatever runs is paused.
         """
-        self._say, self._ask = say, ask
+        self._log_message, self._ask, self._interrupted = log_message, ask, interrupted
+        self._can_interrupt = True
         self._settings, self._overrides = dict(settings or {}), dict(overrides or {})
         self.language, self._until = language, until
         self.journal = Journal()
@@ -113,7 +116,7 @@ class Debugger:
         self.stop: Stop | None = None
         self.source = source
         self._lines: dict[int, list[int]] = {}
-        self._places: dict[int, tuple[int, int, int]] = {}
+        self._locations: dict[int, tuple[int, int, int]] = {}
         # Copies of the process to go back to, and where progress of a long replay is reported: a fraction.
         self.checkpoints: Checkpoints | None = None
         self.progress: Callable[[float], None] | None = None
@@ -125,6 +128,8 @@ class Debugger:
         self._after, self._logged = -1.0, 0
         # The numbers and times at which the run has been checked since the last stop.
         self._marks: list[tuple[int, float]] = []
+        # The advances of the clock after which moments are searched.
+        self._next_search = STRIDE
         # The run of a search, while there is one, and the statements before the stop that it has found.
         self._searching: Replay | None = None
         self._history: list[Remembered] = []
@@ -135,14 +140,20 @@ class Debugger:
         self._setup = Setup(source, self.language, self._settings, self._overrides, self._until, program)
         self._entries = frozenset(program.entries)
         self._lines.clear()
-        self._places.clear()
-        located = self.language.locations(source, program.places)
-        for place, (line, column, length) in zip(program.places, located, strict=True):
-            self._places[place] = line, column, length
-            self._lines.setdefault(line, []).append(place)
+        self._locations.clear()
+        located = self.language.locations(source, program.offsets)
+        for offset, (line, column, length) in zip(program.offsets, located, strict=True):
+            self._locations[offset] = line, column, length
+            self._lines.setdefault(line, []).append(offset)
 
     def _new(self) -> Replay:
-        replay = Replay(self._setup, self.journal, self._output, self._ask)
+        replay = Replay(
+            self._setup,
+            self.journal,
+            self._output,
+            self._ask,
+            self._interrupted if self._can_interrupt else None,
+        )
         if self.checkpoints is not None or self.progress is not None:
             replay.on_tick = lambda: self._tick(replay)
         return replay
@@ -184,9 +195,9 @@ class Debugger:
 
     def location_of(self, at: int) -> tuple[int, int, int]:
         """Return line, column and length of a source offset."""
-        found = self._places.get(at)
+        found = self._locations.get(at)
         if found is None:
-            found = self._places[at] = self.language.locate(self.source, at)
+            found = self._locations[at] = self.language.locate(self.source, at)
         return found
 
     def state(self) -> State:
@@ -250,7 +261,7 @@ class Debugger:
 
     def _depth(self) -> int:
         task = self._point().task
-        return self._replay.ask(lambda: self._replay.depth(task))
+        return self._replay.query(lambda: self._replay.depth(task))
 
     def _point(self) -> Point:
         if self._replay.point is None:
@@ -265,7 +276,10 @@ class Debugger:
             moment = self._earliest(self._replay.point)
             if moment is not None:  # it came with the last one, before this statement
                 return self._at_moment(moment)
-        begin = 0 if self._replay.point is None else self._replay.point.number
+        replay, start = self._replay, self._replay.point
+        begin = 0 if start is None else start.number
+        patience = Patience(replay, 0.0)
+        self._next_search = replay.advances + STRIDE
         found: list[tuple[str, str]] = []
         searching = bool(self.searches) or self.stops_at_errors
         every = steps is not None or bool(self.watched)
@@ -279,6 +293,12 @@ class Debugger:
             if steps is not None and steps(point):
                 found.append((reason, ""))
                 return True
+            if steps is not None and start is not None:
+                if point.task is start.task:
+                    patience.renew()
+                elif patience.is_over:
+                    found.append(("pause", self._still_waits(start, point.time)))
+                    return True
             if searching and point.number >= self._marks[-1][0] + STRIDE:
                 self._marks.append((point.number, point.time))
                 if not every:
@@ -289,16 +309,24 @@ class Debugger:
                 self._output.hold()
             return False
 
+        def give_up(time: float) -> bool:
+            return (steps is not None and patience(time)) or (searching and self._has_moment(replay))
+
         if searching:
             self._output.hold()
         if self.watched and self._replay.point is not None:
-            self._replay.ask(lambda: self._note_values(self._point()))
+            self._replay.query(lambda: self._note_values(self._point()))
         while True:
             limit = 0 if every else begin + STRIDE if searching else INFINITY
-            point = self._replay.go(decide, limit, self._stopping_offsets())
+            point = replay.go(decide, limit, self._stopping_offsets(), give_up)
             moment = self._earliest(point)
             if moment is not None:
                 return self._to_moment(moment, begin)
+            if replay.paused and point is None:
+                return self._paused()
+            if replay.gave_up and start is not None:
+                text = self._still_waits(start, patience.reached)
+                return self._arrive_on_replay(self._go_to(start.number), "pause", text)
             if point is None:
                 return self._at(None, "")
             if found:
@@ -307,11 +335,24 @@ class Debugger:
                 return self._at(point, "pause")
             begin = point.number
 
-    def _counted_places(self) -> frozenset[int]:
-        return frozenset(place for each in self.breakpoints if each.is_counted for place in each.places)
+    def _has_moment(self, replay: Replay) -> bool:
+        """True if the log has a moment; it is searched each time that it has doubled."""
+        if replay.advances < self._next_search:
+            return False
+        self._next_search = 2 * replay.advances
+        return bool(self._moments(replay.machine.clock.now))
+
+    def _still_waits(self, point: Point, time: float) -> str:
+        scheduler = self._replay.machine.scheduler
+        if scheduler is not None and scheduler.ended is not None:
+            return f"the program has ended, but motion continues at {time:.9g} s"
+        return f"line {self.location_of(point.offset)[0]} still waits at {time:.9g} s"
+
+    def _counted_offsets(self) -> frozenset[int]:
+        return frozenset(offset for each in self.breakpoints if each.is_counted for offset in each.offsets)
 
     def _stopping_offsets(self) -> frozenset[int]:
-        return frozenset(place for each in self.breakpoints for place in each.places)
+        return frozenset(offset for each in self.breakpoints for offset in each.offsets)
 
     def _at(self, point: Point | None, reason: str, text: str = "") -> Stop | None:
         """Make a point the stop, and show the output before it."""
@@ -319,7 +360,7 @@ class Debugger:
         if point is None:
             self.stop = None
             return None
-        line, column, _ = self.location_of(point.place)
+        line, column, _ = self.location_of(point.offset)
         self.stop = Stop(point.number, point.time, point.task.name, line, column, reason, text)
         self._after = point.time
         return self.stop
@@ -331,9 +372,9 @@ class Debugger:
         for watched in self.watched:
             change = watched.change(self._replay_in_force, point)
             if change:
-                return "change", f"{change} before line {self.location_of(point.place)[0]}"
+                return "change", f"{change} before line {self.location_of(point.offset)[0]}"
         for each in self.breakpoints:
-            if point.place not in each.places:
+            if point.offset not in each.offsets:
                 continue
             state = State(self, self._replay_in_force, point)
             try:
@@ -348,7 +389,7 @@ class Debugger:
                 return "breakpoint", each.text
             if live and point.number > self._logged:
                 self._logged = point.number
-                self._say(each.message(state))
+                self._log_message(each.message(state))
         return None
 
     @property
@@ -359,14 +400,14 @@ class Debugger:
         """Replace all line breakpoints; hits are counted from the start of the program."""
         self.breakpoints = list(breakpoints)
         if self._replay.point is None:
-            self._replay.hook.places = self._stopping_offsets()
+            self._replay.hook.offsets = self._stopping_offsets()
         if any(each.is_counted for each in self.breakpoints) and self._replay.point is not None:
             self._go_to(self._replay.point.number)
 
     def offsets_at(self, line: int) -> tuple[int, ...]:
         """Return the source offsets at which execution of a line may begin."""
-        places = self._lines.get(line, [])
-        return (*places[:1], *(each for each in places[1:] if each in self._entries))
+        offsets = self._lines.get(line, [])
+        return (*offsets[:1], *(each for each in offsets[1:] if each in self._entries))
 
     def _note_values(self, point: Point) -> None:
         for watched in self.watched:
@@ -393,8 +434,8 @@ class Debugger:
         run = self._replay.run
         if not self.searches and not (self.stops_at_errors and point is None):
             return None
-        until = point.time if point is not None else run.time if run is not None else 0.0
-        found = self._replay.ask(lambda: self._moments(until))
+        until = point.time if point is not None else self._end()
+        found = self._replay.query(lambda: self._moments(until))
         if found:
             return moments.together(found)
         if point is None and run is not None and self.stops_at_errors and self._after < run.time + 1.0:
@@ -403,20 +444,27 @@ class Debugger:
                 return moments.Moment(INFINITY, wrong[0].message, None, "exception")
         return None
 
+    def _end(self) -> float:
+        """Return the time, s, at which the run ended or gave up."""
+        replay = self._replay
+        if replay.run is not None:
+            return replay.run.time
+        return replay.machine.clock.now if replay.gave_up else 0.0
+
     def _to_moment(self, moment: Moment, begin: int) -> Stop | None:
         """Go to the first statement at or after a moment, or else to the last one."""
-        ended = self._replay.run is not None
         last = self._replay.hook.count
         if moment.time < INFINITY:
             lowest = max([number for number, time in self._marks if time < moment.time], default=begin)
             here = self._replay.point
             if here is None or here.number > lowest + 1:
-                self._go_to(lowest + 1, lambda point: self._has_come(moment, point))
+                self._go_to(lowest + 1, lambda point: self._has_come(moment, point), moment.time)
+                last = self._replay.hook.count
         else:
             self._go_to(last)
-        if self._replay.point is None and ended:
+        if self._replay.point is None and not self._replay.paused:
             self._go_to(last)
-        return self._at_moment(moment)
+        return self._paused() if self._replay.paused else self._at_moment(moment)
 
     def _at_moment(self, moment: Moment) -> Stop | None:
         """Make the current statement the stop for a moment."""
@@ -429,31 +477,47 @@ class Debugger:
 
     # -------------------------------------------------------------------------------------------------- back
 
-    def _go_to(self, number: int, decide: Callable[[Point], bool] | None = None) -> Point | None:
+    def _go_to(
+        self, number: int, decide: Callable[[Point], bool] | None = None, time: float = INFINITY
+    ) -> Point | None:
         """Run again up to a statement, or from there to where `decide` is true.
 
         The replay gives up a while after `time`.
         """
         self._replay.abandon()
         self._replay = replay = self._new()
-        counted = self._counted_places()
+        counted = self._counted_offsets()
 
         def there(point: Point) -> bool:
-            if point.place in counted:
+            if point.offset in counted:
                 self._hit(point, False)
             return point.number >= number and (decide is None or decide(point))
 
         self._last = number
         try:
-            return replay.go(there, max(number - MEMORY, 0), counted)
+            return replay.go(there, max(number - MEMORY, 0), counted, Patience(replay, time))
         finally:
             self._last = 0
 
     def _arrive(self, number: int, reason: str, text: str = "") -> Stop | None:
         """Go to a statement and make it the stop, in this process or in a closer copy."""
         self._hand_over(number, "arrive", number, reason, text)
-        point = self._go_to(number)
-        return self._at(point, "pause") if self._replay.paused else self._at(point, reason, text)
+        return self._arrive_on_replay(self._go_to(number), reason, text)
+
+    def _arrive_on_replay(self, point: Point | None, reason: str, text: str) -> Stop | None:
+        """Make the end of a replay the stop, or the pause that ended it."""
+        return self._paused() if self._replay.paused else self._at(point, reason, text)
+
+    def _paused(self) -> Stop | None:
+        """Make the statement of a pause, or the last one before it, the stop."""
+        if self._replay.point is not None:
+            return self._at(self._replay.point, "pause")
+        self._can_interrupt = False  # the same Ctrl-C must not end this replay, too
+        try:
+            return self._arrive(self._replay.hook.count, "pause")
+        finally:
+            self._can_interrupt = True
+            self._replay.interrupted = self._interrupted
 
     def _hand_over(self, number: int, *then: object) -> None:
         """Raise HandOver if a copy waits at or before a statement."""
@@ -512,8 +576,7 @@ class Debugger:
     def _arrive_on(self, number: int, reason: str, text: str) -> Stop | None:
         """Continue from an earlier statement to one that becomes the stop."""
         self._run_on_to(number, MEMORY)
-        point = self._replay.point
-        return self._at(point, "pause") if self._replay.paused else self._at(point, reason, text)
+        return self._arrive_on_replay(self._replay.point, reason, text)
 
     def _run_on_to(self, number: int, reach: int) -> None:
         point = self._replay.point
@@ -522,7 +585,7 @@ class Debugger:
             self._replay.go(lambda each: each.number >= number, max(number - reach, 0), frozenset())
             self._last = 0
 
-    def _search(self, last: int, first: int, note: Callable[[Point], None], places: frozenset[int]) -> None:
+    def _search(self, last: int, first: int, note: Callable[[Point], None], offsets: frozenset[int]) -> None:
         """Run to a statement once more, and call `note` for points before it."""
         self._searching = replay = self._new()
         try:
@@ -533,7 +596,7 @@ class Debugger:
                 return point.number >= last
 
             self._last = last
-            replay.go(decide, first, places)
+            replay.go(decide, first, offsets)
             if replay.paused:
                 raise Interrupted
         finally:
@@ -570,7 +633,7 @@ class Debugger:
         def note(point: Point) -> None:
             replay = self._replay_in_force
             self._history.append(
-                Remembered(point.number, point.task.name, replay.depth(point.task), point.place)
+                Remembered(point.number, point.task.name, replay.depth(point.task), point.offset)
             )
 
         self._search(number, max(number - reach, 0), note, frozenset())
@@ -606,7 +669,7 @@ class Debugger:
         here = self._replay.hook.count + 1 if run is not None else self._point().number
         after, self._after = self._after, -1.0
         try:
-            found = self._replay.ask(lambda: self._moments(end))
+            found = self._replay.query(lambda: self._moments(end))
         finally:
             self._after = after
         while found:
@@ -646,6 +709,7 @@ class Debugger:
         self._output.hold()
         self._replay = replay = self._new()
         before = 0
+        patience = Patience(replay, time)
 
         def decide(point: Point) -> bool:
             nonlocal before
@@ -655,35 +719,47 @@ class Debugger:
             replay.consider_from(before + STRIDE)
             return False
 
-        point = replay.go(decide, 0)
-        if point is None or point.number > before + 1:
-            point = self._go_to(before + 1, lambda each: each.time >= time)
-        if point is None:
+        def give_up(now: float) -> bool:
+            nonlocal before
+            if now < time:
+                before = replay.hook.count
+            else:
+                replay.consider_next()
+            return patience(now)
+
+        point = replay.go(decide, 0, None, give_up)
+        if replay.paused:
+            return self._paused()
+        if point is not None and point.number > before + 1:
+            point = self._go_to(before + 1, lambda each: each.time >= time, time)
+        if point is None and not self._replay.paused:
             point = self._go_to(self._replay.hook.count)
-        return self._at(point, "goto")
+        return self._arrive_on_replay(point, "goto", "")
 
     def go_to_line(self, line: int) -> Stop | None:
         """Go to the next execution of a line; stay if there is none."""
-        places, counted = frozenset(self.offsets_at(line)), self._counted_places()
+        offsets, counted = frozenset(self.offsets_at(line)), self._counted_offsets()
         before = self._point().number
         self._output.hold()
 
         def decide(point: Point) -> bool:
-            if point.place in counted:
+            if point.offset in counted:
                 self._hit(point, False)
-            return point.place in places
+            return point.offset in offsets
 
-        point = self._replay.go(decide, INFINITY, places | counted)
+        point = self._replay.go(decide, INFINITY, offsets | counted)
+        if self._replay.paused:
+            return self._paused()
         if point is None:
             return self._arrive(before, "goto", f"line {line} does not begin again")
-        return self._at(point, "pause" if self._replay.paused else "goto")
+        return self._at(point, "goto")
 
     def go_back_to_line(self, line: int) -> Stop | None:
         """Go back to the previous execution of a line; stay if there is none."""
-        places, found = frozenset(self.offsets_at(line)), [0]
+        offsets, found = frozenset(self.offsets_at(line)), [0]
         ended = self._replay.run is not None
         here = self._replay.hook.count + 1 if ended else self._point().number
-        self._search(here, here, lambda point: found.append(point.number), places)
+        self._search(here, here, lambda point: found.append(point.number), offsets)
         if not found[-1]:
             return self.stay(f"line {line} has not begun before")
         return self._arrive(found[-1], "goto")
@@ -710,7 +786,7 @@ class Debugger:
 
         self._search(point.number, 0, note, frozenset())
         replay.values |= values
-        if replay.ask(lambda: watched.change(replay, point)):
+        if replay.query(lambda: watched.change(replay, point)):
             found = previous
         if not found:
             return None
@@ -721,16 +797,16 @@ class Debugger:
     def assign(self, path: Sequence[str], value: object) -> Variable:
         """Change the value of a variable; raise ValueError if that is not possible."""
         point, replay = self._point(), self._replay
-        variable = replay.ask(lambda: scopes.find(replay.hook, point, path))
+        variable = replay.query(lambda: scopes.find(replay.hook, point, path))
         if variable is None:
             raise ValueError(f"there is no variable {path[-1]} here")
         if variable.set is None:
             raise ValueError(f"{variable.name} cannot be set; set one of its elements")
         give = variable.set
-        replay.ask(lambda: give(value))
+        replay.query(lambda: give(value))
         self._changed()
         self.journal.add(Assigned(point.number, tuple(path), value))
-        found = replay.ask(lambda: scopes.find(replay.hook, point, path))
+        found = replay.query(lambda: scopes.find(replay.hook, point, path))
         assert found is not None
         return found
 

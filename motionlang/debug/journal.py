@@ -6,6 +6,8 @@ ones, because they belong to another continuation of the run.
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.record import record
 
 TYPE_CHECKING = False
@@ -64,9 +66,7 @@ class Journal:
 
     def following(self, statement: int) -> float:
         """Return the number of the next statement with a change; infinity if none."""
-        return min(
-            (each.statement for each in self.changes if each.statement > statement), default=float("inf")
-        )
+        return min((each.statement for each in self.changes if each.statement > statement), default=inf)
 
     def _truncate(self, statement: int) -> None:
         self.changes = [each for each in self.changes if each.statement <= statement]

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import re
 
+from motionlang.controller.clock import INFINITY
 from motionlang.debug.expressions import WrongExpression, parse
 from motionlang.log.track import WholeTrack
 from motionlang.record import record
@@ -33,7 +34,6 @@ SAMPLES = 64
 RESOLUTION = 1e-9
 # Texts of moments at the same time in one message: an e-stop has one for each axis.
 MAX_TEXTS = 2
-INFINITY = float("inf")
 # The exception filters by name: what they are called, and the kinds of events.
 FILTERS = {
     "error": ("Run-time errors", ()),
@@ -158,7 +158,7 @@ def _stops(machine: Machine, number: int, after: float, until: float) -> Iterato
     for k, (start, profile) in enumerate(zip(starts, profiles, strict=True)):
         end = min(start + profile.duration, starts[k + 1] if k + 1 < len(starts) else INFINITY)
         moved = profile.duration > 0 and any(
-            profile.velocity(profile.duration * part) for part in (0.25, 0.5, 0.75)
+            profile.velocity(profile.duration * fraction) for fraction in (0.25, 0.5, 0.75)
         )
         if moved and after < end <= until and abs(track.at(end + RESOLUTION).velocity) < RESOLUTION:
             yield Moment(end, f"axis {number} stops")
@@ -227,10 +227,10 @@ def _becomes_true(
         state.time = time
         return bool(expression(state))
 
-    before, held = after, holds(after)
+    before, was_true = after, holds(after)
     for time in _samples(machine, after, until):
         now = holds(time)
-        if now and not held:
+        if now and not was_true:
             low, high = before, time
             while high - low > RESOLUTION:
                 middle = 0.5 * (low + high)
@@ -238,7 +238,7 @@ def _becomes_true(
                     break
                 low, high = (low, middle) if holds(middle) else (middle, high)
             yield Moment(high, f"{text.strip()} holds")
-        before, held = time, now
+        before, was_true = time, now
 
 
 def _samples(machine: Machine, after: float, until: float) -> list[float]:

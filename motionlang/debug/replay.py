@@ -27,8 +27,9 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from queue import SimpleQueue
+from queue import Empty, SimpleQueue
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.debug.checkpoints import Ticks
 from motionlang.debug.journal import Assigned, Entered
@@ -53,9 +54,12 @@ if TYPE_CHECKING:
 
     Answer = TypeVar("Answer")
 
-INFINITY = float("inf")
 # The number of statements before a stop that a replay remembers, so that stepping back takes one replay.
 MEMORY = 64
+# How often the clock advances without a statement until a pause ends the run instead.
+PAUSE = 64
+# Real time between two checks for Ctrl-C, s.
+POLL = 0.05
 # Enough for the deepest recursion of a program on systems whose threads have small stacks.
 STACK_SIZE = 64 * 1024 * 1024
 
@@ -75,7 +79,7 @@ class Point:
     number: int
     time: float
     task: Task
-    place: int
+    offset: int
 
 
 @record
@@ -85,7 +89,7 @@ class Remembered:
     number: int
     task: str
     depth: int
-    place: int
+    offset: int
 
 
 @record
@@ -109,15 +113,15 @@ class Output:
 
     def __init__(self, show: Callable[[str], object]) -> None:
         self._show, self._shown = show, 0
-        self._held = ""
+        self._buffered = ""
         self._holds = False
 
     def write(self, begin: int, text: str) -> None:
         """Show, or retain, the new part of a text at character `begin` of the output."""
-        known = self._shown + len(self._held)
-        self._held += text[max(known - begin, 0) :]
+        known = self._shown + len(self._buffered)
+        self._buffered += text[max(known - begin, 0) :]
         if not self._holds:
-            self.release(known + len(self._held))
+            self.release(known + len(self._buffered))
 
     def hold(self) -> None:
         """Retain all text from here on."""
@@ -130,12 +134,12 @@ class Output:
 
     def revive(self, shown: int) -> None:
         """Continue after another process has shown `shown` characters."""
-        self._shown, self._held, self._holds = shown, "", False
+        self._shown, self._buffered, self._holds = shown, "", False
 
     def release(self, length: int) -> None:
         """Show the output up to a length, and discard the retained rest."""
-        text = self._held[: max(length - self._shown, 0)]
-        self._held, self._holds = "", False
+        text = self._buffered[: max(length - self._shown, 0)]
+        self._buffered, self._holds = "", False
         self._shown += len(text)
         if text:
             self._show(text)
@@ -157,9 +161,16 @@ class Replay:
         journal: Journal,
         output: Output,
         ask_user: Callable[[str], str | None] | None = None,
+        interrupted: Callable[[], bool] | None = None,
     ) -> None:
         self._setup, self._journal, self._output, self._ask_user = setup, journal, output, ask_user
-        self.hook = Hook(self._stop)
+        self.interrupted = interrupted
+        self.hook = Hook(self._stop, advancing=self._advancing)
+        # How often the clock has advanced, and who is asked then whether to give up.
+        self.advances = 0
+        self._give_up: Callable[[float], bool] | None = None
+        self.gave_up = False
+        self._idle = 0
         self.machine: Machine
         self.point: Point | None = None
         # The result, once the program has ended, and an internal error.
@@ -177,7 +188,7 @@ class Replay:
         self._limit = INFINITY
         # True if `pause` caused the last stop.
         self.paused = self._pausing = False
-        self._orders: SimpleQueue[Callable[[], object] | str] = SimpleQueue()
+        self._requests: SimpleQueue[Callable[[], object] | str] = SimpleQueue()
         self._news: SimpleQueue[str] = SimpleQueue()
         self._answers: SimpleQueue[tuple[Any, BaseException | None]] = SimpleQueue()
         self._thread: threading.Thread | None = None
@@ -195,17 +206,19 @@ class Replay:
         self,
         decide: Callable[[Point], bool],
         limit: float = INFINITY,
-        places: frozenset[int] | None = None,
+        offsets: frozenset[int] | None = None,
+        give_up: Callable[[float], bool] | None = None,
     ) -> Point | None:
         """Continue until `decide` is true; return that point, or None at the end.
 
         `decide` is called before each statement from number `limit` on, and before those at `offsets`. `give_up` is
         called with each time to which the clock is about to advance. If it is true, `gave_up` is set and the run ends.
         """
-        if self.run is not None or self.error is not None:
+        if self.run is not None or self.error is not None or self.gave_up:
             return None
-        self._decide, self._limit = decide, limit
-        self.hook.places = places
+        self._decide, self._limit, self._give_up = decide, limit, give_up
+        self.paused = False
+        self.hook.offsets = offsets
         self._arm()
         self.point = None
         ticks = None if self.on_tick is None else Ticks(self.on_tick)
@@ -214,20 +227,31 @@ class Replay:
         if self._thread is None:
             self._start()
         else:
-            self._orders.put("go")
-        while self._news.get() == "asks":
-            self._orders.put("go" if self._answer_input() else "abandon")
+            self._requests.put("go")
+        while self._next_news() == "asks":
+            self._requests.put("go" if self._answer_input() else "abandon")
         if ticks is not None:
             ticks.end()
         if self.error is not None:
             raise self.error
         return self.point
 
-    def ask(self, question: Callable[[], Answer]) -> Answer:
+    def _next_news(self) -> str:
+        """Wait for the thread of the run; Ctrl-C pauses it."""
+        if self.interrupted is None:
+            return self._news.get()
+        while True:
+            try:
+                return self._news.get(timeout=POLL)
+            except Empty:
+                if self.interrupted():
+                    self.pause()
+
+    def query(self, question: Callable[[], Answer]) -> Answer:
         """Answer a question in the thread of the run, at its stop."""
         if self.point is None:
             return question()
-        self._orders.put(question)
+        self._requests.put(question)
         answer, trouble = self._answers.get()
         if trouble is not None:
             raise trouble
@@ -251,7 +275,7 @@ class Replay:
 
     def revive(self) -> None:
         """Remain stopped in this copy, with new threads that control the run."""
-        self._orders, self._news, self._answers = SimpleQueue(), SimpleQueue(), SimpleQueue()
+        self._requests, self._news, self._answers = SimpleQueue(), SimpleQueue(), SimpleQueue()
         self.point, self.problems = self._copied, []
         self.paused = self._pausing = False
         self.ticks = 0
@@ -260,17 +284,21 @@ class Replay:
         """Call `decide` only from statement `number` on; called by `decide` itself."""
         self._limit = number
 
+    def consider_next(self) -> None:
+        """Ask `decide` before the next statement; called by `give_up`."""
+        self._limit = self.hook.limit = 0
+
     def abandon(self) -> None:
         """End the thread of the run."""
         if self._thread is not None and self.run is None and self.point is not None:
-            self._orders.put("abandon")
+            self._requests.put("abandon")
             while self._news.get() != "ended":
                 pass
             self.point = None
 
     def enter(self, entries: Mapping[str, object]) -> None:
         """Add inputs and keys to the simulated world now."""
-        self.ask(lambda: self.machine.add_entries(entries))
+        self.query(lambda: self.machine.add_entries(entries))
 
     # -------------------------------------------------------------------------------- in the thread of the run
 
@@ -298,7 +326,8 @@ class Replay:
                 cache=False,
             )
         except Abandoned:
-            self.error = Cancelled()
+            if not self.gave_up:
+                self.error = Cancelled()
         except BaseException as error:
             self.error = error
         self._news.put("ended")
@@ -312,8 +341,8 @@ class Replay:
         begin, self.written = self.written, self.written + len(text)
         self._output.write(begin, text)
 
-    def _stop(self, task: Task, time: float, place: int) -> None:
-        point = Point(self.hook.count, time, task, place)
+    def _stop(self, task: Task, time: float, offset: int) -> None:
+        point = Point(self.hook.count, time, task, offset)
         self._remember(point)
         decided = self._decide(point)  # before the changes, as when they were made
         for change in self._journal.at(point.number):
@@ -325,16 +354,26 @@ class Replay:
                 self._arm()
                 return
         if decided or self._pausing:
-            self.paused, self._pausing = not decided, False
+            self.paused, self._pausing, self._idle = not decided, False, 0
             self.point = point
             self._news.put("stopped")
             self._wait()
         self._arm()
 
+    def _advancing(self, time: float) -> None:
+        """Give up if that is due; the clock is about to advance."""
+        self.advances += 1
+        if self._pausing:
+            self._idle += 1
+            self.paused = self._idle > PAUSE
+        if self.paused or (self._give_up is not None and self._give_up(time)):
+            self._pausing, self.gave_up = False, True
+            raise Abandoned
+
     def _wait(self) -> None:
         """Answer questions until the run continues."""
         while True:
-            order = self._orders.get()
+            order = self._requests.get()
             if order == "go":
                 return
             if order == "abandon":
@@ -355,7 +394,7 @@ class Replay:
         recent = self.recent
         if recent and recent[-1].number != point.number - 1:
             recent.clear()
-        recent.append(Remembered(point.number, point.task.name, self.depth(point.task), point.place))
+        recent.append(Remembered(point.number, point.task.name, self.depth(point.task), point.offset))
 
     def depth(self, task: Task) -> int:
         """Return the number of calls that the running task is in."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import names
 from motionlang.debug.expressions import WrongExpression
 from motionlang.lang.debugging import Variable
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
-    from motionlang.controller.io.inputs import Channels
+    from motionlang.controller.io.channels import Channels
     from motionlang.debug.replay import Point
     from motionlang.lang.debugging import Frame, Hook
     from motionlang.lang.machine.machine import Machine
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
 # The first word of the path of a variable: of the program, or of the innermost call, the next one and so on. MACHINE is
 # that of an axis or a channel.
 MODULE, LOCAL, MACHINE = "module", "local", "machine"
-INFINITY = float("inf")
 _OF_MACHINE = re.compile(r"\s*(axis|(?:analogue )?(?:input|output))\s+(\d{1,4})\s*", re.IGNORECASE)
 
 
@@ -62,7 +62,7 @@ def frames(hook: Hook, task: Task, point: Point | None) -> Sequence[Frame]:
     """Return the calls of a task, the innermost first; `point` is the stop of the run."""
     assert hook.inspection is not None
     stopped = point is not None and point.task is task
-    return hook.inspection.frames(task, point.place if stopped and point is not None else None)
+    return hook.inspection.frames(task, point.offset if stopped and point is not None else None)
 
 
 def module(hook: Hook) -> list[Variable]:
@@ -146,7 +146,7 @@ def _earlier(axis: Axis, moment: float | None) -> list[Variable]:
     if moment is None:
         return []
     track = WholeTrack(axis)
-    state = track.at(moment) if track.place(moment) >= 0 else None
+    state = track.at(moment) if track.index_at(moment) >= 0 else None
     if state is None:
         return []
     when = f"at {moment:.9g} s"

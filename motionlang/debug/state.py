@@ -23,7 +23,7 @@ class State:
         self._debugger, self._replay = debugger, replay
         self._point = replay.point if point is None else point
         # A point is given in the thread of the run itself.
-        self._ask = replay.ask if point is None else lambda question: question()
+        self._query = replay.query if point is None else lambda question: question()
 
     @property
     def time(self) -> float:
@@ -34,35 +34,35 @@ class State:
     def tasks(self) -> list[Waiting]:
         """Return the tasks and event handlers, each with the condition it waits for."""
         running = None if self._point is None else self._point.task
-        return self._ask(lambda: scopes.tasks(self._replay.machine, running))
+        return self._query(lambda: scopes.tasks(self._replay.machine, running))
 
     def frames(self, task: Task) -> Sequence[Frame]:
         """Return the calls of a task, the innermost first."""
-        return self._ask(lambda: scopes.frames(self._replay.hook, task, self._point))
+        return self._query(lambda: scopes.frames(self._replay.hook, task, self._point))
 
     def module(self) -> list[Variable]:
         """Return the global variables of the program, or the shared registers."""
-        return self._ask(lambda: scopes.module(self._replay.hook))
+        return self._query(lambda: scopes.module(self._replay.hook))
 
     def axes(self) -> list[Variable]:
         """Return the axes at the time of the stop, and their motion at its moment."""
         stop = self._debugger.stop
         moment = None if stop is None or self._point is None else stop.moment
-        return self._ask(lambda: scopes.axes(self._replay.machine, self.time, moment))
+        return self._query(lambda: scopes.axes(self._replay.machine, self.time, moment))
 
     def inputs(self) -> list[Variable]:
-        return self._ask(lambda: scopes.inputs(self._replay.machine))
+        return self._query(lambda: scopes.inputs(self._replay.machine))
 
     def outputs(self) -> list[Variable]:
-        return self._ask(lambda: scopes.outputs(self._replay.machine))
+        return self._query(lambda: scopes.outputs(self._replay.machine))
 
     def find(self, path: Sequence[str]) -> Variable | None:
         """Return the variable at a path, as in `scopes.find`."""
-        return self._ask(lambda: scopes.find(self._replay.hook, self._point, path))
+        return self._query(lambda: scopes.find(self._replay.hook, self._point, path))
 
     def named(self, name: str) -> tuple[tuple[str, ...], Variable] | None:
         """Return path and variable of a name at the stop."""
-        return self._ask(lambda: scopes.named(self._replay.hook, self._point, name))
+        return self._query(lambda: scopes.named(self._replay.hook, self._point, name))
 
     def path_of(self, name: str) -> tuple[str, ...]:
         """Return the path of a variable, an axis or a channel such as "output 2".
@@ -72,11 +72,11 @@ class State:
         found = self.named(name.strip())
         if found is not None:
             return found[0]
-        part = scopes.of_machine(name)
-        if part is None:
+        component = scopes.of_machine(name)
+        if component is None:
             raise WrongExpression(f"there is no variable {name.strip()[:60]} here")
-        self._ask(lambda: scopes.present(self._replay.machine, part))
-        return scopes.MACHINE, part
+        self._query(lambda: scopes.present(self._replay.machine, component))
+        return scopes.MACHINE, component
 
     def names(self) -> list[str]:
         """Return the names that an expression may use at the stop: variables and readings."""
@@ -121,4 +121,4 @@ class State:
         """Return a reading for an expression."""
         if what == "time":
             return self.time
-        return self._ask(lambda: scopes.reading(self._replay.machine, self.time, what, number))
+        return self._query(lambda: scopes.reading(self._replay.machine, self.time, what, number))

@@ -38,7 +38,7 @@ def decoded(source: Source, found: list[Diagnostic], code: str = "syntax") -> li
         return found
     count = source.text.count(_UNKNOWN)
     many = "1 character has" if count == 1 else f"{count} characters have"
-    line, column = source.place(first)
+    line, column = source.location(first)
     wrong = Diagnostic(
         code,
         f"{many} been lost: the editor has opened this file in a wrong encoding",

@@ -112,10 +112,10 @@ def folds(page: Page) -> list[tuple[int, int, bool]]:
 
     The third value is True for a comment.
     """
-    place = page.source.place
+    position_of = page.source.location
     found = []
     for block in page.names.blocks:
-        first, last = place(block.span[0])[0], place(block.span[1])[0]
+        first, last = position_of(block.span[0])[0], position_of(block.span[1])[0]
         if last > first:
             found.append((first, last - _closes(page, block), False))
     begin = 0

@@ -35,10 +35,10 @@ class LineTime:
     waited: float
 
     def __str__(self) -> str:
-        parts = [f"{_seconds(self.seconds)} ({self.moves}×)"] if self.moves else []
+        texts = [f"{_seconds(self.seconds)} ({self.moves}×)"] if self.moves else []
         if self.waited >= _SHORTEST:
-            parts.append(f"waits {_seconds(self.waited)}")
-        return " · ".join(parts)
+            texts.append(f"waits {_seconds(self.waited)}")
+        return " · ".join(texts)
 
 
 # A shorter wait is not shown, s.

@@ -25,7 +25,6 @@ def everything() -> Accelerators:
         scheduler=TimeSlices,
         servo=_servo,
         switches=_switches,
-        ticks=_ticks,
     )
 
 
@@ -69,9 +68,3 @@ def _switches(environment: Any) -> Any:
     from motionlang.fast.loop_switches import LoopSwitches
 
     return LoopSwitches(environment)
-
-
-def _ticks(events: Any) -> Any:
-    from motionlang.fast.timer_ticks import TimerTicks
-
-    return TimerTicks(events)

@@ -89,10 +89,10 @@ class ClosedForm:
     def __init__(self, loop: Loop, plant: Motor | Drive, unit: int) -> None:
         made = discretise(plant, loop.period)
         self.ratio, self.unit, self.every = loop.ratio, unit, loop.derivative_every if loop.derivative else 1
-        self._kept = remembered_states(loop, made.names)
+        self._indices = remembered_states(loop, made.names)
         memory = len(made.names) + MEMORY.index("last_position")
-        self._width = len(self._kept) + 6
-        self._places = [i for i, place in enumerate(self._kept) if place in (0, memory)]
+        self._width = len(self._indices) + 6
+        self._memory_rows = [i for i, index in enumerate(self._indices) if index in (0, memory)]
         self._bounds = [(_OUTPUT, min(loop.output_limit, _FAR))]
         if loop.has_integral and loop.integral_limit < inf:
             self._bounds.append((len(SEEN), loop.integral_limit))
@@ -117,7 +117,7 @@ class ClosedForm:
         made = discretise(plant, loop.period)
         columns = ["position", "velocity", "output", "current", "integral", *["twist"] * made.load_encoder]
         probe = Probe(loop, plant, tuple(columns))
-        nz, width = len(self._kept), self._width
+        nz, width = len(self._indices), self._width
         state, rows, states = np.eye(nz, width), [], []
         for k in range(2 * unit):  # the offsets of those two points have no effect after that
             demand, feed = self._demand(k), self._feed(loop, k // self.ratio)
@@ -150,9 +150,9 @@ class ClosedForm:
 
     def _demand(self, sample: int) -> Array:
         """Return the command at a sample; it is linear between points."""
-        cycle, part = divmod(sample, self.ratio)
+        cycle, fraction = divmod(sample, self.ratio)
         here, there = self._point(cycle), self._point(cycle + 1)
-        made: Array = here + (part / self.ratio) * (there - here)
+        made: Array = here + (fraction / self.ratio) * (there - here)
         return made
 
     def _feed(self, loop: Loop, cycle: int) -> Array:
@@ -165,19 +165,19 @@ class ClosedForm:
 
     def _double(self) -> None:
         """Double the table: append a stretch that begins where this one ends."""
-        count, nz = self.longest, len(self._kept)
+        count, nz = self.longest, len(self._indices)
         cycles = count // self.ratio
         moved = self._point(cycles)
         onward = np.zeros((self._width, self._width))
         onward[:nz] = self._states[:, :, -1].T
-        onward[self._places] -= moved
+        onward[self._memory_rows] -= moved
         onward[nz, nz] = 1.0
         onward[nz + 1, nz + 1 : nz + 4] = 1.0, 2.0 * cycles, 3.0 * cycles * cycles
         onward[nz + 2, nz + 2 : nz + 4] = 1.0, 3.0 * cycles
         onward[nz + 3, nz + 3] = 1.0
         rows, states = (_after(onward, factors) for factors in (self._rows, self._states[:, :, 1:]))
         rows[:, 0] += moved[:, None]
-        states[:, self._places] += moved[:, None, None]
+        states[:, self._memory_rows] += moved[:, None, None]
         self._rows = np.concatenate((self._rows, rows), axis=2)
         self._states = np.concatenate((self._states, states), axis=2)
 
@@ -190,22 +190,24 @@ class ClosedForm:
         Returns the number of samples within the limits, and the state after these samples.
         """
         base, *ramp = cubic
-        start = [state[place] for place in self._kept]
-        for i in self._places:
+        start = [state[index] for index in self._indices]
+        for i in self._memory_rows:
             start[i] -= base
         terms = [(i, z) for i, z in enumerate((*start, 1.0, *ramp, *off)) if z and self._has[i]]
         count = out.shape[1]
         with np.errstate(all="ignore"):
             made = _summed([(self._rows[i, :, :count], z) for i, z in terms], self._rows.shape[1], count)
             good = self._inside(made)
-            after = _summed([(self._states[i, :, good : good + 1], z) for i, z in terms], len(self._kept), 1)
+            after = _summed(
+                [(self._states[i, :, good : good + 1], z) for i, z in terms], len(self._indices), 1
+            )
         np.add(made[0], base, out=out[0])
         out[1:] = made[1 : len(SEEN)]
         full = list(state)
-        for place, (number,) in zip(self._kept, after.tolist(), strict=True):
-            full[place] = number if abs(number) > _NOTHING else 0.0
-        for i in self._places:
-            full[self._kept[i]] += base
+        for index, (number,) in zip(self._indices, after.tolist(), strict=True):
+            full[index] = number if abs(number) > _NOTHING else 0.0
+        for i in self._memory_rows:
+            full[self._indices[i]] += base
         full[_WAIT] = -good % self.every
         return good, tuple(full)
 
@@ -293,8 +295,8 @@ class ClosedFormServo(SpeculativeServo):
             return None, begin, begin
         least = -(-_WORTHWHILE // ratio)
         while sample < until:
-            cycle, part = divmod(sample, ratio)
-            cubic, end = (None, cycle + 1) if part else cubic_behind(self._generator, cycle, least)
+            cycle, fraction = divmod(sample, ratio)
+            cubic, end = (None, cycle + 1) if fraction else cubic_behind(self._generator, cycle, least)
             if cubic is not None:
                 return cubic if (sample - self._sample) % form.every == 0 else None, sample, end * ratio
             sample = end * ratio
@@ -312,12 +314,12 @@ class ClosedFormServo(SpeculativeServo):
             good, self._state = form.run(self._state, here, off, out[:, done : done + count])
             done += good
             if good:
-                cycle, part = divmod(done, ratio)
+                cycle, fraction = divmod(done, ratio)
                 at = value(cubic, cycle) if cycle else self._points[1]
                 before = value(cubic, cycle - 1) if cycle > 1 else self._points[cycle]
-                self._points = [before, at, value(cubic, cycle + 1) if part else at]
+                self._points = [before, at, value(cubic, cycle + 1) if fraction else at]
                 self._sample = first + done
-                self._tell(out[:, done - 1])
+                self._notify(out[:, done - 1])
             if good < count:
                 stop = first + -(-(done + patience) // unit) * unit
                 self._step(min(stop, until), out[:, done:])

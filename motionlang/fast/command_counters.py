@@ -20,7 +20,9 @@ from __future__ import annotations
 
 from motionlang.fast.loop_counters import counted
 from motionlang.mccl.resolve.command import NUMBER, REGISTER
-from motionlang.mccl.runtime.poll import COMPARES, CONDITIONS, JUMPS, LEAVES, NEUTRAL, SETS
+from motionlang.mccl.runtime.loop_tests import COMPARES, CONDITIONS, JUMPS, LEAVES, NEUTRAL, SETS
+from motionlang.mccl.runtime.task import PRIVATE
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,11 +32,33 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.task import CommandTask
 
-    # A register, what an iteration adds to it, the numbers with which it is compared, and if it is still in the
-    # accumulator at the end.
-    Counter = tuple[int, int, tuple[float, ...], bool]
+    # A loop: a line, and the first and the last command of the loop in it.
+    Loop = tuple[Line, int, int]
 
 _STEPS = {"add": 1, "subtract": -1}
+
+
+@record
+class Counter:
+    """A register that a loop counts.
+
+    Each iteration adds `step` to it and compares it with `levels`. If `is_left`, its value is still in the accumulator
+    at the end of the iteration.
+    """
+
+    register: int
+    step: int
+    levels: tuple[float, ...]
+    is_left: bool
+
+
+@record
+class TaskCounter:
+    """A counter of one of several tasks; `is_first` marks the first one of its task."""
+
+    task: CommandTask
+    counter: Counter
+    is_first: bool
 
 
 class CountedRegisters:
@@ -54,30 +78,28 @@ class CountedRegisters:
         counters = self._counters()
         if not counters:
             return ()
-        before, self._values = self._values, [self._task.register(number) for number, *_ in counters]
+        before, self._values = self._values, [self._task.register(each.register) for each in counters]
         if effects != len(counters) or len(before) != len(counters):
             return ()
-        steps = (step for _, step, *_ in counters)
-        counts = all(n + step == m for n, step, m in zip(before, steps, self._values, strict=True))
+        counts = all(n + each.step == m for n, each, m in zip(before, counters, self._values, strict=True))
         return counters if counts and all(isinstance(m, int) for m in self._values) else ()
 
     def most(self, counters: Sequence[Counter]) -> float:
         """Return how many iterations may follow before the result of a comparison changes."""
-        steps, levels = [step for _, step, *_ in counters], [each for _, _, each, _ in counters]
-        return counted(self._values, steps, levels)
+        return counted(self._values, [each.step for each in counters], [each.levels for each in counters])
 
     def count(self, counters: Sequence[Counter], iterations: int) -> None:
         """Advance the counters by a number of iterations."""
         task = self._task
-        for number, step, _, is_left in counters:
-            task.set_register(number, task.register(number) + step * iterations)
-            if is_left:
-                task.registers[0] = task.register(number)
-        self._values = [task.register(number) for number, *_ in counters]
+        for each in counters:
+            task.set_register(each.register, task.register(each.register) + each.step * iterations)
+            if each.is_left:
+                task.registers[0] = task.register(each.register)
+        self._values = [task.register(each.register) for each in counters]
 
     def leaves_accumulator(self, counters: Sequence[Counter]) -> bool:
         """True if the accumulator has the value of a counter at the end of an iteration."""
-        return any(is_left for *_, is_left in counters)
+        return any(each.is_left for each in counters)
 
     def _counters(self) -> tuple[Counter, ...]:
         """Return the counters of the loop that the task is about to repeat."""
@@ -86,10 +108,39 @@ class CountedRegisters:
         key = id(task.line), task.pc, task.here
         found = self._known.get(key)
         if found is None:
-            governs: int = task.board.assumptions.get("mccl.skipped", 2)  # type: ignore[assignment]
-            commands = task.line.commands[task.pc : task.here + 1]
-            found = self._known[key] = task.line, tuple(_counters_in(commands, governs))
+            found = self._known[key] = task.line, tuple(_counters_in(*_commands(task, (task.line, *key[1:]))))
         return found[1]
+
+
+def counters_of(running: Sequence[tuple[CommandTask, Loop | None]]) -> list[TaskCounter]:
+    """Return the registers that tasks count while each stays in its loop.
+
+    The result is empty if a task has no loop, may leave its loop by a macro, or uses a register that another task
+    counts.
+    """
+    found: list[TaskCounter] = []
+    bodies: list[tuple[CommandTask, Sequence[Command]]] = []
+    for task, loop in running:
+        if loop is None or loop[0] is not task.line:
+            return []
+        commands, governs = _commands(task, loop)
+        if LEAVES.intersection([each.row.verb for each in commands if each.row is not None]):
+            return []
+        counters = _counters_in(commands, governs)
+        found += [TaskCounter(task, each, not k) for k, each in enumerate(counters)]
+        bodies.append((task, commands))
+    for one in found:
+        number = one.counter.register
+        others = [commands for task, commands in bodies if task is not one.task]
+        if number >= PRIVATE and any(uses_register(each, number) for body in others for each in body):
+            return []
+    return found
+
+
+def _commands(task: CommandTask, loop: Loop) -> tuple[Sequence[Command], int]:
+    """Return the commands of a loop, and how many commands a condition governs."""
+    line, first, last = loop
+    return line.commands[first : last + 1], task.board.assumptions.get("mccl.skipped", 2)  # type: ignore[return-value]
 
 
 def _counters_in(commands: Sequence[Command], governs: int) -> list[Counter]:
@@ -110,16 +161,20 @@ def _counters_in(commands: Sequence[Command], governs: int) -> list[Counter]:
             return []
         if CONDITIONS.intersection(verbs[max(0, k - governs) : k]):
             return []
-        uses = [
-            verb
-            for each, verb in zip(commands, verbs, strict=True)
-            if each.value == first.value and (each.kind == REGISTER or verb in ("recall", "store"))
-        ]
+        uses = [uses_register(each, int(first.value)) for each in commands].count(True)
         found = _levels(commands, verbs, k + 3, governs)
-        if first.value in (0, None) or len(uses) != 2 or found is None:
+        if first.value in (0, None) or uses != 2 or found is None:
             return []
-        made.append((int(first.value), _STEPS[verbs[k + 1]] * step.value, *found))
-    return made if all(step for _, step, *_ in made) else []
+        made.append(Counter(int(first.value), _STEPS[verbs[k + 1]] * step.value, *found))
+    return made if all(each.step for each in made) else []
+
+
+def uses_register(command: Command, number: int) -> bool:
+    """True if a command may read or write a register; RA@ and AR@ may use any."""
+    accesses = command.row is not None and command.row.verb in ("recall", "store")
+    if command.kind == REGISTER:
+        return accesses or command.value == number
+    return accesses and command.value == number
 
 
 def _levels(

@@ -12,7 +12,7 @@ Equality is tested by: tests/mint/runtime/test_loop_skipping.py.
 
 from __future__ import annotations
 
-from motionlang.lang.task import INFINITY
+from motionlang.controller.clock import INFINITY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -17,8 +17,8 @@ a loop that never waits, whose times all count from one base.
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.fast.loop_counters import counted
-from motionlang.lang.task import INFINITY
 from motionlang.log.repeated import rows_of
 
 TYPE_CHECKING = False
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.mint.runtime.environment import Environment
-    from motionlang.mint.runtime.loop_skipping import Counters, Look, State
+    from motionlang.mint.runtime.loop_skipping import Counters, Start, State
 
 # Periods of more iterations, or with more changes, are not found.
 MAX_PERIOD, MAX_ROWS = 8, 64
@@ -40,9 +40,9 @@ class LoopSwitches:
 
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
-        self._begun: list[tuple[Look, int, tuple[tuple[int, float], ...], list[int]]] = []
+        self._begun: list[tuple[Start, int, tuple[tuple[int, float], ...], list[int]]] = []
 
-    def begin(self, look: Look, follows: bool) -> None:
+    def begin(self, start: Start, follows: bool) -> None:
         """Record the start of an iteration; `follows` is true if it succeeds the last one."""
         environment = self._environment
         alone = self._is_alone()
@@ -52,12 +52,12 @@ class LoopSwitches:
             return
         lengths = list(map(len, environment.machine.log.streams()))
         values = environment.controller.outputs.values
-        self._begun.append((look, environment.switches, values, lengths))
+        self._begun.append((start, environment.switches, values, lengths))
 
     def skip(
         self,
         t: float,
-        look: Look,
+        start: Start,
         state: State,
         counters: Counters,
         levels: Sequence[Sequence[float]],
@@ -70,10 +70,10 @@ class LoopSwitches:
         environment, begun = self._environment, self._begun
         if (
             not begun
-            or begun[-1][0] is not look
+            or begun[-1][0] is not start
             or environment.controller.outputs.listeners
-            or environment.statements.base != look[3]
-            or environment.resumed != look[5]
+            or environment.statements.base != start[3]
+            or environment.resumed != start[5]
             or not self._is_alone()
         ):
             return None
@@ -98,7 +98,7 @@ class LoopSwitches:
     def _repeated(
         self,
         t: float,
-        look: Look,
+        start: Start,
         lengths: list[int],
         counters: Counters,
         levels: Sequence[Sequence[float]],
@@ -107,14 +107,14 @@ class LoopSwitches:
         """Skip repetitions of the period from `start` to statement `t`; None if none fits."""
         environment = self._environment
         statements, log = environment.statements, environment.machine.log
-        _, began_with, since, base, began, _, notes, first = look
+        _, began_with, since, base, began, _, notes, first = start
         rows = None
         for stream, length in zip(log.streams(), lengths, strict=True):
             if stream is log.outputs:
                 rows = rows_of(stream[length:], 0, base, statements.cost)
             elif len(stream) != length:
                 return None
-        until = min(statements.until, environment.dependencies.held(notes, first, began))
+        until = min(statements.until, environment.dependencies.stable_until(notes, first, began))
         if not rows or len(rows) > MAX_ROWS or until <= statements.at(t) or until == INFINITY:
             return None
         steps = [n - m for n, m in zip(counters, began_with, strict=True)]

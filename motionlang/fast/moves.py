@@ -269,7 +269,7 @@ class FastAxis(Axis):
             or self.faults & self.locks
             or not self.enabled
             or self.index in controller.braked
-            or self.held
+            or self.suspend_reasons
             or self.shape != "trapezoid"
             or self.index in controller.homings
             or self.feedback is not None
@@ -299,15 +299,15 @@ class FastAxis(Axis):
             low, high = watches.free or triggers.next_watches.free_interval(self, start)
             if not (low < start < high and low < target < high):
                 return False
-        way = target - start
+        distance = target - start
         plan = self.plan_before
-        if way == plan[0] and speed == plan[1] and accel == plan[2] and decel == plan[3]:
+        if distance == plan[0] and speed == plan[1] and accel == plan[2] and decel == plan[3]:
             self.plan_before, self.plan = self.plan, plan
         else:
-            ramps = from_rest(way, speed, accel, decel)
+            ramps = from_rest(distance, speed, accel, decel)
             if ramps is None:
                 return False
-            self.plan_before, self.plan = self.plan, (way, speed, accel, decel, ramps)
+            self.plan_before, self.plan = self.plan, (distance, speed, accel, decel, ramps)
         duration, recipe = self.plan[4]
         scale, log, clock = self.scale, controller.log, controller.clock
         now = clock.now
@@ -320,8 +320,8 @@ class FastAxis(Axis):
             self.arrival_event = clock.at(end, self._arrival_of(controller))
         else:
             clock.again(self.arrival_event, end)
-        if controller.orders is not None:
-            controller.orders.add_plain(self, line, speed)
+        if controller.expected_motion is not None:
+            controller.expected_motion.add_plain(self, line, speed)
         log.moves.append(row)  # type: ignore[arg-type]
         log.room -= 1
         if log.room < 0:
@@ -362,13 +362,13 @@ class FastAxis(Axis):
                 controller.arrive(self)
                 return False
             self.in_motion = False
-            if controller.orders is not None:
-                controller.orders.add(self)
+            if controller.expected_motion is not None:
+                controller.expected_motion.add(self)
             log.room -= 1
             if log.room < 0:
                 controller.make_room()
             if listeners.of_rest:
-                controller.tell("idle", self.index)
+                controller.notify("idle", self.index)
                 return False
             return True
 

@@ -24,7 +24,7 @@ from operator import is_not
 
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.intervals import Range
-from motionlang.mint.resolve.flowgraph import NEXT, TEST, TURN
+from motionlang.mint.resolve.flowgraph import HEAD, NEXT, TEST
 from motionlang.mint.resolve.folding import constant
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, Function, Symbol
 from motionlang.mint.syntax import nodes
@@ -84,7 +84,7 @@ class Flow:
         # Loops whose limit or step has changed since they were last followed.
         self._changed: set[int] = set()
         # How often a path has led back to a step.
-        self._turns: dict[Step, int] = {}
+        self._visits: dict[Step, int] = {}
         self._fine = sorted({*_COARSE, *_constants(function.body)})
 
     def run(self) -> dict[int, Range]:
@@ -99,8 +99,8 @@ class Flow:
         If `back`, a path leads back to the step, and bounds that move jump to the next threshold.
         """
         if back:
-            turn = self._turns[step] = self._turns.get(step, 0) + 1
-            met = _widened(old, new, self._fine if turn < _PATIENCE else _COARSE)
+            visits = self._visits[step] = self._visits.get(step, 0) + 1
+            met = _widened(old, new, self._fine if visits < _PATIENCE else _COARSE)
         else:
             met = _join(old, new)
         if step.loop is not None and id(step.loop) in self._changed:
@@ -114,8 +114,8 @@ class Flow:
         node = step.node
         if step.kind == TEST:
             return self._narrow(node, True, state), self._narrow(node, False, state)  # type: ignore[arg-type]
-        if step.kind == TURN:
-            return self._turn(step, state), state
+        if step.kind == HEAD:
+            return self._head(step, state), state
         if step.kind == NEXT:
             return self._next(step, state), None
         if node is not None:
@@ -130,7 +130,7 @@ class Flow:
         found = [self._value(each, state)[1] for each in node.values]
         symbol = self._followed(node.target)
         if symbol is not None:
-            state[symbol] = _held(symbol, found[0] if found else intervals.ANY)
+            state[symbol] = _limited(symbol, found[0] if found else intervals.ANY)
         elif type(node.target) is nodes.Name:
             for each in node.target.args or ():
                 self._value(each, state)
@@ -143,13 +143,13 @@ class Flow:
             symbol = variable.symbol
             if found and symbol in self.followed:
                 assert symbol is not None
-                state[symbol] = _held(symbol, found[0])
+                state[symbol] = _limited(symbol, found[0])
 
     def _input(self, node: nodes.Input, state: State) -> None:
         self._read_all(node, state)
         symbol = self._followed(node.target)
         if symbol is not None:
-            state[symbol] = _held(symbol, intervals.ANY)
+            state[symbol] = _limited(symbol, intervals.ANY)
 
     def _select(self, node: nodes.Select, state: State) -> None:
         self._value(node.subject, state)
@@ -167,13 +167,13 @@ class Flow:
         symbol = self._followed(node.variable)
         if symbol is None:
             return
-        state[symbol] = _held(symbol, start)
+        state[symbol] = _limited(symbol, start)
         counter = symbol, "<=" if step[0] > 0 else ">=" if step[1] < 0 else "", stop, step
         if self._counters.get(id(node)) != counter:
             self._counters[id(node)] = counter
             self._changed.add(id(node))
 
-    def _turn(self, step: Step, state: State) -> State | None:
+    def _head(self, step: Step, state: State) -> State | None:
         self._changed.discard(id(step.loop))
         symbol, op, stop, _ = self._counters.get(id(step.loop), _NO_COUNTER)
         if symbol is None or not op:
@@ -185,7 +185,7 @@ class Flow:
         symbol, _, _, by = self._counters.get(id(step.loop), _NO_COUNTER)
         if symbol is not None:
             known = self.facts[id(step.loop)] = state[symbol]
-            state[symbol] = _held(symbol, _result("+", False, known, by))
+            state[symbol] = _limited(symbol, _result("+", False, known, by))
         return state
 
     # -------------------------------------------------------------------------------------- expressions
@@ -368,8 +368,8 @@ def _result(op: str, integer: bool, a: Range, b: Range) -> Range:
     return intervals.ANY if how == intervals.COERCED else known
 
 
-def _held(symbol: Symbol, known: Range) -> Range:
-    """Return the range of a variable after an assignment."""
+def _limited(symbol: Symbol, known: Range) -> Range:
+    """Return the range of a variable after an assignment of a value in `known`."""
     return intervals.to_integer(known) if symbol.type.name == INTEGER else known
 
 

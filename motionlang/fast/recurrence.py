@@ -30,9 +30,12 @@ it begins only after as many such slices as there are tasks, and every second se
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
+from motionlang.lang.dependencies import CLOSE
 from motionlang.lang.statement_time import UNITS, StatementTime, units
-from motionlang.lang.task import CLOSE, INFINITY, WATCH, Delay
+from motionlang.lang.task import WATCH
+from motionlang.lang.waits import Delay
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -41,7 +44,8 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.lang.dependencies import Note
     from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Shared, Task, Wait
+    from motionlang.lang.task import Shared, Task
+    from motionlang.lang.waits import Wait
 
     # When a state was met: the time, and the base and the count of the statement time.
     Met = tuple[float, float, float]
@@ -52,13 +56,15 @@ LONGER = 4.0
 # Up to this many states, and contents of this many bytes, are stored; then all are dropped.
 MAX_STATES = 20_000
 MAX_BYTES = 10_000_000
+# Failed searches per task before the back-off, and its longest, in time slices.
+MAX_EAGER_FAILURES, MAX_BACK_OFF = 2, 2048
 
 
 class Recurrence:
     """The joint states since the tasks began to only poll and wait."""
 
     def __init__(self, machine: Controller | Machine, pace: Callable[[float], None] | None) -> None:
-        self._clock, self._pace = machine.clock, pace
+        self._clock, self._pace, self._events = machine.clock, pace, machine.log.events
         self._statements: StatementTime = getattr(machine, "statements", None) or StatementTime(0.0)
         cost_units = self._statements.cost * UNITS
         # The duration of a statement in units, 0 if that is no integer.
@@ -72,33 +78,55 @@ class Recurrence:
         self._states: dict[Task, int] = {}
         # Objects whose identity is part of a state.
         self._alive: dict[int, object] = {}
+        # The index of the next task in the first state of a search. If no polling task waits, the tasks alternate,
+        # and only states with this next task are compared.
+        self._first_index, self._alternate = 0, False
+        # The searches since one has skipped something, the time slices left of a back-off, and true if the last
+        # change began a back-off.
+        self._failures = self._back_off = 0
+        self._backed_off = False
+
+    def is_eager(self, count: int) -> bool:
+        """True if the next search is likely to skip something, with so many tasks."""
+        return self._excess(count) <= 0
 
     def forget(self) -> None:
         """Drop all states, because a task did more than poll and wait."""
         if self._shared is not None:
-            self._shared.dependencies.read = None
+            self._shared.dependencies.end_all()
             self._since = self._shared = None
 
     def has_run(self, task: Task) -> None:
         """Invalidate the stored state of a task that has run."""
         self._states.pop(task, None)
 
-    def leap(self, tasks: Sequence[Task], turn: int, until: float) -> None:
+    def leap(self, tasks: Sequence[Task], next_index: int, until: float) -> None:
         """Skip as many complete periods as fit before a change, if a period is known.
 
         This is called after a time slice.
         """
         shared = tasks[0].shared
-        unknown = any(task.wait is None and task.look is None for task in tasks)
-        if shared is None or unknown or self._statements.reached != self._clock.now:
+        if shared is None or self._statements.reached != self._clock.now:
             self.forget()
             return
-        *acts, contents = shared.state(self._alive)
-        since = self._clock.fired, acts
+        if self._back_off:
+            self._back_off -= 1
+            return
+        since = self._clock.fired, shared.acted(), len(self._events)
         full = len(self._met) > MAX_STATES or self._bytes > MAX_BYTES
         if since != self._since or full or shared.dependencies.read is not self._read:
+            if self._backs_off(len(tasks)):
+                self.forget()
+                return
+            self._failures += 1
             self._begin(since, shared)
-        state = [turn, self._number(contents)]
+            self._first_index = next_index
+        elif self._alternate and next_index != self._first_index:
+            return
+        if any(task.wait is None and task.poll_check is None for task in tasks):
+            self.forget()
+            return
+        state = [next_index, self._number(shared.state(self._alive))]
         for task in tasks:
             number = self._states.get(task)
             if number is None:
@@ -107,21 +135,35 @@ class Recurrence:
                     return
                 number = self._states[task] = self._number(own)
             state.append(number)
-        lengths = [task.wait.length for task in tasks if task.look and isinstance(task.wait, Delay)]
+        lengths = [task.wait.length for task in tasks if task.poll_check and isinstance(task.wait, Delay)]
+        self._alternate = not lengths
         longest, shortest = max(lengths, default=0.0), min(lengths, default=0.0)
-        most_of_inner = {longest, min(longest, LONGER * shortest)}
+        # The tasks of a period are those that poll and wait for at most this long, s.
+        max_waits = {longest, min(longest, LONGER * shortest)}
         if any(task.wait is None for task in tasks):
-            most_of_inner.add(0.0)
-        for most in sorted(most_of_inner, reverse=True):
-            inner = [task for task in tasks if task.look and _lasts(task.wait) <= most]
+            max_waits.add(0.0)
+        for max_wait in sorted(max_waits, reverse=True):
+            inner = [task for task in tasks if task.poll_check and _duration(task.wait) <= max_wait]
             others = [task.wait for task in tasks if task.wait is not None and task not in inner]
-            if self._skips(inner, others, (most, *state), until):
+            if self._skips(inner, others, (max_wait, *state), until):
                 return
+
+    def _excess(self, count: int) -> int:
+        """Return the failed searches in excess of those that `count` tasks may have."""
+        return self._failures - MAX_EAGER_FAILURES * count
+
+    def _backs_off(self, count: int) -> bool:
+        """True if a back-off of some time slices replaces the search that is due."""
+        excess = self._excess(count)
+        self._backed_off = excess > 0 and not self._backed_off
+        if self._backed_off:
+            self._back_off = min(2 ** min(excess, 30), MAX_BACK_OFF)
+        return self._backed_off
 
     def _begin(self, since: object, shared: Shared) -> None:
         """Drop all states from before now."""
-        self._since, self._shared = since, shared
-        self._read = shared.dependencies.read = set()
+        self._since, self._shared, self._alternate = since, shared, False
+        self._read = shared.dependencies.begin_all()
         self._met, self._numbers, self._bytes = {}, {}, 0
         self._states, self._alive = {}, {}
 
@@ -138,12 +180,12 @@ class Recurrence:
         clock, statements = self._clock, self._statements
         now, base, count = clock.now, statements.base, statements.count
         waits = [task.wait for task in tasks if isinstance(task.wait, Delay)]
-        passed = units(base) + (int(count) * self._cost_units)
-        left = [units(wait.ends) - passed for wait in waits]
+        elapsed = units(base) + int(count) * self._cost_units
+        remaining = [units(wait.ends) - elapsed for wait in waits]
         if waits and not self._cost_units:
-            left.append(count)  # type: ignore[arg-type]
+            remaining.append(count)  # type: ignore[arg-type]
         dues = [wait.due() for wait in others]
-        key = (*state, *left, *dues)
+        key = (*state, *remaining, *dues)
         before, self._met[key] = self._met.get(key), (now, base, count)
         if before is None:
             return False
@@ -161,7 +203,12 @@ class Recurrence:
         limit = min(level, clock.next_time(), *dues)
         if limit == INFINITY:
             for task in tasks:
-                if task.in_vain is None and task.look and task.look[1] and _lasts(task.wait) <= WATCH:
+                if (
+                    task.in_vain is None
+                    and task.poll_check
+                    and task.poll_check[1]
+                    and _duration(task.wait) <= WATCH
+                ):
                     task.in_vain = now
         if limit == until == INFINITY:
             raise Rejected("never", "the loops look for something that can no longer happen", "")
@@ -175,6 +222,7 @@ class Recurrence:
         for wait in waits:
             wait.move((units(wait.ends) + times * shift) / UNITS)
         clock.leaps += 1
+        self._failures = 0
         clock.now = time
         self._met[key] = time, statements.base, statements.count
         return True
@@ -197,7 +245,7 @@ def _is_whole(moment: float) -> bool:
     return units(moment) / UNITS == moment
 
 
-def _lasts(wait: Wait | None) -> float:
+def _duration(wait: Wait | None) -> float:
     """Return the duration of a wait; infinite if it is not known."""
     if wait is None:
         return 0.0

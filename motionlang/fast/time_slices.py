@@ -18,9 +18,10 @@ from __future__ import annotations
 
 from operator import attrgetter
 
-from motionlang.lang.scheduler import TURN, Scheduler
+from motionlang.controller.clock import INFINITY
+from motionlang.lang.scheduler import FULL_SLICE, Scheduler
 from motionlang.lang.statement_time import NEVER
-from motionlang.lang.task import INFINITY, ROUNDING
+from motionlang.lang.waits import ROUNDING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.controller import Controller
     from motionlang.fast.recurrence import Recurrence
+    from motionlang.fast.timer_ticks import TimerTicks
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.scheduler import Outside
     from motionlang.lang.task import Task
@@ -48,6 +50,8 @@ class TimeSlices(Scheduler):
     ) -> None:
         super().__init__(machine, parent, pace, outside)
         self.next_slice = -INFINITY
+        # The ticks of the program's timer, if it has set one.
+        self._ticks: TimerTicks | None = None
         # The number of successive time slices without an action, and the search for their period.
         self._idle_rounds = 0
         self._recurrence: Recurrence | None = None
@@ -59,9 +63,9 @@ class TimeSlices(Scheduler):
         self._resting: set[int] = set()
         self._names: list[tuple[str]] = []
         # The index of the running task, the next event, and how many tasks have continued.
-        self._place = 0
+        self._index = 0
         self._event = INFINITY
-        self._went = 0
+        self._resumed = 0
 
     def idle_round(self, until: float) -> bool:
         """Resume tasks one after the other while all wait for a time or for motion to end.
@@ -73,74 +77,76 @@ class TimeSlices(Scheduler):
             return False
         tasks, clock, log, interrupts = self.tasks, self.clock, self.machine.log, self.interrupts
         waits: Callable[[Any], object] = log.waits.append
-        turns: Callable[[Any], object] = log.slices.append
+        append_slice: Callable[[Any], object] = log.slices.append
         known: list[Any] | None = None
-        self._went = went = 0
+        self._resumed = resumed = 0
         try:
             while not interrupts:
                 if known is not self._known:
                     if not self._list_waits():
                         break
-                    known, names, last = self._known, self._names, (self._turn - 1) % len(tasks)
+                    known, names = self._known, self._names
                     surely, ends, resting = self._surely, self._ends, self._resting
                 for k in resting:
                     ends[k] = known[k].expected()
                 first = min(ends)
-                place = ends.index(first)
-                ends[place] = INFINITY
+                index = ends.index(first)
+                ends[index] = INFINITY
                 second = min(ends)
                 if not clock.now + ROUNDING < first < until or second <= first + ROUNDING:
                     break
-                found, wait = tasks[place], known[place]
-                if place in resting:
+                found, wait = tasks[index], known[index]
+                if index in resting:
                     self.current = self._last_checked(resting)
                     if not clock.ring(first):
                         break
-                    resting.discard(place)
+                    resting.discard(index)
                 elif clock.horizon <= first and clock.next_time() <= first:
                     break
                 else:
-                    surely[place] = INFINITY
+                    surely[index] = INFINITY
                     clock.now = first
                 self.began = first
-                self.current, self._alone, last = found, place == last, place
-                self._turn, self._place, found.wait, known[place] = place + 1, place, None, None
+                self.current, self._alone = found, True
+                self._next_index, self._index, found.wait, known[index] = index + 1, index, None, None
                 waits(found.waited(wait, first))
                 # If a statement coincides with the time at which another task continues, rounding does not
                 # decide the order.
                 due = (min(surely) if resting else second) - 0.5 * ROUNDING
                 self.next_slice = second
-                went += 1
+                resumed += 1
                 time, after = found.resume(first, self._horizon(found, first, due))
                 found.wait = after
                 began = self.began
-                if after is None or found.look is not None or not began <= time < clock.horizon:
-                    self._end_round(found, time, went)
+                if after is None or found.poll_check is not None or not began <= time < clock.horizon:
+                    self._end_round(found, time, resumed)
                     return True
                 if clock.now < time:
                     clock.now = time
-                turns((began, time, names[place], (time - began,)))
-                known[place] = after
+                append_slice((began, time, names[index], (time - began,)))
+                known[index] = after
                 if after.ends is None:
-                    resting.add(place)
+                    resting.add(index)
                 else:
-                    ends[place] = surely[place] = after.ends
-                if not went & 1023:
+                    ends[index] = surely[index] = after.ends
+                if not resumed & 1023:
                     log.waits.trim()
                     log.slices.trim()
         finally:
             self.next_slice = -INFINITY
-        if went:
+        if resumed:
             self._end, self._idle_rounds, self._stalls = 0.0, 0, 0
-        return went > 0
+        return resumed > 0
 
-    def _last_checked(self, places: set[int]) -> Task:
+    def _last_checked(self, indices: set[int]) -> Task:
         """Return the task whose wait the scheduler would check last.
 
         The next events are logged at the task's source position.
         """
-        turn, count = self._turn, len(self.tasks)
-        return self.tasks[max(places, key=lambda k: (k - turn) % count) if len(places) > 1 else min(places)]
+        next_index, count = self._next_index, len(self.tasks)
+        return self.tasks[
+            max(indices, key=lambda k: (k - next_index) % count) if len(indices) > 1 else min(indices)
+        ]
 
     def _list_waits(self) -> bool:
         """List the waits of all tasks, with their ends.
@@ -157,9 +163,9 @@ class TimeSlices(Scheduler):
         self._resting = {k for k, wait in enumerate(known) if wait.ends is None}
         return True
 
-    def _end_round(self, task: Task, time: float, went: int) -> None:
+    def _end_round(self, task: Task, time: float, resumed: int) -> None:
         """Return a round to the scheduler, because a task did more than wait again."""
-        if went + self._went > 1:
+        if resumed + self._resumed > 1:
             self._idle_rounds = 0
         self._stalls = 0
         self._waiting[:] = [each for each in self.tasks if each is not task]
@@ -168,7 +174,7 @@ class TimeSlices(Scheduler):
     def slice_over(self, task: Task) -> None:
         """If all tasks only poll or wait and their state recurs, skip to the next event."""
         recurrence = self._recurrence
-        if task.look is None or task.busy or task.done or self.interrupts or self.outside is not None:
+        if task.poll_check is None or task.busy or task.done or self.interrupts or self.outside is not None:
             self._idle_rounds = 0
             if recurrence is not None:
                 recurrence.forget()
@@ -177,21 +183,38 @@ class TimeSlices(Scheduler):
         count = len(self.tasks)
         if recurrence is not None:
             recurrence.has_run(task)
-        if self._idle_rounds < count or (self._idle_rounds % count and not self._waiting):
-            return  # some have not polled yet; if none waits, one comparison per round finds as much
+        if self._idle_rounds < count and (recurrence is None or not recurrence.is_eager(count)):
+            return
         if recurrence is None:
             from motionlang.fast.recurrence import Recurrence
 
             recurrence = self._recurrence = Recurrence(self.machine, self.pace)
-        elif self._idle_rounds == count:
+        elif self._idle_rounds == 1:
             recurrence.forget()  # tasks may have run since the last call
-        recurrence.leap(self.tasks, self._turn, self.until)
+        recurrence.leap(self.tasks, self._next_index, self.until)
+
+    def timer_set(self, events: Any) -> None:
+        """Prepare to run a timer's ticks while all tasks wait, after its period is set."""
+        from motionlang.fast.timer_ticks import TimerTicks
+
+        self._ticks = TimerTicks(events)
 
     def _jump(self, until: float) -> None:
         """Jump to the next time at which something can change, or run ticks."""
-        due, ticks = self.next_change(), self.ticks
+        due, ticks = self.next_change(), self._ticks
         if ticks is None or not self.by_itself or self._left or not ticks.run(self, due, until):
             self._jump_to(due, until)
+
+    @property
+    def next_index(self) -> int:
+        """The index of the task at which the search for the next one begins."""
+        return self._next_index
+
+    def _forget(self, task: Task) -> None:
+        """Drop a task that has ended, and skip ticks after a handler of TIMER."""
+        super()._forget(task)
+        if self._ticks is not None:
+            self._ticks.handled(self, task)
 
     def ran_handler(self, task: Task, until: float) -> bool:
         """Let a handler interrupt the waiting tasks; True if it ends in one slice."""
@@ -200,12 +223,12 @@ class TimeSlices(Scheduler):
         interrupts.append(task)
         statements.alone, statements.free = not several, NEVER
         self.next_slice, self._known = -INFINITY, []
-        self.current, self._alone, self._turn, self._stalls = task, True, 0, 0
+        self.current, self._alone, self._next_index, self._stalls = task, True, 0, 0
         self.began = now = clock.now
         event = clock.next_time()
         event = horizon = event if event < until else until
         if several:
-            self._end = now + min(TURN, task.turn)
+            self._end = now + min(FULL_SLICE, task.max_slice)
             horizon = min(horizon, self._end)
         time, task.wait = task.resume(now, horizon)
         if several or not task.done or not now <= time < clock.horizon:
@@ -225,8 +248,8 @@ class TimeSlices(Scheduler):
 
         Another task continues at `due`.
         """
-        turn, clock, until = task.turn, self.clock, self.until
-        self._end = horizon = now + (turn if turn < TURN else TURN)
+        max_slice, clock, until = task.max_slice, self.clock, self.until
+        self._end = horizon = now + (max_slice if max_slice < FULL_SLICE else FULL_SLICE)
         event = clock.horizon
         if event <= horizon:
             event = clock.next_time()
@@ -235,7 +258,7 @@ class TimeSlices(Scheduler):
             horizon = event
         return due if due < horizon else horizon
 
-    def passes_among_others(self, since: float, end: float, by_bell: bool) -> float:
+    def passes_among_others(self, since: float, end: float, by_arrival: bool) -> float:
         """Let a wait of one of several tasks pass, if its task is the next to continue.
 
         Returns the time up to which the task may then run, 0.0 if it must yield. With `by_arrival` the wait ends with
@@ -254,9 +277,9 @@ class TimeSlices(Scheduler):
             or not began <= since < clock.horizon
         ):
             return 0.0
-        if by_bell:
+        if by_arrival:
             running = self.current
-            self.current = self._last_checked({*self._resting, self._place})
+            self.current = self._last_checked({*self._resting, self._index})
             rang = clock.ring(end)
             self.current = running
             if not rang:
@@ -265,12 +288,12 @@ class TimeSlices(Scheduler):
             return 0.0
         else:
             clock.now = end
-        place, log = self._place, self.machine.log
-        log.slices.append((began, since, self._names[place], (since - began,)))  # type: ignore[arg-type]
+        index, log = self._index, self.machine.log
+        log.slices.append((began, since, self._names[index], (since - began,)))  # type: ignore[arg-type]
         self.began = end
         self._alone = True
-        self._went = went = self._went + 1
-        if not went & 1023:
+        self._resumed = resumed = self._resumed + 1
+        if not resumed & 1023:
             log.waits.trim()
             log.slices.trim()
         due = (min(surely) if self._resting else second) - 0.5 * ROUNDING

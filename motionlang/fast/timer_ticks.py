@@ -30,23 +30,22 @@ search. Exponential back-off: after it has failed, 1, 2, 4, … ticks run withou
 from __future__ import annotations
 
 from math import floor
-from types import FunctionType
 
-from motionlang.fast.loop_counters import counted
-from motionlang.lang.dependencies import Condition
-from motionlang.lang.task import INFINITY, ROUNDING
+from motionlang.controller.clock import INFINITY
+from motionlang.fast.handler_counters import HandlerCounters
+from motionlang.lang.waits import ROUNDING, Condition
 from motionlang.log.repeated import rows_of
 from motionlang.mint.keywords.event_kinds import KINDS
 from motionlang.mint.runtime.events import EventTask
-from motionlang.mint.runtime.task_state import of_values
 from motionlang.mint.runtime.waits import Rest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from types import CellType, CodeType
     from typing import Any
 
+    from motionlang.fast.polled_ticks import PolledTicks
     from motionlang.lang.dependencies import Note
+    from motionlang.lang.task import Task
     from motionlang.log.repeated import Row
     from motionlang.log.stream import Stream
     from motionlang.mint.runtime.events import Events
@@ -73,6 +72,22 @@ class TimerTicks:
         self._search: _Search | None = None
         # The ticks until the next search, and the number of them after the next failure.
         self._left = self._back_off = 0
+        self._polled: PolledTicks | None = None
+
+    def handled(self, scheduler: Any, task: Task) -> None:
+        """Skip ticks after a handler has ended, if tasks poll."""
+        if (
+            task.__class__ is not EventTask
+            or task.name != TIMER
+            or self._event is not self._events.tick_event
+        ):
+            return
+        if self._polled is not None:
+            self._polled.handled(scheduler)
+        elif any(each.wait is None for each in scheduler.tasks):
+            from motionlang.fast.polled_ticks import PolledTicks
+
+            self._polled = PolledTicks(self._events, TIMER)
 
     def run(self, scheduler: Any, due: float, until: float) -> bool:
         """Run ticks from `due` on while all tasks wait; False if that is impossible."""
@@ -132,7 +147,7 @@ class TimerTicks:
             task = self._task = EventTask(TIMER, events.handler(TIMER), environment)
         else:
             task._generator, task.done, task.axes = None, False, (0,)
-            task.look = task.in_vain = None
+            task.poll_check = task.in_vain = None
         task.notes = None if search is None else search.notes
         events.active.append(ENTRY)
         acts, switches = environment.acts, environment.switches
@@ -161,7 +176,9 @@ class TimerTicks:
         if period is None:
             return len(search.marks) <= MAX_PERIOD
         since = search.times[0]
-        level = environment.dependencies.held(search.notes, 0, since) if search.is_solvable else -INFINITY
+        level = (
+            environment.dependencies.stable_until(search.notes, 0, since) if search.is_solvable else -INFINITY
+        )
         self._search = None
         if level <= environment.clock.now:
             return False
@@ -187,11 +204,7 @@ class _Search:
         environment = events.environment
         self._log = environment.machine.log
         self.notes: list[Note] = []
-        counters = environment.handler_counters.get(TIMER, {})
-        cells = dict(zip(_names(events.handler(TIMER)), _cells(events.handler(TIMER)), strict=True))
-        names = [name for name in counters if name in cells]
-        self._cells = [cells[name] for name in names]
-        self._levels = [counters[name] for name in names]
+        self._counters = HandlerCounters(events, TIMER)
         self._others = [stream for stream in self._log.streams() if stream not in self._streams]
         self._lengths = list(map(len, self._others))
         self.marks: list[tuple[Any, ...]] = []
@@ -213,17 +226,9 @@ class _Search:
     def period(self) -> int | None:
         """Record the state after a tick; return the number of ticks since it was the same."""
         environment, events = self._environment, self._events
-        values = tuple([cell.cell_contents for cell in self._cells])
-        for cell in self._cells:
-            cell.cell_contents = 0.0
-        try:
-            variables = of_values(environment.variables(), {})
-        finally:
-            for cell, value in zip(self._cells, values, strict=True):
-                cell.cell_contents = value
-        state = variables, environment.controller.outputs.values
+        state = self._counters.other_variables({}), environment.controller.outputs.values
         number = len(self.marks)
-        self.marks.append((tuple(map(len, self._streams)), values))
+        self.marks.append((tuple(map(len, self._streams)), self._counters.values()))
         self.times.append(events.tick_time(events.ticks - 1))
         self.ends.append(environment.clock.now)
         before = self._met.get(state)
@@ -250,7 +255,7 @@ class _Search:
         ticks = floor((end - events.started) / (events.timer / 1000.0)) - events.ticks
         steps = self._advanced(len(self.marks) - 1, period)
         assert steps is not None
-        return int(min(ticks // period, counted(self.marks[-1][1], steps, self._levels)))
+        return int(min(ticks // period, self._counters.most(steps)))
 
     def rows(self, period: int) -> list[list[Row]] | None:
         """Return the rows of a period for each stream; None if they cannot be repeated."""
@@ -258,11 +263,11 @@ class _Search:
             return None
         cost = self._environment.statements.cost
         made: list[list[Row]] = []
-        for place, stream in enumerate(self._streams):
+        for index, stream in enumerate(self._streams):
             rows: list[Row] = []
             for tick in range(period):
                 number = len(self.marks) - period + tick
-                first, past = (self.marks[each][0][place] for each in (number - 1, number))
+                first, past = (self.marks[each][0][index] for each in (number - 1, number))
                 found = rows_of(stream[first:past], tick, self.times[number], cost)
                 if found is None or len(rows) > MAX_ROWS:
                     return None
@@ -278,8 +283,7 @@ class _Search:
         for stream, each in zip(self._streams, rows, strict=True):
             stream.repeat((each, count, period, 0.0), pace)
         before, after = self.marks[-period - 1][1], self.marks[-1][1]
-        for cell, m, n in zip(self._cells, before, after, strict=True):
-            cell.cell_contents = n + count * (n - m)
+        self._counters.advance([n - m for m, n in zip(before, after, strict=True)], count)
         assert events.tick_event is not None
         clock.reach(events.tick_event)
         last = events.ticks + count * period - 1
@@ -296,12 +300,3 @@ def _quiet_until(wait: Any) -> float:
     if wait.__class__ is Condition:
         return INFINITY if wait.ignores_data and wait.solved == INFINITY else -INFINITY
     return INFINITY if wait.__class__ is Rest and wait.due() == INFINITY else -INFINITY
-
-
-def _names(function: Any) -> tuple[str, ...]:
-    code: CodeType = function.__code__
-    return code.co_freevars if function.__class__ is FunctionType else ()
-
-
-def _cells(function: Any) -> tuple[CellType, ...]:
-    return (function.__closure__ or ()) if function.__class__ is FunctionType else ()

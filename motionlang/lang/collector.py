@@ -11,8 +11,6 @@ class CollectorOff:
     The objects that such a block creates remain in use, so the collector would only scan them repeatedly.
     """
 
-    __slots__ = ("_was_on",)
-
     def __enter__(self) -> None:
         self._was_on = gc.isenabled()
         gc.disable()

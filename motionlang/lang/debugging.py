@@ -9,6 +9,7 @@ has frames with variables.
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.record import record
 
 TYPE_CHECKING = False
@@ -25,25 +26,23 @@ if TYPE_CHECKING:
         def module(self) -> list[Variable]:
             """Return the variables of the whole program."""
 
-        def frames(self, task: Task, place: int | None) -> list[Frame]:
+        def frames(self, task: Task, offset: int | None) -> list[Frame]:
             """Return the calls of a task, the innermost first.
 
-            `place` is the source offset of a task that is stopped in the hook; None for one that waits.
+            `offset` is the source offset of a task that is stopped in the hook; None for one that waits.
             """
 
         def unlisted(self, task: Task | None, name: str) -> Variable | None:
-            """Return a variable that `module` leaves out, by its name; None if there is none.
+            """Return a variable by name that `module` omits; None if there is none.
 
             The task is None at the end of the run.
             """
 
         def depth(self, task: Task) -> int:
-            """Return how many calls the running task is in."""
+            """Return the number of calls that the running task is in."""
 
     # Called with the task, the time of the statement, s, and its source offset.
     Stop = Callable[[Task, float, int], None]
-
-INFINITY = float("inf")
 
 
 class Hook:
@@ -55,10 +54,13 @@ class Hook:
     `tally` is for an interpreter, which compares only once: the number, and the limit, or 0 while there are offsets.
     """
 
-    __slots__ = ("cells", "inspection", "stop", "tally")
-
-    def __init__(self, stop: Stop, limit: float = INFINITY) -> None:
-        self.stop = stop
+    def __init__(
+        self,
+        stop: Stop,
+        limit: float = INFINITY,
+        advancing: Callable[[float], None] = lambda time: None,
+    ) -> None:
+        self.stop, self.advancing = stop, advancing
         # The variables of the program, once it has started.
         self.inspection: Inspection | None = None
         self.cells: tuple[CellType, CellType, CellType] = (_cell(0), _cell(limit), _cell(None))
@@ -77,25 +79,25 @@ class Hook:
     @limit.setter
     def limit(self, number: float) -> None:
         self.cells[1].cell_contents = number
-        self.tally[1] = number if self.places is None else 0
+        self.tally[1] = number if self.offsets is None else 0
 
     @property
-    def places(self) -> frozenset[int] | None:
+    def offsets(self) -> frozenset[int] | None:
         """The source offsets before which `stop` is called; None if there are none."""
         return self.cells[2].cell_contents  # type: ignore[no-any-return]
 
-    @places.setter
-    def places(self, places: frozenset[int] | None) -> None:
-        self.cells[2].cell_contents = places or None
-        self.tally[1] = 0 if places else self.limit
+    @offsets.setter
+    def offsets(self, offsets: frozenset[int] | None) -> None:
+        self.cells[2].cell_contents = offsets or None
+        self.tally[1] = 0 if offsets else self.limit
 
-    def consider(self, task: Task, time: float, place: int) -> None:
+    def consider(self, task: Task, time: float, offset: int) -> None:
         """Stop before a statement if that is due.
 
         Only an interpreter calls this, after counting the statement; compiled code compares by itself.
         """
-        if self.count >= self.limit or (self.places is not None and place in self.places):
-            self.stop(task, time, place)
+        if self.count >= self.limit or (self.offsets is not None and offset in self.offsets):
+            self.stop(task, time, offset)
 
 
 def _cell(value: object) -> Any:
@@ -125,5 +127,5 @@ class Frame:
     """
 
     name: str
-    place: int
+    offset: int
     variables: Sequence[Variable]

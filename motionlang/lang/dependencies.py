@@ -49,7 +49,7 @@ iterations, and records nothing.
 
 from __future__ import annotations
 
-from motionlang.lang.task import CLOSE, INFINITY, Wait
+from motionlang.controller.clock import INFINITY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -60,12 +60,10 @@ if TYPE_CHECKING:
 
     Note = tuple[Callable[..., float], tuple[Any, ...]]
 
+# This close to a solved time, s, a reading is not relied upon: the solution and the reading are rounded.
+CLOSE = 1e-7
 # An iteration that reads more than this is not worth remembering.
 MAX_NOTES = 500
-# The profiler's period: how often a condition is checked if its readings cannot be solved.
-TICK = 1e-3
-# How long after a solved time a condition is checked: `POS > 50` is false at the exact time of 50.
-_AFTER = (0.0, 1e-12, 1e-10, 1e-8)
 _NO_DEPENDENCY = (-INFINITY,)
 # The level of a value without a comparison, and that of a running maximum.
 _OF_LOOPS = (_NO_DEPENDENCY, (INFINITY,))
@@ -79,12 +77,13 @@ class Dependencies:
     `begin_longest` needs all readings; any other subscriber then shares the set.
     """
 
-    __slots__ = ("clock", "notes", "read")
+    __slots__ = ("clock", "longest", "notes", "read")
 
     def __init__(self, clock: Clock) -> None:
         self.clock = clock
         self.notes: list[Note] | None = None
         self.read: set[Note] | None = None
+        self.longest: set[Note] | None = None
 
     def note(self, until: Callable[..., float], *about: object) -> None:
         """Record that a value just read may change at `until(*about)` without an event.
@@ -96,11 +95,31 @@ class Dependencies:
             # Only a loop that executes its last iteration can use these levels instead of the exact value.
             read.add((self.at_once, ()) if about[-1:] in _OF_LOOPS else (until, about))
             if len(read) > MAX_NOTES:
-                self.read = None
+                self.read = self.longest = None
         if notes is not None and about[-1:] != _NO_DEPENDENCY:
             notes.append((until, about))
             if len(notes) > MAX_NOTES:
-                self.rest()  # a client then finds another list than the one it began with
+                self.rest()  # a client then finds a list other than its own
+
+    def begin_all(self) -> set[Note]:
+        """Start collecting the readings of all tasks; return the set that collects them."""
+        self.read = set() if self.longest is None else self.longest
+        return self.read
+
+    def end_all(self) -> None:
+        """Stop collecting the readings of all tasks, unless `longest` continues."""
+        self.read = self.longest
+
+    def begin_longest(self) -> set[Note]:
+        """Start collecting like `begin_all`; other subscribers do not end it."""
+        self.longest = None
+        self.longest = self.begin_all()
+        return self.longest
+
+    def end_longest(self, read: set[Note]) -> None:
+        """Stop the collection that `begin_longest` started."""
+        if self.longest is read:
+            self.longest = self.read = None
 
     def rest(self) -> None:
         """Stop recording for the running task."""
@@ -124,8 +143,8 @@ class Dependencies:
         finally:
             clock.now = now
 
-    def held(self, notes: list[Note], first: int, since: float) -> float:
-        """Return until when all readings from index `first` on stay unchanged.
+    def stable_until(self, notes: list[Note], first: int, since: float) -> float:
+        """Return the time until which all readings from index `first` on stay unchanged.
 
         The result is in the past if another list has been begun since.
         """
@@ -134,72 +153,3 @@ class Dependencies:
     def at_once(self, *about: object) -> float:
         """Return the present time, for a value that may change at any time."""
         return self.clock.now
-
-
-class Condition(Wait):
-    """A wait for a condition: checked at solved times, events, or ticks if unsolvable.
-
-    `solved` is the time that `due` returned last.
-    """
-
-    __slots__ = ("_dependencies", "_looked", "_notes", "_test", "ignores_data", "solved")
-
-    cause = "condition"
-    what = ()
-    ends = None
-
-    def __init__(
-        self,
-        dependencies: Dependencies,
-        test: Callable[[], object],
-        since: float,
-        why: str,
-        ignores_data: bool = False,
-    ) -> None:
-        self.ignores_data = ignores_data
-        self._dependencies, self._test, self.since, self.why = dependencies, test, since, why
-        self._notes: list[Note] = []
-        # When the dependencies were recorded, after how many events, and the time for which they were last
-        # solved.
-        self._looked, self.solved = (-1.0, -1), -1.0
-
-    def ready(self) -> bool:
-        """Return if the condition is true now, or immediately after."""
-        clock = self._dependencies.clock
-        now = clock.now
-        self._looked = now, clock.fired
-        looks = _AFTER if now == self.solved else _AFTER[:1]
-        try:
-            return any(self._evaluate(now + after * max(1.0, now)) for after in looks)
-        finally:
-            clock.now = now
-
-    def due(self) -> float:
-        """Return the next time at which the condition may change by itself."""
-        clock = self._dependencies.clock
-        now = clock.now
-        if self._looked != (now, clock.fired):
-            self.ready()  # other tasks have run since
-        # After the time that was just checked.
-        begin = now + 1e-7 * max(1.0, now) if now == self.solved else now
-        moments = [self._dependencies.until(begin, [each]) for each in set(self._notes)]
-        moment = min((each if each > begin else next_tick(now) for each in moments), default=INFINITY)
-        self.solved = moment if moment > now else now + TICK
-        return self.solved
-
-    def _evaluate(self, moment: float) -> bool:
-        """Evaluate the condition at a time, and store its dependencies."""
-        dependencies = self._dependencies
-        notes: list[Note] = []
-        before, dependencies.notes = dependencies.notes, notes
-        dependencies.clock.now = moment
-        try:
-            return bool(self._test())
-        finally:
-            self._notes = notes if dependencies.notes is notes else [(dependencies.at_once, ())]
-            dependencies.notes = before
-
-
-def next_tick(now: float) -> float:
-    """Return the first tick of the profiler after a time."""
-    return (int(now / TICK + 1e-6) + 1) * TICK

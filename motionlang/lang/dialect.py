@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.errors import Diagnostic
-    from motionlang.lang.keyword import Keyword, Table
+    from motionlang.lang.keyword import Keyword
     from motionlang.lang.listing import Listing
     from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
     from motionlang.lang.machine.machine import Machine
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from motionlang.lang.names import LineLayout, Names
     from motionlang.lang.program import Program
     from motionlang.lang.task import Task
+    from motionlang.lang.vocabulary import Vocabulary
     from motionlang.source import Source
 
     # The accelerator of that name: the followed variables of a function, and the ranges by node.
@@ -208,7 +209,7 @@ class Dialect:
         """Return the program from the bytes that `Program.payload` returned."""
         raise NotImplementedError
 
-    def table(self) -> Table:
+    def table(self) -> Vocabulary:
         """Return the vocabulary."""
         raise NotImplementedError
 
@@ -216,9 +217,9 @@ class Dialect:
         """Return line, column and length of the source position `at` of a task or a node."""
         raise NotImplementedError
 
-    def locations(self, source: Source, places: Sequence[int]) -> list[tuple[int, int, int]]:
+    def locations(self, source: Source, offsets: Sequence[int]) -> list[tuple[int, int, int]]:
         """Return line, column and length for each of many source positions."""
-        return [self.locate(source, at) for at in places]
+        return [self.locate(source, at) for at in offsets]
 
     def blocks(self, source: Source) -> list[tuple[str, int, int]]:
         """Return name, first and last line of each sub, task and handler of a program."""
@@ -231,12 +232,12 @@ class Dialect:
         """
         return bool(line.strip())
 
-    def asked(self, source: Source) -> Callable[[int], LoopDependencies | None]:
-        """Return a function for the readings of a loop or conditional wait at an offset.
+    def loop_dependencies(self, source: Source) -> Callable[[int], LoopDependencies | None]:
+        """Return a function that maps an offset to the readings of its loop or wait.
 
-        The function returns None if they are not known.
+        The function returns None if the readings are not known.
         """
-        return lambda place: None
+        return lambda offset: None
 
     def interactive(self, machine: Machine) -> Interactive:
         """Return an interpreter for lines that are typed one after another."""

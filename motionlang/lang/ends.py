@@ -11,7 +11,8 @@ if TYPE_CHECKING:
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.loop_dependencies import Read
     from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Task, Wait
+    from motionlang.lang.task import Task
+    from motionlang.lang.waits import Wait
     from motionlang.source import Source
 
 # Seconds from now at which the suggested option acts.
@@ -47,13 +48,13 @@ def what_ends(
     elif "analogue" in driven:
         channel = next((n for kind, n in leaves if kind == "analogue" and n is not None), 0)
         options.append(f"{dash}analog {channel}=25@{at}")
-    places = " or ".join(each if "." in each else f"[[{each}]]" for each in driven)
+    entries = " or ".join(each if "." in each else f"[[{each}]]" for each in driven)
     if options:
         verbs = ("ends", "does") if len(options) == 1 else ("end", "do")
-        return f"{' '.join(options)} {verbs[0]} it, as {verbs[1]} {places} of the machine file"
+        return f"{' '.join(options)} {verbs[0]} it, as {verbs[1]} {entries} of the machine file"
     if any("." in each for each in driven):
-        return f"the machine file says where it is: {places}"
-    return f"{places} of the machine file says when it comes" if places else ""
+        return f"the machine file says where it is: {entries}"
+    return f"{entries} of the machine file says when it comes" if entries else ""
 
 
 def _reads(dialect: Dialect, source: Source, task: Task, wait: Wait) -> frozenset[Read]:
@@ -62,5 +63,5 @@ def _reads(dialect: Dialect, source: Source, task: Task, wait: Wait) -> frozense
         return frozenset(("input", channel) for channel in wait.what)
     if not source.text.strip():
         return frozenset()
-    found = dialect.asked(source)(task.at)
+    found = dialect.loop_dependencies(source)(task.at)
     return frozenset() if found is None else found.leaves

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 _WRONG = 1 / 3
 _TIMES = 4
 # The number of wrong lines checked against the other language, which reports at most a hundred errors.
-_ASKED = 80
+_MAX_CHECKED = 80
 
 
 def one_sentence(language: Dialect, source: Source, found: Sequence[Diagnostic]) -> list[Diagnostic]:
@@ -34,7 +34,7 @@ def one_sentence(language: Dialect, source: Source, found: Sequence[Diagnostic])
         other = dialect(name)
         if other is language:
             continue
-        if len(_wrong_lines(other.check(begin))) * _TIMES <= min(len(wrong), _ASKED):
+        if len(_wrong_lines(other.check(begin))) * _TIMES <= min(len(wrong), _MAX_CHECKED):
             lost = f"{len(wrong)} of its first {lines} lines are not {language.title}"
             message = f"this is {other.title}, not {language.title}: {lost}"
             hint = f"add --dialect {other.name}, or rename the file to {other.suffixes[0]}"
@@ -44,9 +44,9 @@ def one_sentence(language: Dialect, source: Source, found: Sequence[Diagnostic])
 
 def _begin(source: Source, wrong: set[int]) -> Source:
     """Return the program up to the last wrong line; this part is checked as the other."""
-    if len(wrong) <= _ASKED:
+    if len(wrong) <= _MAX_CHECKED:
         return source
-    last = sorted(wrong)[_ASKED - 1]
+    last = sorted(wrong)[_MAX_CHECKED - 1]
     return Source(source.name, "\n".join(source.text.split("\n")[:last]))
 
 

@@ -7,9 +7,11 @@ defines.
 
 from __future__ import annotations
 
+from motionlang.record import record
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
+    from collections.abc import Callable
     from typing import Any
 
 # Units of integers. A time in ms may still be written with a fraction.
@@ -41,6 +43,7 @@ TRAITS = {
 }
 
 
+@record
 class Actions:
     """The functions of a keyword, None if there is none; calls differ by language.
 
@@ -50,21 +53,13 @@ class Actions:
     `attribute`  the property that it reads and writes of its subject, such as the "edge" of a latch
     """
 
-    __slots__ = ("attribute", "do", "held", "load", "read", "verb", "write")
-
-    def __init__(
-        self,
-        verb: str = "",
-        *,
-        read: Callable[..., Any] | None = None,
-        write: Callable[..., Any] | None = None,
-        load: Callable[..., Any] | None = None,
-        do: Callable[..., Any] | None = None,
-        held: Callable[..., Any] | None = None,
-        attribute: str = "",
-    ) -> None:
-        self.verb, self.attribute = verb, attribute
-        self.read, self.write, self.load, self.do, self.held = read, write, load, do, held
+    verb: str = ""
+    read: Callable[..., Any] | None = None
+    write: Callable[..., Any] | None = None
+    load: Callable[..., Any] | None = None
+    do: Callable[..., Any] | None = None
+    replaced: Callable[..., Any] | None = None
+    attribute: str = ""
 
 
 class Keyword:
@@ -194,40 +189,3 @@ class Keyword:
 
     def __repr__(self) -> str:
         return f"Keyword({self.name!r})"
-
-
-class Table:
-    """All keywords of a dialect, by name or short form in any case.
-
-    `hidden` ones are found only by their name.
-    """
-
-    __slots__ = ("_by_name", "rows")
-
-    def __init__(self, rows: Iterable[Keyword], hidden: Iterable[Keyword] = ()) -> None:
-        self.rows = tuple(rows)
-        self._by_name: dict[str, Keyword] = {}
-        for row in self.rows:
-            for spelling in filter(None, (row.name, row.short)):
-                key = spelling.lower()
-                assert key not in self._by_name, f"{spelling} is in the table twice"
-                self._by_name[key] = row
-        self._by_name.update((row.name, row) for row in hidden)
-
-    def __iter__(self) -> Iterator[Keyword]:
-        return iter(self.rows)
-
-    def __len__(self) -> int:
-        return len(self.rows)
-
-    def get(self, word: str) -> Keyword | None:
-        """Return the row of a keyword, by its name or its short form, in any case."""
-        return self._by_name.get(word.lower())
-
-    def doing(self, verb: str) -> str:
-        """Return the name of the first keyword of a verb."""
-        return next(row.name for row in self.rows if row.verb == verb)
-
-    def names(self) -> list[str]:
-        """Return every name, in the order of the table."""
-        return [row.name for row in self.rows]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.record import record
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -10,10 +12,10 @@ if TYPE_CHECKING:
     CodeLine = tuple[int, str, str]
 
 
+@record
 class Listing:
     """The generated code: `head` explains the `lines`; `is_python` if they are Python."""
 
-    __slots__ = ("head", "is_python", "lines")
-
-    def __init__(self, head: str, lines: Sequence[CodeLine], *, is_python: bool) -> None:
-        self.head, self.lines, self.is_python = head, lines, is_python
+    head: str
+    lines: Sequence[CodeLine]
+    is_python: bool

@@ -196,11 +196,11 @@ def _replaced(text: str, edits: Mapping[int, tuple[int, str]]) -> str:
 
     Each edit has the length of the text that it replaces, and the new text.
     """
-    parts, end = [], 0
+    chunks, end = [], 0
     for offset, (length, word) in sorted(edits.items()):
-        parts += [text[end:offset], word]
+        chunks += [text[end:offset], word]
         end = offset + length
-    return "".join(parts) + text[end:]
+    return "".join(chunks) + text[end:]
 
 
 def _sorted(
@@ -375,21 +375,21 @@ _COMPARISONS = frozenset(("=", "<>", "<", ">", "<=", ">="))
 def _compared(condition: list[Token], language: Dialect) -> Iterator[tuple[str, Token, bool]]:
     """Yield the word that is compared, and each number in the comparison."""
     tokens = [each for number, each in enumerate(condition) if not _groups(condition, number)]
-    parts: list[list[Token]] = [[]]
+    comparisons: list[list[Token]] = [[]]
     for token in tokens:
         if token[0] == "operator" and token[1] in ("&", "|"):
-            parts.append([])
+            comparisons.append([])
         else:
-            parts[-1].append(token)
-    if not all(_comparison(part) for part in parts):  # the operator works on bits
-        parts = [tokens]
-    for part in parts:
-        at = _comparison(part)
-        first = next((number for number, each in enumerate(part) if each[0] == "word"), None)
+            comparisons[-1].append(token)
+    if not all(_comparison(comparison) for comparison in comparisons):  # the operator works on bits
+        comparisons = [tokens]
+    for comparison in comparisons:
+        at = _comparison(comparison)
+        first = next((number for number, each in enumerate(comparison) if each[0] == "word"), None)
         if not at or first is None:
             continue
-        base, index, _ = _target(part[first:], language)
-        for side in (part[:at], part[at + 1 :]):
+        base, index, _ = _target(comparison[first:], language)
+        for side in (comparison[:at], comparison[at + 1 :]):
             for token, whole in _numbers(side):
                 yield (f"{base}[{index}]" if index else base), token, whole
 

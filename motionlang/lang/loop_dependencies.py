@@ -26,6 +26,7 @@ KINDS = {
 MOVING = "moving"
 
 
+@record
 class LoopDependencies:
     """The readings that decide the duration of a loop or a wait at a source offset.
 
@@ -36,18 +37,11 @@ class LoopDependencies:
     `why`      a description of what it waits for
     """
 
-    __slots__ = ("counts", "leaves", "lines", "why", "within")
-
-    def __init__(
-        self,
-        leaves: frozenset[Read],
-        within: frozenset[Read] = frozenset(),
-        lines: frozenset[int] = frozenset(),
-        why: str = "",
-        counts: bool = False,
-    ) -> None:
-        self.leaves, self.within, self.lines, self.why = leaves, within, lines, why
-        self.counts = counts
+    leaves: frozenset[Read]
+    within: frozenset[Read] = frozenset()
+    lines: frozenset[int] = frozenset()
+    why: str = ""
+    counts: bool = False
 
 
 @record

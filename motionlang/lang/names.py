@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     Span = tuple[int, int]
 
     class Positions(Protocol):
-        """Finds the offsets of a program whose positions are tokens."""
+        """Converts positions that are tokens to offsets in a program."""
 
         def of_name(self, token: int, length: int) -> Span: ...
 
@@ -142,8 +142,6 @@ class Names:
     and a new name that returns the reason why it cannot have this name, "" if it can. `find_blocks` is called
     when `blocks` is first read.
     """
-
-    __slots__ = ("_blocks", "_by_start", "_find_blocks", "_starts", "complete", "definitions", "problem")
 
     def __init__(
         self,

@@ -11,17 +11,14 @@ from __future__ import annotations
 from _thread import allocate_lock
 from sys import _getframe, getrecursionlimit, setrecursionlimit
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    pass
-
 # Nested calls of subs, functions and Gosubs, in one task or handler.
 MAX_DEPTH = 1000
-# Python frames that one call may take: the generator, its dispatcher, and functions for nested blocks.
-MAX_FRAMES = 10
+# Python frames that one call may take: the generator, its dispatcher, and functions for groups of labels and nested
+# blocks.
+MAX_FRAMES = 12
 # Frames for the functions that the deepest statement calls, and for passes over the nested text of a program.
 _REST = 5000
-_ROOM = MAX_DEPTH * MAX_FRAMES + _REST
+_FRAMES = MAX_DEPTH * MAX_FRAMES + _REST
 
 _lock = allocate_lock()
 # The limits that the open blocks need, after the limit before the first of them.
@@ -35,10 +32,8 @@ class StackSpace:
     block ends.
     """
 
-    __slots__ = ("_limit",)
-
     def __enter__(self) -> None:
-        self._limit = _depth() + _ROOM
+        self._limit = _depth() + _FRAMES
         with _lock:
             if not _limits:
                 _limits.append(getrecursionlimit())

@@ -30,7 +30,7 @@ class Program:
         return False
 
     @property
-    def places(self) -> Sequence[int]:
+    def offsets(self) -> Sequence[int]:
         """The source offsets of the statements of a debug build, at which it can stop."""
         return ()
 

@@ -45,8 +45,11 @@ them.
 
 from __future__ import annotations
 
+from operator import attrgetter
+
+from motionlang.controller.clock import INFINITY
 from motionlang.lang.statement_time import NEVER, StatementTime
-from motionlang.lang.task import INFINITY, ROUNDING
+from motionlang.lang.waits import ROUNDING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -55,16 +58,17 @@ if TYPE_CHECKING:
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Task, Wait
+    from motionlang.lang.task import Task
+    from motionlang.lang.waits import Wait
 
     class Outside(Protocol):
         """A world that acts by itself."""
 
         def start(self, machine: Machine) -> None:
-            """Handle the start of the program on `machine`."""
+            """Called when the program starts on `machine`."""
 
         def may_act(self) -> bool:
-            """True if a wait that nothing else can end may still be ended from outside."""
+            """True if the outside world may still end a wait that nothing else can end."""
 
         def advance(self, time: float) -> None:
             """Advance the machine's clock to `time`, or less if an outside event has arrived."""
@@ -73,9 +77,10 @@ if TYPE_CHECKING:
 # Virtual seconds that one task may run while another is runnable.
 QUANTUM = 1e-3
 # Slightly less, as a number of statements may fill it exactly.
-TURN = QUANTUM - ROUNDING
+FULL_SLICE = QUANTUM - ROUNDING
 # How often a wait may be checked at one time before time advances without it.
 STALLS = 4
+_PRIORITY_OF: Callable[[Task], int] = attrgetter("priority")
 
 
 class Stuck(Exception):
@@ -96,8 +101,6 @@ class Scheduler:
 
     # When another task continues, if that is known without checking each; in the past if not.
     next_slice = -INFINITY
-    # What runs the ticks of a timer while all tasks wait, if there is anything.
-    ticks: Any = None
 
     def __init__(
         self,
@@ -129,7 +132,7 @@ class Scheduler:
         self._waiting: list[Task] = []
         self.until = INFINITY
         # The index of the next task, and how often in a row time did not advance while all waited.
-        self._turn = 0
+        self._next_index = 0
         self._stalls = 0
         machine.log.locate_by(self._where)
         # The length of the time slices of a round, and how many of them remain.
@@ -199,11 +202,12 @@ class Scheduler:
             horizon = min(clock.next_time(), until)
             several = outside or len(self.tasks) > 1
             statements.alone, statements.free = by_itself and not several, NEVER
-            event, self.began = horizon, now
+            event, self.began, self._alone = horizon, now, not several
             if several:
                 if not self._end:
                     many = task.busy >= 2 * QUANTUM or self._left
-                    self._end = now + min(self._slice_length(horizon) - ROUNDING if many else TURN, task.turn)
+                    length = self._slice_length(horizon) - ROUNDING if many else FULL_SLICE
+                    self._end = now + min(length, task.max_slice)
                 horizon = min(horizon, self._end, self._next_due(task))
             time, task.wait = task.resume(now, horizon)
             self._leave(task, event, time, several)
@@ -215,6 +219,9 @@ class Scheduler:
 
     def slice_over(self, task: Task) -> None:
         """Handle the end of a task's time slice."""
+
+    def timer_set(self, events: Any) -> None:
+        """Handle a new period of a Mint program's timer."""
 
     def invalidate_waits(self) -> None:
         """Invalidate the known ends of waits: the running task changed a wait or a task."""
@@ -239,7 +246,7 @@ class Scheduler:
             clock.advance(time)
         return False
 
-    def passes_among_others(self, since: float, end: float, by_bell: bool) -> float:
+    def passes_among_others(self, since: float, end: float, by_arrival: bool) -> float:
         """Like `passes`, for a wait of one of several tasks.
 
         Returns the time up to which the task may then run, 0.0 if it must yield.
@@ -291,7 +298,9 @@ class Scheduler:
 
         A statement that coincides with the end of another task's wait comes after it, as in `_next_due`.
         """
-        return min(self.next_change(), self.until) if self._alone and self.outside is None else 0.0
+        if not self._alone or self.outside is not None:
+            return 0.0
+        return min(self.clock.next_time(), self._first_end() - 0.5 * ROUNDING, self.until)
 
     def is_watched(self) -> bool:
         """True if a task may wait for a variable or memory of the program."""
@@ -299,7 +308,11 @@ class Scheduler:
 
     def next_change(self) -> float:
         """Return the time of the next event or end of a wait if running tasks do nothing."""
-        first = self.clock.next_time()
+        return min(self.clock.next_time(), self._first_end())
+
+    def _first_end(self) -> float:
+        """Return when the first wait may end if the running tasks do nothing."""
+        first = INFINITY
         for task in self.interrupts[-1:] or self.tasks:
             wait = task.wait
             if wait is not None:
@@ -370,10 +383,10 @@ class Scheduler:
             return QUANTUM
         waits = [task.wait.due() for task in tasks if task.wait is not None]
         free = min(horizon, *waits) - self.clock.now if waits else horizon - self.clock.now
-        turns = int(min(free / len(running), busy, 1e6) / QUANTUM)
-        if turns < 2:
+        quanta = int(min(free / len(running), busy, 1e6) / QUANTUM)
+        if quanta < 2:
             return QUANTUM
-        self._length, self._left = turns * QUANTUM, len(running) - 1
+        self._length, self._left = quanta * QUANTUM, len(running) - 1
         return self._length
 
     def _next_due(self, task: Task) -> float:
@@ -400,6 +413,7 @@ class Scheduler:
             if due < first:
                 first = due
         self.current = task
+        self._alone = len(waiting) == (0 if self.interrupts else len(self.tasks) - 1)
         return (
             first - 0.5 * ROUNDING
         )  # if a statement coincides with it, rounding does not decide which comes first
@@ -422,10 +436,9 @@ class Scheduler:
         """Return the next task that can run: highest priority, round robin."""
         tasks = self.interrupts[-1:] if self.interrupts else self.tasks
         count, now = len(tasks), self.clock.now
-        start = self._turn % count
+        start = self._next_index % count
         highest: int | None = None
         found: Task | None = None
-        self._alone = False
         for k in range(start, start + count):
             task = tasks[k if k < count else k - count]
             if found is not None and task.priority <= found.priority:
@@ -439,10 +452,9 @@ class Scheduler:
                         continue
                 elif now < ends - ROUNDING:
                     continue
-            self._alone = found is None and k == start + count - 1
-            found, turn = task, (k + 1) % count
+            found, index_after = task, (k + 1) % count
             if highest is None:
-                highest = max([each.priority for each in tasks]) if count > 1 else task.priority
+                highest = max(map(_PRIORITY_OF, tasks)) if count > 1 else task.priority
             if task.priority == highest:
                 break
         if found is None:
@@ -451,7 +463,7 @@ class Scheduler:
         if wait is not None:
             self.waited(found.waited(wait, now))
             found.wait = None
-        self._turn = turn
+        self._next_index = index_after
         self.current = found
         return found
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from math import ceil
 
-INFINITY = float("inf")
+from motionlang.controller.clock import INFINITY
+
 # 10 ps: decimal, like durations and waits, and coarse enough that a day of them fits a float.
 UNITS = 1e11
 # Up to this many units, every number of units is a distinct float.

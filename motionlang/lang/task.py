@@ -8,134 +8,36 @@ from __future__ import annotations
 
 from sys import _getframe
 
+from motionlang.controller.clock import INFINITY
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterable, Sequence
+    from collections.abc import Callable, Generator, Sequence
     from types import CodeType, FrameType
     from typing import Any, Protocol
 
-    from motionlang.controller.clock import Clock
-    from motionlang.controller.controller import Controller
     from motionlang.lang.dependencies import Dependencies
-    from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.waits import Wait
 
     class Shared(Protocol):
         """The state shared by the tasks of a program."""
 
         dependencies: Dependencies
 
-        def state(self, alive: dict[int, object]) -> tuple[int, int, bytes]:
-            """Return two counters of actions that cannot be compared, and the variables."""
+        def acted(self) -> tuple[int, int]:
+            """Return two counters of the actions whose effects cannot be compared."""
+
+        def state(self, alive: dict[int, object]) -> bytes:
+            """Return the shared variables in a form that can be compared."""
 
 
-INFINITY = float("inf")
-# Times that differ by less than this are equal, so that rounding does not decide the order.
-ROUNDING = 1e-9
-# This close to a solved time, s, a reading is not relied upon: the solution and the reading are rounded.
-CLOSE = 1e-7
 # A task that lets more time than this, s, pass between two checks is monitoring or displaying something, and
 # is not in a futile poll.
 WATCH = 0.03
+# A loop of fewer statements leaves no record; it counts for the code around it.
+MIN_STATEMENTS = 100.0
 # The first letter of the names of functions in generated code that are a part of another one.
-PART = "q"
-
-
-class Wait:
-    """The wait of a task.
-
-    `since`   the time at which the task began to wait
-    `ready()` true if it may continue, checked after every event
-    `due()`   the earliest time at which `ready` may become true if nothing else happens (infinite if never)
-    `why`     a description, for the report of a wait that never ends
-    `cause`   the kind of thing that ends it, and `what` its numbers: one of `record.records.CAUSES`
-    `ends`    the time at which it certainly ends, if there is one: then the two functions are not called
-    `place`   the source position of its statement and those of the calls that led there, if it knows them
-    """
-
-    __slots__ = ("cause", "due", "ends", "ready", "since", "what", "why")
-
-    place: tuple[int, tuple[int, ...]] | None = None
-    # True if no variable or memory of the program can end it.
-    ignores_data = False
-
-    def __init__(
-        self,
-        since: float,
-        ready: Callable[[], bool],
-        due: Callable[[], float],
-        why: str,
-        cause: str = "condition",
-        what: tuple[int, ...] = (),
-    ) -> None:
-        self.since, self.ready, self.due, self.why = since, ready, due, why
-        self.cause, self.what = cause, what
-        self.ends: float | None = None
-
-    def expected(self) -> float:
-        """Return when it ends if only expected events happen; -1 if not known, or over."""
-        return -1.0
-
-
-class Delay(Wait):
-    """A wait for a time; its description is made on demand, as programs have millions."""
-
-    __slots__ = ("_clock", "place")
-
-    cause = "time"
-    what = ()
-    ends: float
-    ignores_data = True
-
-    def __init__(
-        self, clock: Clock, since: float, time: float, place: tuple[int, tuple[int, ...]] | None = None
-    ) -> None:
-        self.since, self._clock, self.ends, self.place = since, clock, time, place
-
-    @property
-    def length(self) -> float:
-        """Its total duration, s, to a nanosecond."""
-        return round(self.ends - self.since, 9)
-
-    def move(self, time: float) -> None:
-        """Move its end to another time, and its beginning by the same amount."""
-        self.since += time - self.ends
-        self.ends = time
-
-    def ready(self) -> bool:
-        return self._clock.now >= self.ends - ROUNDING
-
-    def due(self) -> float:
-        return self.ends
-
-    @property
-    def why(self) -> str:  # type: ignore[override]
-        return f"for {self.ends - self.since:g} s"
-
-
-def wait_until(machine: Controller | Machine, since: float, time: float) -> Wait:
-    """Return a wait for a time."""
-    return Delay(machine.clock, since, time)
-
-
-def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait:
-    """A wait until all of `axes` are idle, with nothing released in their buffers.
-
-    A follower is idle when its master is.
-    """
-    waited = tuple(axes)
-    return Wait(
-        since,
-        lambda: all(controller.is_at_standstill(axis) for axis in waited),
-        lambda: max((controller.standstill_time(axis) for axis in waited), default=since),
-        until_idle(waited),
-        "axis",
-        waited,
-    )
-
-
-def until_idle(axes: tuple[int, ...]) -> str:
-    """Describe a wait until axes are idle."""
-    return f"for axis {', '.join(map(str, axes))} to be idle"
+CHUNK = "q"
 
 
 class Task:
@@ -153,11 +55,11 @@ class Task:
         "busy",
         "done",
         "in_vain",
-        "look",
-        "looks_at",
+        "last_poll",
+        "max_slice",
         "name",
+        "poll_check",
         "priority",
-        "turn",
         "wait",
     )
 
@@ -165,11 +67,11 @@ class Task:
         self.name = name
         # For how long, of its own running time, no other task can observe it: it computes with its own data.
         self.busy = 0.0
-        self.look: tuple[int, bool] | None = None
+        self.poll_check: tuple[int, bool] | None = None
         self.in_vain: float | None = None
-        self.looks_at = ""
-        self.priority = 0  # among tasks that can run, the one with the highest priority runs
-        self.turn = INFINITY  # the longest that it may run, s, while others can
+        self.last_poll = ""
+        self.priority = 0  # of the tasks that can run, one of the highest priority runs
+        self.max_slice = INFINITY  # the longest that it may run, s, while others can
         self.done = False
         self.wait: Wait | None = None
 
@@ -197,8 +99,8 @@ class Task:
         return (self.at,)
 
     @property
-    def standing(self) -> tuple[int, tuple[int, ...]]:
-        """Its source position, and those of the calls that led there."""
+    def stack_offsets(self) -> tuple[int, tuple[int, ...]]:
+        """The source position of the task, and those of the calls that led there."""
         *callers, at = self.stack
         return at, tuple(callers)
 
@@ -212,7 +114,7 @@ class Task:
 
     def waited(self, wait: Wait, until: float) -> tuple[object, ...]:
         """Return the record of a completed wait, in the form of `record.records.Waited`."""
-        at, callers = wait.place or self.standing
+        at, callers = wait.location or self.stack_offsets
         why = "" if wait.cause == "time" else wait.why
         return self.name, at, wait.since, until, wait.cause, wait.what, why, callers
 
@@ -246,18 +148,18 @@ class GeneratorTask(Task):
     `n`.
     """
 
-    __slots__ = ("_calls", "_file", "_generator", "_make", "_places")
+    __slots__ = ("_calls", "_file", "_generator", "_make", "_offsets")
 
     # The code of `resume`, below which there is no further code of a program.
     resumes: CodeType
 
     def __init__(
-        self, name: str, make: Callable[[float, float], Steps], file: str, places: Sequence[int]
+        self, name: str, make: Callable[[float, float], Steps], file: str, offsets: Sequence[int]
     ) -> None:
         super().__init__(name)
         self._make = make
         self._file = file
-        self._places = places
+        self._offsets = offsets
         self._generator: Steps | None = None
         # The source positions of calls, by the identity of their code and the offset in it.
         self._calls: dict[tuple[int, int], tuple[CodeType, int]] = {}
@@ -270,7 +172,7 @@ class GeneratorTask(Task):
             caller: FrameType | None = _getframe(1)
             while caller is not None and caller.f_code.co_filename != self._file:
                 caller = caller.f_back
-            return self._places[caller.f_lineno] if caller is not None else 0
+            return self._offsets[caller.f_lineno] if caller is not None else 0
         return self.stack[-1]
 
     @property
@@ -278,16 +180,16 @@ class GeneratorTask(Task):
         """The source positions of its subs, innermost last; invalid while it is running."""
         generator: Any = self._generator
         if generator is not None and generator.gi_yieldfrom is None and generator.gi_frame is not None:
-            return (self._places[generator.gi_frame.f_lineno],)
-        places: list[int] = []
+            return (self._offsets[generator.gi_frame.f_lineno],)
+        offsets: list[int] = []
         inner = generator
         while (frame := getattr(inner, "gi_frame", None)) is not None:
             if frame.f_code.co_filename == self._file:
-                if frame.f_code.co_name[0] == PART:
-                    places.pop()  # its caller is the same function
-                places.append(self._places[frame.f_lineno])
+                if frame.f_code.co_name[0] == CHUNK:
+                    offsets.pop()  # its caller is the same function
+                offsets.append(self._offsets[frame.f_lineno])
             inner = getattr(inner, "gi_yieldfrom", None)
-        return tuple(places) or (self._places[0],)
+        return tuple(offsets) or (self._offsets[0],)
 
     def callers(self, above: int = 2) -> tuple[int, ...]:
         """Return the stack without the innermost position, for a running task.
@@ -297,28 +199,28 @@ class GeneratorTask(Task):
         if _getframe(above + 1).f_code is self.resumes:
             return ()
         frame: FrameType | None = _getframe(above)
-        # A recursion may be a thousand calls deep: only a call that is new costs one of `_place`.
+        # A recursion may be a thousand calls deep: only a call that is new costs one of `_offset_of`.
         calls, file, found = self._calls, self._file, []
         while frame is not None:
             caller = frame.f_back
             if caller is None or (code := caller.f_code).co_filename != file:
                 break
-            if frame.f_code.co_name[0] != PART:
+            if frame.f_code.co_name[0] != CHUNK:
                 known = calls.get((id(code), caller.f_lasti))
-                found.append(known[1] if known is not None else self._place(caller))
+                found.append(known[1] if known is not None else self._offset_of(caller))
             frame = caller
         return tuple(found[::-1])
 
-    def _place(self, frame: FrameType) -> int:
+    def _offset_of(self, frame: FrameType) -> int:
         """Return the source position of a call, cached.
 
-        To find its line Python counts from the start of its code, which takes as long as a wait.
+        Python finds the line of a call by counting from the start of its code, which takes as long as a wait.
         """
         code = frame.f_code
         known = self._calls.get((id(code), frame.f_lasti))
         if known is None:
             # The code is stored too, so that its identity is not reused.
-            known = self._calls[id(code), frame.f_lasti] = code, self._places[frame.f_lineno]
+            known = self._calls[id(code), frame.f_lasti] = code, self._offsets[frame.f_lineno]
         return known[1]
 
     @property
@@ -332,7 +234,7 @@ class GeneratorTask(Task):
             if traceback.tb_frame.f_code.co_filename == self._file:
                 line = traceback.tb_lineno
             traceback = traceback.tb_next
-        return self._places[line] if line else self.at
+        return self._offsets[line] if line else self.at
 
     def time_at_error(self, error: BaseException) -> float:
         """Return the program's time, s, when `error` was raised; 0 if it is unknown."""

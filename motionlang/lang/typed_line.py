@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 BACKSPACE, TAB, LF, CR, BLANK, DELETE = 8, 9, 10, 13, 32, 127
+# Characters that are only added to a line.
+PRINTABLE = bytes(range(BLANK, DELETE))
 
 
 class TypedLine:
@@ -32,6 +34,21 @@ class TypedLine:
         else:
             self._dropped += 1
         return chr(code)
+
+    def enter(self, line: bytes) -> bool:
+        """Take printable characters and a final CR, all at once.
+
+        Returns False, without effect, if there are other characters or the line would be too long.
+        """
+        typed = len(line) - 1
+        if len(self._typed) + typed > self._limit or not line.endswith(b"\r"):
+            return False
+        if line.translate(None, PRINTABLE) != b"\r":
+            return False
+        self._typed += line
+        del self._typed[-1]
+        self.after_cr = True
+        return True
 
     def take(self) -> tuple[str, int]:
         """Begin a new line; return the last one and the number of its dropped characters."""

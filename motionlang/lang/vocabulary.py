@@ -6,30 +6,34 @@ file is imported at the first use of one of its keywords; a complete listing imp
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Keyword, Table
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Iterator, Mapping
     from typing import Any
 
+    from motionlang.lang.keyword import Keyword
 
-class Vocabulary(Table):
+
+class Vocabulary:
     """All keywords of a language, by name or short form, ignoring case.
 
     Rows are imported on lookup. `index` has the keywords of each file of `package`.
     """
 
-    __slots__ = ("_file_of", "_index", "_package", "_whole")
-
     def __init__(self, package: str, index: Mapping[str, str]) -> None:
         self._package, self._index = package, index
         self._file_of = {word: file for file, words in index.items() for word in words.split()}
-        self._by_name = {}
+        self._by_name: dict[str, Keyword] = {}
         self._whole: tuple[Keyword, ...] | None = None
 
+    def __iter__(self) -> Iterator[Keyword]:
+        return iter(self.rows)
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
     @property
-    def rows(self) -> tuple[Keyword, ...]:  # type: ignore[override]
+    def rows(self) -> tuple[Keyword, ...]:
         """All rows, file by file."""
         if self._whole is None:
             self._whole = tuple(row for file in self._index for row in self._module(file).ROWS)
@@ -45,6 +49,14 @@ class Vocabulary(Table):
             self._enter((*module.ROWS, *getattr(module, "HIDDEN", ())))
             row = self._by_name[key]
         return row
+
+    def doing(self, verb: str) -> str:
+        """Return the name of the first keyword with a verb."""
+        return next(row.name for row in self.rows if row.verb == verb)
+
+    def names(self) -> list[str]:
+        """Return all names, in the order of the rows."""
+        return [row.name for row in self.rows]
 
     def file(self, word: str) -> Any:
         """Return the module that defines a keyword, imported on first use."""

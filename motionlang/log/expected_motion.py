@@ -11,6 +11,7 @@ from copy import copy
 from operator import itemgetter
 from typing import TYPE_CHECKING
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.motion.follow import Gear
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.motion.jog import Jog
@@ -19,7 +20,7 @@ from motionlang.controller.motion.reference import PositionReference, SpeedRefer
 from motionlang.controller.moves.cam import CurveFollow
 from motionlang.controller.moves.geometry import Line
 from motionlang.controller.moves.path import PathMove
-from motionlang.log.order import ENDLESS, INFINITY, Order, PathOrder, Tie
+from motionlang.log.order import ENDLESS, Order, PathOrder, Tie
 from motionlang.log.track import WholeTrack
 
 if TYPE_CHECKING:
@@ -82,7 +83,7 @@ class ExpectedMotion:
         # not act.
         self._plans: dict[PathMove, Order] = {}
         # The paths in progress by their master, with their last orders.
-        self._under_way: dict[int, dict[PathMove, Order]] = {}
+        self._in_progress: dict[int, dict[PathMove, Order]] = {}
         self._counts: dict[tuple[int, float], int] = {}
         # When the log entry of a path began, and its number in the log: a long one continues as another
         # entry.
@@ -90,13 +91,13 @@ class ExpectedMotion:
         # The rest of a stepper's move at a new zero is not planned again: the bounds at its start still
         # apply.
         self._steps: dict[Move, Order] = {}
-        # The settings that last asked something of each axis, and the number of its profiles then.
-        self._asked: dict[int, tuple[int, tuple[object, ...]]] = {}
+        # The settings that `heed` last recorded for each axis, and the number of its profiles then.
+        self._last_settings: dict[int, tuple[int, tuple[object, ...]]] = {}
         # The last stop commanded for each axis: it continues as planned, whatever settings follow.
         self._halts: dict[int, tuple[Stopping, Order]] = {}
         self._known = {REST: REST}  # those that further profiles may refer to
         self._controller = controller
-        controller.orders = self
+        controller.expected_motion = self
 
     def add(self, a: Axis) -> None:
         """Record the order of the newest profile of an axis's track."""
@@ -144,8 +145,8 @@ class ExpectedMotion:
             self.of[a.index].append(order)
             self.data[a.index].append(a.datum)
             return
-        self.is_full, self._controller.orders = True, None
-        for kept in (
+        self.is_full, self._controller.expected_motion = True, None
+        for each in (
             self.of,
             self.data,
             self.standstills,
@@ -156,9 +157,9 @@ class ExpectedMotion:
             self._entries,
             self._steps,
             self._halts,
-            self._asked,
+            self._last_settings,
         ):
-            kept.clear()
+            each.clear()
         for more in (
             self.unheeded,
             self.offsets,
@@ -200,12 +201,14 @@ class ExpectedMotion:
             self._angles.setdefault(each, _angle_through(each))
         order = order._replace(path=order.path._replace(angle_into=self._angles.get(action, 0.0)))
         if a is action.axes[0] and order.path is not None:
-            running = self._under_way.setdefault(a.index, {})
-            tails = self._tails(running, action, order.path.rests)
+            running = self._in_progress.setdefault(a.index, {})
+            tails = self._tails(running, action, order.path.comes_to_rest)
             order = running[action] = order._replace(path=order.path._replace(tails=tails))
         return order
 
-    def _tails(self, running: dict[PathMove, Order], action: PathMove, rests: bool) -> tuple[Order, ...]:
+    def _tails(
+        self, running: dict[PathMove, Order], action: PathMove, comes_to_rest: bool
+    ) -> tuple[Order, ...]:
         """Return the orders of the blended paths still in motion, except the newest.
 
         Settings that come too late for a path apply to it only from its next plan on.
@@ -220,11 +223,11 @@ class ExpectedMotion:
                 continue
             order = _path(each, move, self._nth[each], self._entry(move))
             assert order.path is not None
-            path = order.path._replace(rests=order.path.rests or rests)
+            path = order.path._replace(comes_to_rest=order.path.comes_to_rest or comes_to_rest)
             order = order._replace(path=path)
             assert before.path is not None
             # A stop that comes too late for it is checked with the present rates.
-            stops = path.rests and not before.path.rests
+            stops = path.comes_to_rest and not before.path.comes_to_rest
             running[each] = order if stops or self._is_planned_now(each) else _gentler(order, before)
             found.append(running[each])
         return tuple(found)
@@ -297,7 +300,7 @@ class ExpectedMotion:
                 if start < begun:
                     break
                 if order.path is not None and (order.path.begun, order.path.nth) == (begun, nth):
-                    path = order.path._replace(**_places(action))
+                    path = order.path._replace(**_geometry_fields(action))
                     records[-back] = order._replace(path=path)
 
     def scale(self, axis: int, time: float) -> set[tuple[float, float]]:
@@ -343,12 +346,12 @@ class ExpectedMotion:
             return
         if move.speed is not None:  # a move that was loaded with its speed keeps its rates, too
             wanted = wanted._replace(rates=self.of[a.index][-1].rates)
-        asked = len(self.of[a.index]), wanted.asks
-        if self._asked.get(a.index) == asked:
+        settings = len(self.of[a.index]), wanted.settings
+        if self._last_settings.get(a.index) == settings:
             return
-        self._asked[a.index] = asked
+        self._last_settings[a.index] = settings
         key = a.index, self._controller.clock.now
-        if wanted.asks == self.of[a.index][-1].asks:
+        if wanted.settings == self.of[a.index][-1].settings:
             self.unheeded.pop(key, None)
         else:
             self.unheeded[key] = wanted
@@ -472,7 +475,7 @@ def _order(a: Axis) -> Order:
         slopes = up.key(), down.key()
         return Order("reference", move.line, abs(goal), (up.rate, down.rate), goal=goal, slopes=slopes)
     if isinstance(action, PositionReference) and not a.suspended:
-        return Order("reference", move.line, goal=action.place)
+        return Order("reference", move.line, goal=action.position)
     if action is not None and not isinstance(action, (Stopping, Jog)):
         return Order(type(action).__name__, move.line)
     speed, rates, jerks = _bounds(a, move)
@@ -553,7 +556,7 @@ def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | Non
     if policy is None and run is not None and run.ended and run.hard:
         rates = rates[0], master.error_decel
         most_decel = (INFINITY,) * len(axes) if run.ended == "fault" else most_decel
-    rests = any(each.suspended for each in axes) or (run is not None and run.ended != "")
+    comes_to_rest = any(each.suspended for each in axes) or (run is not None and run.ended != "")
     geometry = action.geometry
     straight = isinstance(geometry, Line)
     path = PathOrder(
@@ -562,7 +565,7 @@ def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | Non
         move.start_time,
         nth,
         action.relative,
-        **_places(action),
+        **_geometry_fields(action),
         angle=0.0 if straight else geometry.angle,  # type: ignore[union-attr]
         plane=(0, 1) if straight else geometry.plane,  # type: ignore[union-attr]
         length=geometry.length,
@@ -571,16 +574,16 @@ def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | Non
         most_decel=most_decel,
         angle_into=0.0,
         blend=master.blend_distance if master.blend_mode else 0.0,
-        rests=rests,
-        ahead=_ahead(action) if rests else (),
+        comes_to_rest=comes_to_rest,
+        ahead=_ahead(action) if comes_to_rest else (),
         entry=entry,
     )
     bounds = speed / k, (rates[0] / k, rates[1] / k), (jerks[0] / k, jerks[1] / k)
     return Order("path", move.line, *bounds, shape, path=path, ramp=ramp)
 
 
-def _places(action: PathMove) -> dict[str, Any]:
-    """Return the fields of a `PathOrder` that count from the zeros of the axes.
+def _geometry_fields(action: PathMove) -> dict[str, Any]:
+    """Return the fields of a `PathOrder` that depend on the zeros of the axes.
 
     A relative path has none.
     """

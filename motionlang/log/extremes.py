@@ -74,12 +74,12 @@ def extremes(a: Axis, until: float) -> Extremes:
     for begin, length, profile in _track(a, until):
         if found is None:
             found = Extremes(a.scale.position_to_user(profile.start))
-        for places in _stretches(profile, length):
-            first, last = places[0][1], places[-1][1]
+        for points in _stretches(profile, length):
+            first, last = points[0][1], points[-1][1]
             if before is not None:
-                _jump(found, begin + places[0][0], before, first)
+                _jump(found, begin + points[0][0], before, first)
             before = last
-            for time, state in places:
+            for time, state in points:
                 found.take(begin + time, _in_units(a, state))
     return found or Extremes(a.scale.position_to_user(a.position(until)))
 
@@ -122,10 +122,10 @@ def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, St
             break
         if profile.pieced:
             piece = profile.pieces[k]
-            turns: set[float] = set()
+            extrema: set[float] = set()
             for where in (still_points, even_points, crest_points, _flat_points):
-                turns.update(where(piece, span))
-            yield [(begin + x, state_in(piece, x)) for x in (0.0, *sorted(turns), span)]
+                extrema.update(where(piece, span))
+            yield [(begin + x, state_in(piece, x)) for x in (0.0, *sorted(extrema), span)]
         else:
             yield _searched(profile, begin, begin + span)
     if within < length:
@@ -146,23 +146,23 @@ def _flat_points(piece: Piece, span: float) -> tuple[float, ...]:
 
 
 # Points between two knots of a formula that are sampled; the best are refined.
-_LOOKS = 48
+_SAMPLES = 48
 
 
 def _searched(profile: Profile, begin: float, end: float) -> list[tuple[float, State]]:
     """Return the extrema of a formula, found by search."""
     end_inside = end - (end - begin) * 1e-12
-    times = [begin + (end_inside - begin) * n / _LOOKS for n in range(_LOOKS + 1)]
-    looks: tuple[Callable[[float], float], ...] = (
+    times = [begin + (end_inside - begin) * n / _SAMPLES for n in range(_SAMPLES + 1)]
+    measures: tuple[Callable[[float], float], ...] = (
         lambda t: profile.at(t).position,
         lambda t: -profile.at(t).position,
         lambda t: abs(profile.at(t).velocity),
         lambda t: abs(profile.at(t).acceleration),
         lambda t: abs(profile.at(t).jerk),
     )
-    for value in looks:
-        best = max(range(_LOOKS + 1), key=lambda n: value(times[n]))
-        times.append(summit(value, times[max(best - 1, 0)], times[min(best + 1, _LOOKS)]))
+    for value in measures:
+        best = max(range(_SAMPLES + 1), key=lambda n: value(times[n]))
+        times.append(summit(value, times[max(best - 1, 0)], times[min(best + 1, _SAMPLES)]))
     return [(time, profile.at(time)) for time in sorted(times)]
 
 
@@ -207,16 +207,16 @@ def motor_peak(a: Axis, until: float, column: str, *, rms: bool = False) -> Extr
     """
     if a.feedback is None:
         return None
-    from motionlang.log.history import parts
+    from motionlang.log.history import chunks
 
     largest, when, squares, count = 0.0, 0.0, 0.0, 0
-    for first, part in parts(a, until):
-        values = abs(getattr(part, column))
+    for first, chunk in chunks(a, until):
+        values = abs(getattr(chunk, column))
         if not len(values):
             continue
-        place = int(values.argmax())
-        if values[place] > largest:
-            largest, when = float(values[place]), first + place * part.loop.period
+        index = int(values.argmax())
+        if values[index] > largest:
+            largest, when = float(values[index]), first + index * chunk.loop.period
         squares, count = squares + float(values @ values), count + len(values)
     size = abs(a.scale.counts or 1.0) if column == "error" else 1.0
     if rms:

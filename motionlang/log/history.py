@@ -80,15 +80,18 @@ class MoveFigures:
             return None
         return max(self._outside + self._period - self.end, 0.0)
 
-    def take(self, first: float, part: ServoTrace, window: float) -> None:
+    def take(self, first: float, chunk: ServoTrace, window: float) -> None:
         """Add the samples of a block that belong to this move."""
-        rate, self._period = part.loop.servo_rate, part.loop.period
-        error, begin = part.error, self._place(first, self.begin, rate)
-        end, until = self._place(first, self.end, rate) + 1, self._place(first, self.until, rate)
+        rate, self._period = chunk.loop.servo_rate, chunk.loop.period
+        error, begin = chunk.error, self._sample_index(first, self.begin, rate)
+        end, until = (
+            self._sample_index(first, self.end, rate) + 1,
+            self._sample_index(first, self.until, rate),
+        )
         moving, resting = slice(max(begin, 0), end), slice(end, max(until, 0))
         self.peak_error = max(self.peak_error, float(np.abs(error[moving]).max(initial=0.0)))
-        self.peak_output = max(self.peak_output, float(np.abs(part.output[moving]).max(initial=0.0)))
-        torque = part.torque[moving]
+        self.peak_output = max(self.peak_output, float(np.abs(chunk.output[moving]).max(initial=0.0)))
+        torque = chunk.torque[moving]
         self._squares, self._count = self._squares + float(torque @ torque), self._count + len(torque)
         rest = error[resting]
         if len(rest):
@@ -98,8 +101,8 @@ class MoveFigures:
                 self._outside = first + (end + int(outside[-1])) / rate
 
     @staticmethod
-    def _place(first: float, time: float, rate: float) -> int:
-        """The index in the block of the last sample up to a time; -1 if it is later."""
+    def _sample_index(first: float, time: float, rate: float) -> int:
+        """Return the index in the block of the last sample up to a time; -1 if before it."""
         return max(int(np.floor((time - first) * rate + 1e-6)), -1) if time < inf else 1 << 62
 
 
@@ -108,10 +111,10 @@ def motors(controller: Controller) -> dict[int, Feedback]:
     return {number: a.feedback for number, a in controller.axes.items() if a.feedback is not None}
 
 
-def parts(a: Axis, until: float) -> Iterator[tuple[float, ServoTrace]]:
-    """Yield the motor data of an axis to the time `until`, block by block.
+def chunks(a: Axis, until: float) -> Iterator[tuple[float, ServoTrace]]:
+    """Yield the motor data of an axis up to the time `until`, block by block.
 
-    Each has the time of its first sample.
+    Each block comes with the time of its first sample.
     """
     feedback = a.feedback
     if feedback is None or feedback.first_loop is None:
@@ -155,14 +158,14 @@ class Figures:
 
     def __init__(self, moves: int) -> None:
         # The index of the figures of each move, counted from 1, and the figures in order.
-        self._place = array("i", bytes(4 * moves))
+        self._indices = array("i", bytes(4 * moves))
         self._values = array("d")
 
     def __len__(self) -> int:
         return len(self._values) // 4
 
     def __contains__(self, number: object) -> bool:
-        return isinstance(number, int) and number < len(self._place) and self._place[number] > 0
+        return isinstance(number, int) and number < len(self._indices) and self._indices[number] > 0
 
     def put(self, number: int, move: MoveFigures) -> None:
         """Store the figures of a move."""
@@ -170,13 +173,13 @@ class Figures:
         self._values.extend(
             (move.peak_error, move.peak_output, move.rms_torque, nan if settle is None else settle)
         )
-        self._place[number] = len(self)
+        self._indices[number] = len(self)
 
     def get(self, number: int) -> MotorFigures | None:
         """Return the motor figures of a move; None if its axis has no motor."""
         if number not in self:
             return None
-        first = 4 * self._place[number] - 4
+        first = 4 * self._indices[number] - 4
         peak_error, peak_output, rms_torque, settle = self._values[first : first + 4]
         return MotorFigures(peak_error, peak_output, rms_torque, None if isnan(settle) else settle)
 
@@ -190,7 +193,7 @@ def figures(controller: Controller) -> Figures:
             done[move.axis].add(number, move.start_time, move.profile.duration)
     made = Figures(len(controller.log.moves))
     for axis, feedback in found.items():
-        run = parts(controller.axes[axis], controller.clock.now)
+        run = chunks(controller.axes[axis], controller.clock.now)
         done[axis].collect(run, window_of(feedback), controller.clock.now, made)
     return made
 
@@ -212,13 +215,13 @@ class _Done:
         """Pass every block to the moves that it overlaps; both are in order of time."""
         open_ones: deque[tuple[int, MoveFigures]] = deque()
         following = 0
-        for first, part in run:
-            end = first + len(part) * part.loop.period
+        for first, chunk in run:
+            end = first + len(chunk) * chunk.loop.period
             while following < len(self._begins) and self._begins[following] <= end:
                 open_ones.append((self._numbers[following], self._figures(following, now)))
                 following += 1
             for _, move in open_ones:
-                move.take(first, part, window)
+                move.take(first, chunk, window)
             while open_ones and open_ones[0][1].until <= end:
                 made.put(*open_ones.popleft())
         for number, move in open_ones:
@@ -242,8 +245,8 @@ class Reader:
         self._restart()
 
     def _restart(self) -> None:
-        self._parts = parts(self._axis, self._until)
-        self._held: list[tuple[float, ServoTrace]] = []
+        self._chunks = chunks(self._axis, self._until)
+        self._loaded: list[tuple[float, ServoTrace]] = []
         self._dropped = False
 
     def fill(self, quantity: str, times: Array, out: Array) -> None:
@@ -252,31 +255,33 @@ class Reader:
         Units are counts, volts or N m.
         """
         self._hold(float(times[0]), float(times[-1]))
-        if not self._held:
+        if not self._loaded:
             out[:] = self._axis.position(self._until) if quantity == "actual" else 0.0
             return
-        rate = self._held[0][1].loop.servo_rate
-        numbers = np.concatenate([round(first * rate) + np.arange(len(part)) for first, part in self._held])
-        values = np.concatenate([chunk_column(part, quantity) for _, part in self._held])
+        rate = self._loaded[0][1].loop.servo_rate
+        numbers = np.concatenate(
+            [round(first * rate) + np.arange(len(chunk)) for first, chunk in self._loaded]
+        )
+        values = np.concatenate([chunk_column(chunk, quantity) for _, chunk in self._loaded])
         wanted = np.floor(times * rate + 1e-6)
         out[:] = values[np.maximum(np.searchsorted(numbers, wanted, "right") - 1, 0)]
 
     def _hold(self, begin: float, end: float) -> None:
         """Load the blocks from `begin` to `end`."""
-        if self._dropped and self._held and begin < self._held[0][0]:
+        if self._dropped and self._loaded and begin < self._loaded[0][0]:
             self._restart()
-        while not self._held or self._end() <= end:
-            following = next(self._parts, None)
+        while not self._loaded or self._end() <= end:
+            following = next(self._chunks, None)
             if following is None:
                 break
-            self._held.append(following)
-        while len(self._held) > 1 and self._held[1][0] <= begin:
-            self._held.pop(0)
+            self._loaded.append(following)
+        while len(self._loaded) > 1 and self._loaded[1][0] <= begin:
+            self._loaded.pop(0)
             self._dropped = True
 
     def _end(self) -> float:
-        first, part = self._held[-1]
-        return first + len(part) * part.loop.period
+        first, chunk = self._loaded[-1]
+        return first + len(chunk) * chunk.loop.period
 
 
 def recall(a: Axis, until: float, quantity: str, times: Sequence[float]) -> list[float]:
@@ -289,9 +294,9 @@ def recall(a: Axis, until: float, quantity: str, times: Sequence[float]) -> list
     return values
 
 
-def chunk_column(part: ServoTrace, quantity: str) -> Array:
+def chunk_column(chunk: ServoTrace, quantity: str) -> Array:
     """Return the column of a quantity in a block."""
-    column: Array = getattr(part, COLUMNS[quantity])
+    column: Array = getattr(chunk, COLUMNS[quantity])
     return column
 
 

@@ -33,6 +33,10 @@ def _most(axes: Collection[Axis]) -> int:
     return MAX_PROFILES if all(a.feedback is None for a in axes) else MAX_FOLLOWED
 
 
+def _nothing() -> None:
+    """Do nothing, because all samples are already in the log."""
+
+
 def nowhere() -> int:
     """Return the source offset of events without a program."""
     return -1
@@ -65,7 +69,9 @@ class Log:
         self.store = store = Store(disk=disk)
         self.inputs: Stream[Changed] = Stream(store, "Changed")
         self.outputs: Stream[Changed] = Stream(store, "Changed")
-        self.analogue_inputs: Stream[Changed] = Stream(store, "Changed")
+        self._analogue_inputs: Stream[Changed] = Stream(store, "Changed")
+        # Logs the samples of analogue inputs up to now.
+        self.settle: Callable[[], None] = _nothing
         self.analogue_outputs: Stream[Changed] = Stream(store, "Changed")
         self.settings: Stream[Setting] = Stream(store, "Setting")
         self.waits: Stream[Waited] = Stream(store, "Waited")
@@ -80,19 +86,25 @@ class Log:
         self.others: list[Stream[Any]] = []
         # How many profiles may be made before some are packed.
         self.room = FIRST_CHECK
-        self._looked = False
+        self._is_checked = False
         # Called with a move, the number of those before it and the time from the first of them to it.
         self.hurried: Callable[[Move, int, float], object] | None = None
 
     if not TYPE_CHECKING:  # mypy would take every name for a stream of moves
 
         def __getattr__(self, name: str) -> Moves:
-            """Create a stream of moves when it is first read."""
+            """Create the stream of moves when it is first read."""
             if name not in ("moves", "dropped"):
                 raise AttributeError(f"a log has no {name}")
             made = record.moves.Moves(self.store)
             setattr(self, name, made)
             return made
+
+    @property
+    def analogue_inputs(self) -> Stream[Changed]:
+        """The changes of analogue inputs so far."""
+        self.settle()
+        return self._analogue_inputs
 
     def locate_by(self, where: Callable[[], int]) -> None:
         """Set the function that returns the source offset of an event."""
@@ -120,19 +132,19 @@ class Log:
     def make_room(self, axes: Collection[Axis]) -> None:
         """Pack profiles; the first call only checks how quickly moves follow each other."""
         self._check_hurry()
-        if not self._looked:
-            self._looked, self.room = True, _most(axes) - FIRST_CHECK
+        if not self._is_checked:
+            self._is_checked, self.room = True, _most(axes) - FIRST_CHECK
             return
         self.pack(axes)
 
     def pack(self, axes: Collection[Axis]) -> None:
         """Pack the profiles of axes except the newest, after packing their moves."""
         self.moves.pack(max(len(self.moves) - self.moves.packed - LEFT_PROFILES, 0))
-        kept = 0
+        retained = 0
         for a in axes:
             self._pack_profiles(a, len(a.starts) - LEFT_PROFILES)
-            kept += len(a.starts)
-        self.room = max(_most(axes) - kept, LEFT_PROFILES)
+            retained += len(a.starts)
+        self.room = max(_most(axes) - retained, LEFT_PROFILES)
 
     def _pack_profiles(self, a: Axis, count: int) -> None:
         """Pack the `count` oldest profiles of an axis."""
@@ -151,13 +163,13 @@ class Log:
         if span < HURRY * len(last) and len({move.line for move in last}) <= FEW_LINES:
             self.hurried(last[-1], len(last), span)
 
-    def forget(self, kept: int, axes: Iterable[Axis]) -> None:
+    def forget(self, retained: int, axes: Iterable[Axis]) -> None:
         """Drop all but about `retained` records per kind, and ten times as many profiles."""
         for stream in self.streams():
-            stream.forget(kept)
+            stream.forget(retained)
         for a in axes:
-            if len(a.starts) > 20 * kept:
-                self._pack_profiles(a, len(a.starts) - 10 * kept)
+            if len(a.starts) > 20 * retained:
+                self._pack_profiles(a, len(a.starts) - 10 * retained)
             if a.older is not None and self.moves:
                 a.older.forget_before(self.moves[self.moves.first].start_time)
 
@@ -172,6 +184,6 @@ class Log:
 
     def streams(self) -> tuple[Stream[Any], ...]:
         """Return all streams except the profiles."""
-        return (self.moves, self.dropped, self.inputs, self.outputs, self.analogue_inputs,
+        return (self.moves, self.dropped, self.inputs, self.outputs, self._analogue_inputs,
                 self.analogue_outputs, self.settings, self.waits, self.loops, self.slices, self.prints, self.events,
                 *self.others)  # fmt: skip

@@ -22,7 +22,7 @@ _OTHER = Action()
 _ENDS = 2
 # The first fields of a row: the arguments that make a move, and figures of it.
 _made = attrgetter("axis", "command", "line", "target")
-_figures = attrgetter("asked", "start_time", "scale", "ended")
+_figures = attrgetter("commanded_speed", "start_time", "scale", "ended")
 
 
 class _Overlaid(Move):
@@ -32,7 +32,7 @@ class _Overlaid(Move):
 
 def row(move: Move, a: Axis | None) -> tuple[object, ...]:
     """Return a move as a row; a complete profile of the track is stored as its index."""
-    profile: object = None if a is None else _place(a, move)
+    profile: object = None if a is None else _profile_index(a, move)
     if profile is None and move.profile is not None:
         profile = packed(move.profile)
     return _row(move, profile)
@@ -48,7 +48,7 @@ def move_of(row: tuple[Any, ...], axes: Mapping[int, Axis]) -> Move:
     """Return the move that was packed as a row, on one of the axes."""
     zero, offset, other, overlaid, profile = row[8:]
     move = (_Overlaid if overlaid else Move)(*row[:4])
-    move.asked, move.start_time, move.scale, move.ended = row[4:8]
+    move.commanded_speed, move.start_time, move.scale, move.ended = row[4:8]
     move.zero, move.offset = zero or 0.0, offset or 0.0
     move.action = _OTHER if other else None
     if profile is not None:
@@ -63,8 +63,8 @@ def sealed(move: Move, done: Profile) -> Move:
     return made
 
 
-def _place(a: Axis, move: Move) -> int | None:
-    """Return the index of the track's profile that is the complete move, or None."""
+def _profile_index(a: Axis, move: Move) -> int | None:
+    """Return the index of the track's profile that is the whole move, or None."""
     k = bisect_right(a.starts, move.start_time) - 1
     while k >= 0 and a.starts[k] == move.start_time:
         if _is_of(a.profiles[k], move.profile):

@@ -46,9 +46,9 @@ class Moves(Stream[Move]):
 
     def show(self, row: Row, move: Move) -> None:
         """Replace the row of a fast-path move by the `Move` that a caller has read."""
-        place = self._place(row)
-        if place >= 0:
-            self.tail[place] = move
+        index = self._tail_index(row)
+        if index >= 0:
+            self.tail[index] = move
 
     def has(self, row: Row) -> bool:
         """True if a fast-path move that begins now is in the log."""
@@ -60,8 +60,8 @@ class Moves(Stream[Move]):
         super().pack(count)
 
     def __iter__(self) -> Iterator[Move]:
-        for number in range(len(self._parts)):
-            yield from self._parts.part(number)
+        for number in range(len(self._chunks)):
+            yield from self._chunks.chunk(number)
         self._live()
         rows: list[Any] = self.tail[:]
         for each in rows:  # one at a time, as a reader of many uses each once
@@ -69,9 +69,9 @@ class Moves(Stream[Move]):
 
     def number(self, move: Move) -> int:
         """Return the log number of a move in progress."""
-        place = self._place(move)
-        if place >= 0:
-            return self.packed + place
+        index = self._tail_index(move)
+        if index >= 0:
+            return self.packed + index
         return next(number for number, each in self._left_out.items() if each is move)
 
     def as_stored(self) -> Iterator[Move | Row]:
@@ -81,17 +81,17 @@ class Moves(Stream[Move]):
 
     def moved(self) -> set[int]:
         """Return the axes that have moved."""
-        parts = (self._parts.part(number) for number in range(len(self._parts)))
-        found = {move.axis for part in parts for move in part}
+        chunks = (self._chunks.chunk(number) for number in range(len(self._chunks)))
+        found = {move.axis for chunk in chunks for move in chunk}
         rows: list[Any] = self.tail
         return found | {each[0] if each.__class__ is tuple else each.axis for each in rows}
 
-    def _newest(self, place: int) -> Move:
+    def _newest(self, index: int) -> Move:
         tail: list[Any] = self.tail
         self._live()
-        if tail[place].__class__ is tuple:
-            tail[place] = move_of(tail[place])
-        return tail[place]  # type: ignore[no-any-return]
+        if tail[index].__class__ is tuple:
+            tail[index] = move_of(tail[index])
+        return tail[index]  # type: ignore[no-any-return]
 
     def _typed(self, rows: list[Any]) -> list[Move]:
         self._live()
@@ -102,12 +102,12 @@ class Moves(Stream[Move]):
 
         The old entry has `size` pieces.
         """
-        sealed, place = record.move_rows.sealed(move, done), self._place(move)
-        if place >= 0:
-            self.tail[place] = sealed
+        sealed, index = record.move_rows.sealed(move, done), self._tail_index(move)
+        if index >= 0:
+            self.tail[index] = sealed
         else:
             self._left_out[self.number(move)] = sealed
-            self._parts.reread()
+            self._chunks.reread()
         move.start_time, move.offset = now, 0.0
         self.add(move)
         self._waiting += size
@@ -115,12 +115,12 @@ class Moves(Stream[Move]):
             self.pack(len(self) - self.packed)
             self._waiting = 0
 
-    def _place(self, record: Move | Row) -> int:
+    def _tail_index(self, record: Move | Row) -> int:
         """Return the index of a record in the tail; -1 if it is not in it."""
         tail = self.tail
-        for place in range(len(tail) - 1, -1, -1):
-            if tail[place] is record:
-                return place
+        for index in range(len(tail) - 1, -1, -1):
+            if tail[index] is record:
+                return index
         return -1
 
     def _rows(self, records: list[Move], first: int) -> list[Any]:

@@ -29,7 +29,7 @@ class Profiles(Chunks):
 
     def take_from(self, a: Axis, most: int) -> int:
         """Pack up to `most` of the oldest profiles of the axis; return their number."""
-        count = min(stream.PART, most)
+        count = min(stream.CHUNK_SIZE, most)
         starts = a.starts[:count]
         rows = list(zip(starts, map(packed, a.profiles[:count]), strict=True))
         self.pack(rows, a.starts, a.profiles)
@@ -45,7 +45,7 @@ class Profiles(Chunks):
 
     def __iter__(self) -> Iterator[tuple[float, Profile]]:
         for number in range(len(self)):
-            for start, row in self.part(number):
+            for start, row in self.chunk(number):
                 yield start, unpacked(row)
 
     def start(self, number: int) -> float:
@@ -64,9 +64,9 @@ class Profiles(Chunks):
 
     def in_force(self, time: float) -> int:
         """Return the number of the profile in force at a time, or the first one's."""
-        part = max(bisect_right(self._begins, time) - 1, 0)
-        rows = self.part(part)
-        return max(self.firsts[part] + bisect_right(rows, time, key=_start) - 1, 0)
+        number = max(bisect_right(self._begins, time) - 1, 0)
+        rows = self.chunk(number)
+        return max(self.firsts[number] + bisect_right(rows, time, key=_start) - 1, 0)
 
 
 def _start(row: tuple[float, object]) -> float:

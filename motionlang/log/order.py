@@ -5,6 +5,7 @@ This module contains only records.
 
 from __future__ import annotations
 
+from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
@@ -13,8 +14,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.planners import Profile
 
-INFINITY = float("inf")
-ENDLESS = (INFINITY, INFINITY)
+ENDLESS = (inf, inf)
 
 
 class PathOrder(NamedTuple):
@@ -51,7 +51,7 @@ class PathOrder(NamedTuple):
     most_decel: tuple[float, ...]
     angle_into: float
     blend: float = 0.0
-    rests: bool = False
+    comes_to_rest: bool = False
     ahead: tuple[Order, ...] = ()
     entry: int = -1
     tails: tuple[Order, ...] = ()
@@ -66,7 +66,7 @@ class Tie(NamedTuple):
 
     master: Axis
     ratio: float = 0.0
-    locked: float = INFINITY
+    locked: float = inf
     curve: Profile | None = None
     origin: float = 0.0
     direction: int = 1
@@ -98,7 +98,7 @@ class Order(NamedTuple):
 
     kind: str
     line: int
-    speed: float = INFINITY
+    speed: float = inf
     rates: tuple[float, float] = ENDLESS
     jerks: tuple[float, float] = ENDLESS
     shape: str = ""
@@ -113,12 +113,12 @@ class Order(NamedTuple):
     @property
     def bends(self) -> bool:
         """True if the acceleration of its shape is continuous."""
-        return self.jerks[0] < INFINITY or self.shape in ("scurve", "sinusoidal")
+        return self.jerks[0] < inf or self.shape in ("scurve", "sinusoidal")
 
     @property
-    def asks(self) -> tuple[object, ...]:
+    def settings(self) -> tuple[object, ...]:
         """The settings that affect a motion in progress."""
         if self.path is not None:
             limits = self.path.most, self.path.most_accel, self.path.most_decel
-            return self.kind, self.path.entry, self.speed, self.rates, limits, self.path.rests
+            return self.kind, self.path.entry, self.speed, self.rates, limits, self.path.comes_to_rest
         return self.kind, self.speed, self.goal, self.rates, None if self.tie is None else self.tie.ratio

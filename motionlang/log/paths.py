@@ -87,7 +87,7 @@ def _following(path: _Path, later: Sequence[_Path]) -> _Path | None:
 
 def _row(trace: Trace, path: _Path, following: _Path | None) -> PathRow:
     times = np.linspace(path.begin, path.end, SAMPLES)
-    places = np.stack([trace.at(axis, "position", times) for axis in path.axes])
+    positions = np.stack([trace.at(axis, "position", times) for axis in path.axes])
     inside = np.linspace(path.begin, path.end, SAMPLES)
     inside[0], inside[-1] = np.nextafter(path.begin, path.end), np.nextafter(path.end, path.begin)
     speeds = np.linalg.norm(np.stack([trace.at(axis, "velocity", inside) for axis in path.axes]), axis=0)
@@ -101,7 +101,7 @@ def _row(trace: Trace, path: _Path, following: _Path | None) -> PathRow:
         path.axes,
         path.begin,
         path.end - path.begin,
-        _length(places, speeds, path.end - path.begin),
+        _length(positions, speeds, path.end - path.begin),
         entry,
         peak,
         leaving,
@@ -110,15 +110,15 @@ def _row(trace: Trace, path: _Path, following: _Path | None) -> PathRow:
     )
 
 
-def _length(places: Array, speeds: Array, duration: float) -> float:
+def _length(positions: Array, speeds: Array, duration: float) -> float:
     """Return the length of a path, uu.
 
     For a line it is the distance between the ends, for any other path the integral of the speed by Simpson's
     rule.
     """
-    way = places[:, -1] - places[:, 0]
-    chord = float(np.linalg.norm(way))
-    steps = float(np.linalg.norm(np.diff(places, axis=1), axis=0).sum())
+    travel = positions[:, -1] - positions[:, 0]
+    chord = float(np.linalg.norm(travel))
+    steps = float(np.linalg.norm(np.diff(positions, axis=1), axis=0).sum())
     if steps - chord <= 1e-9 * steps:
         return chord
     weights = np.ones(len(speeds))
@@ -131,10 +131,10 @@ def _tangent(trace: Trace, path: _Path, side: int) -> Array:
     near = (path.end - path.begin) * _ENDS
     times = np.array([path.begin, path.begin + near] if side == 0 else [path.end - near, path.end])
     for _ in range(20):  # from rest it takes a while to cover a visible distance
-        way = np.array([np.diff(trace.at(axis, "position", times))[0] for axis in sorted(path.axes)])
-        size = float(np.linalg.norm(way))
+        direction = np.array([np.diff(trace.at(axis, "position", times))[0] for axis in sorted(path.axes)])
+        size = float(np.linalg.norm(direction))
         if size > 1e-7 * max(1.0, float(np.abs(trace.at(path.axes[0], "position", times)).max())):
-            return way / size
+            return direction / size
         times[1 + side] = path.begin + 2.0 * (times[1] - path.begin) if side == 0 else times[0]
         if side == -1:
             times[0] = path.end - 2.0 * (path.end - times[0])

@@ -29,7 +29,7 @@ def move_of(row: Row) -> Move:
     """Return the move that a row describes."""
     axis, start_time, _, end, _, _, asked, scale, zero, entry = row
     move = entry_of(axis, entry)
-    move.target, move.asked, move.start_time = end, asked, start_time
+    move.target, move.commanded_speed, move.start_time = end, asked, start_time
     move.scale, move.zero, move.released = scale, zero, True
     move.profile = profile_of(row)
     return move

@@ -73,7 +73,7 @@ DISK = 8_000_000_000
 # Unpacked records of a stream, before and after packing.
 MAX_TAIL, LEFT = 24_576, 8_192
 # Records of a packed chunk.
-PART = 2048
+CHUNK_SIZE = 2048
 
 
 class Store:
@@ -83,11 +83,11 @@ class Store:
     `disk` bytes or cannot be written.
     """
 
-    __slots__ = ("_file", "_written", "disk", "held", "memory")
+    __slots__ = ("_file", "_written", "disk", "in_memory", "memory")
 
     def __init__(self, memory: int = MEMORY, disk: int = DISK) -> None:
         self.memory, self.disk = memory, disk
-        self.held = self._written = 0
+        self.in_memory = self._written = 0
         self._file: IO[bytes] | None = None
 
     def __del__(self) -> None:
@@ -97,54 +97,54 @@ class Store:
     @property
     def size(self) -> int:
         """Packed bytes, in memory and on the disk."""
-        return self.held + self._written
+        return self.in_memory + self._written
 
-    def put(self, part: bytes) -> ChunkLocation:
+    def put(self, chunk: bytes) -> ChunkLocation:
         """Store a chunk and return its location."""
-        size = len(part)
-        if self.held + size <= self.memory:
-            self.held += size
-            return part
+        size = len(chunk)
+        if self.in_memory + size <= self.memory:
+            self.in_memory += size
+            return chunk
         if self._written + size > self.disk:
             words = f"the log of the run has reached {self.disk / 1000000000.0:g} GB"
             raise Rejected("limit", words, "shorten the run with --until")
         try:
-            self._append(part)
+            self._append(chunk)
         except OSError as problem:
             from motionlang.files import reason
 
             words = f"the log of the run cannot be written: {reason(problem)}"
             raise Rejected("limit", words, "shorten the run with --until, or free disk space") from None
-        place = self._written, size
+        location = self._written, size
         self._written += size
-        return place
+        return location
 
-    def _append(self, part: bytes) -> None:
+    def _append(self, chunk: bytes) -> None:
         if self._file is None:
             from motionlang.files import scratch
 
             self._file = scratch()
         self._file.seek(self._written)
-        self._file.write(part)
+        self._file.write(chunk)
 
-    def get(self, place: ChunkLocation) -> bytes:
+    def get(self, location: ChunkLocation) -> bytes:
         """Return a chunk."""
-        if isinstance(place, bytes):
-            return place
+        if isinstance(location, bytes):
+            return location
         assert self._file is not None
-        self._file.seek(place[0])
-        return self._file.read(place[1])
+        self._file.seek(location[0])
+        return self._file.read(location[1])
 
-    def drop(self, place: ChunkLocation) -> None:
+    def drop(self, location: ChunkLocation) -> None:
         """Drop a chunk; its space on disk is not reused."""
-        if isinstance(place, bytes):
-            self.held -= len(place)
+        if isinstance(location, bytes):
+            self.in_memory -= len(location)
 
 
 class Chunks:
     """Packed records in chunks; `count` is the number after the last record."""
 
-    __slots__ = ("_cached", "_places", "_read", "_store", "_total", "count", "firsts")
+    __slots__ = ("_cached", "_locations", "_read", "_store", "_total", "count", "firsts")
 
     def __init__(self, store: Store, read: Callable[[list[Any], int], list[Any]]) -> None:
         """Take a function `read(rows, first)` that creates records from packed rows.
@@ -153,13 +153,13 @@ class Chunks:
         """
         self._store, self._read = store, read
         self.firsts: list[int] = []
-        self._places: list[ChunkLocation] = []
+        self._locations: list[ChunkLocation] = []
         self.count = 0
         self._total = 0  # packed records plus those of a tail, while a chunk replaces some
         self._cached: tuple[int, Sequence[Any]] = (-1, [])
 
     def __len__(self) -> int:
-        return len(self._places)
+        return len(self._locations)
 
     @property
     def first(self) -> int:
@@ -171,9 +171,9 @@ class Chunks:
 
         Raises Rejected if there is no space.
         """
-        place, count = self._store.put(dumps(rows)), len(rows)
+        location, count = self._store.put(dumps(rows)), len(rows)
         self._total = self.count + len(tails[0])
-        self._places.append(place)
+        self._locations.append(location)
         self.firsts.append(self.count)
         self.count += count
         for tail in tails:
@@ -184,7 +184,7 @@ class Chunks:
         """Complete partial packing after an interrupt, or drop the chunk."""
         while self.firsts and self.firsts[-1] >= self.count:
             del self.firsts[-1]
-        del self._places[len(self.firsts) :]
+        del self._locations[len(self.firsts) :]
         if self._total:
             for tail in tails:
                 del tail[: self.count + len(tail) - self._total]
@@ -192,15 +192,15 @@ class Chunks:
 
     def repeat(self, template: tuple[Shape, Pace], count: int) -> None:
         """Store a chunk of `count` records that are created from a template on reading."""
-        self._places.append(self._store.put(dumps(template)))
+        self._locations.append(self._store.put(dumps(template)))
         self.firsts.append(self.count)
         self.count += count
 
-    def part(self, number: int) -> Sequence[Any]:
+    def chunk(self, number: int) -> Sequence[Any]:
         """Return the records of a chunk."""
         first = self.firsts[number]
         if self._cached[0] != first:
-            rows: Any = loads(self._store.get(self._places[number]))
+            rows: Any = loads(self._store.get(self._locations[number]))
             if rows.__class__ is tuple:
                 from motionlang.log.repeated import RepeatedRecords
 
@@ -219,24 +219,24 @@ class Chunks:
         number = bisect_right(self.firsts, index) - 1
         if number < 0:
             raise IndexError(index)
-        return self.part(number)[index - self.firsts[number]]
+        return self.chunk(number)[index - self.firsts[number]]
 
     def records(self, first: int, past: int) -> list[Any]:
         """Return the records from `first`, which must be stored, to `past` (exclusive)."""
         found: list[Any] = []
         number = bisect_right(self.firsts, first) - 1
         while first < past:
-            begin, part = self.firsts[number], self.part(number)
-            found += part[first - begin : past - begin]
-            first, number = begin + len(part), number + 1
+            begin, chunk = self.firsts[number], self.chunk(number)
+            found += chunk[first - begin : past - begin]
+            first, number = begin + len(chunk), number + 1
         return found
 
     def forget(self) -> int:
         """Drop the oldest chunk and return how many records it had."""
-        gone = (self.firsts[1] if len(self.firsts) > 1 else self.count) - self.firsts[0]
-        self._store.drop(self._places.pop(0))
+        dropped = (self.firsts[1] if len(self.firsts) > 1 else self.count) - self.firsts[0]
+        self._store.drop(self._locations.pop(0))
         del self.firsts[0]
-        return gone
+        return dropped
 
 
 class Stream(_Of[T]):
@@ -246,11 +246,11 @@ class Stream(_Of[T]):
     `records`, if there is one. A subclass that stores other objects defines how they are packed.
     """
 
-    __slots__ = ("_kind", "_parts", "append", "tail")
+    __slots__ = ("_chunks", "_kind", "append", "tail")
 
     def __init__(self, store: Store, kind: str = "") -> None:
         self._kind = kind
-        self._parts = Chunks(store, self._records)
+        self._chunks = Chunks(store, self._records)
         # The newest records, which are not packed.
         self.tail: list[T] = []
         # Appends a record without a check for packing, for callers that do the check.
@@ -263,6 +263,12 @@ class Stream(_Of[T]):
         if len(tail) >= MAX_TAIL:
             self.pack(MAX_TAIL - LEFT)
 
+    def extend(self, records: Sequence[tuple[object, ...]]) -> None:
+        """Append records."""
+        for first in range(0, len(records), LEFT):
+            self.tail.extend(records[first : first + LEFT])  # type: ignore[arg-type]
+            self.trim()
+
     def trim(self) -> None:
         """Pack some records if there are many; for callers that use `append` directly."""
         if len(self.tail) >= MAX_TAIL:
@@ -274,38 +280,38 @@ class Stream(_Of[T]):
 
         if length(shape):
             self.pack(len(self.tail))
-            self._parts.repeat((shape, pace), length(shape))
+            self._chunks.repeat((shape, pace), length(shape))
 
     @property
     def first(self) -> int:
         """The number of the oldest record that is stored."""
-        return self._parts.first
+        return self._chunks.first
 
     @property
     def packed(self) -> int:
         """The number of records that are packed or dropped."""
-        return self._parts.count
+        return self._chunks.count
 
     def __len__(self) -> int:
-        return self._parts.count + len(self.tail)
+        return self._chunks.count + len(self.tail)
 
     def __bool__(self) -> bool:
-        return bool(self.tail) or len(self._parts) > 0
+        return bool(self.tail) or len(self._chunks) > 0
 
     def __iter__(self) -> Iterator[T]:
-        for number in range(len(self._parts)):
-            yield from self._parts.part(number)
+        for number in range(len(self._chunks)):
+            yield from self._chunks.chunk(number)
         yield from self._typed(self.tail)
 
     def as_stored(self) -> Iterator[Any]:
         """Yield all records; unpacked ones are yielded as the plain tuples written."""
-        parts = map(self._parts.part, range(len(self._parts)))
-        return chain(chain.from_iterable(parts), self.tail)
+        chunks = map(self._chunks.chunk, range(len(self._chunks)))
+        return chain(chain.from_iterable(chunks), self.tail)
 
     def __reversed__(self) -> Iterator[T]:
         yield from reversed(self._typed(self.tail))
-        for number in reversed(range(len(self._parts))):
-            yield from reversed(self._parts.part(number))
+        for number in reversed(range(len(self._chunks))):
+            yield from reversed(self._chunks.chunk(number))
 
     if TYPE_CHECKING:
 
@@ -322,30 +328,30 @@ class Stream(_Of[T]):
         def __getitem__(self, index):
             if isinstance(index, slice):
                 begin, end, step = index.indices(len(self))
-                return [self[i] for i in range(max(begin, self._parts.first), end, step)]
+                return [self[i] for i in range(max(begin, self._chunks.first), end, step)]
             index += len(self) if index < 0 else 0
-            behind = index - self._parts.count
-            return self._newest(behind) if behind >= 0 else self._parts.record(index)
+            behind = index - self._chunks.count
+            return self._newest(behind) if behind >= 0 else self._chunks.record(index)
 
-    def forget(self, kept: int) -> None:
+    def forget(self, retained: int) -> None:
         """Drop all but about `retained` newest records; the others retain their numbers."""
-        while len(self._parts) and len(self) - self._parts.first > 2 * kept:
-            self._parts.forget()
-        if not len(self._parts) and len(self.tail) > 2 * kept:
-            gone = len(self.tail) - kept
-            del self.tail[:gone]
-            self._parts.count += gone
+        while len(self._chunks) and len(self) - self._chunks.first > 2 * retained:
+            self._chunks.forget()
+        if not len(self._chunks) and len(self.tail) > 2 * retained:
+            dropped = len(self.tail) - retained
+            del self.tail[:dropped]
+            self._chunks.count += dropped
 
     def pack(self, count: int) -> None:
         """Pack the `count` oldest records of the tail."""
         while count > 0:
-            part = self.tail[: min(PART, count)]
-            self._parts.pack(self._rows(part, self._parts.count), self.tail)
-            count -= len(part)
+            chunk = self.tail[: min(CHUNK_SIZE, count)]
+            self._chunks.pack(self._rows(chunk, self._chunks.count), self.tail)
+            count -= len(chunk)
 
     def finish_updates(self) -> None:
         """Complete partial packing after an interrupt, or drop the chunk."""
-        self._parts.finish_updates(self.tail)
+        self._chunks.finish_updates(self.tail)
 
     # ------------------------------------------------------------------------------- overridden by a subclass
 
@@ -357,9 +363,9 @@ class Stream(_Of[T]):
         """Return records from their packed form; `first` is the number of the first one."""
         return self._typed(rows)
 
-    def _newest(self, place: int) -> T:
+    def _newest(self, index: int) -> T:
         """Return a record by its index in the tail."""
-        return self._typed([self.tail[place]])[0]
+        return self._typed([self.tail[index]])[0]
 
     # -------------------------------------------------------------------------------------------- inside
 

@@ -227,8 +227,8 @@ class Trace:
         data = tuple(np.empty(count) for _ in columns)
         first = 0
         for chunk in self.chunks(rate, axes, until, quantities):
-            for whole, part in zip(data, chunk.data, strict=True):
-                whole[first : first + len(part)] = part
+            for whole, values in zip(data, chunk.data, strict=True):
+                whole[first : first + len(values)] = values
             first += len(chunk)
         return Samples(columns, data)
 
@@ -249,8 +249,8 @@ class Trace:
             data = tuple(buffer[:count] for buffer in buffers)
             np.divide(np.arange(first, first + count), rate, out=data[0])
             for begin, many in self._stretches(columns, first, count, rate):
-                part = tuple(values[begin - first : begin - first + many] for values in data)
-                self._fill(columns, part, begin / rate, 1.0 / rate, many)
+                slices = tuple(values[begin - first : begin - first + many] for values in data)
+                self._fill(columns, slices, begin / rate, 1.0 / rate, many)
             if first + count > last:
                 data[0][-1] = end
                 self._fill(columns, tuple(values[-1:] for values in data), end, 1.0 / rate, 1)

@@ -60,7 +60,7 @@ class WholeTrack:
         """Return the commanded position at a time, counts."""
         return self._a.position(time)
 
-    def place(self, time: float) -> int:
+    def index_at(self, time: float) -> int:
         """Return the index of the profile in force at a time; -1 before power-up."""
         older = self._a.older
         if older is None or time >= self._a.starts[0]:
@@ -69,7 +69,7 @@ class WholeTrack:
 
     def count(self, begin: float, end: float) -> int:
         """Return the number of profiles begun between two times; 0 if none are packed."""
-        return 0 if self._a.older is None else self.place(end) - self.place(begin)
+        return 0 if self._a.older is None else self.index_at(end) - self.index_at(begin)
 
     def between(self, begin: float, end: float) -> tuple[Sequence[float], Sequence[Profile]]:
         """Return starts and profiles in force from `begin` to `end`, with the one before.
@@ -78,7 +78,7 @@ class WholeTrack:
         """
         if self._a.older is None:
             return self.starts, self.profiles
-        some = slice(max(self.place(begin) - 1, 0), self.place(end) + 1)
+        some = slice(max(self.index_at(begin) - 1, 0), self.index_at(end) + 1)
         return self.starts[some], self.profiles[some]
 
 

@@ -93,7 +93,7 @@ class Document:
         """Return the position of an offset in the source."""
         text = self.source.text
         offset = min(max(offset, 0), len(text))
-        line, column = self.source.place(offset)
+        line, column = self.source.location(offset)
         return types.Position(line - 1, units(text[offset - column + 1 : offset]))
 
     def source_offset(self, line: int) -> int:

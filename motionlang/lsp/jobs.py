@@ -5,18 +5,13 @@ A job and its result are plain data, so a job can go to another process.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from motionlang.editor.diagnostics import decoded, findings, settings_of
 from motionlang.editor.page import Page
-from motionlang.editor.times import times
+from motionlang.editor.times import Times, times
 from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import dialect
 from motionlang.record import record
 from motionlang.source import Source
-
-if TYPE_CHECKING:
-    from motionlang.editor.times import Times
 
 CHECK, TIMES = "check", "times"
 # What the checks of a text have found, for the next check of it; by file name, the latest last.

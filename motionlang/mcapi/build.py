@@ -85,8 +85,8 @@ _TARGETS = (
 TARGETS = {each.name: each for each in _TARGETS}
 
 
-def place(target: Target) -> Path | None:
-    """Return where the library is built if no folder is given; None without a home."""
+def default_path(target: Target) -> Path | None:
+    """Return the path of the library if no folder is given; None without a home."""
     cache = folder()
     if cache is None:
         return None
@@ -96,7 +96,7 @@ def place(target: Target) -> Path | None:
 
 def build(target: Target, out: Path | None = None) -> Path:
     """Compile the library and return its path; raise CannotBuild if that fails."""
-    default = place(target)
+    default = default_path(target)
     if out is None and default is None:
         raise CannotBuild("there is no home for a cache", "name a folder with --out DIR")
     to = out / target.library if out is not None else default

@@ -19,23 +19,6 @@ class Call:
     result of a function that returns a value. `begin` and `end` are machine times, s.
     """
 
-    __slots__ = (
-        "arguments",
-        "begin",
-        "code",
-        "done",
-        "end",
-        "finished",
-        "function",
-        "handle",
-        "host",
-        "line",
-        "more",
-        "number",
-        "outputs",
-        "value",
-    )
-
     def __init__(
         self, function: Function, number: int, arguments: tuple[Value | None, ...], begin: float
     ) -> None:

@@ -165,7 +165,7 @@ class VirtualBoard:
         self.desk = McapiBoard(self.console, complain, record)
         self.step = step
         self._session = self.desk.session()
-        self._owed = 0.0
+        self._busy_until = 0.0
 
     @property
     def now(self) -> float:
@@ -174,14 +174,14 @@ class VirtualBoard:
 
     def advance(self, seconds: float) -> None:
         """Let machine time pass while the host does something else."""
-        self.console.run(max(self._owed, self.now) + seconds)
+        self.console.run(max(self._busy_until, self.now) + seconds)
 
     def call(self, name: str, handle: int, arguments: Sequence[Value | None]) -> Answer:
         """Carry out a call, and advance machine time by its duration."""
         console = self.console
-        if self._owed > console.now:
-            console.run(self._owed)
-        self._owed = console.now + self.step
+        if self._busy_until > console.now:
+            console.run(self._busy_until)
+        self._busy_until = console.now + self.step
         call = self._session.call(name, handle, arguments)
         if not call.done and not console.run_until(lambda: call.done, console.now + MAX_CALL):
             # Nothing else ends it, or not in a day.

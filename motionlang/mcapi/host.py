@@ -10,7 +10,7 @@ from motionlang.mcapi.session import BadCall, Session
 from motionlang.serve.host import Host
 
 if TYPE_CHECKING:
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
     from motionlang.mcapi.call import Call
     from motionlang.mcapi.session import McapiBoard
     from motionlang.serve.channel import Channel
@@ -78,9 +78,9 @@ class McapiPort:
 
     def take(self) -> bytes:
         """Return the answers since the last call."""
-        said = bytes(self._out)
+        output = bytes(self._out)
         self._out.clear()
-        return said
+        return output
 
     def close(self) -> None:
         """Disconnect; the last connection of a process removes its host."""

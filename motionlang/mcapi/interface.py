@@ -13,7 +13,9 @@ from __future__ import annotations
 
 from collections import deque
 
-from motionlang.lang.task import Task, Wait
+from motionlang.controller.clock import INFINITY
+from motionlang.lang.task import Task
+from motionlang.lang.waits import Wait
 from motionlang.mcapi import constants as mc
 from motionlang.mcapi.errors import code_of
 from motionlang.mccl.runtime.task import CommandTask
@@ -31,10 +33,9 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.board import Board
 
-INFINITY = float("inf")
 ESC = 27
 # Characters that an ASCII interface holds for its host, and for the board while a call is carried out.
-MAX_HELD = 65536
+MAX_BUFFERED = 65536
 
 
 class Interface(CommandTask):
@@ -57,7 +58,7 @@ class Interface(CommandTask):
         self._queue: deque[Call] = deque()
         # Characters from the board that no host has read, and from a host that wait for the end of a call.
         self._unread = bytearray()
-        self._held = bytearray()
+        self._buffered = bytearray()
 
     @property
     def occupied(self) -> bool:
@@ -90,7 +91,7 @@ class Interface(CommandTask):
             call.finish(self.board.controller.clock.now)
         following = self._following()
         if following is None:
-            self._send_held()
+            self._send_buffered()
             return None
         self._queue.remove(following)
         self.current_call, self.reply_text = following, ""
@@ -120,7 +121,7 @@ class Interface(CommandTask):
             self.abandon()
 
     def _replied(self, text: str) -> None:
-        if len(self.reply_text) < MAX_HELD:
+        if len(self.reply_text) < MAX_BUFFERED:
             self.reply_text += text
 
     # ----------------------------------------------------------------------------- characters, ASCII only
@@ -132,10 +133,10 @@ class Interface(CommandTask):
         """
         assert self.port is not None
         if ESC in data:
-            self._held.clear()
-        elif self.current_call is not None or self._held:
-            data = data[: MAX_HELD - len(self._held)]
-            self._held += data
+            self._buffered.clear()
+        elif self.current_call is not None or self._buffered:
+            data = data[: MAX_BUFFERED - len(self._buffered)]
+            self._buffered += data
             return len(data)
         return self.port.feed(data)
 
@@ -143,7 +144,7 @@ class Interface(CommandTask):
         """True if pmcgets with a buffer of `size` characters need not wait."""
         assert self.port is not None
         self._pull()
-        return self._end_of_text(size) > 0 or not (self.port.working or self.current_call or self._held)
+        return self._end_of_text(size) > 0 or not (self.port.working or self.current_call or self._buffered)
 
     def get(self, size: int) -> str:
         """Return the characters up to the first CR or prompt, at most `size`."""
@@ -168,12 +169,12 @@ class Interface(CommandTask):
 
     def _pull(self) -> None:
         assert self.port is not None
-        if len(self._unread) < MAX_HELD:
+        if len(self._unread) < MAX_BUFFERED:
             self._unread += self.port.take()
 
-    def _send_held(self) -> None:
-        if self._held and self.port is not None:
-            del self._held[: self.port.feed(bytes(self._held))]
+    def _send_buffered(self) -> None:
+        if self._buffered and self.port is not None:
+            del self._buffered[: self.port.feed(bytes(self._buffered))]
 
 
 class Poll(Task):

@@ -15,7 +15,7 @@ from motionlang.mcapi.block import Block
 from motionlang.mcapi.client import VirtualBoard
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.protocol import encode, request
-from motionlang.mcapi.registry import AT_ONCE, POLLS, READINGS
+from motionlang.mcapi.registry import AT_ONCE, POLLS, QUERIES
 from motionlang.mcapi.session import BadCall, Given, commands_for
 from motionlang.mcapi.table import FUNCTIONS
 from motionlang.mccl.codes import Fault
@@ -44,12 +44,12 @@ class Listing:
 
         A call without commands is shown as a remark.
         """
-        said = encode((entry.result, *entry.outputs))
+        values = encode((entry.result, *entry.outputs))
         remark = f"; {entry.begin:.6f} s"
         commands = self._commands(entry)
         if not commands:
-            return f"{remark} {request(entry.name, entry.handle, entry.arguments)} = {said}"
-        answer = "" if said in ("0", "-") else f" = {said}"
+            return f"{remark} {request(entry.name, entry.handle, entry.arguments)} = {values}"
+        answer = "" if values in ("0", "-") else f" = {values}"
         return f"{commands:<{COLUMN - 1}} {remark} {entry.name}{answer}"
 
     def _commands(self, entry: Entry) -> str:
@@ -59,7 +59,7 @@ class Listing:
             given = Given(function, entry.arguments)
             if function.unsupported or function.name in AT_ONCE:
                 return ""
-            if function.name in READINGS or function.name in POLLS:
+            if function.name in QUERIES or function.name in POLLS:
                 return _read(function.mccl, given.by_name)
             return ",".join(each.text for each in commands_for(self._interface, function, given.by_name))
         except (BadCall, Refused, Fault, Rejected):

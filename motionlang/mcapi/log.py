@@ -68,9 +68,9 @@ def read_entry(text: str, number: int) -> Entry:
     """Return the call of a line; raise BadLog if the line is not a call."""
     try:
         begin, end, host, rest = text.split(" ", 3)
-        line, _, said = rest.rpartition(" = ")
+        line, _, values = rest.rpartition(" = ")
         name, handle, arguments = parse(line)
-        result, *outputs = decode(said)
+        result, *outputs = decode(values)
         times = float(begin), float(end)
         if not (isinstance(result, int) or result is None) or not 0.0 <= times[0] <= times[1] < 1e9:
             raise ValueError
@@ -101,7 +101,7 @@ def read(file: BinaryIO) -> Iterator[Entry]:
     Raises BadLog at the first line that is not a call. Two passes save memory: the first one finds the lines that
     come after a call which began later.
     """
-    late_begins, late_places, late_numbers = _late(file)
+    late_begins, late_offsets, late_numbers = _late(file)
     order = sorted(range(len(late_begins)), key=late_begins.__getitem__)
     file.seek(0)
     file.readline()
@@ -116,7 +116,7 @@ def read(file: BinaryIO) -> Iterator[Entry]:
         entry = read_entry(_line(raw, number), number) if raw else None
         while at < len(order) and (entry is None or late_begins[order[at]] < entry.begin):
             here = file.tell()
-            file.seek(late_places[order[at]])
+            file.seek(late_offsets[order[at]])
             late = late_numbers[order[at]]
             yield read_entry(_line(file.readline(), late), late)
             file.seek(here)
@@ -128,16 +128,16 @@ def read(file: BinaryIO) -> Iterator[Entry]:
 
 def _late(file: BinaryIO) -> tuple[array[float], array[int], array[int]]:
     """Return start time, offset and number of the lines that are out of order."""
-    begins, places, numbers = array("d"), array("q"), array("q")
+    begins, offsets, numbers = array("d"), array("q"), array("q")
     model_of(file)
     file.seek(0)
     file.readline()
     latest, number = -1.0, 1
     while True:
-        place = file.tell()
+        offset = file.tell()
         raw = file.readline()
         if not raw:
-            return begins, places, numbers
+            return begins, offsets, numbers
         number += 1
         line = _line(raw, number)
         try:
@@ -146,7 +146,7 @@ def _late(file: BinaryIO) -> tuple[array[float], array[int], array[int]]:
             raise BadLog(number, "this is no call: begin, end, host, call = answer") from None
         if begin < latest:
             begins.append(begin)
-            places.append(place)
+            offsets.append(offset)
             numbers.append(number)
         latest = max(latest, begin)
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 # They get the interface and the arguments by name, and return the commands of the call.
 COMMANDS: dict[str, Callable[..., list[Command]]] = {}
 # They get the interface and the arguments by name, at the machine time of the call, and return the results.
-READINGS: dict[str, Callable[..., Any]] = {}
+QUERIES: dict[str, Callable[..., Any]] = {}
 # They get session, call and arguments. None means that the call is done, True that its line is to run, False
 # that it goes on by itself.
 AT_ONCE: dict[str, Callable[..., bool | None]] = {}
@@ -35,8 +35,8 @@ def commands(*names: str) -> Callable[[F], F]:
     return _register(COMMANDS, names)
 
 
-def reading(*names: str) -> Callable[[F], F]:
-    return _register(READINGS, names)
+def query(*names: str) -> Callable[[F], F]:
+    return _register(QUERIES, names)
 
 
 def at_once(*names: str) -> Callable[[F], F]:

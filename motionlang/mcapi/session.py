@@ -18,13 +18,14 @@ import sys
 from math import isfinite
 from struct import pack, unpack
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.mcapi import constants as mc
 from motionlang.mcapi.call import Call
 from motionlang.mcapi.command import command, line, own, takes_all_axes
 from motionlang.mcapi.errors import Refused, code_of
 from motionlang.mcapi.interface import Interface, Poll, expire
-from motionlang.mcapi.registry import AT_ONCE, COMMANDS, POLLS, READINGS
+from motionlang.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
 from motionlang.mcapi.table import BITS, FUNCTIONS, STRUCTURES
 from motionlang.mccl.codes import Fault
 
@@ -38,7 +39,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
 
-INFINITY = float("inf")
 MAX_HANDLES = 1000
 # Arguments that are axes.
 AXES = ("axis", "master", "caxis")
@@ -66,8 +66,6 @@ class BadCall(ValueError):
 
 class Handle:
     """An open handle; `error` is its last error, `timeout` 0 for none."""
-
-    __slots__ = ("error", "interface", "mode", "number", "reply", "session", "timeout")
 
     def __init__(self, session: Session, number: int, mode: int, interface: Interface) -> None:
         self.session, self.number, self.mode, self.interface = session, number, mode, interface
@@ -293,7 +291,7 @@ class Session:
             self._at_once(call, given)
         elif name in POLLS:
             self._poll(call, given)
-        elif name in READINGS:
+        elif name in QUERIES:
             self._read(call, given)
         else:
             assert call.handle is not None
@@ -337,14 +335,14 @@ class Session:
 
         Reading at once takes no machine time.
         """
-        reading = READINGS[call.function.name]
+        query = QUERIES[call.function.name]
         handle = call.handle
         assert handle is not None
         by_name = given.by_name
 
         def read(task: CommandTask, _: Command | None) -> None:
             try:
-                found = reading(task, **by_name)
+                found = query(task, **by_name)
             except Refused as refused:
                 call.code = refused.code
                 return
@@ -483,7 +481,7 @@ def _takes_all_axes(function: Function) -> bool:
     if function.name in ALL_AXES or function.name in NO_AXIS:
         return True
     first = function.mccl.partition(",")[0]
-    if function.name in READINGS or len(first) < 3 or first[0] != "a":
+    if function.name in QUERIES or len(first) < 3 or first[0] != "a":
         return False
     return takes_all_axes(first[1:3])
 

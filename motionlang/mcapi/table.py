@@ -209,7 +209,7 @@ _FUNCTIONS = (
     _f("MCBlockBegin", "i", "i mode, i num", "MD, GT, CP, RM", "Collect the commands that follow: 0 a compound line, "
        "1 a task, 2 macro num, 5 to 8 a contour path under axis num. 3 clears all macros and 4 discards the block; "
        "both act at once and need no end."),
-    _f("MCBlockEnd", "i", ">i taskID?", "", "Carry the block out; the number of a task is the result."),
+    _f("MCBlockEnd", "i", ">i taskID?", "", "Carry out the block; the result is the number of a task."),
     _f("MCCancelTask", "i", "i taskID", "ET{taskID}", "End a background task."),
     _f("MCCaptureData", "i", "W axis, i points, d period, d delay", "aPR{points}", "Record points; period and delay "
        "have no effect, because the period is 1 ms."),
@@ -227,7 +227,8 @@ _FUNCTIONS = (
     _f("MCDirection", "", "W axis, W dir", "aDI", "Direction of velocity mode, 1 positive or 2 negative."),
     _f("MCEdgeArm", "i", "W axis, d position", "aEL{position}", "Arm the capture of the home edge."),
     _f("MCEnableAxis", "", "W axis, s state", "aMN, aMF", "Switch the axis on or off."),
-    _f("MCEnableBacklash", "i", "W axis, d backlash, s state", "aBD, aBN, aBF", "Compensate backlash or not."),
+    _f("MCEnableBacklash", "i", "W axis, d backlash, s state", "aBD, aBN, aBF", "Switch backlash compensation on "
+       "or off."),
     _f("MCEnableCapture", "i", "W axis, i count", "", "", unsupported=_NO_CAPTURE),
     _f("MCEnableCompare", "i", "W axis, i count", "", "", unsupported=_NO_COMPARE),
     _f("MCEnableDigitalFilter", "i", "W axis, i state", "", "", unsupported=_NO_FILTER),
@@ -235,18 +236,17 @@ _FUNCTIONS = (
     _f("MCEnableEncoderFault", "i", "W axis, i state", "", "", unsupported="no command for the detection of encoder "
        "faults is known"),
     _f("MCEnableGearing", "", "W axis, W master, d ratio, s state", "aSS, aSM", "Slave the axis to its master, or "
-       "frees it."),
+       "release it."),
     _f("MCEnableInterrupt", "i", "w hWnd, W axis, D mask, memory lpIntFunc", "", "", only_c=True,
        unsupported="a virtual board raises no interrupts in its host"),
     _f("MCEnableJog", "", "W axis, s state", "aJN, aJF", "Switch jogging by the joystick on or off."),
     _f("MCEnableSync", "", "W axis, s state", "aSN, aNS", "Let contour paths wait for MCGoEx, or not."),
     _f("MCErrorNotify", "", "w hWnd, D errormask", "", "", only_c=True, unsupported=_NO_WINDOW),
     _f("MCFindAuxEncIdx", "i", "W axis, d position", "aAF{position}", "Wait for the index mark of the auxiliary "
-       "encoder, where the position becomes this one."),
-    _f("MCFindEdge", "i", "W axis, d position", "aFE{position}", "Wait for the home edge, where the position becomes "
-       "this one."),
-    _f("MCFindIndex", "i", "W axis, d position", "aFI{position}", "Wait for the index mark, where the position becomes "
-       "this one."),
+       "encoder and set the position there."),
+    _f("MCFindEdge", "i", "W axis, d position", "aFE{position}", "Wait for the home edge and set the position there."),
+    _f("MCFindIndex", "i", "W axis, d position", "aFI{position}", "Wait for the index mark and set the "
+       "position there."),
     _f("MCGetAccelerationEx", "i", "W axis, >d acceleration", "", "Acceleration of moves (SA)."),
     _f("MCGetAnalog", "W=", "W channel", "TA", "An analogue input as 12 bits over ±10 V.", only_c=True),
     _f("MCGetAnalogEx", "i", "i channel, >D value", "TA", "An analogue input as 12 bits over ±10 V."),
@@ -258,10 +258,10 @@ _FUNCTIONS = (
     _f("MCGetCaptureData", "i", "W axis, i type, i start, i points, >d data[points]", "aDO, aDR, aDQ", "Recorded "
        "points: 16 actual, 32 error, 64 optimal, 128 torque."),
     _f("MCGetCaptureSettings", "i", "W axis, >i points, >d period, >d delay, >i index", "aPR", "Settings of the last "
-       "recording, and how many points it has."),
-    _f("MCGetConfiguration", "", ">MCPARAM param", "", "What the model can do; for hosts older than "
+       "recording, and its number of points."),
+    _f("MCGetConfiguration", "", ">MCPARAM param", "", "Capabilities of the model; for hosts older than "
        "MCGetConfigurationEx.", only_c=True),
-    _f("MCGetConfigurationEx", "i", ">MCPARAMEX param", "", "What the model can do."),
+    _f("MCGetConfigurationEx", "i", ">MCPARAMEX param", "", "Capabilities of the model."),
     _f("MCGetContourConfig", "s", "W axis, >MCCONTOUR contour", "", "Vector settings of the axis (VA, VD, VV, VO)."),
     _f("MCGetContouringCount", "i=", "W axis", "aTX", "Number of contour paths carried out.", only_c=True),
     _f("MCGetCount", "i", "W axis, i type, >i count", "aTX, aPR", "4: contour paths carried out, 32: points recorded. "
@@ -310,7 +310,7 @@ _FUNCTIONS = (
     _f("MCGetVelocityActual", "i", "W axis, >d velocity", "aTV", "Actual velocity."),
     _f("MCGetVelocityEx", "i", "W axis, >d velocity", "", "Velocity of moves (SV)."),
     _f("MCGetVelocityOverride", "i", "W axis, >d override", "", "Override of contour paths (VO)."),
-    _f("MCGetVersion", "D=", "", "", "4.4.1, a byte each from the third byte down: 263169."),
+    _f("MCGetVersion", "D=", "", "", "263169: version 4.4.1, one byte per number, the third byte first."),
     _f("MCGo", "", "W axis", "aGO", "Run in velocity mode, or release contour paths.", only_c=True),
     _f("MCGoEx", "i", "W axis, d param", "aGO", "Run in velocity mode, or release contour paths; the parameter has "
        "no effect."),
@@ -342,7 +342,7 @@ _FUNCTIONS = (
        "accumulator.", only_c=True),
     _f("MCSetAnalogEx", "i", "i channel, D value", "AL, OA", "An analogue output as 12 bits over ±10 V; changes the "
        "accumulator."),
-    _f("MCSetAuxEncPos", "", "W axis, d position", "aAH{position}", "Give the auxiliary encoder a position."),
+    _f("MCSetAuxEncPos", "", "W axis, d position", "aAH{position}", "Set the position of the auxiliary encoder."),
     _f("MCSetCommutation", "i", "W axis, MCCOMMUTATION commutation", "", "", unsupported="no command for "
        "commutation is known"),
     _f("MCSetContourConfig", "s", "W axis, MCCONTOUR contour", "aVA, aVD, aVV, aVO", "Vector settings of the axis."),
@@ -369,7 +369,7 @@ _FUNCTIONS = (
        "Settings of motion. A field for which the model has no command is skipped."),
     _f("MCSetOperatingMode", "", "W axis, W caxis, W mode", "aCM, aGM, aPM, aQM, aVM", "0 contour under caxis, 1 gain, "
        "2 position, 3 torque, 4 velocity."),
-    _f("MCSetPosition", "", "W axis, d position", "aDH{position}", "Make the present position this one."),
+    _f("MCSetPosition", "", "W axis, d position", "aDH{position}", "Set the current position."),
     _f("MCSetProfile", "", "W axis, W mode", "aPT, aPS, aPP", "1 trapezoid, 2 S-curve, 4 parabola."),
     _f("MCSetRegister", "i", "i reg, v value<type>, i type", "AL, AR", "A register, through the accumulator."),
     _f("MCSetScale", "s", "W axis, MCSCALE scale", "aUK, aUO, aUR, aUS, aUZ, UT", "User units; those of the axis take "

@@ -13,13 +13,14 @@ if TYPE_CHECKING:
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Ranges
-    from motionlang.lang.keyword import Keyword, Table
+    from motionlang.lang.keyword import Keyword
     from motionlang.lang.listing import Listing
     from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.names import Names
     from motionlang.lang.program import Program
+    from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mccl.syntax.tree import Module
     from motionlang.source import Source
 
@@ -82,9 +83,9 @@ class Mccl(Dialect):
         try:
             return parse(source.text)
         except NotACommand as error:
-            places = {source.place(at) for at in error.found}
+            positions = {source.location(at) for at in error.found}
             mistakes = [each for each in self.check(source) if each.severity == "error"]
-            syntax = [each for each in mistakes if (each.line, each.column) in places]
+            syntax = [each for each in mistakes if (each.line, each.column) in positions]
             raise ProgramError(syntax or mistakes) from None  # the line may be too long, too
 
     def check(
@@ -121,7 +122,7 @@ class Mccl(Dialect):
 
         return SWITCHES
 
-    def table(self) -> Table:
+    def table(self) -> Vocabulary:
         from motionlang.mccl.keywords import table
 
         return table()
@@ -131,7 +132,7 @@ class Mccl(Dialect):
 
         return locate(source, at)
 
-    def asked(self, source: Source) -> Callable[[int], LoopDependencies | None]:
+    def loop_dependencies(self, source: Source) -> Callable[[int], LoopDependencies | None]:
         from motionlang.mccl.resolve.loop_dependencies import asked
 
         return asked(source)

@@ -10,13 +10,13 @@ if TYPE_CHECKING:
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Interactive, Ranges
-    from motionlang.lang.keyword import Table
     from motionlang.lang.listing import Listing
     from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
     from motionlang.lang.names import LineLayout, Names
     from motionlang.lang.program import Program
+    from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
 
@@ -144,7 +144,7 @@ class Mint(Dialect):
 
         return load(payload)
 
-    def table(self) -> Table:
+    def table(self) -> Vocabulary:
         from motionlang.mint.keywords import table
 
         return table()
@@ -155,21 +155,21 @@ class Mint(Dialect):
         module = parse(source)
         return module.line(at), module.column(at), module.length(at)
 
-    def locations(self, source: Source, places: Sequence[int]) -> list[tuple[int, int, int]]:
+    def locations(self, source: Source, offsets: Sequence[int]) -> list[tuple[int, int, int]]:
         from motionlang.mint.syntax.parser import parse
 
         module = parse(source)
-        return [(module.line(at), module.column(at), module.length(at)) for at in places]
+        return [(module.line(at), module.column(at), module.length(at)) for at in offsets]
 
     def blocks(self, source: Source) -> list[tuple[str, int, int]]:
         from motionlang.mint.syntax.extent import blocks
 
         return blocks(source)
 
-    def asked(self, source: Source) -> Callable[[int], LoopDependencies | None]:
-        from motionlang.mint.resolve.loop_dependencies import asked
+    def loop_dependencies(self, source: Source) -> Callable[[int], LoopDependencies | None]:
+        from motionlang.mint.resolve.loop_dependencies import finder
 
-        return asked(source)
+        return finder(source)
 
     def interactive(self, machine: Machine) -> Interactive:
         from motionlang.mint.interactive import MintInteractive

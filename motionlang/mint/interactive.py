@@ -43,7 +43,7 @@ class MintInteractive(Interactive):
         """Discard all names, as before a program is run; the machine does not change."""
         environment = self.environment
         self._scope = Scope(Function("main", "main", "main", [], None), None)
-        self._namespace = {"E": environment, "P": environment.say, "T": environment.operations.now}
+        self._namespace = {"E": environment, "P": environment.print_text, "T": environment.operations.now}
         environment.forget_program()
 
     def _variables(self) -> list[object]:
@@ -98,7 +98,7 @@ class MintInteractive(Interactive):
         names.update(zip(compiled.operations, self.environment.make_operations(compiled.specs), strict=True))
         exec(compiled.first, names)
         bind(compiled.unit, names, dict(zip(TIME, self.environment.time_cells, strict=True)))
-        self.environment.files[file] = compiled.places
+        self.environment.files[file] = compiled.offsets
         self.environment.blocks.update((key, names[name]) for key, name in compiled.blocks.items())  # type: ignore[misc]
         if compiled.blocks:
             self.environment.listen()

@@ -89,10 +89,10 @@ class MintProgram(Program):
         from marshal import loads
 
         blocks, lines = loads(self._outline)
-        return blocks, dict(zip(self.code.places, lines, strict=True))
+        return blocks, dict(zip(self.code.offsets, lines, strict=True))
 
     @property
-    def places(self) -> Sequence[int]:
+    def offsets(self) -> Sequence[int]:
         return () if self.stops is None else self.stops[0]
 
     def start(self, machine: Machine) -> Task:
@@ -138,18 +138,18 @@ class MintProgram(Program):
 
         return Source(self.name, self.text)
 
-    def _line_of(self, place: int) -> int:
+    def _line_of(self, offset: int) -> int:
         """Return the line of a source offset.
 
         The text is parsed again only for an offset that the code does not contain.
         """
         outline = self.outline
-        line = outline[1].get(place) if outline is not None else None
+        line = outline[1].get(offset) if outline is not None else None
         if line is not None:
             return line
         from motionlang.mint.syntax.parser import parse
 
-        return parse(self._source).line(place)
+        return parse(self._source).line(offset)
 
     def run(self, machine: Machine, values: Mapping[str, float | str] | None = None) -> Task:
         """Return the parent task of the program as compiled.
@@ -159,11 +159,11 @@ class MintProgram(Program):
         environment = Environment(machine)
         environment.prepare()
         code = self.code
-        environment.files[FILE] = code.places
+        environment.files[FILE] = code.offsets
         environment.line_of = self._line_of
         operations = environment.make_operations(code.specs)
         namespace: dict[str, object] = {f"k{n}": operation for n, operation in enumerate(operations)}
-        namespace.update(E=environment, P=environment.say, T=environment.operations.now)
+        namespace.update(E=environment, P=environment.print_text, T=environment.operations.now)
         if values:
             namespace.update({given_name(name): value for name, value in values.items()})
         hook = machine.hook

@@ -63,16 +63,16 @@ def demonstrate(
         raise ValueError(f"the demanded fraction of the limit must be below 1, not {share:g}")
     coarse = dac_timing(speed, limit, 12)
     fine_steps = max(1, int(coarse.electrical_time_constant / dac_timing(speed, limit, 16).step_time))
-    held = max(1, ceil(coarse.hold_time / UPDATE - 1e-9))
+    hold_updates = max(1, ceil(coarse.hold_time / UPDATE - 1e-9))
     scale = FULL_COUNTS / speed
-    ways = (
+    variants = (
         ("12 bits, free", 12, 0, 1),
-        ("12 bits, held", 12, 1, held),
+        ("12 bits, held", 12, 1, hold_updates),
         ("16 bits, free", 16, 0, 1),
         ("16 bits, held", 16, fine_steps, 1),
     )
     made = []
-    for name, bits, steps, hold_count in ways:
+    for name, bits, steps, hold_count in variants:
         override = Override(steps, hold_count, FULL_COUNTS) if steps else None
         loop = Loop(
             gain,

@@ -102,12 +102,12 @@ def _slid(velocities: list[float], reach: float, period: float) -> float:
     return total
 
 
-def _merged(limit: float, scale: float, parts: Iterable[tuple[float, Profile, float]]) -> Slip:
+def _merged(limit: float, scale: float, moves: Iterable[tuple[float, Profile, float]]) -> Slip:
     check_positive(scale=scale)
     most = limit * scale * (1.0 + _EPSILON)
     spans: list[tuple[float, float]] = []
     peak = peak_time = 0.0
-    for start, profile, end in parts:
+    for start, profile, end in moves:
         if not profile.pieced:
             found, worst, when = _sampled(profile, min(profile.duration, end - start), most)
             spans += [(start + a, start + b) for a, b in found]
@@ -119,7 +119,7 @@ def _merged(limit: float, scale: float, parts: Iterable[tuple[float, Profile, fl
             last = min(finish, end - start)
             if last <= begin:
                 break
-            for x in (0.0, *_turns(piece, last - begin), last - begin):
+            for x in (0.0, *_extrema(piece, last - begin), last - begin):
                 value = abs(acceleration_in(piece, x)) if x < inf else 0.0
                 if value > peak * (1.0 + 1e-12):
                     peak, peak_time = value, start + begin + x
@@ -139,16 +139,16 @@ def _sampled(profile: Profile, last: float, most: float) -> tuple[list[tuple[flo
     spans = []
     for (a, b), (at_a, at_b) in zip(pairwise(times), pairwise(sizes), strict=True):
         if at_a > most or at_b > most:
-            begin = a if at_a > most else _turn(profile, a, b, most)
-            end = b if at_b > most else _turn(profile, b, a, most)
+            begin = a if at_a > most else _crossing(profile, a, b, most)
+            end = b if at_b > most else _crossing(profile, b, a, most)
             spans.append((begin, end))
     return spans, sizes[worst], times[worst]
 
 
-def _turn(profile: Profile, inside: float, beyond: float, most: float) -> float:
+def _crossing(profile: Profile, inside: float, beyond: float, most: float) -> float:
     """Return the time at which the acceleration crosses `most`.
 
-    It lies between the time `inside` the limit and the time `beyond` it.
+    It is between `inside`, a time within the limit, and `beyond`, a time outside it.
     """
     for _ in range(50):
         middle = 0.5 * (inside + beyond)
@@ -159,8 +159,8 @@ def _turn(profile: Profile, inside: float, beyond: float, most: float) -> float:
     return beyond
 
 
-def _turns(piece: Piece, span: float) -> list[float]:
-    """Return the local times at which the acceleration of a half wave peaks."""
+def _extrema(piece: Piece, span: float) -> list[float]:
+    """Return the local times at which the acceleration of a half wave has extrema."""
     amplitude, omega, phase = piece[4:]
     if not amplitude:
         return []

@@ -12,6 +12,7 @@ from motionlang.planners.curve import Profile
 from motionlang.planners.parabolic import plan_parabolic
 from motionlang.planners.scurve import plan_ratio, plan_sinusoidal
 from motionlang.planners.trapezoid import plan_trapezoid
+from motionlang.record import record
 
 ACCELERATION = 100_000.0
 """counts/s^2"""
@@ -101,18 +102,14 @@ class Demand:
 NOTE = Demand()
 
 
+@record
 class Row:
     """One quantity of the table for the four profiles; None if it does not exist."""
 
-    __slots__ = ("exact", "name", "printed", "unit")
-
-    def __init__(
-        self, name: str, unit: str, exact: tuple[float | None, ...], printed: tuple[float, ...] | None
-    ) -> None:
-        self.name = name
-        self.unit = unit
-        self.exact = exact
-        self.printed = printed
+    name: str
+    unit: str
+    exact: tuple[float | None, ...]
+    printed: tuple[float, ...] | None
 
 
 def profiles(demand: Demand = NOTE) -> tuple[Profile, Profile, Profile, Profile]:
@@ -140,8 +137,8 @@ def nominal(demand: Demand = NOTE) -> tuple[Row, ...]:
     long = Demand(demand.acceleration, demand.velocity, room, demand.deceleration, demand.ramp)
     made = profiles(long)
     rows = []
-    for letter, place in (("A", 0), ("D", -1)) if not demand.symmetric else (("A", 0),):
-        ramps = [profile.phases[place] for profile in made]
+    for letter, index in (("A", 0), ("D", -1)) if not demand.symmetric else (("A", 0),):
+        ramps = [profile.phases[index] for profile in made]
         rows.append(_row(demand, f"T_{letter}", "cycles", tuple(ramp.duration * CYCLES for ramp in ramps)))
         rows.append(_row(demand, f"S_{letter}", "counts", tuple(ramp.distance for ramp in ramps)))
     return tuple(rows)

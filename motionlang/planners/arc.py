@@ -38,13 +38,13 @@ def arc_over(
     omega = abs(sweep) / length
     knots = [0.0]
     pieces: list[Piece] = []
-    turn = floor(phase / pi + 1e-12)
+    half_turn = floor(phase / pi + 1e-12)
     while knots[-1] < length:
-        local = phase + omega * knots[-1] - turn * pi
-        sign = -1.0 if turn % 2 else 1.0
+        local = phase + omega * knots[-1] - half_turn * pi
+        sign = -1.0 if half_turn % 2 else 1.0
         pieces.append((centre, 0.0, 0.0, 0.0, sign * radius, omega, local))
-        turn += 1
-        finish = (turn * pi - phase) / omega
+        half_turn += 1
+        finish = (half_turn * pi - phase) / omega
         knots.append(finish if finish < length * (1.0 - 1e-12) else length)
     start = centre + radius * sin(phase)
     velocities = (radius * omega * cos(phase), radius * omega * cos(phase + omega * length))

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from motionlang.planners.ramps import Piece
 
     Value = Callable[[Piece, float], float]
-    Turns = Callable[[Piece, float], tuple[float, ...]]
+    Extrema = Callable[[Piece, float], tuple[float, ...]]
 
 
 def position_crossing(profile: Profile, position: float, after: float) -> float | None:
@@ -66,7 +66,7 @@ def _after_the_end(profile: Profile, position: float, after: float) -> float | N
 
 
 def _first(
-    profile: Profile, wanted: float, after: float, how: tuple[Value, Value, Turns], last: float
+    profile: Profile, wanted: float, after: float, how: tuple[Value, Value, Extrema], last: float
 ) -> float | None:
     knots, pieces, _ = profile.curve
     value = how[0]
@@ -107,15 +107,15 @@ def _joined(beginning: float, ending: float, following: float) -> float:
 
 
 def _first_in(
-    piece: Piece, wanted: float, span: tuple[float, float], how: tuple[Value, Value, Turns], ending: float
+    piece: Piece, wanted: float, span: tuple[float, float], how: tuple[Value, Value, Extrema], ending: float
 ) -> float | None:
-    value, slope, turns = how
+    value, slope, extrema = how
     low, finish = span
     if finish == inf:
         return _on_a_line(piece, wanted, low, value, slope)
     # A piece without length still connects the end of the piece before it to the start of the next.
     a, y_a = low, value(piece, low) if low < finish or not finish else ending
-    for b in (*(x for x in turns(piece, finish) if x > low), finish):
+    for b in (*(x for x in extrema(piece, finish) if x > low), finish):
         y_b = value(piece, b) if b < finish else ending
         if y_a == wanted:
             return a

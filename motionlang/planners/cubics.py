@@ -38,15 +38,15 @@ def cubics(profile: Profile) -> Curve:
             knots.append(inf)
         elif finish - begin > MOMENT:
             inwards = _ASIDE * (finish - begin)
-            ends = _beside(profile, begin, inwards), _beside(profile, finish, -inwards)
+            ends = _state_near(profile, begin, inwards), _state_near(profile, finish, -inwards)
             _fit(profile, (begin, finish), ends, FIT * size, knots, pieces, _DEPTH)
     return tuple(knots), tuple(pieces), ((profile.shape, 0),) if pieces else ()
 
 
-def _beside(profile: Profile, knot: float, inwards: float) -> State:
-    """Return the state at a knot as seen from one side.
+def _state_near(profile: Profile, knot: float, inwards: float) -> State:
+    """Return the state at a knot as seen from one side, `inwards` from it.
 
-    If the velocity jumps there, rounding decides on which side `knot` itself is.
+    If the velocity jumps at the knot, rounding decides which side `knot` itself is on.
     """
     inside = profile.at(knot + inwards)
     velocity = inside.velocity - inwards * (inside.acceleration - 0.5 * inwards * inside.jerk)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from motionlang.planners.ramps import Curve, Piece, Recipe
 
     _Value = Callable[[Piece, float], float]
-    _Turns = Callable[[Piece, float], tuple[float, ...]]
+    _Extrema = Callable[[Piece, float], tuple[float, ...]]
 
 
 # The recipe of standstill. Such a profile makes its one piece on demand, as those of ramps do.
@@ -102,6 +102,11 @@ class Profile:
         return self._recipe[-1]
 
     @property
+    def has_ramps(self) -> bool:
+        """True if it consists of monotone velocity ramps without jumps between them."""
+        return len(self._recipe) > 2
+
+    @property
     def distance(self) -> float:
         """Signed distance from start to end."""
         return self.end - self.start
@@ -109,7 +114,7 @@ class Profile:
     @property
     def phases(self) -> tuple[Phase, ...]:
         """The phases of the profile, in order."""
-        if len(self._recipe) > 2:
+        if self.has_ramps:
             return tuple(Phase(*ramp) for ramp in named_ramps(self._recipe))
         _, pieces, marks = self.curve
         lasts = [*(first for _, first in marks[1:]), len(pieces)]
@@ -120,7 +125,7 @@ class Profile:
     @property
     def peak_speed(self) -> float:
         """The largest absolute velocity."""
-        if len(self._recipe) > 2:  # every ramp is monotone
+        if self.has_ramps:
             return max(map(abs, self._recipe[::3]))
         return self._peak(velocity_in, even_points)
 
@@ -264,11 +269,11 @@ class Profile:
         knots, pieces, marks = self.curve
         i = self._index(time)
         count = i + 1 if time > knots[i] else i
-        kept = tuple(mark for mark in marks if mark[1] < count)
-        curve = ((*knots[:count], time), pieces[:count], kept)
-        return from_curve(
-            self.shape, self.start, self.position(time), curve, self.start_velocity, self.velocity(time)
-        )
+        marks_before = tuple([mark for mark in marks if mark[1] < count])
+        curve = ((*knots[:count], time), pieces[:count], marks_before)
+        piece, x = pieces[i], time - knots[i]
+        end, end_velocity = position_in(piece, x), velocity_in(piece, x)
+        return from_curve(self.shape, self.start, end, curve, self.start_velocity, end_velocity)
 
     def ending_at(self, end: float) -> Profile:
         """Return the same motion with `end`, known exactly, as its end."""
@@ -325,7 +330,7 @@ class Profile:
         end = start + self.distance * factor if self.distance and factor else start
         recipe = self._recipe
         if len(recipe) > 2:
-            ramps = tuple(v if i % 3 else v * factor for i, v in enumerate(recipe))
+            ramps = tuple([v if i % 3 else v * factor for i, v in enumerate(recipe)])
             made = Profile(self.shape, start, end, self.duration, ramps)
             if not hasattr(self, "_curve"):
                 return made
@@ -339,11 +344,13 @@ class Profile:
     # -- inside
 
     def _index(self, time: float) -> int:
-        return min(bisect_right(self.curve[0], time), len(self.curve[1])) - 1
+        knots, pieces, _ = self.curve
+        return min(bisect_right(knots, time), len(pieces)) - 1
 
     def _locate(self, time: float) -> tuple[Piece, float]:
-        i = self._index(time)
-        return self.curve[1][i], time - self.curve[0][i]
+        knots, pieces, _ = self.curve
+        i = min(bisect_right(knots, time), len(pieces)) - 1
+        return pieces[i], time - knots[i]
 
     def _beyond(self, time: float) -> float:
         velocity = self.end_velocity
@@ -356,12 +363,12 @@ class Profile:
         velocity = velocity_in(piece, finish - self.knots[last - 1])
         return Phase(name, finish - begin, moved, velocity_in(self.pieces[first], 0.0), velocity)
 
-    def _peak(self, value: _Value, turns: _Turns) -> float:
+    def _peak(self, value: _Value, extrema: _Extrema) -> float:
         knots, pieces, _ = self.curve
         peak = 0.0
         for piece, begin, finish in zip(pieces, knots, knots[1:], strict=False):
             span = finish - begin
-            for x in (0.0, *turns(piece, span), span):
+            for x in (0.0, *extrema(piece, span), span):
                 peak = max(peak, abs(value(piece, x)))
         return peak
 
@@ -398,8 +405,11 @@ def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:
         return twin
     recipe = (profile.start_velocity, profile.end_velocity) if name else profile._recipe
     made = Profile(shape, profile.start, profile.end, profile.duration, recipe)
-    knots, pieces, marks = profile.curve
-    made._curve = (knots, pieces, ((name, 0),) if name and marks else marks)
+    if name:
+        knots, pieces, marks = profile.curve
+        made._curve = (knots, pieces, ((name, 0),) if marks else marks)
+    elif hasattr(profile, "_curve"):
+        made._curve = profile._curve
     return made
 
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from motionlang.planners.curve import Profile
 
 # The travel in one direction, in length units, that counts as motion; rounding is smaller.
-_GONE = 1e-6
+_MIN_TRAVEL = 1e-6
 
 
 def sets_off(profile: Profile, sign: int, after: float) -> float | None:
@@ -23,14 +23,14 @@ def sets_off(profile: Profile, sign: int, after: float) -> float | None:
     first sets off when it leaves its position. None if it never moves that way.
     """
     after = max(after, 0.0)
-    begun, gone = after, 0.0
-    for begin, way in _stretches(profile, after):
-        if way * sign <= 0.0:
-            gone = 0.0 if way else gone
+    begun, travelled = after, 0.0
+    for begin, distance in _stretches(profile, after):
+        if distance * sign <= 0.0:
+            travelled = 0.0 if distance else travelled
             continue
-        begun = begin if not gone else begun
-        gone += abs(way)
-        if gone > _GONE:
+        begun = begin if not travelled else begun
+        travelled += abs(distance)
+        if travelled > _MIN_TRAVEL:
             return begun
     return None
 
@@ -52,8 +52,8 @@ def _spans(profile: Profile, after: float) -> Iterator[tuple[float, float]]:
         if finish <= after:
             continue
         low = max(after - begin, 0.0)
-        turns = [x for x in still_points(piece, finish - begin) if x > low]
-        for x in (*turns, finish - begin):
+        extrema = [x for x in still_points(piece, finish - begin) if x > low]
+        for x in (*extrema, finish - begin):
             if x == inf:
                 velocity = piece[1] + 2.0 * piece[2] * (low + 1.0)
                 yield begin + low, velocity * inf if velocity else 0.0

@@ -129,7 +129,7 @@ def _composed(profile: Reparametrised, times: Array, order: int) -> Array:
     return bends * v + _curve(profile.path, s, 1) * jerk
 
 
-def _curve(path: Profile, places: Array, order: int) -> Array:
+def _curve(path: Profile, distances: Array, order: int) -> Array:
     """Evaluate a curve at distances along it.
 
     Before its beginning and beyond its end it is a straight line. Exactly at an end it has the curvature that it has
@@ -137,12 +137,12 @@ def _curve(path: Profile, places: Array, order: int) -> Array:
     """
     length = path.duration
     if order == 2 and length < np.inf:
-        near = (places >= -AT_END * length) & (places <= length * (1.0 + AT_END))
-        places = np.where(near, np.clip(places, 0.0, np.nextafter(length, 0.0)), places)
-    out = evaluate(path, places, order)
-    before = places < 0.0
+        near = (distances >= -AT_END * length) & (distances <= length * (1.0 + AT_END))
+        distances = np.where(near, np.clip(distances, 0.0, np.nextafter(length, 0.0)), distances)
+    out = evaluate(path, distances, order)
+    before = distances < 0.0
     if order == 0 and before.any():
-        out[before] = path.start + path.start_velocity * places[before]
+        out[before] = path.start + path.start_velocity * distances[before]
     return out
 
 
@@ -151,5 +151,5 @@ def _chain(profile: ProfileSequence, times: Array, order: int) -> Array:
     owner = np.searchsorted(np.array(profile.begins), times, "right") - 1
     for i in np.unique(owner).tolist():
         mine = owner == i
-        out[mine] = evaluate(profile.parts[i], times[mine] - profile.begins[i], order)
+        out[mine] = evaluate(profile.segments[i], times[mine] - profile.begins[i], order)
     return out

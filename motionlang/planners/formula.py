@@ -130,9 +130,9 @@ class Formula(Profile):
         seen = [self.start, self.end]
         for begin, finish in self._brackets(0.0):
             seen += [self.position(begin), self.position(finish)]
-            turn = self._turn(self.velocity, self.acceleration, begin, finish)
-            if turn is not None:
-                seen.append(self.position(turn))
+            extremum = self._extremum(self.velocity, self.acceleration, begin, finish)
+            if extremum is not None:
+                seen.append(self.position(extremum))
         return min(seen), max(seen)
 
     def stretches(self, after: float) -> Iterator[tuple[float, float]]:
@@ -141,8 +141,7 @@ class Formula(Profile):
         The last section may have no end.
         """
         for begin, finish in self._brackets(after):
-            turn = self._turn(self.velocity, self.acceleration, begin, finish)
-            for low, high in ((begin, finish),) if turn is None else ((begin, turn), (turn, finish)):
+            for low, high in self._monotone(self.velocity, self.acceleration, begin, finish):
                 yield low, self.position(high) - self.position(low)
         if self.duration == inf:
             yield max(after, self.knots[-2]), self.end_velocity * inf if self.end_velocity else 0.0
@@ -161,10 +160,17 @@ class Formula(Profile):
                 if high > after:
                     yield max(low, after), high
 
-    def _turn(
+    def _monotone(
+        self, slope: Callable[[float], float], bend: Callable[[float], float], begin: float, finish: float
+    ) -> tuple[tuple[float, float], ...]:
+        """Return the sections of a bracket in which `slope` does not change sign."""
+        extremum = self._extremum(slope, bend, begin, finish)
+        return ((begin, finish),) if extremum is None else ((begin, extremum), (extremum, finish))
+
+    def _extremum(
         self, slope: Callable[[float], float], bend: Callable[[float], float], begin: float, finish: float
     ) -> float | None:
-        """Return the time inside a bracket at which `slope` changes its sign."""
+        """Return the time inside a bracket at which `slope` changes sign."""
         first, last = slope(begin), slope(finish)
         if first * last >= 0.0:
             return None
@@ -178,8 +184,7 @@ class Formula(Profile):
         after: float,
     ) -> float | None:
         for begin, finish in self._brackets(after):
-            turn = self._turn(slope, lambda _: 0.0, begin, finish)
-            for low, high in ((begin, finish),) if turn is None else ((begin, turn), (turn, finish)):
+            for low, high in self._monotone(slope, lambda _: 0.0, begin, finish):
                 y_low, y_high = value(low), value(high)
                 if y_low == wanted:
                     return low

@@ -250,13 +250,13 @@ def _back(
     _, decel, accel_jerk, decel_jerk = rates
     u, b, sign = state
     steps: Steps = ()
-    after, way, time = u, 0.0, 0.0
+    after, covered, time = u, 0.0, 0.0
     if b > 0.0:
         time = b / accel_jerk
-        steps, after, way = ((-accel_jerk, time),), u + 0.5 * b * time, (u + b * time / 3.0) * time
+        steps, after, covered = ((-accel_jerk, time),), u + 0.5 * b * time, (u + b * time / 3.0) * time
     elif b < 0.0:
         time = -b / decel_jerk
-        after, way = u + 0.5 * b * time, (u + b * time / 3.0) * time
+        after, covered = u + 0.5 * b * time, (u + b * time / 3.0) * time
         if abs(after) <= NOTHING * (decel * decel / decel_jerk + u) and after <= HARDLY * u:
             after = 0.0
         if after <= 0.0:
@@ -266,18 +266,18 @@ def _back(
         else:  # it continues braking: the ramp is the rest of one that began earlier
             whole = u - 0.5 * b * time
             peak = max(-b, min(decel, sqrt(decel_jerk * whole)))
-            flank, held = peak / decel_jerk, max(0.0, (whole - peak * peak / decel_jerk) / peak)
-            way = whole * (0.5 * held + flank) - (whole - decel_jerk * time * time / 6.0) * time
-            steps, after = ((-decel_jerk, flank - time), (0.0, held), (decel_jerk, flank)), 0.0
-            time = 2.0 * flank + held - time
+            flank, hold = peak / decel_jerk, max(0.0, (whole - peak * peak / decel_jerk) / peak)
+            covered = whole * (0.5 * hold + flank) - (whole - decel_jerk * time * time / 6.0) * time
+            steps, after = ((-decel_jerk, flank - time), (0.0, hold), (decel_jerk, flank)), 0.0
+            time = 2.0 * flank + hold - time
     elif u < STILL:
         return None
     size = (target - start) * sign
     if after < 0.0:  # it reverses before the acceleration reaches zero
-        rest = plan_jerk(0.0, (size - way) * sign, speed, *rates, after * sign)
+        rest = plan_jerk(0.0, (size - covered) * sign, speed, *rates, after * sign)
         recipe, duration = rest._recipe, time + rest.duration
     else:
-        stopping, stop, kind = way, 0.0, 0.5
+        stopping, stop, kind = covered, 0.0, 0.5
         if after:
             fall = decel / decel_jerk
             stop = after / decel + fall if after >= decel * fall else 2.0 * sqrt(after / decel_jerk)

@@ -88,17 +88,17 @@ def jerk_limited_approach(
     sign = copysign(1.0, v0 or a0)
     u, b = sign * v0, sign * a0
     steps, after = initial_steps(ramps.bounds, u, b, 0.0)
-    ahead, way = sign * (target - start), distance_of_steps(u, b, steps)
+    ahead, covered = sign * (target - start), distance_of_steps(u, b, steps)
     time, kind = ramps.down(after, 0.0) if after >= 0.0 else (0.0, 0.0)
-    stopping = way + ramp_distance(after, time, kind, 0.0)
+    stopping = covered + ramp_distance(after, time, kind, 0.0)
     rounding = is_rounding(stopping - ahead, stopping, start, target)
     if after >= 0.0 and stopping < ahead and not rounding:
         return _ahead(ramps, start, target, speed, u, b, sign)
-    end, head = start + sign * way, (u, b, steps, sign)
+    end, head = start + sign * covered, (u, b, steps, sign)
     if not abs(end) < inf:
         raise too_large()
     if after >= 0.0 and rounding:
-        return _arriving(start, target, head, way, (sign * after, time, kind, 0.0))
+        return _arriving(start, target, head, covered, (sign * after, time, kind, 0.0))
     rest = straight(end, sign * after)
     duration = _time(steps) + rest.duration
     if not duration < inf:
@@ -116,18 +116,18 @@ def _ahead(
     if top is None or speed <= eased_speed(ramps.bounds, u, b):
         steps, rows = between(ramps, size, speed, u, b, 0.0)
         recipe = [value if i else value * sign for row in rows for i, value in enumerate(row[:3])]
-        way = distance_of_steps(u, b, steps)
-        return _arriving(start, target, (u, b, steps, sign), way, (*recipe, 0.0))
+        covered = distance_of_steps(u, b, steps)
+        return _arriving(start, target, (u, b, steps, sign), covered, (*recipe, 0.0))
     top = min(top, speed)
     steps, after = initial_steps(ramps.bounds, u, b, top)
     first, kind = ramps.up(after, top)
     last, last_kind = ramps.down(top, 0.0)
-    way = distance_of_steps(u, b, steps)
-    left = size - way - ramp_distance(after, first, kind, top) - ramp_distance(top, last, last_kind, 0.0)
+    covered = distance_of_steps(u, b, steps)
+    left = size - covered - ramp_distance(after, first, kind, top) - ramp_distance(top, last, last_kind, 0.0)
     slew = left / top if top == speed and left > 0.0 else 0.0
     v = sign * top
     recipe_up = (sign * after, first, kind, v, slew, 0.0, v, last, last_kind, 0.0)
-    return _arriving(start, target, (u, b, steps, sign), way, recipe_up)
+    return _arriving(start, target, (u, b, steps, sign), covered, recipe_up)
 
 
 def _time(steps: Steps) -> float:
@@ -159,7 +159,7 @@ def _peak(ramps: Ramps, bounds: Bounds, size: float, u: float, b: float) -> floa
     return top if top >= eased else None
 
 
-def _arriving(start: float, target: float, head: Head, way: float, recipe: Recipe) -> Profile | None:
+def _arriving(start: float, target: float, head: Head, covered: float, recipe: Recipe) -> Profile | None:
     """Return initial sections, then the ramps of a recipe that end at `target`.
 
     `covered` is the distance of the sections. None if the ramps end elsewhere.
@@ -167,8 +167,8 @@ def _arriving(start: float, target: float, head: Head, way: float, recipe: Recip
     time = total(recipe[1::3])
     if not time < inf:
         raise too_large()
-    far = target - start - head[3] * way
-    ways = [ramp_distance(*recipe[i : i + 4]) for i in range(0, len(recipe) - 1, 3)]
-    if abs(total(ways) - far) > _ASTRAY * max(abs(target), abs(start), abs(far), *map(abs, ways)):
+    far = target - start - head[3] * covered
+    distances = [ramp_distance(*recipe[i : i + 4]) for i in range(0, len(recipe) - 1, 3)]
+    if abs(total(distances) - far) > _ASTRAY * max(abs(target), abs(start), abs(far), *map(abs, distances)):
         return None
     return JerkLimited(start, target, _time(head[2]) + time, head, recipe)

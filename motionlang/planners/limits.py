@@ -21,6 +21,8 @@ def check_positive(**quantities: float) -> None:
     Raises ValueError for the first one that is outside or NaN.
     """
     for name, value in quantities.items():
+        if SMALLEST <= value <= LARGEST:
+            continue
         word = name.replace("_", " ")
         if isnan(value):
             raise ValueError(f"{word} is not a number")
@@ -28,8 +30,7 @@ def check_positive(**quantities: float) -> None:
             raise ValueError(f"{word} must be greater than zero")
         if value == inf:
             raise ValueError(f"{word} must be finite")
-        if not SMALLEST <= value <= LARGEST:
-            raise ValueError(f"{word} must lie between {SMALLEST:g} and {LARGEST:g}")
+        raise ValueError(f"{word} must lie between {SMALLEST:g} and {LARGEST:g}")
 
 
 def check_finite(**quantities: float) -> None:
@@ -38,13 +39,14 @@ def check_finite(**quantities: float) -> None:
     Raises ValueError for the first one that fails.
     """
     for name, value in quantities.items():
+        if -LARGEST <= value <= LARGEST:
+            continue
         word = name.replace("_", " ")
         if isnan(value):
             raise ValueError(f"{word} is not a number")
         if not isfinite(value):
             raise ValueError(f"{word} must be finite")
-        if abs(value) > LARGEST:
-            raise ValueError(f"{word} must lie between -{LARGEST:g} and {LARGEST:g}")
+        raise ValueError(f"{word} must lie between -{LARGEST:g} and {LARGEST:g}")
 
 
 def check_ramp(ramp: float) -> None:

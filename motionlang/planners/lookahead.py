@@ -85,8 +85,11 @@ def plan_course(
         lengths[i] = max(0.0, length - passed)
         passed = max(0.0, passed - length)
     paces = [pace for _, pace in stretches]
-    caps = [min(a.speed, b.speed) for a, b in pairwise(paces)]
-    caps = [min(cap, limit) for cap, limit in zip(caps, joins or [inf] * len(caps), strict=True)]
+    caps: list[float] = []
+    if len(paces) > 1:
+        caps = [min(a.speed, b.speed) for a, b in pairwise(paces)]
+        if joins:
+            caps = [min(cap, limit) for cap, limit in zip(caps, joins, strict=True)]
     found = _ramps_of(lengths, paces, caps, v0, a0)
     if found is None:
         return None
@@ -103,8 +106,8 @@ def _eased(
     `slowed` stretches are before it. They were run at the slowest pace of all stretches up to it; from there each may
     have its own pace. Return the new plan if it is shorter in time.
     """
-    place = total(length for length, _ in stretches[:slowed])
-    time = profile.crossing(place)
+    distance = total(length for length, _ in stretches[:slowed])
+    time = profile.crossing(distance)
     if time is None:
         return profile
     here = profile.at(time)
@@ -127,16 +130,16 @@ def _ramps_of(
         # A run that begins too fast for its first segment uses the slowest pace of as many segments as it
         # needs.
         slow = _slowest(paces[:k])
-        way, own, target = total(lengths[:k]), slow.ramps(), min(latest[k], slow.speed)
-        best = exit_speed(own, way, v0, a0, target)
+        distance, own, target = total(lengths[:k]), slow.ramps(), min(latest[k], slow.speed)
+        best = exit_speed(own, distance, v0, a0, target)
         leaving = best if best is not None and best < target else target
-        if not reaches(own, way * (1.0 + _SLACK), v0, a0, leaving):
+        if not reaches(own, distance * (1.0 + _SLACK), v0, a0, leaving):
             continue
         speeds = [v0, leaving]
         for i in range(k, len(lengths)):
             following = exit_speed(ramps[i], lengths[i], speeds[-1], 0.0, latest[i + 1])
             speeds.append(latest[i + 1] if following is None else following)
-        merged = [way, *lengths[k:]], [slow, *paces[k:]], [own, *ramps[k:]]
+        merged = [distance, *lengths[k:]], [slow, *paces[k:]], [own, *ramps[k:]]
         return k, *_between_all(*merged, speeds, a0)
     return None
 
@@ -207,13 +210,13 @@ def _joined(
         if rows and _goes_on(rows[-1], ramp):
             ramp = (rows[-1][0], rows.pop()[1] + ramp[1], 0.0, ramp[3])
         rows.append(ramp)
-    bent = profile_of_steps(start, v0, a0, steps, rows[0][0] if rows else 0.0)
+    transition = profile_of_steps(start, v0, a0, steps, rows[0][0] if rows else 0.0)
     recipe = (*(value for row in rows for value in row[:3]), rows[-1][3]) if rows else (0.0, 0.0, 0.0, 0.0)
     duration = total(row[1] for row in rows)
-    if not duration + bent.duration < inf:
+    if not duration + transition.duration < inf:
         raise too_large()
-    rest = Profile(shape, bent.end, end, duration, recipe)
-    return bent.then(rest) if steps else rest
+    rest = Profile(shape, transition.end, end, duration, recipe)
+    return transition.then(rest) if steps else rest
 
 
 def _goes_on(before: Ramp, ramp: Ramp) -> bool:

@@ -6,6 +6,8 @@ restored pieces may differ in the last bit.
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.planners.curve import Profile, hold
 
 TYPE_CHECKING = False
@@ -27,12 +29,12 @@ def packed(profile: Profile) -> Packed:
     if len(recipe) > 2:
         return profile.shape, profile.start, profile.end, profile.duration, recipe
     if profile.pieced:
-        if profile.shape == "hold" and profile.duration == _FOREVER:
+        if profile.shape == "hold" and profile.duration == inf:
             return (profile.start,)
         return profile.shape, profile.start, profile.end, profile.duration, recipe, profile.curve
     name = type(profile).__name__
-    parts = tuple(_packed_component(getattr(profile, each)) for each in _PARTS[name])
-    return name, parts, profile.shape, profile.end
+    components = tuple(_packed_component(getattr(profile, each)) for each in _COMPONENTS[name])
+    return name, components, profile.shape, profile.end
 
 
 def unpacked(row: Packed) -> Profile:
@@ -46,39 +48,38 @@ def unpacked(row: Packed) -> Profile:
         curve: Curve = row[-1]  # type: ignore[assignment]
         made._curve = curve
         return made
-    name, parts, shape, end = row
-    formula = _formula(name, tuple(_unpacked_component(each) for each in parts))  # type: ignore[attr-defined,arg-type]
+    name, components, shape, end = row
+    formula = _formula(name, tuple(_unpacked_component(each) for each in components))  # type: ignore[attr-defined,arg-type]
     formula.shape, formula.end = shape, end  # type: ignore[assignment]  # a path's end is that of its plan
     return formula
 
 
-_FOREVER = float("inf")
 # The attributes of each formula, in the order of its arguments.
-_PARTS = {
+_COMPONENTS = {
     "Extrapolated": ("profile", "lead"),
-    "ProfileSequence": ("shape", "parts", "name"),
+    "ProfileSequence": ("shape", "segments", "name"),
     "Reparametrised": ("along", "path", "shape", "lift"),
     "Rate": ("profile",),
     "Superposed": ("first", "second", "shape"),
 }
 
 
-def _packed_component(part: object) -> object:
-    if isinstance(part, Profile):
-        return ("profile", packed(part))
-    if isinstance(part, tuple):
-        return ("profiles", tuple(packed(each) for each in part))
-    return part
+def _packed_component(component: object) -> object:
+    if isinstance(component, Profile):
+        return ("profile", packed(component))
+    if isinstance(component, tuple):
+        return ("profiles", tuple(packed(each) for each in component))
+    return component
 
 
-def _unpacked_component(part: object) -> object:
-    if not isinstance(part, tuple):
-        return part
-    kind, held = part
-    return unpacked(held) if kind == "profile" else tuple(unpacked(each) for each in held)
+def _unpacked_component(component: object) -> object:
+    if not isinstance(component, tuple):
+        return component
+    kind, content = component
+    return unpacked(content) if kind == "profile" else tuple(unpacked(each) for each in content)
 
 
-def _formula(name: str, parts: tuple[object, ...]) -> Profile:
+def _formula(name: str, components: tuple[object, ...]) -> Profile:
     from motionlang.planners.extrapolation import Extrapolated
     from motionlang.planners.rate import Rate
     from motionlang.planners.reparametrised import Reparametrised
@@ -91,5 +92,5 @@ def _formula(name: str, parts: tuple[object, ...]) -> Profile:
         "Reparametrised": Reparametrised,
         "Rate": Rate,
         "Superposed": Superposed,
-    }[name](*parts)
+    }[name](*components)
     return made

@@ -91,10 +91,12 @@ def stop_in_motion(
     """
     state = profile.at(time)
     if shape == "trapezoid" or (shape == "scurve" and decel_jerk < inf):
-        bent = state.acceleration if shape == "scurve" else 0.0
+        acceleration = state.acceleration if shape == "scurve" else 0.0
         if accel is not None:
-            bent = admitted(bent, state.velocity, accel, decel)
-        return plan_stop(shape, state.position, state.velocity, decel, ramp, decel_jerk, bent, accel_jerk)
+            acceleration = admitted(acceleration, state.velocity, accel, decel)
+        return plan_stop(
+            shape, state.position, state.velocity, decel, ramp, decel_jerk, acceleration, accel_jerk
+        )
     eased = residual_ramp_down(profile, time) if shaped(shape, decel_jerk) else None
     if eased is None:
         made = plan_stop(shape, state.position, state.velocity, decel, ramp)

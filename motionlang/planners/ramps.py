@@ -129,7 +129,7 @@ def _add_trapezoidal(
     rise = (
         min(ratio, 0.5) * duration
     )  # if the peak is only just reached, rounding may put it after the middle
-    held = duration - 2.0 * rise
+    hold = duration - 2.0 * rise
     risen, falling, finish = time + rise, time + (duration - rise), time + duration
     if not time < risen <= falling < finish:  # too short for the clock's resolution
         _add_ramp(knots, pieces, time, p, (v_from, duration, 0.0, v_to))
@@ -140,10 +140,10 @@ def _add_trapezoidal(
     pieces.append((p, v_from, 0.0, sixth, 0.0, 0.0, 0.0))
     knots.append(risen)
     p += v_from * rise + sixth * rise * rise * rise
-    if held > 0.0 and risen < falling:
+    if hold > 0.0 and risen < falling:
         v = v_from + bend
         pieces.append((p, v, 0.5 * peak, 0.0, 0.0, 0.0, 0.0))
         knots.append(falling)
-        p += (v + 0.5 * peak * held) * held
+        p += (v + 0.5 * peak * hold) * hold
     pieces.append((p, v_to - bend, 0.5 * peak, -sixth, 0.0, 0.0, 0.0))
     knots.append(finish)

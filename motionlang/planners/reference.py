@@ -39,10 +39,10 @@ class Slope:
         size, edges = abs(change), self.begin + self.end
         share = min(1.0, sqrt(2.0 * size / (self.rate * edges))) if edges else 1.0
         begin, end = share * self.begin, share * self.end
-        held = max(size / self.rate - 0.5 * edges, 0.0) if share == 1.0 else 0.0
+        hold = max(size / self.rate - 0.5 * edges, 0.0) if share == 1.0 else 0.0
         bend = 0.5 * share * self.rate
         sign = 1.0 if change > 0.0 else -1.0
-        return (begin, RISING, v0 + sign * bend * begin, held, 0.0, v1 - sign * bend * end, end, FALLING)
+        return (begin, RISING, v0 + sign * bend * begin, hold, 0.0, v1 - sign * bend * end, end, FALLING)
 
 
 def plan_reference(start: float, v0: float, v1: float, up: Slope, down: Slope, a0: float = 0.0) -> Profile:

@@ -85,9 +85,9 @@ class Reparametrised(Formula):
         except AttributeError:
             found = set(self.along.knots)
             low, high = self.along.extrema()
-            for place in places(self.path):
-                if low <= place <= high:
-                    found.update(crossings(self.along, place))
+            for distance in knot_distances(self.path):
+                if low <= distance <= high:
+                    found.update(crossings(self.along, distance))
             self._knots = tuple(sorted(found))
             return self._knots
 
@@ -137,14 +137,14 @@ class Reparametrised(Formula):
 
     def crossing(self, position: float, after: float = 0.0) -> float | None:
         """Return the first time >= `after` at `position`, or None if there is none."""
-        times = [self.along.crossing(place, after) for place in self._distances_at(position)]
+        times = [self.along.crossing(distance, after) for distance in self._distances_at(position)]
         return min((time for time in times if time is not None), default=None)
 
     def extrema(self) -> tuple[float, float]:
         """Return the smallest and the largest position, including extrema inside."""
         low, high = self.along.extrema()
-        inside = (place for place in places(self.path) if low <= place <= high)
-        seen = [_on(self.path, place)[0] + self.lift for place in (low, high, *inside)]
+        inside = (distance for distance in knot_distances(self.path) if low <= distance <= high)
+        seen = [_on(self.path, distance)[0] + self.lift for distance in (low, high, *inside)]
         return min(seen), max(seen)
 
     def cut(self, time: float) -> Profile:
@@ -185,9 +185,9 @@ class Reparametrised(Formula):
             (path.start, path.start_velocity, 0.0),
             (path.end, path.end_velocity, path.duration),
         ):
-            place = edge + (position - end) / slope if slope else edge
-            if slope and (place < edge if edge == 0.0 else place > edge):
-                found.append(place)
+            distance = edge + (position - end) / slope if slope else edge
+            if slope and (distance < edge if edge == 0.0 else distance > edge):
+                found.append(distance)
         return found
 
 
@@ -197,7 +197,9 @@ def travelled(along: Profile, path: Profile, shape: str = "", lift: float = 0.0)
     If the travelled section is straight, the result consists of plain pieces.
     """
     knots, pieces, _ = path.curve
-    if len(pieces) == 1 and not any(pieces[0][2:5]):
+    if len(pieces) == 1:
+        if any(pieces[0][2:5]):
+            return Reparametrised(along, path, shape, lift)
         return _straight(along, pieces[0], 0.0, shape, lift)
     low, high = along.extrema()
     last = len(pieces) - 1
@@ -222,7 +224,7 @@ def _straight(along: Profile, piece: Piece, begin: float, shape: str, lift: floa
     return made
 
 
-def places(path: Profile) -> list[float]:
+def knot_distances(path: Profile) -> list[float]:
     """Return the knots and extrema of a curve."""
     found = list(path.knots)
     for piece, begin, finish in zip(path.pieces, path.knots, path.knots[1:], strict=False):
@@ -258,23 +260,23 @@ def _cached_crossings(path: Profile, position: float) -> tuple[float, ...]:
     return tuple(crossings(path, position))
 
 
-def _bend_at_end(path: Profile, place: float) -> float:
+def _bend_at_end(path: Profile, distance: float) -> float:
     """Return the second derivative of the curve at an end, if `distance` is that end.
 
     Farther out it is 0.0.
     """
     length = path.duration
-    if not -AT_END * length <= place <= length * (1.0 + AT_END) < inf:
+    if not -AT_END * length <= distance <= length * (1.0 + AT_END) < inf:
         return 0.0
-    return path.acceleration(0.0 if place < 0.0 else nextafter(length, 0.0))
+    return path.acceleration(0.0 if distance < 0.0 else nextafter(length, 0.0))
 
 
-def _on(path: Profile, place: float) -> tuple[float, float]:
+def _on(path: Profile, distance: float) -> tuple[float, float]:
     """Return position and slope of the curve, or of its straight continuation."""
-    if place < 0.0:
+    if distance < 0.0:
         slope = path.start_velocity
-        return path.start + slope * place if slope else path.start, slope
-    if place > path.duration:
+        return path.start + slope * distance if slope else path.start, slope
+    if distance > path.duration:
         slope = path.end_velocity
-        return path.end + slope * (place - path.duration) if slope else path.end, slope
-    return path.position(place), path.velocity(place)
+        return path.end + slope * (distance - path.duration) if slope else path.end, slope
+    return path.position(distance), path.velocity(distance)

@@ -93,14 +93,14 @@ class PieceTable:
         edges = np.append(edges[used], n)
         columns = _derivative(self.columns[:, used], order)
         origins = self.origins[used] - t0
-        asked = _Request(out, edges, origins, columns, dt)
+        request = _Request(out, edges, origins, columns, dt)
         long = np.diff(edges) >= LONG
-        _sample_short(asked, _runs(~long))
+        _sample_short(request, _runs(~long))
         wavy = columns[4] != 0.0
         still = ~columns[1:5].any(axis=0)
         for k in np.flatnonzero(long & still):
             out[edges[k] : edges[k + 1]] = columns[0, k] + 0.0
-        _sample_cubics(asked, np.flatnonzero(long & ~wavy & ~still))
+        _sample_cubics(request, np.flatnonzero(long & ~wavy & ~still))
         for i in np.flatnonzero(long & wavy):
             _sample_wave(out[edges[i] : edges[i + 1]], columns[:, i], edges[i] * dt - origins[i], dt)
         for start, end, profile in self._formulas:
@@ -142,8 +142,8 @@ def _derivative(columns: Array, order: int) -> Array:
 def _runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """Return begin and end of every run of True."""
     padded = np.concatenate(([False], mask, [False]))
-    turns = np.flatnonzero(padded[1:] != padded[:-1])
-    return [(int(a), int(b)) for a, b in zip(turns[::2], turns[1::2], strict=True)]
+    changes = np.flatnonzero(padded[1:] != padded[:-1])
+    return [(int(a), int(b)) for a, b in zip(changes[::2], changes[1::2], strict=True)]
 
 
 class _Request(NamedTuple):
@@ -156,14 +156,14 @@ class _Request(NamedTuple):
     dt: float
 
 
-def _sample_cubics(asked: _Request, which: NDArray[np.int64]) -> None:
+def _sample_cubics(request: _Request, which: NDArray[np.int64]) -> None:
     """Sample the long cubic pieces.
 
     All their blocks are re-centred together; then each piece takes one matrix product.
     """
     if not len(which):
         return
-    out, edges, origins, columns, dt = asked
+    out, edges, origins, columns, dt = request
     blocks = -(-(edges[which + 1] - edges[which]) // BLOCK)
     ends = np.cumsum(blocks)
     piece = np.repeat(which, blocks)
@@ -215,39 +215,39 @@ def _multiply(local: Array, basis: Array, out: Array) -> None:
         np.matmul(local[i : i + rows], basis, out=out[i : i + rows])
 
 
-def _sample_short(asked: _Request, runs: list[tuple[int, int]]) -> None:
+def _sample_short(request: _Request, runs: list[tuple[int, int]]) -> None:
     """Sample runs of short pieces, at most CHUNK points at a time.
 
     A longer run is split.
     """
-    edges = asked.edges
+    edges = request.edges
     together: list[tuple[int, int]] = []
     points = 0
     for begin, finish in runs:
         chunks = max(1, -(-int(edges[finish] - edges[begin]) // CHUNK))
         marks = [begin, finish]
         if chunks > 1:
-            places = np.linspace(edges[begin], edges[finish], chunks + 1)[1:-1]
-            marks[1:1] = (begin + np.searchsorted(edges[begin:finish], places)).tolist()
+            times = np.linspace(edges[begin], edges[finish], chunks + 1)[1:-1]
+            marks[1:1] = (begin + np.searchsorted(edges[begin:finish], times)).tolist()
         for a, b in pairwise(marks):
             if a == b:
                 continue
             count = int(edges[b] - edges[a])
             if together and points + count > CHUNK:
-                _sample_runs(asked, together)
+                _sample_runs(request, together)
                 together, points = [], 0
             together.append((a, b))
             points += count
     if together:
-        _sample_runs(asked, together)
+        _sample_runs(request, together)
 
 
-def _sample_runs(asked: _Request, runs: list[tuple[int, int]]) -> None:
+def _sample_runs(request: _Request, runs: list[tuple[int, int]]) -> None:
     """Sample runs on grids of small blocks, each by the piece of its first point.
 
     The points after a knot inside a block are then sampled again.
     """
-    out, edges, origins, columns, dt = asked
+    out, edges, origins, columns, dt = request
     piece = np.concatenate([np.arange(a, b) for a, b in runs])
     bounds = edges.take([a for a, _ in runs]), edges.take([b for _, b in runs])
     begins, ends, origins, columns = edges[piece], edges[piece + 1], origins[piece], columns[:, piece]

@@ -24,29 +24,29 @@ class ProfileSequence(Formula):
     With a `name` the sequence is one phase of that name.
     """
 
-    __slots__ = ("begins", "name", "parts")
+    __slots__ = ("begins", "name", "segments")
 
-    def __init__(self, shape: str, parts: Sequence[Profile], name: str = "") -> None:
-        self.parts = tuple(parts)
+    def __init__(self, shape: str, profiles: Sequence[Profile], name: str = "") -> None:
+        self.segments = tuple(profiles)
         self.name = name
         begins, time = [], 0.0
-        for part in parts:
+        for segment in profiles:
             begins.append(time)
-            time += part.duration
+            time += segment.duration
         self.begins = tuple(begins)
-        first, last = parts[0], parts[-1]
+        first, last = profiles[0], profiles[-1]
         super().__init__(shape, first.start, last.end, time, first.start_velocity, last.end_velocity)
 
     def state(self, time: float) -> State:
-        i = self._part(time)
-        return self.parts[i].at(time - self.begins[i])
+        i = self._segment_index(time)
+        return self.segments[i].at(time - self.begins[i])
 
     @property
     def knots(self) -> tuple[float, ...]:
         """The knots of all profiles."""
         found = [0.0]
-        for begin, part in zip(self.begins, self.parts, strict=True):
-            found += [begin + knot for knot in part.knots[1:]]
+        for begin, segment in zip(self.begins, self.segments, strict=True):
+            found += [begin + knot for knot in segment.knots[1:]]
         return (*found[:-1], self.duration)
 
     @property
@@ -54,7 +54,7 @@ class ProfileSequence(Formula):
         """The phases of all profiles, or one phase if the sequence has a name."""
         if self.name:
             return (Phase(self.name, self.duration, self.distance, self.start_velocity, self.end_velocity),)
-        return tuple(phase for part in self.parts for phase in part.phases)
+        return tuple(phase for segment in self.segments for phase in segment.phases)
 
     @property
     def peak_speed(self) -> float:
@@ -63,31 +63,31 @@ class ProfileSequence(Formula):
         A profile is searched only if its upper bound exceeds the largest value found so far.
         """
         peak = 0.0
-        for bound, part in sorted(
-            ((part.speed_bound, part) for part in self.parts), key=_BOUND, reverse=True
+        for bound, segment in sorted(
+            ((segment.speed_bound, segment) for segment in self.segments), key=_BOUND, reverse=True
         ):
             if bound <= peak:
                 break
-            peak = max(peak, part.peak_speed)
+            peak = max(peak, segment.peak_speed)
         return peak
 
     @property
     def speed_bound(self) -> float:
         """An upper bound of the absolute velocity, found without a search."""
-        return max(part.speed_bound for part in self.parts)
+        return max(segment.speed_bound for segment in self.segments)
 
     @property
     def peak_acceleration(self) -> float:
         """The largest absolute acceleration."""
-        return max(part.peak_acceleration for part in self.parts)
+        return max(segment.peak_acceleration for segment in self.segments)
 
     def crossing(self, position: float, after: float = 0.0) -> float | None:
         """Return the first time >= `after` at `position`, or None if there is none."""
-        return self._first_in_segments(lambda part, low: part.crossing(position, low), after)
+        return self._first_in_segments(lambda segment, low: segment.crossing(position, low), after)
 
     def velocity_crossing(self, velocity: float, after: float = 0.0) -> float | None:
         """Return the first time >= `after` at `velocity`, or None if there is none."""
-        return self._first_in_segments(lambda part, low: part.velocity_crossing(velocity, low), after)
+        return self._first_in_segments(lambda segment, low: segment.velocity_crossing(velocity, low), after)
 
     def _first_in_segments(
         self, crossing: Callable[[Profile, float], float | None], after: float
@@ -97,47 +97,51 @@ class ProfileSequence(Formula):
         A time counts only before the next profile begins.
         """
         after = max(after, 0.0)
-        last = len(self.parts) - 1
-        for i in range(self._part(after), last + 1):
-            part, begin = self.parts[i], self.begins[i]
-            found = crossing(part, max(after - begin, 0.0))
-            if found is not None and (i == last or found <= part.duration):
+        last = len(self.segments) - 1
+        for i in range(self._segment_index(after), last + 1):
+            segment, begin = self.segments[i], self.begins[i]
+            found = crossing(segment, max(after - begin, 0.0))
+            if found is not None and (i == last or found <= segment.duration):
                 return begin + found
         return None
 
     def extrema(self) -> tuple[float, float]:
         """Return the smallest and the largest position, including extrema inside."""
-        ends = [part.extrema() for part in self.parts]
+        ends = [segment.extrema() for segment in self.segments]
         return min(low for low, _ in ends), max(high for _, high in ends)
 
     def cut(self, time: float) -> Profile:
         """Return the first `time` seconds, exactly."""
         if time >= self.duration:
             return self
-        i = self._part(max(time, 0.0))
-        last = self.parts[i].cut(time - self.begins[i])
-        kept = self.parts[:i] if last.duration == 0.0 and i else (*self.parts[:i], last)
-        return kept[0] if len(kept) == 1 and not self.name else ProfileSequence(self.shape, kept, self.name)
+        i = self._segment_index(max(time, 0.0))
+        last = self.segments[i].cut(time - self.begins[i])
+        retained = self.segments[:i] if last.duration == 0.0 and i else (*self.segments[:i], last)
+        return (
+            retained[0]
+            if len(retained) == 1 and not self.name
+            else ProfileSequence(self.shape, retained, self.name)
+        )
 
     def after(self, time: float) -> Profile:
         """Return the rest after `time` seconds, with its clock starting at 0."""
         if time <= 0.0:
             return self
         if time >= self.duration:
-            return self.parts[-1].after(time - self.begins[-1])
-        i = self._part(time)
-        rest = (self.parts[i].after(time - self.begins[i]), *self.parts[i + 1 :])
+            return self.segments[-1].after(time - self.begins[-1])
+        i = self._segment_index(time)
+        rest = (self.segments[i].after(time - self.begins[i]), *self.segments[i + 1 :])
         return rest[0] if len(rest) == 1 and not self.name else ProfileSequence(self.shape, rest, self.name)
 
     def scaled(self, start: float, factor: float) -> Profile:
         """Return the same motion from `start`, with every distance times `factor`."""
         made = []
-        for part in self.parts:
-            made.append(part.scaled(start, factor))
+        for segment in self.segments:
+            made.append(segment.scaled(start, factor))
             start = made[-1].end
         return ProfileSequence(self.shape, made, self.name)
 
-    def _part(self, time: float) -> int:
+    def _segment_index(self, time: float) -> int:
         return max(0, bisect_right(self.begins, time) - 1)
 
 
@@ -150,6 +154,6 @@ def chained(first: Profile, second: Profile) -> Profile:
     if second.duration == 0.0:
         return first
     name = first.name if isinstance(first, ProfileSequence) else ""
-    parts = [*(first.parts if isinstance(first, ProfileSequence) else (first,))]
-    parts += second.parts if isinstance(second, ProfileSequence) and not second.name else (second,)
-    return ProfileSequence(first.shape, parts, name)
+    profiles = [*(first.segments if isinstance(first, ProfileSequence) else (first,))]
+    profiles += second.segments if isinstance(second, ProfileSequence) and not second.name else (second,)
+    return ProfileSequence(first.shape, profiles, name)

@@ -24,6 +24,10 @@ if TYPE_CHECKING:
     Step = Callable[[Figures], float | None]
 
 
+class Underdetermined(ValueError):
+    """Raised if the given figures do not determine the move."""
+
+
 def solve_move(rule: str | None = None, **given: float | None) -> dict[str, float]:
     """Return all eight figures of a trapezoidal move from rest, from the given ones.
 
@@ -43,7 +47,7 @@ def solve_move(rule: str | None = None, **given: float | None) -> dict[str, floa
             pass
     missing = [name.replace("_", " ") for name in NAMES if name not in known]
     if missing:
-        raise ValueError(f"not enough is known: {', '.join(missing)} cannot be determined")
+        raise Underdetermined(f"not enough is known: {', '.join(missing)} cannot be determined")
     for name in NAMES:
         if known[name] == inf:
             raise ValueError(f"no number is large enough for the {name.replace('_', ' ')}")
@@ -112,8 +116,8 @@ def _speed_in_time(k: Figures) -> float | None:
 def _speed_with_slew(k: Figures) -> float | None:
     """Compute the speed from distance and slew time: v (T_s + t/2) + h v^2 = D."""
     h, t = _ramps(k)
-    held = k["slew_time"] + 0.5 * t
-    return 2.0 * k["distance"] / (held + sqrt(held * held + 4.0 * h * k["distance"]))
+    hold = k["slew_time"] + 0.5 * t
+    return 2.0 * k["distance"] / (hold + sqrt(hold * hold + 4.0 * h * k["distance"]))
 
 
 def _speed_of_times(k: Figures) -> float | None:
@@ -195,5 +199,5 @@ def _agree(known: Figures, given: Figures) -> None:
     )
     for name, value in statements:
         if abs(k[name] - value) > 1e-6 * abs(value):
-            told = "given" if name in given else "deduced"
-            raise ValueError(f"contradiction: {name} {k[name]:g} ({told}) against {value:g} from the rest")
+            origin = "given" if name in given else "deduced"
+            raise ValueError(f"contradiction: {name} {k[name]:g} ({origin}) against {value:g} from the rest")

@@ -66,8 +66,8 @@ def plan_velocity(
     if a0 and ramps.bounds is not None:
         sign = copysign(1.0, v0 or a0)
         steps, after = initial_steps(ramps.bounds, sign * v0, sign * a0, max(0.0, sign * v1))
-        bent = profile_of_steps(start, sign * v0, sign * a0, steps, after, sign)
-        return relabelled(bent.then(_run(bent.end, ramps, sign * after, v1)), "jog")
+        transition = profile_of_steps(start, sign * v0, sign * a0, steps, after, sign)
+        return relabelled(transition.then(_run(transition.end, ramps, sign * after, v1)), "jog")
     return _run(start, ramps, v0, v1)
 
 

@@ -39,35 +39,35 @@ def piece_columns(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple
     if len(with_recipe) < MIN_PROFILES:
         with_recipe = []
     without = sorted(set(range(len(profiles))) - set(with_recipe))
-    parts = [
+    groups = [
         _of_recipes(starts, profiles, with_recipe),
         _of_curves(starts, profiles, without),
-        _of_rests(starts, profiles),
+        _of_standstills(starts, profiles),
     ]
-    owners = np.concatenate([owner for owner, _, _ in parts])
-    begins = np.concatenate([begin for _, begin, _ in parts])
-    columns = np.concatenate([column for _, _, column in parts], axis=1)
-    kept = np.flatnonzero(begins < following[owners])
+    owners = np.concatenate([owner for owner, _, _ in groups])
+    begins = np.concatenate([begin for _, begin, _ in groups])
+    columns = np.concatenate([column for _, _, column in groups], axis=1)
+    used = np.flatnonzero(begins < following[owners])
     # A stable sort with rests last preserves the order within a profile.
-    kept = kept[np.argsort(owners[kept], kind="stable")]
-    return begins[kept], columns[:, kept]
+    used = used[np.argsort(owners[used], kind="stable")]
+    return begins[used], columns[:, used]
 
 
-Part = tuple["NDArray[np.int64]", "Array", "Array"]
+PieceColumns = tuple["NDArray[np.int64]", "Array", "Array"]
 
 
-def _of_recipes(starts: Sequence[float], profiles: Sequence[Profile], rows: list[int]) -> Part:
+def _of_recipes(starts: Sequence[float], profiles: Sequence[Profile], rows: list[int]) -> PieceColumns:
     if not rows:
         return np.empty(0, np.int64), np.empty(0), np.empty((7, 0))
     ramps = _matrix([profiles[i]._recipe for i in rows])
-    places = np.array([profiles[i].start for i in rows])
-    begins, columns, present = _expand(places, *ramps)
+    positions = np.array([profiles[i].start for i in rows])
+    begins, columns, present = _expand(positions, *ramps)
     owners = np.broadcast_to(np.array(rows)[:, None, None], present.shape)
     begins += np.array([starts[i] for i in rows])[:, None, None]
     return owners[present], begins[present], columns[:, present]
 
 
-def _of_curves(starts: Sequence[float], profiles: Sequence[Profile], rows: list[int]) -> Part:
+def _of_curves(starts: Sequence[float], profiles: Sequence[Profile], rows: list[int]) -> PieceColumns:
     """Return the pieces of profiles without a recipe: cut, joined or given as pieces.
 
     It is also faster for a few profiles.
@@ -84,7 +84,7 @@ def _of_curves(starts: Sequence[float], profiles: Sequence[Profile], rows: list[
     return np.array(owners, dtype=np.int64), np.array(begins, dtype=np.float64), columns
 
 
-def _of_rests(starts: Sequence[float], profiles: Sequence[Profile]) -> Part:
+def _of_standstills(starts: Sequence[float], profiles: Sequence[Profile]) -> PieceColumns:
     durations = np.array([profile.duration for profile in profiles])
     owners = np.flatnonzero(np.isfinite(durations))
     columns = np.zeros((7, len(owners)))
@@ -126,15 +126,15 @@ def _expand(
     distance = np.where(takes_time & np.isfinite(time), (v_from + share * change) * span, 0.0)
     begin = np.zeros_like(time)
     np.cumsum(time[:, :-1], axis=1, out=begin[:, 1:])
-    place = np.repeat(start[:, None], time.shape[1], axis=1)
-    place[:, 1:] += np.cumsum(distance[:, :-1], axis=1)
+    position = np.repeat(start[:, None], time.shape[1], axis=1)
+    position[:, 1:] += np.cumsum(distance[:, :-1], axis=1)
 
     begins = np.repeat(begin[:, :, None], 3, axis=2)
     columns = np.zeros((7, *begins.shape))
     present = np.zeros(begins.shape, dtype=bool)
     present[:, :, 0] = takes_time
     c0, c1, c2, c3, amplitude, omega, _ = columns
-    c0[:, :, 0] = place
+    c0[:, :, 0] = position
     c1[:, :, 0] = np.where(kind == SINE, 0.5 * (v_from + v_to), v_from)
     c2[:, :, 0] = np.select([kind == 0.0, kind == FALLING], [0.5 * change / span, change / span], 0.0)
     cubic = change / (3.0 * span * span)
@@ -163,7 +163,7 @@ def _thirds(
     first, second, third = ((*at, np.full(len(span), i)) for i in range(3))
     c0, c1, c2, c3 = columns[:4]
     rise = ratio * span
-    held = span - 2.0 * rise
+    hold = span - 2.0 * rise
     peak = (v_to - c1[first]) / (span - rise)
     sixth = peak / (6.0 * rise)
     bend = 0.5 * peak * rise
@@ -172,10 +172,10 @@ def _thirds(
     c0[second] = c0[first] + c1[first] * rise + sixth * rise**3
     c1[second] = v
     c2[second] = c2[third] = 0.5 * peak
-    c0[third] = c0[second] + (v + 0.5 * peak * held) * held
+    c0[third] = c0[second] + (v + 0.5 * peak * hold) * hold
     c1[third] = v_to - bend
     c3[third] = -sixth
     begins[second] += rise
     begins[third] += span - rise
-    present[second] = held > 0.0
+    present[second] = hold > 0.0
     present[third] = True

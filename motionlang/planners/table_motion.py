@@ -17,23 +17,23 @@ KINDS = ("linear", "cubic")
 
 
 def table_curve(
-    places: Sequence[float], values: Sequence[float], kind: str = "linear", cyclic: bool = False
+    positions: Sequence[float], values: Sequence[float], kind: str = "linear", cyclic: bool = False
 ) -> Profile:
     """Return the curve with `values` at `positions`, which rise from 0.
 
     "cubic" is the spline with continuous slope and curvature. At its ends the slope is zero; if it is `cyclic`, its end
     continues into its beginning instead. Raises ValueError for an invalid table.
     """
-    if len(places) != len(values) or len(places) < 2:
+    if len(positions) != len(values) or len(positions) < 2:
         raise ValueError("a table needs two points or more, and a value for each")
-    if places[0] != 0.0 or not all(a < b for a, b in pairwise(places)):
+    if positions[0] != 0.0 or not all(a < b for a, b in pairwise(positions)):
         raise ValueError("the positions of a table must rise from 0")
-    if not all(abs(x) < 1e300 for x in (*places, *values)):
+    if not all(abs(x) < 1e300 for x in (*positions, *values)):
         raise ValueError("the numbers of a table must be finite")
     if kind not in KINDS:
         raise ValueError(f"there is no table of kind {kind!r}")
-    rises = [(d - c) / (b - a) for (a, b), (c, d) in zip(pairwise(places), pairwise(values), strict=True)]
-    widths = [b - a for a, b in pairwise(places)]
+    rises = [(d - c) / (b - a) for (a, b), (c, d) in zip(pairwise(positions), pairwise(values), strict=True)]
+    widths = [b - a for a, b in pairwise(positions)]
     if kind == "linear":
         pieces = [(value, rise, 0.0, 0.0, 0.0, 0.0, 0.0) for value, rise in zip(values, rises, strict=False)]
         ends = rises[0], rises[-1]
@@ -44,7 +44,7 @@ def table_curve(
             for value, rise, h, (m, n) in zip(values, rises, widths, pairwise(slopes), strict=False)
         ]
         ends = slopes[0], slopes[-1]
-    curve = (tuple(places), tuple(pieces), tuple(("segment", i) for i in range(len(pieces))))
+    curve = (tuple(positions), tuple(pieces), tuple(("segment", i) for i in range(len(pieces))))
     return from_curve("table", values[0], values[-1], curve, *ends)
 
 

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     # A sequence of sections of constant jerk: the jerk and the time of each.
     Steps = tuple[tuple[float, float], ...]
 
-# A velocity counts as zero if it is smaller than this fraction of the velocity that a whole ramp passes in
-# easing out, unless it is more than this share of the change itself: a ramp that has hardly begun is no
+# A velocity counts as zero if it is smaller than NOTHING times the velocity that a ramp-down from full
+# acceleration gains, unless it exceeds HARDLY times the change itself: a ramp that has hardly begun is not
 # rounding.
 NOTHING, HARDLY = 1e-12, 0.5
 
@@ -96,9 +96,9 @@ def _ramp(change: float, a0: float, most: float, jerk: float) -> Steps:
     a0 is at least 0; the final acceleration is zero.
     """
     if a0 > most:
-        held = max(0.0, (change - 0.5 * (a0 * a0 / jerk)) / most)
-        return ((-jerk, (a0 - most) / jerk), (0.0, held), (-jerk, most / jerk))
+        hold = max(0.0, (change - 0.5 * (a0 * a0 / jerk)) / most)
+        return ((-jerk, (a0 - most) / jerk), (0.0, hold), (-jerk, most / jerk))
     whole = change + 0.5 * a0 * a0 / jerk  # of the same ramp, begun without an acceleration
     peak = max(a0, min(most, sqrt(jerk * whole)))
-    held = max(0.0, (whole - peak * peak / jerk) / peak) if peak else 0.0
-    return ((jerk, (peak - a0) / jerk), (0.0, held), (-jerk, peak / jerk))
+    hold = max(0.0, (whole - peak * peak / jerk) / peak) if peak else 0.0
+    return ((jerk, (peak - a0) / jerk), (0.0, hold), (-jerk, peak / jerk))

@@ -63,8 +63,8 @@ class _Span:
         """Return how much rounding of the knot times can change derivative `order`."""
         return 4e-16 * (self.begin + self.length) * abs(self.value(order + 1, self.length))
 
-    def turns(self, order: int) -> list[float]:
-        """Both ends, and the times between them at which derivative `order` is zero."""
+    def extrema(self, order: int) -> list[float]:
+        """Return both ends, and the inner times at which derivative `order` is zero."""
         roots = np.asarray(self.poly[order].roots(), dtype=np.complex128)
         found = [float(x.real) for x in roots if abs(x.imag) < 1e-12 * (1.0 + abs(x.real))]
         if self.amplitude:
@@ -91,7 +91,7 @@ def _scales(profile: Profile, spans: list[_Span]) -> list[float]:
 
 
 def _sizes(spans: list[_Span], order: int) -> list[float]:
-    return [abs(span.value(order, x)) for span in spans for x in span.turns(order + 1)]
+    return [abs(span.value(order, x)) for span in spans for x in span.extrema(order + 1)]
 
 
 def _knot_complaints(profile: Profile) -> list[str]:
@@ -137,9 +137,9 @@ def _limit_complaints(
     peaks = {"speed": 0.0, "acceleration": 0.0, "deceleration": 0.0, "jerk": 0.0}
     excused = abs(profile.start_velocity)
     for span in spans:
-        for x in span.turns(2):
+        for x in span.extrema(2):
             peaks["speed"] = max(peaks["speed"], abs(span.value(1, x)) - span.rounding(1))
-        for x in span.turns(3):
+        for x in span.extrema(3):
             peaks["jerk"] = max(peaks["jerk"], abs(span.value(3, x)))
         _acceleration_peaks(span, peaks)
     out = []
@@ -150,14 +150,14 @@ def _limit_complaints(
 
 
 def _acceleration_peaks(span: _Span, peaks: dict[str, float]) -> None:
-    cuts = sorted({*span.turns(1), *span.turns(2), *span.turns(3)})
+    cuts = sorted({*span.extrema(1), *span.extrema(2), *span.extrema(3)})
     for a, b in pairwise(cuts):
         middle = 0.5 * (a + b)
         power = span.value(1, middle) * span.value(2, middle)
         name = "acceleration" if power > 0.0 else "deceleration"
         # Slivers are rounding: a wave's extremum is found to half the digits, so next to the knot it belongs
         # to, and a ramp that lasts microseconds late in a long move ends a little away from rest.
-        beside_rest = max(abs(span.value(1, a)), abs(span.value(1, b))) <= span.rounding(1)
-        if power and b - a > 1e-7 * span.length and not beside_rest:
+        near_rest = max(abs(span.value(1, a)), abs(span.value(1, b))) <= span.rounding(1)
+        if power and b - a > 1e-7 * span.length and not near_rest:
             peak = max(abs(span.value(2, a)), abs(span.value(2, b)))
             peaks[name] = max(peaks[name], peak - span.rounding(2))

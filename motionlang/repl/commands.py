@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from os.path import expanduser
 from textwrap import wrap
 
-from motionlang.errors import Diagnostic, missing, nearest
+from motionlang.errors import Diagnostic, as_hint, missing, nearest
 from motionlang.execution import ONE_SHIFT, dialect_of
 from motionlang.files import reason
 from motionlang.lang.machine.entries import WrongEntry, entries
@@ -69,7 +69,7 @@ def obey(session: Session, line: str) -> None:
         hint = f"did you mean .{near}?" if near else ".help lists the commands"
         _wrong(session, "unknown-word", f"there is no command .{word}", hint)
     elif (argument and not command.argument) or (not argument and command.argument[:1].isalpha()):
-        _wrong(session, "values", f"usage: {command.usage}", command.help)
+        _wrong(session, "values", f"usage: {command.usage}", as_hint(command.help))
     else:
         try:
             command.obey(session, argument)
@@ -91,27 +91,27 @@ def _help(session: Session, word: str) -> None:
     width = max(len(command.usage) for command in COMMANDS.values())
     for command in COMMANDS.values():
         lines = wrap(command.help, min(session.width, 80) - width - 2)
-        session.say(f"{command.usage.ljust(width)}  {(chr(10) + ' ' * (width + 2)).join(lines)}\n")
+        session.write(f"{command.usage.ljust(width)}  {(chr(10) + ' ' * (width + 2)).join(lines)}\n")
 
 
 def _help_on(session: Session, word: str) -> None:
     command = COMMANDS.get(word.lstrip(".").lower()) if word.startswith(".") else None
     row = session.dialect.table().get(word)
     if command is not None:
-        session.say(f"{command.usage}\n  {command.help}\n")
+        session.write(f"{command.usage}\n  {command.help}\n")
     elif row is not None:
-        session.say(page([row], session.dialect.name, width=session.width, colour=session.colour))
+        session.write(page([row], session.dialect.name, width=session.width, colour=session.colour))
     else:
         near = nearest(word, session.dialect.table().names())
         _wrong(session, "unknown-word", f"{word} is not a keyword", f"did you mean {near}?" if near else "")
 
 
 def _axes(session: Session, _: str) -> None:
-    session.say(status.table(session.machine))
+    session.write(status.table(session.machine))
 
 
 def _time(session: Session, _: str) -> None:
-    session.say(status.one_line(session.machine) + "\n")
+    session.write(status.one_line(session.machine) + "\n")
 
 
 def _run(session: Session, argument: str) -> None:
@@ -165,7 +165,7 @@ def _add(session: Session, **given: str) -> None:
 
 
 def _report(session: Session, _: str) -> None:
-    session.say(render(_so_far(session), width=session.width, colour=session.colour))
+    session.write(render(_so_far(session), width=session.width, colour=session.colour))
 
 
 def _plot(session: Session, path: str) -> None:
@@ -187,9 +187,9 @@ def _chart(session: Session) -> None:
             height=6,
             colour=session.colour,
         )
-        session.say("\n".join([f"velocity of axis {number}, uu/s", *lines]) + "\n")
+        session.write("\n".join([f"velocity of axis {number}, uu/s", *lines]) + "\n")
     if not controller.log.moves:
-        session.say("no axis has moved\n")
+        session.write("no axis has moved\n")
 
 
 def _picture(session: Session, path: str) -> None:

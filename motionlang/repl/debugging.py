@@ -10,14 +10,16 @@ from collections.abc import Sequence
 
 from motionlang.debug import moments
 from motionlang.debug.breakpoints import Breakpoint
-from motionlang.debug.debugger import Debugger, NotStopped, Stop, destination
+from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop, destination
 from motionlang.debug.expressions import parse
 from motionlang.debug.values import shown
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import dialect_for, settings_next_to
+from motionlang.files import reason
 from motionlang.lang.debugging import Variable
 from motionlang.source import Source
 from motionlang.views.diagnostics import render
+from motionlang.views.words import significant
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -39,7 +41,7 @@ class Debugging:
         source = Source.read(path)
         self.debugger = Debugger(
             source, dialect_for(source, session.dialect), settings_next_to(path),
-            show=session.say, ask=self._ask,
+            show=session.write, ask=self._ask, interrupted=self._interrupted,
         )  # fmt: skip
         self._filters = [moments.filtered(kinds) for _, kinds in moments.FILTERS.values() if kinds]
         self.debugger.stops_at_errors = True
@@ -47,6 +49,9 @@ class Debugging:
 
     def _ask(self, begun: str) -> str | None:
         return self._session.ask(begun)
+
+    def _interrupted(self) -> bool:
+        return self._session.interrupted()
 
     def use(self) -> None:
         """Pass the breakpoints to the debugger; limits, faults and errors always stop it."""
@@ -61,6 +66,8 @@ class Debugging:
         Raises ValueError if it is invalid.
         """
         match = _LINE.fullmatch(text)
+        if text.lower().endswith(" if"):
+            raise ValueError(f"{text} has no condition; {text} n > 3")
         if match is None:
             self._broken[text] = moments.search(text)
         else:
@@ -86,10 +93,10 @@ class Debugging:
             if run is None:
                 return "the program has not begun\n"
             remarks = "".join(render(each, self.debugger.source) for each in run.diagnostics)
-            return f"{remarks}{run.status} after {run.time:.9g} s\n"
+            return f"{remarks}{run.status} after {significant(run.time, 9)} s\n"
         source = self.debugger.source.line(stop.line).strip()
         why = f"-- {stop.text}\n" if stop.text else ""
-        return f"{why}{stop.time:.9g} s  line {stop.line}: {source}\n"
+        return f"{why}{significant(stop.time, 9)} s  line {stop.line}: {source}\n"
 
 
 def _with(session: Session, work: Callable[[Debugging], str]) -> None:
@@ -98,9 +105,11 @@ def _with(session: Session, work: Callable[[Debugging], str]) -> None:
     try:
         if debugging is None:
             raise NotStopped
-        session.say(work(debugging))
+        session.write(work(debugging))
     except NotStopped:
         _wrong(session, "no program is stopped in the debugger", ".debug FILE begins one")
+    except Interrupted:
+        session.write("-- interrupted; the program is where it was\n")
     except ProgramError as error:
         session.trouble(error.diagnostics, None if debugging is None else debugging.debugger.source)
     except ValueError as error:
@@ -130,7 +139,7 @@ def debug(session: Session, path: str) -> None:
     except NotStopped:
         _wrong(session, "no program is in the debugger", ".debug FILE begins one")
     except OSError as error:
-        _wrong(session, f"{path} cannot be read: {error.strerror or error}")
+        session.trouble([Diagnostic("file", f"{path} cannot be read: {reason(error)}")])
     except ProgramError as error:
         session.trouble(error.diagnostics, Source.read(path))
 

@@ -52,7 +52,7 @@ class WordLexer(Lexer):
         for style, text, *_ in styled(self._dialect, document.text):
             first, *rest = text.split("\n")
             lines[-1].append((style, first))
-            lines.extend([(style, part)] for part in rest)
+            lines.extend([(style, fragment)] for fragment in rest)
         return lambda number: lines[number] if number < len(lines) else []
 
 

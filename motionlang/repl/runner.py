@@ -14,7 +14,8 @@ from motionlang.lang.machine.machine import Machine
 from motionlang.lang.nesting import StackSpace
 from motionlang.lang.run_errors import explain
 from motionlang.lang.scheduler import Scheduler, Stuck
-from motionlang.lang.task import Task, Wait, wait_idle, wait_until
+from motionlang.lang.task import Task
+from motionlang.lang.waits import Wait, wait_idle, wait_until
 from motionlang.repl.status import moving
 from motionlang.source import Source
 
@@ -38,11 +39,11 @@ class Runner:
         self,
         dialect: Dialect,
         machine: Machine,
-        tell: Callable[[list[Diagnostic], Source], None],
+        report: Callable[[list[Diagnostic], Source], None],
         poll: Callable[[float], None],
     ) -> None:
         self.dialect, self.machine = dialect, machine
-        self._tell, self._poll = tell, poll
+        self._report, self._poll = report, poll
         # One scheduler for the whole session: background tasks and event handlers continue during every
         # command.
         idle = _Passing(wait_until(machine, 0.0, 0.0))
@@ -66,7 +67,7 @@ class Runner:
         try:
             task = self._interactive.task(source)
         except ProgramError as error:
-            self._tell(error.diagnostics, source)
+            self._report(error.diagnostics, source)
             return False
         except Exception as error:
             self._explain(error, None, source)
@@ -113,7 +114,7 @@ class Runner:
         """Report the machine's diagnostics that did not end the command."""
         complaints, self.machine.diagnostics = self.machine.diagnostics, []
         if complaints:
-            self._tell(complaints, source)
+            self._report(complaints, source)
 
     def _guard(self, source: Source, work: Callable[[], bool]) -> bool:
         """Call `work`; report any error and keep the machine running."""
@@ -138,8 +139,8 @@ class Runner:
 
     def _report_at(self, source: Source, at: int, code: str, message: str, hint: str = "") -> None:
         """Report an error at the current position of the command."""
-        place = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, at)
-        self._tell([Diagnostic(code, message, *place[:2], length=place[2], hint=hint)], source)
+        location = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, at)
+        self._report([Diagnostic(code, message, *location[:2], length=location[2], hint=hint)], source)
 
     def _drop_if_broken(self, error: Exception) -> None:
         """Remove the current task if the error occurred in it, because it cannot continue.
@@ -162,7 +163,7 @@ class Runner:
             if lacking is None:
                 raise error
             diagnostic = Diagnostic("extra", lacking.message, hint=lacking.hint)
-        self._tell([diagnostic], source)
+        self._report([diagnostic], source)
 
 
 class _Passing(Task):

@@ -72,7 +72,7 @@ class Session:
         self.machine = Machine(
             self._settings,
             first_axis=self.dialect.first_axis,
-            show=lambda text: self.say(harmless(text)),
+            show=lambda text: self.write(harmless(text)),
             overrides=self._overrides,
             accelerators=accelerators(),
         )
@@ -162,7 +162,7 @@ class Session:
 
     # ------------------------------------------------------------------------------------------------- output
 
-    def say(self, text: str) -> None:
+    def write(self, text: str) -> None:
         """Show text as part of the answer."""
         self._answer.append(text)
         if self._show is not None:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.controller.axis import Axis
 from motionlang.lang.machine.machine import Machine
+from motionlang.views.words import significant
 
 
 def moving(machine: Machine) -> list[int]:
@@ -17,9 +20,9 @@ def one_line(machine: Machine) -> str:
 
     For example: `1.5 s   0: 200   1: 12.5 moving`.
     """
-    parts = [f"{number_text(machine.controller.clock.now, 9)} s"]
-    parts += [_brief(machine, axis) for axis in _touched(machine)]
-    return "   ".join(parts)
+    fields = [f"{number_text(machine.controller.clock.now, 9)} s"]
+    fields += [_brief(machine, axis) for axis in _touched(machine)]
+    return "   ".join(fields)
 
 
 def table(machine: Machine) -> str:
@@ -37,7 +40,7 @@ def table(machine: Machine) -> str:
 
 def number_text(value: float, digits: int = 10) -> str:
     """Format a number without the rounding noise of its last bits."""
-    return f"{value:.{digits}g}" if round(value, 12) else "0"
+    return significant(value, digits) if round(value, 12) else "0"
 
 
 def _touched(machine: Machine) -> list[Axis]:
@@ -57,7 +60,7 @@ def _brief(machine: Machine, axis: Axis) -> str:
 
 def _row(machine: Machine, axis: Axis) -> tuple[str, str, str, str, str]:
     now, scale = machine.controller.clock.now, axis.scale
-    endless = abs(axis.target) == float("inf")
+    endless = abs(axis.target) == inf
     return (
         str(axis.index),
         number_text(scale.position_to_user(axis.position(now))),

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 
 if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
 
 
 class Port(Protocol):

@@ -5,15 +5,15 @@ from __future__ import annotations
 from time import monotonic
 from typing import TYPE_CHECKING
 
+from motionlang.controller.clock import INFINITY
+
 if TYPE_CHECKING:
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
     from motionlang.serve.channel import Channel
     from motionlang.serve.console import Port
     from motionlang.serve.limits import Limits
     from motionlang.serve.pace import Pace
     from motionlang.serve.spy import Spy
-
-INFINITY = float("inf")
 
 
 class Host:
@@ -33,7 +33,7 @@ class Host:
         # When the host last sent something.
         self.last_received = monotonic()
         # The wait that was last reported to the person who serves as one that nothing ends.
-        self.told: Wait | None = None
+        self.reported: Wait | None = None
         # The events that the server's selector waits for.
         self.watched = 0
 
@@ -70,15 +70,15 @@ class Host:
         """True if a host has closed its sending side and received all its answers."""
         return self.ended is not None and self.is_silent
 
-    def waits_in_vain(self) -> str:
+    def endless_wait(self) -> str:
         """Return the reason of a wait that no pending event will end.
 
-        Returns an empty text if there is none or it has been reported.
+        Returns an empty text if there is no such wait or it has been reported.
         """
         wait = self.port.waiting
-        if wait is None or wait is self.told or wait.ready() or wait.due() < INFINITY:
+        if wait is None or wait is self.reported or wait.ready() or wait.due() < INFINITY:
             return ""
-        self.told = wait
+        self.reported = wait
         return wait.why
 
     def receive(self, now: float) -> None:
@@ -114,10 +114,10 @@ class Host:
     def flush(self) -> None:
         """Send the board's output as far as the channel accepts it."""
         if len(self._outbox) < self._limits.outbox:
-            said = self.port.take()
-            if said:
-                self._outbox += said
+            answer = self.port.take()
+            if answer:
+                self._outbox += answer
                 if self._spy is not None:
-                    self._spy.answered(self.number, said)
+                    self._spy.answered(self.number, answer)
         if self._outbox:
             del self._outbox[: self.channel.send(bytes(self._outbox[: self._limits.outbox]))]

@@ -12,13 +12,14 @@ from threading import Condition
 from time import monotonic
 from typing import TYPE_CHECKING
 
+from motionlang.controller.clock import INFINITY
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Clock
     from motionlang.lang.machine.machine import Machine
 
-INFINITY = float("inf")
 # Default machine seconds that lock step advances for each request.
 STEP = 10e-3
 # The longest wait of the thread that runs the program, so that every system notices a Ctrl-C.
@@ -134,16 +135,16 @@ class RealTime(Outside):
         if self._began is None:
             self._began = self._wall() - self.clock.now / self._factor
         while True:
-            due = (self._wall() - self._began) * self._factor
-            if due >= time:
+            due_time = (self._wall() - self._began) * self._factor
+            if due_time >= time:
                 self.clock.advance(time)
                 self._answer_all()
                 return
-            if due > self.clock.now:
-                self.clock.advance(due)
+            if due_time > self.clock.now:
+                self.clock.advance(due_time)
             if self._answer_all():
                 return
-            self._sleep((time - due) / self._factor)
+            self._sleep((time - due_time) / self._factor)
 
     def _answer_all(self) -> bool:
         any_came = False

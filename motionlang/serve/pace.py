@@ -10,12 +10,13 @@ from __future__ import annotations
 import time
 from typing import TYPE_CHECKING, Any, Protocol
 
+from motionlang.controller.clock import INFINITY
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.serve.console import Console
 
-INFINITY = float("inf")
 # Machine seconds between two polls of the hosts while the board is busy, and while it is overloaded.
 SLICE, MIN_SLICE = 2e-3, 2e-5
 # Machine seconds by which an answer may be early: a command takes machine time, and its host would wait in
@@ -27,7 +28,7 @@ BUDGET, LATEST = 5e-3, 0.25
 # Seconds of real time between two polls of a board that is always busy.
 TICK = 1e-3
 # Seconds of real time that the board may take in lock step before hosts are read again.
-TURN = 0.2e-3
+TIME_SLICE = 0.2e-3
 # Least machine seconds of a line in lock step: the time that a real host takes to ask and to be answered.
 STEP = 1e-3
 
@@ -70,9 +71,9 @@ class RealTime:
 
     def before(self) -> None:
         """Let the board catch up with real time."""
-        console, enough, due = self._console, self._wall() + BUDGET, self.due
-        while console.now < due:
-            self._bounded(console.run, due)
+        console, enough, until = self._console, self._wall() + BUDGET, self.due
+        while console.now < until:
+            self._bounded(console.run, until)
             if self._wall() >= enough:
                 self._fall_behind()
                 return
@@ -123,7 +124,7 @@ class LockStep:
 
     def __init__(self, console: Console[Any], step: float = STEP, at_once: bool = False) -> None:
         self._console, self._step, self._at_once = console, step, at_once
-        self._owed = 0.0
+        self._busy_until = 0.0
         self._stuck = False
 
     def before(self) -> None:
@@ -132,22 +133,22 @@ class LockStep:
     def entered(self) -> None:
         """End the time of the previous line before a new line is processed."""
         if self._at_once:
-            self._owed = max(self._owed, self._console.now) + self._step
+            self._busy_until = max(self._busy_until, self._console.now) + self._step
             return
-        if self._owed > self._console.now:
-            self._console.run(self._owed)
-        self._owed = self._console.now + self._step
+        if self._busy_until > self._console.now:
+            self._console.run(self._busy_until)
+        self._busy_until = self._console.now + self._step
 
     def work(self) -> None:
         """Let time pass while a host waits."""
-        console, enough = self._console, time.monotonic() + TURN
+        console, enough = self._console, time.monotonic() + TIME_SLICE
         self._stuck = False
         while console.working and not self._stuck and time.monotonic() < enough:
             now = console.now
             limit = max(min(console.next_time(), 1e300), now) + SLICE
             self._stuck = not console.settle(limit) and console.now < limit
-        if self._at_once and self._owed > console.now and (self._stuck or not console.working):
-            console.run(self._owed)
+        if self._at_once and self._busy_until > console.now and (self._stuck or not console.working):
+            console.run(self._busy_until)
 
     def timeout(self) -> float | None:
         """Return None if nothing happens until a host sends something, else 0."""

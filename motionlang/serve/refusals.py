@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import inf
 from time import monotonic
 from typing import TYPE_CHECKING
 
@@ -23,12 +24,12 @@ class Refusals:
         self._complain, self._now = complain, now
         self._latest = ""
         self._count = 0
-        self._due = float("-inf")
+        self._next_report = -inf
 
     @property
     def left(self) -> float | None:
         """Return the seconds until `report` has a line to write, or None if it has none."""
-        return max(0.0, self._due - self._now()) if self._count else None
+        return max(0.0, self._next_report - self._now()) if self._count else None
 
     def add(self, text: str) -> None:
         """Count a rejected host; `text` is the reason."""
@@ -38,7 +39,7 @@ class Refusals:
 
     def report(self) -> None:
         """Write a pending line if a second has passed since the last one."""
-        if self._count and self._now() >= self._due:
+        if self._count and self._now() >= self._next_report:
             self.flush()
 
     def flush(self) -> None:
@@ -47,4 +48,4 @@ class Refusals:
             others = self._count - 1
             self._complain(f"{self._latest} ({others} more since the last line)" if others else self._latest)
             self._count = 0
-            self._due = self._now() + INTERVAL
+            self._next_report = self._now() + INTERVAL

@@ -14,6 +14,7 @@ import time
 from traceback import walk_tb
 from typing import TYPE_CHECKING
 
+from motionlang.controller.clock import INFINITY
 from motionlang.serve import address
 from motionlang.serve.channel import Channel, DeviceChannel, Gone, TcpChannel
 from motionlang.serve.host import Host
@@ -36,7 +37,6 @@ if TYPE_CHECKING:
 READ, WRITE = selectors.EVENT_READ, selectors.EVENT_WRITE
 # Seconds of real time that hosts have at the end to read their output.
 FAREWELL = 0.5
-INFINITY = float("inf")
 # The number of different internal errors that are reported.
 MAX_KNOWN = 100
 
@@ -177,7 +177,7 @@ class Server:
             return
         name = address.shown(*peer[:2])
         if len(self.hosts) >= self.limits.hosts and not self._make_room():
-            self._turn_away(connection, name)
+            self._reject(connection, name)
             return
         self._join(TcpChannel(connection, name), make)
 
@@ -192,7 +192,7 @@ class Server:
         self._leave(min(silent, key=lambda host: host.last_received), "was silent, and made room for another")
         return True
 
-    def _turn_away(self, connection: socket.socket, name: str) -> None:
+    def _reject(self, connection: socket.socket, name: str) -> None:
         self._refusals.add(f"{name} was turned away: {self.limits.hosts} hosts are connected already")
         with connection:
             connection.setblocking(False)
@@ -252,7 +252,7 @@ class Server:
         except OSError:
             pass
 
-    def _hear(self, host: Host) -> None:
+    def _receive(self, host: Host) -> None:
         if host.listens:
             try:
                 host.receive(time.monotonic())
@@ -263,7 +263,7 @@ class Server:
         try:
             host.feed(self.pace)
         except Exception as error:
-            self._tell(error)
+            self._report(error)
             host.forget()
 
     def _serve(self, host: Host) -> None:
@@ -284,9 +284,9 @@ class Server:
         if not wanted:
             self._selector.unregister(host.channel)
         elif host.watched:
-            self._selector.modify(host.channel, wanted, lambda: self._hear(host))
+            self._selector.modify(host.channel, wanted, lambda: self._receive(host))
         else:
-            self._selector.register(host.channel, wanted, lambda: self._hear(host))
+            self._selector.register(host.channel, wanted, lambda: self._receive(host))
         host.watched = wanted
 
     def _send_rest(self, host: Host, end: float) -> None:
@@ -303,7 +303,7 @@ class Server:
         """Report hosts that wait for an event that nothing will cause, once each."""
         if any(host.port.waiting for host in self.hosts) and self.console.next_time() == INFINITY:
             for host in self.hosts:
-                why = host.waits_in_vain()
+                why = host.endless_wait()
                 if why:
                     self._complain(
                         f"host {host.number} waits {why}, and nothing in progress ends that; "
@@ -318,14 +318,14 @@ class Server:
             work()
         except Exception as error:
             self.console.drop_broken(error)
-            self._tell(error)
+            self._report(error)
 
-    def _tell(self, error: Exception) -> None:
+    def _report(self, error: Exception) -> None:
         """Report each different internal error once."""
         frame = walk_tb(error.__traceback__)
         *_, (last, line) = frame
-        place = f"{last.f_code.co_filename.rpartition('motionlang')[2].lstrip('/')}:{line}"
-        text = f"internal error, please report it: {type(error).__name__}: {error} ({place})"
+        location = f"{last.f_code.co_filename.rpartition('motionlang')[2].lstrip('/')}:{line}"
+        text = f"internal error, please report it: {type(error).__name__}: {error} ({location})"
         if text not in self._known and len(self._known) < MAX_KNOWN:
             self._known.add(text)
             self._complain(text)

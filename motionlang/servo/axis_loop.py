@@ -45,18 +45,19 @@ def axis_loop(
     counts per user unit. Raises ValueError for invalid entries.
     """
     set_by_program = fields("mccl" if model else "mint", gains)
-    kept = {name: value for name, value in section.items() if name not in set_by_program}
+    from_section = {name: value for name, value in section.items() if name not in set_by_program}
     if not set_by_program.isdisjoint(GAINS):
         loop = _language(section, gains, model, scale)
         # The section's integral acts as the section states, not by the default of a language that did not
         # request one.
         return Chosen(
-            make_loop(kept, _acting(loop, set_by_program) if "integral" in kept else loop), "program"
+            make_loop(from_section, _acting(loop, set_by_program) if "integral" in from_section else loop),
+            "program",
         )
     loop = _language(section, gains, "multiflex" if model else "", scale)
     if model == "dcx":
         loop = replace(loop, servo_rate=LM628_RATE, trajectory_rate=LM628_RATE)
-    loop = make_loop(kept, _acting(loop, set_by_program))
+    loop = make_loop(from_section, _acting(loop, set_by_program))
     if any(name in section for name in GAINS):
         return Chosen(loop, "machine file")
     bandwidth = section.get("bandwidth", SERVO["bandwidth"].default)

@@ -124,8 +124,8 @@ class Generator:
         import numpy as np
 
         self.offset(past - 1)
-        places = np.searchsorted(np.array(self._since), np.arange(first, past), "right") - 1
-        made: NDArray[np.float64] = np.array(self._offsets)[places]
+        indices = np.searchsorted(np.array(self._since), np.arange(first, past), "right") - 1
+        made: NDArray[np.float64] = np.array(self._offsets)[indices]
         return made
 
     def _get_to_know(self, profile: int) -> None:
@@ -195,7 +195,7 @@ class Generator:
             return [*known, *(self.point(i) for i in range(cycle, cycle + count))]
         period, start, offset = self.period, self.track.starts[k], self.offset(k)
         times = [i * period - start for i in range(cycle + 1, cycle + count + 1)]
-        return [*known, *(place + offset for place in self.track.profiles[k].positions(times))]
+        return [*known, *(position + offset for position in self.track.profiles[k].positions(times))]
 
     def point(self, cycle: int) -> float:
         """Return the point for the end of a cycle."""

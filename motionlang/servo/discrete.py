@@ -106,7 +106,7 @@ def _continuous(plant: Motor, names: list[str], contact: int) -> list[list[float
     Positions are in counts.
     """
     size = len(names) + 2
-    place = {name: i for i, name in enumerate(names)}
+    row_of = {name: i for i, name in enumerate(names)}
     out, one = size - 2, size - 1
     rows = [[0.0] * size for _ in names]
     side = plant.inertia if plant.resonance else plant.total_inertia
@@ -117,21 +117,21 @@ def _continuous(plant: Motor, names: list[str], contact: int) -> list[list[float
     for i, share in enumerate(_current_row(plant, names)):
         rows[1][i] += push * share
     if plant.has_current_state:
-        row = rows[place["current"]]
-        row[place["current"]] = -plant.resistance / plant.inductance
+        row = rows[row_of["current"]]
+        row[row_of["current"]] = -plant.resistance / plant.inductance
         row[1] = -plant.torque_constant / (scale * plant.inductance)
         row[out] = plant.amplifier_gain / plant.inductance
     if plant.resonance:
-        _couple(plant, rows, place, contact)
-        rows[place["load_velocity"]][one] -= scale * plant.load_torque / plant.load_inertia
+        _couple(plant, rows, row_of, contact)
+        rows[row_of["load_velocity"]][one] -= scale * plant.load_torque / plant.load_inertia
     else:
         rows[1][one] -= scale * plant.load_torque / side
     return rows
 
 
-def _couple(plant: Motor, rows: list[list[float]], place: dict[str, int], contact: int) -> None:
+def _couple(plant: Motor, rows: list[list[float]], row_of: dict[str, int], contact: int) -> None:
     """Add the spring between motor and load, unless the backlash gap is open."""
-    twist, load = place["twist"], place["load_velocity"]
+    twist, load = row_of["twist"], row_of["load_velocity"]
     rows[twist][1], rows[twist][load] = 1.0, -1.0
     if contact == 0:
         return

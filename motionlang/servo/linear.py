@@ -35,20 +35,20 @@ class Probe:
     def __init__(self, loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> None:
         run = stepper(loop, plant, columns, limited=False)
         names = discretise(plant, loop.period).names
-        kept, size = remembered_states(loop, names), len(names) + len(MEMORY)
+        remembered, size = remembered_states(loop, names), len(names) + len(MEMORY)
         wait = size - len(MEMORY) + MEMORY.index("derivative_wait")
 
         def tried(values: Array, held: bool) -> tuple[Array, Array]:
             state = [0.0] * size
-            for i, value in zip(kept, values.tolist(), strict=False):
+            for i, value in zip(remembered, values.tolist(), strict=False):
                 state[i] = value
             state[wait] = float(held)
             made = empty_columns(columns)
             after = run([float(values[-3])], [float(values[-2])], tuple(state), made)
-            return np.array([after[i] for i in kept]), np.array([column[0] for column in made])
+            return np.array([after[i] for i in remembered]), np.array([column[0] for column in made])
 
-        self.sampled = _affine(tried, len(kept), False)
-        self.held = _affine(tried, len(kept), True)
+        self.sampled = _affine(tried, len(remembered), False)
+        self.held = _affine(tried, len(remembered), True)
 
 
 def _affine(tried: object, nz: int, held: bool) -> tuple[Array, Array]:

@@ -132,42 +132,42 @@ class Window:
         names = ("error", "speed", "hold", "at_target")
         return other is not None and all(getattr(self, name) == getattr(other, name) for name in names)
 
-    def inside(self, sight: SampleBlock, target: float) -> NDArray[np.bool_]:
+    def inside(self, samples: SampleBlock, target: float) -> NDArray[np.bool_]:
         """Return a mask of the samples inside; `target` is in motor coordinates."""
-        off = target - sight.encoder if self.at_target else sight.error
+        off = target - samples.encoder if self.at_target else samples.error
         made = np.abs(off) <= self.error
         if self.speed < inf:
-            made &= np.abs(sight.velocity) <= self.speed
+            made &= np.abs(samples.velocity) <= self.speed
         return made
 
-    def pass_by(self, sight: SampleBlock, target: float, until: int) -> None:
+    def pass_by(self, samples: SampleBlock, target: float, until: int) -> None:
         """Update `since` with the samples before number `until`."""
-        inside = self.inside(sight, target)[: until - sight.first]
+        inside = self.inside(samples, target)[: until - samples.first]
         outside = np.flatnonzero(~inside)
         if len(outside) == len(inside) or (len(outside) and outside[-1] == len(inside) - 1):
             self.since = inf
         elif len(outside):
-            self.since = float(sight.first + int(outside[-1]) + 1)
+            self.since = float(samples.first + int(outside[-1]) + 1)
         elif self.since == inf:
-            self.since = float(sight.first)
+            self.since = float(samples.first)
 
-    def settled(self, sight: SampleBlock, target: float, now: int, rate: float) -> float:
+    def settled(self, samples: SampleBlock, target: float, now: int, rate: float) -> float:
         """Return the first sample from `now` on at which the motor is settled, or inf.
 
         If the samples end inside the window, return the sample at which `hold` will be over.
         """
-        for onset, end in self.onsets(sight, target, rate):
-            if max(onset, now) < end or end == sight.end:
+        for onset, end in self.onsets(samples, target, rate):
+            if max(onset, now) < end or end == samples.end:
                 return float(max(onset, now))
         return inf
 
-    def onsets(self, sight: SampleBlock, target: float, rate: float) -> list[tuple[int, int]]:
+    def onsets(self, samples: SampleBlock, target: float, rate: float) -> list[tuple[int, int]]:
         """Return, for each stay inside, the sample when settled and the first one outside."""
         found = []
-        for begin, end in _runs(self.inside(sight, target)):
+        for begin, end in _runs(self.inside(samples, target)):
             known = begin == 0 and self.since < inf
-            first = self.since if known else float(sight.first + begin)
-            found.append((ceil(first + self.hold * rate - 1e-6), sight.first + end))
+            first = self.since if known else float(samples.first + begin)
+            found.append((ceil(first + self.hold * rate - 1e-6), samples.first + end))
         return found
 
 

@@ -42,13 +42,16 @@ def sample_at(time: float, rate: float) -> int:
 def run_to(servo: Servo, sample: int) -> ServoTrace | None:
     """Run to `sample` (inclusive) and return the last block; periodic rest is skipped."""
     last = None
-    for part in parts(servo, sample):
-        last = part
+    for chunk in chunks(servo, sample):
+        last = chunk
     return last
 
 
-def parts(servo: Servo, sample: int) -> Iterator[ServoTrace]:
-    """Run block by block and yield each; of periodic rest only the first block."""
+def chunks(servo: Servo, sample: int) -> Iterator[ServoTrace]:
+    """Run to `sample` (inclusive) and yield each block; skip periodic rest.
+
+    Only its first block is yielded.
+    """
     while servo.sample <= sample:
         count = min(sample + 1 - servo.sample, BLOCK)
         state = servo.state
@@ -83,8 +86,8 @@ def replay(
     for change in (*changes, None):
         end = until if change is None else min(change[0], until)
         first = servo.sample
-        for part in parts(servo, sample_at(end, loop.servo_rate)):
-            yield first * loop.period, part
+        for chunk in chunks(servo, sample_at(end, loop.servo_rate)):
+            yield first * loop.period, chunk
             first = servo.sample
         if change is not None:
             apply(servo, change)

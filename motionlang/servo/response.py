@@ -125,8 +125,8 @@ def _crossing(share: Array, time: Array, level: float) -> float:
     i = int(above[0])
     if i == 0:
         return float(time[0])
-    part = (level - share[i - 1]) / (share[i] - share[i - 1])
-    return float(time[i - 1] + part * (time[i] - time[i - 1]))
+    fraction = (level - share[i - 1]) / (share[i] - share[i - 1])
+    return float(time[i - 1] + fraction * (time[i] - time[i - 1]))
 
 
 # ------------------------------------------------------------------------------------------ in the frequency domain
@@ -225,9 +225,9 @@ def _first_below(f: Array, g: Array, c: Array, period: float, grid: Array) -> in
     two polynomials in z - 1, which keep their precision at low frequencies. They are trusted if they agree with the
     matrices at every fiftieth index, and never come too near to the level.
     """
-    part = f - np.eye(len(f))
-    below = np.poly(part)
-    above = np.poly(part - np.outer(g, c)) - below
+    difference = f - np.eye(len(f))
+    below = np.poly(difference)
+    above = np.poly(difference - np.outer(g, c)) - below
     w = np.expm1(2j * pi * grid * period)
     with np.errstate(all="ignore"):
         gain = np.abs(np.polyval(above, w) / np.polyval(below, w))

@@ -58,7 +58,7 @@ class Servo:
         self._generator = self.points_of(track, 1.0 / loop.trajectory_rate)
         self._open_output: float | None = None
         self._sample = 0
-        self._kept: list[Stretch] | None = [] if record else None
+        self._stored: list[Stretch] | None = [] if record else None
         start = self._generator.first()
         # The trajectory point before this cycle, its beginning, and its end.
         self._points = [start, start, start]
@@ -124,9 +124,9 @@ class Servo:
         """The record so far; imports numpy."""
         from motionlang.servo.trace import joined
 
-        if self._kept is None:
+        if self._stored is None:
             raise ValueError("this servo records nothing: create it with record=True")
-        return joined(self.loop, self.plant, self._columns, self._kept)
+        return joined(self.loop, self.plant, self._columns, self._stored)
 
     # -- running
 
@@ -145,7 +145,7 @@ class Servo:
                 trip = before[1] + self._first_beyond(error_limit)
                 self._state, self._sample, self._points = before
                 self._run(trip + 1)
-            self._keep()
+            self._store()
             if error_limit < inf and abs(self.error) > error_limit:
                 return self.time
         return None
@@ -160,10 +160,10 @@ class Servo:
         The track must already be at the motor's position. `profile` is the index of the profile in force, needed if the
         track continues after the present time.
         """
-        place = self._row["measured"]
-        self._generator.rebase(-(-self._sample // self.loop.ratio), place, profile)
-        self._points = [place, place, place]
-        fresh = initial_state(discretise(self.plant, self.loop.period), place)
+        measured = self._row["measured"]
+        self._generator.rebase(-(-self._sample // self.loop.ratio), measured, profile)
+        self._points = [measured, measured, measured]
+        fresh = initial_state(discretise(self.plant, self.loop.period), measured)
         plant_states = len(discretise(self.plant, self.loop.period).names)
         self._state = self._state[:plant_states] + fresh[plant_states:]
         self._open_output = None
@@ -209,7 +209,7 @@ class Servo:
         from motionlang.servo.trace import joined
 
         self._run(self._sample + count)
-        self._keep()
+        self._store()
         return joined(self.loop, self.plant, self._columns, [self._stretch])
 
     def skip(self, count: int) -> None:
@@ -226,28 +226,28 @@ class Servo:
     def _run(self, until: int) -> None:
         """Run to sample `until` (exclusive), computing each cycle's point as it begins."""
         ratio, first = self.loop.ratio, self._sample
-        cycle, part = divmod(first, ratio)
+        cycle, offset = divmod(first, ratio)
         cycles = -(-until // ratio) - cycle
-        known = 3 if part else 2
+        known = 3 if offset else 2
         points = self._generator.points(cycle + known - 2, cycles + 2 - known, self._points[:known])
-        self._stretch, self._state = self._stretched(points, part, until - first)
+        self._stretch, self._state = self._stretched(points, offset, until - first)
         self._stretch.shifts = self._generator.shifts(first, until, self.loop.servo_rate)
         final = [float(point) for point in points[-3:]]
         self._points = [*final[1:], final[2]] if until % ratio == 0 else final
         self._sample = until
 
-    def _stretched(self, points: Floats, part: int, count: int) -> tuple[Stretch, State]:
-        return run_stretch(self._in_charge, self.plant, self._columns, points, part, count, self._state)
+    def _stretched(self, points: Floats, offset: int, count: int) -> tuple[Stretch, State]:
+        return run_stretch(self._in_charge, self.plant, self._columns, points, offset, count, self._state)
 
-    def _keep(self) -> None:
+    def _store(self) -> None:
         stretch = self._stretch
         self._row = {
             name: float(column[-1]) for name, column in zip(self._columns, stretch.columns, strict=True)
         }
         self._row["demand"] = stretch.last_demand(len(stretch.columns[0]))
         self._row["measured"] = self._measured()
-        if self._kept is not None:
-            self._kept.append(stretch)
+        if self._stored is not None:
+            self._stored.append(stretch)
 
     def _peak(self) -> float:
         from motionlang.servo.trace import joined

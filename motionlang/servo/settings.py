@@ -10,7 +10,7 @@ from dataclasses import dataclass, fields
 from math import inf
 from typing import TYPE_CHECKING
 
-from motionlang.errors import nearest, shown
+from motionlang.errors import as_hint, nearest, shown
 from motionlang.servo.loop import ARITHMETICS, INTEGRAL_MODES, LIMIT_STYLES, Loop, Override
 from motionlang.servo.plant import AMPLIFIERS, ENCODER_SIDES, Drive, Motor
 
@@ -177,7 +177,7 @@ def setting_problem(key: str, generic: str, value: object) -> tuple[str, str] | 
             f"did you mean {near}?" if near else f"[{section}] has {', '.join(table)}"
         )
     wrong = problem(row, value)
-    return None if wrong is None else (f"{key} must be {wrong}, not {shown(value)}", row.help)
+    return None if wrong is None else (f"{key} must be {wrong}, not {shown(value)}", as_hint(row.help))
 
 
 def mistakes(settings: Mapping[str, object]) -> list[tuple[str, str, str]]:

@@ -94,7 +94,7 @@ class SpeculativeServo(Servo):
         if whole:
             np.rint(encoder, out=encoder)
         np.subtract(stretch.demand(count), encoder, out=made[2])
-        self._tell(made[:, -1])
+        self._notify(made[:, -1])
 
     @cached_property
     def _encoding(self) -> tuple[bool, bool]:
@@ -102,11 +102,11 @@ class SpeculativeServo(Servo):
         made = discretise(self.plant, self.loop.period)
         return made.load_encoder, made.quantised or self.loop.arithmetic != "real"
 
-    def _stretched(self, points: Floats, part: int, count: int) -> tuple[Stretch, State]:
-        return run_steps(self._in_charge, self.plant, self._columns, points, part, count, self._state)
+    def _stretched(self, points: Floats, offset: int, count: int) -> tuple[Stretch, State]:
+        return run_steps(self._in_charge, self.plant, self._columns, points, offset, count, self._state)
 
-    def _tell(self, seen: Array) -> None:
-        """Set the readings to the last sample."""
+    def _notify(self, seen: Array) -> None:
+        """Set the readings to those of the last sample."""
         encoder, velocity, error, output, current = seen.tolist()
         self._row = {"demand": encoder + error, "measured": encoder, "velocity": velocity,
                      "output": output, "current": current}  # fmt: skip

@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     Extent = tuple[float, ...]
 
 
-def extent(place: NDArray[np.float64], output: NDArray[np.float64]) -> Extent:
+def extent(position: NDArray[np.float64], output: NDArray[np.float64]) -> Extent:
     """Return the range of a motor's position and output over some samples."""
-    return -float(place.min()), float(place.max()), -float(output.min()), float(output.max())
+    return -float(position.min()), float(position.max()), -float(output.min()), float(output.max())
 
 
 class StandstillDetector:
@@ -27,8 +27,6 @@ class StandstillDetector:
 
     `at_standstill` is also true before any command.
     """
-
-    __slots__ = ("_before", "_rested", "_widest", "at_standstill")
 
     def __init__(self) -> None:
         self.at_standstill = True

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
+from math import inf
 from struct import pack_into
 from types import CodeType, FunctionType
 from typing import TYPE_CHECKING, cast
@@ -135,9 +136,9 @@ def source(
 
 
 def _measure(loop: Loop, plant: Discrete) -> list[str]:
-    place = "p - d" if plant.load_encoder else "p"
+    position = "p - d" if plant.load_encoder else "p"
     whole = loop.arithmetic != "real"
-    lines = [f"y = {place}{_ROUND}"] if plant.quantised or whole else [f"y = {place}"]
+    lines = [f"y = {position}{_ROUND}"] if plant.quantised or whole else [f"y = {position}"]
     lines.append(f"e = r{_ROUND} - y" if whole else "e = r - y")
     if loop.arithmetic == "lm628":
         lines += _clamp("e", 32767.0, -32768.0)
@@ -210,14 +211,14 @@ def _whole_sum(loop: Loop) -> list[str]:
     the top bits of the sum.
     """
     terms = [("e", loop.proportional), ("g", loop.derivative)]
-    parts = [f"{gain!r} * {name}" for name, gain in terms if gain]
+    summands = [f"{gain!r} * {name}" for name, gain in terms if gain]
     divisor = float(1 << (FINE_BITS - loop.dac_bits))
     if loop.arithmetic == "chapter12":
-        parts += ["i"] if loop.has_integral else []
-        lines = [f"x = {' + '.join(parts) or '0.0'}", f"u = {_truncate('x', divisor)}"]
+        summands += ["i"] if loop.has_integral else []
+        lines = [f"x = {' + '.join(summands) or '0.0'}", f"u = {_truncate('x', divisor)}"]
     else:
         lines, names = [], []
-        for name, text in zip("ab", parts, strict=False):
+        for name, text in zip("ab", summands, strict=False):
             lines += [f"{name} = {text}", *_word(name, loop.wrap)]
             names.append(name)
         names += ["i"] if loop.has_integral else []
@@ -270,7 +271,7 @@ def _truncate(name: str, divisor: float) -> str:
 
 
 def _clamp(name: str, high: float, low: float) -> list[str]:
-    if high == float("inf"):
+    if high == inf:
         return []
     return [
         f"if {name} > {high!r}:",
@@ -329,12 +330,12 @@ def _slide(plant: Discrete, contact: int, direction: int, period: float) -> list
 
     If the motor would reverse within it, it stops, and may stick in the next sample.
     """
-    turned = "<" if direction == SLIDING_UP else ">"
+    comparison = "<" if direction == SLIDING_UP else ">"
     return [
         "x = p",
         "n = v",
         *_advance(plant, plant.regimes[direction, contact]),
-        f"if v {turned} 0.0:",
+        f"if v {comparison} 0.0:",
         f"    p = x + {0.5 * period!r} * n * n / (n - v)",
         "    v = 0.0",
     ]

@@ -37,17 +37,17 @@ class Stretch:
     `marks` are intermediate states, each with the number of samples before it.
     """
 
-    __slots__ = ("columns", "marks", "part", "points", "ratio", "shifts")
+    __slots__ = ("columns", "marks", "offset", "points", "ratio", "shifts")
 
     def __init__(
         self,
         points: Floats,
-        part: int,
+        offset: int,
         ratio: int,
         columns: Sequence[Floats],
         marks: Sequence[tuple[int, State]] = (),
     ) -> None:
-        self.points, self.part, self.ratio, self.columns, self.marks = points, part, ratio, columns, marks
+        self.points, self.offset, self.ratio, self.columns, self.marks = points, offset, ratio, columns, marks
         # Samples of the run from which the program's zero is moved, with the distance.
         self.shifts: list[tuple[int, float]] = [(0, 0.0)]
 
@@ -57,11 +57,11 @@ class Stretch:
 
         points = np.asarray(self.points, dtype=np.float64)
         if self.ratio == 1:
-            return points[self.part : self.part + count]
+            return points[self.offset : self.offset + count]
         every = np.multiply.outer(np.diff(points), np.arange(self.ratio) / self.ratio)
         every += points[:-1, None]
         flat: Array = every.reshape(-1)
-        return flat[self.part : self.part + count]
+        return flat[self.offset : self.offset + count]
 
     def mark_before(self, sample: int) -> tuple[int, State, list[float]] | None:
         """Return the last mark before a sample, or None.
@@ -69,14 +69,14 @@ class Stretch:
         It is a tuple of the number of samples, the state, and the points around it.
         """
         for done, state in reversed(self.marks):
-            cycle = (self.part + done) // self.ratio
+            cycle = (self.offset + done) // self.ratio
             if done < sample and cycle:
                 return done, state, [float(point) for point in self.points[cycle - 1 : cycle + 2]]
         return None
 
     def last_demand(self, count: int) -> float:
         """Return the commanded position of sample `count` - 1."""
-        cycle, k = divmod(self.part + count - 1, self.ratio)
+        cycle, k = divmod(self.offset + count - 1, self.ratio)
         here, there = float(self.points[cycle]), float(self.points[cycle + 1])
         return here + k * ((there - here) / self.ratio)
 
@@ -86,7 +86,7 @@ def run_stretch(
     plant: Motor | Drive,
     columns: tuple[str, ...],
     points: Floats,
-    part: int,
+    offset: int,
     count: int,
     state: State,
 ) -> tuple[Stretch, State]:
@@ -96,19 +96,19 @@ def run_stretch(
     cycle.
     """
     if count <= _CHUNK:
-        return run_steps(loop, plant, columns, points, part, count, state)
+        return run_steps(loop, plant, columns, points, offset, count, state)
     import numpy as np
 
     at = np.asarray(points, dtype=np.float64)
     out = np.empty((len(columns), count))
     for begin in range(0, count, _CHUNK):
         end = min(begin + _CHUNK, count)
-        cycle, inside = divmod(part + begin, loop.ratio)
-        last = -(-(part + end) // loop.ratio)
+        cycle, inside = divmod(offset + begin, loop.ratio)
+        last = -(-(offset + end) // loop.ratio)
         chunk, state = run_steps(loop, plant, columns, at[cycle : last + 2], inside, end - begin, state)
         for row, values in zip(out, chunk.columns, strict=True):
             put(values, row[begin:end])
-    return Stretch(at[1:], part, loop.ratio, list(out)), state
+    return Stretch(at[1:], offset, loop.ratio, list(out)), state
 
 
 def run_steps(
@@ -116,25 +116,25 @@ def run_steps(
     plant: Motor | Drive,
     columns: tuple[str, ...],
     points: Floats,
-    part: int,
+    offset: int,
     count: int,
     state: State,
 ) -> tuple[Stretch, State]:
     """Run samples like `run_stretch`, but step by step, in lists and with marks."""
-    samples = slice(part, part + count)
+    samples = slice(offset, offset + count)
     if isinstance(points, list):
         demand, feed = _given(loop, points, samples)
     else:
         demand, feed = _given_at_once(loop, points, samples)  # type: ignore[arg-type]
     acting, out, marks = _acting(loop, points), empty_columns(columns), []
-    for begin, end, integrating, clears in _spans(loop, acting, part, count):
+    for begin, end, integrating, clears in _spans(loop, acting, offset, count):
         state = _cleared(state) if clears else state
         step = stepper(loop, plant, columns, integrating)
         for first in range(begin, end, MARKED):
             marks.append((first, state))
             until = min(first + MARKED, end)
             state = step(demand[first:until], feed[first:until], state, out)
-    return Stretch(points[1:], part, loop.ratio, out, marks), state
+    return Stretch(points[1:], offset, loop.ratio, out, marks), state
 
 
 def _given(loop: Loop, points: Sequence[float], samples: slice) -> tuple[list[float], list[float]]:
@@ -215,16 +215,16 @@ def _acts(mode: str, before: float, here: float, there: float) -> bool:
     return abs(change) <= _STILL + 4.0 * _ROUNDING * abs(here)
 
 
-def _spans(loop: Loop, acting: Sequence[bool], part: int, count: int) -> list[tuple[int, int, bool, bool]]:
+def _spans(loop: Loop, acting: Sequence[bool], offset: int, count: int) -> list[tuple[int, int, bool, bool]]:
     """Return the runs of samples in which the integral acts, or does not.
 
     Each is begin, end, true if the integral acts, and true if it is cleared first.
     """
     ratio = loop.ratio
-    turns = [i for i in range(1, len(acting)) if acting[i] != acting[i - 1]]
-    edges = [0, *(min(max(i * ratio - part, 0), count) for i in turns), count]
+    changes = [i for i in range(1, len(acting)) if acting[i] != acting[i - 1]]
+    edges = [0, *(min(max(i * ratio - offset, 0), count) for i in changes), count]
     found = []
-    for (begin, end), i in zip(pairwise(edges), [0, *turns], strict=True):
+    for (begin, end), i in zip(pairwise(edges), [0, *changes], strict=True):
         clears = loop.integral_mode == "zeroed" and not acting[i]
         if end > begin:
             found.append((begin, end, acting[i], clears))

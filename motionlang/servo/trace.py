@@ -44,12 +44,12 @@ def joined(
     """Return the trace of consecutive stretches."""
     if not stretches:
         return ServoTrace(loop, plant, dict.fromkeys(columns, np.zeros(0)), ())
-    kept = {name: _end_to_end([each.columns[i] for each in stretches]) for i, name in enumerate(columns)}
-    return ServoTrace(loop, plant, kept, stretches)
+    merged = {name: _end_to_end([each.columns[i] for each in stretches]) for i, name in enumerate(columns)}
+    return ServoTrace(loop, plant, merged, stretches)
 
 
-def _end_to_end(parts: Sequence[Sequence[float] | Array]) -> Array:
-    made = [np.asarray(part, dtype=np.float64) for part in parts]
+def _end_to_end(columns: Sequence[Sequence[float] | Array]) -> Array:
+    made = [np.asarray(column, dtype=np.float64) for column in columns]
     return made[0] if len(made) == 1 else np.concatenate(made)
 
 
@@ -206,8 +206,8 @@ class ServoTrace:
 
     def rms_torque_between(self, begin: float, end: float) -> float:
         """Return the root mean square of the torque, N m, from `begin` to `end` seconds."""
-        part = self.torque[(self.time >= begin) & (self.time <= end)]
-        return float(np.sqrt(np.mean(part**2))) if len(part) else 0.0
+        torque = self.torque[(self.time >= begin) & (self.time <= end)]
+        return float(np.sqrt(np.mean(torque**2))) if len(torque) else 0.0
 
     @property
     def peak_output(self) -> float:

@@ -23,8 +23,11 @@ def listing(found: Sequence[Assumption], *, width: int = 100, colour: bool = Fal
     if not found:
         return "  depends on no unconfirmed assumption\n"
     count = f"{len(found)} unconfirmed assumption{'s' if len(found) > 1 else ''}"
-    asked, settable = sum(each.probe is not None for each in found), sum(each.key != "" for each in found)
-    lines = [f"  depends on {count}; a probe can settle {asked}, the machine file can set {settable}"]
+    with_probe, settable = (
+        sum(each.probe is not None for each in found),
+        sum(each.key != "" for each in found),
+    )
+    lines = [f"  depends on {count}; a probe can settle {with_probe}, the machine file can set {settable}"]
     for each in found:
         lines.append("")
         name = styled(each.name, "word", colour)
@@ -42,12 +45,14 @@ def of_word(found: Sequence[Assumption], axis: int, *, width: int = 100, colour:
     lines = [styled(f"  {how}", "dim", colour)]
     for each in found:
         lines += ["", f"  {styled(each.name, 'word', colour)}"]
-        lines += _wrapped(_open(each), width) if each.probe is None else _asked(each, axis, width, colour)
+        lines += (
+            _wrapped(_open(each), width) if each.probe is None else _probe_lines(each, axis, width, colour)
+        )
     return "\n".join(lines) + "\n"
 
 
-def _asked(assumption: Assumption, axis: int, width: int, colour: bool) -> list[str]:
-    """Return a question that a program asks: its lines and its answers."""
+def _probe_lines(assumption: Assumption, axis: int, width: int, colour: bool) -> list[str]:
+    """Return the program that answers a question: its lines, and its possible answers."""
     probe = assumption.probe
     assert probe is not None
     lines = _wrapped(f"{assumption.question}:", width)

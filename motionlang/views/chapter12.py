@@ -174,8 +174,8 @@ def _one_step() -> list[str]:
     rows = []
     for share in (0.25, 0.5, 1.0, 2.0, 5.0):
         time = share * timing.electrical_time_constant
-        part = dissect.buildup(time, timing.electrical_time_constant)
-        rows.append([f"{time * 1e6:.2f}", f"{part * timing.step_speed * 60.0:.7f}", f"{part:.4f}"])
+        fraction = dissect.buildup(time, timing.electrical_time_constant)
+        rows.append([f"{time * 1e6:.2f}", f"{fraction * timing.step_speed * 60.0:.7f}", f"{fraction:.4f}"])
     head = f"one step of {timing.bits} bits: {timing.step_speed * 60.0:.9f} ft/min in {timing.step_time * 1e6:.4f} µs"
     return [
         head,

@@ -57,7 +57,7 @@ def _draw_12_1(figure: Figure) -> None:
     profile = trapezoid()
     _draw_motion([("trapezoid", profile, BLUE)], figure)
     lower, knots = figure.axes[1], profile.knots
-    places = [
+    points = [
         (knots[0], 0.5 * LIMIT),
         (0.5 * knots[1], LIMIT),
         (knots[1], 0.5 * LIMIT),
@@ -65,8 +65,8 @@ def _draw_12_1(figure: Figure) -> None:
         (0.5 * (knots[2] + knots[3]), -LIMIT),
         (knots[3], -0.5 * LIMIT),
     ]
-    for i, place in enumerate(places):
-        lower.annotate(f"A{i + 1}", place, (6, 4), textcoords="offset points", color=RED, fontweight="bold")
+    for i, point in enumerate(points):
+        lower.annotate(f"A{i + 1}", point, (6, 4), textcoords="offset points", color=RED, fontweight="bold")
     lower.margins(y=0.2)
 
 

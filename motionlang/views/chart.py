@@ -8,6 +8,7 @@ remains visible.
 from __future__ import annotations
 
 from itertools import chain, islice
+from math import inf
 
 from motionlang.log.track import WholeTrack
 from motionlang.views.terminal import styled
@@ -65,7 +66,7 @@ def velocity_spans(axis: Axis, end: float, count: int) -> list[Span]:
     The intervals divide 0…`end`; the velocities are in counts/s.
     """
     step = (end or 1.0) / count
-    lows, highs = [float("inf")] * count, [-float("inf")] * count
+    lows, highs = [inf] * count, [-inf] * count
 
     def note(at: int, *values: float) -> None:
         at = min(max(at, 0), count - 1)

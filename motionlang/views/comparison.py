@@ -57,16 +57,16 @@ def render_comparison(
     run = made.run
     head = f"{styled(printable(run.source.name), 'bold', colour)} · {dialect_name(run.dialect.name)} · {outcome(run)}"
     later = "later" if made.delay >= 0.0 else "earlier"
-    parts = [[head, f"the recording is {abs(made.delay):.6f} s {later} than the run"]]
-    parts.append(
+    sections = [[head, f"the recording is {abs(made.delay):.6f} s {later} than the run"]]
+    sections.append(
         grid(_SIGNALS, [_signal(row, made.signals) for row in made.signals], width=width, colour=colour)
     )
     if made.moves:
-        parts.append(_moves(made.moves, width, colour, everything))
+        sections.append(_moves(made.moves, width, colour, everything))
     if made.is_within is not None:
         verdict = "every residual is within its tolerance" if made.is_within else _verdict(made)
-        parts.append([styled(verdict, "note" if made.is_within else "error", colour)])
-    return "\n\n".join("\n".join(part) for part in parts) + "\n"
+        sections.append([styled(verdict, "note" if made.is_within else "error", colour)])
+    return "\n\n".join("\n".join(section) for section in sections) + "\n"
 
 
 def _verdict(made: Comparison) -> str:
@@ -94,11 +94,11 @@ def _peaks(row: Row, rows: Sequence[Row]) -> list[str]:
     """Return the largest residual, its time, the RMS and the verdict."""
     if row["peak"] is None:
         return ["", "", "", "not recorded"]
-    places = decimals_of(
+    decimals = decimals_of(
         [each[name] for each in rows for name in ("peak", "rms") if each["peak"] is not None]
     )
     verdict = {None: "", True: "within", False: "exceeded"}[row["within"]]
-    return [figure(row["peak"], places), figure(row["peak_time"], 6), figure(row["rms"], places), verdict]
+    return [figure(row["peak"], decimals), figure(row["peak_time"], 6), figure(row["rms"], decimals), verdict]
 
 
 def _lag(seconds: float | None) -> str:

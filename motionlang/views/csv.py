@@ -73,8 +73,6 @@ class Formatter:
     `decimals` has one of `DECIMALS` for each column.
     """
 
-    __slots__ = ("_decimals", "_first", "_rows")
-
     def __init__(self, decimals: Sequence[int]) -> None:
         assert all(each in DECIMALS for each in decimals)
         self._decimals = tuple(decimals)
@@ -89,18 +87,18 @@ class Formatter:
         return texts
 
     def _block(self, columns: Sequence[Array]) -> list[bytes]:
-        rests = _rests(columns)
-        kept = np.ones(len(columns[0]), np.bool_)
-        for begin, end in rests:
-            kept[begin:end] = False
-        moving = [column[kept] for column in columns] if rests else columns
+        standstills = _standstills(columns)
+        is_moving = np.ones(len(columns[0]), np.bool_)
+        for begin, end in standstills:
+            is_moving[begin:end] = False
+        moving = [column[is_moving] for column in columns] if standstills else columns
         if not self._rows.fill(moving, self._decimals, _NEWLINE):
             return [self._slow(columns)]
-        if rests and not self._first.fill(columns[:1], self._decimals[:1], _COMMA):
+        if standstills and not self._first.fill(columns[:1], self._decimals[:1], _COMMA):
             return [self._slow(columns)]
         texts: list[bytes] = []
         done, left_out = 0, 0
-        for begin, end in rests:
+        for begin, end in standstills:
             text = self._rows.text(done, begin - left_out)
             last = text[text.rfind(b"\n", 0, -1) + 1 :]
             texts += text, self._first.text(begin, end).replace(b",", last[last.index(b",") :])
@@ -118,8 +116,6 @@ class Formatter:
 class _Buffer:
     """Rows of words in reused memory."""
 
-    __slots__ = ("_bytes", "_row")
-
     def __init__(self) -> None:
         self._bytes = bytearray()
         self._row = 0
@@ -130,9 +126,9 @@ class _Buffer:
         for size, each in zip(sizes, decimals, strict=True):
             if not size * 10.0**each < LARGEST:
                 return False
-        wholes = [1 + len([most for most in _WIDTHS if size >= most - 1.0]) for size in sizes]
+        integer_words = [1 + len([most for most in _WIDTHS if size >= most - 1.0]) for size in sizes]
         # Each has an even number of words, because they are copied two or four at a time.
-        widths = [whole + each // 3 for whole, each in zip(wholes, decimals, strict=True)]
+        widths = [whole + each // 3 for whole, each in zip(integer_words, decimals, strict=True)]
         edges = [0, *accumulate(width + width % 2 for width in widths)]
         self._row = 4 * edges[-1]
         room = len(columns[0]) * self._row
@@ -141,12 +137,12 @@ class _Buffer:
         words = np.frombuffer(self._bytes, "<u4", room // 4).reshape(-1, edges[-1])
         last = len(columns) - 1
         for i, (column, each) in enumerate(zip(columns, decimals, strict=True)):
-            part = words[:, edges[i] : edges[i + 1]]
-            cell, spare = np.empty(part.shape, "<u4"), part.shape[1] - widths[i]
+            chunk = words[:, edges[i] : edges[i + 1]]
+            cell, spare = np.empty(chunk.shape, "<u4"), chunk.shape[1] - widths[i]
             cell[:, :spare] = 0
-            _write(cell, spare, spare + wholes[i], column, each, last_ends if i == last else _COMMA)
-            at_once = np.complex128 if part.shape[1] % 4 == 0 else np.uint64
-            part.view(at_once)[...] = cell.view(at_once)
+            _write(cell, spare, spare + integer_words[i], column, each, last_ends if i == last else _COMMA)
+            at_once = np.complex128 if chunk.shape[1] % 4 == 0 else np.uint64
+            chunk.view(at_once)[...] = cell.view(at_once)
         return True
 
     def text(self, begin: int, end: int) -> bytes:
@@ -154,7 +150,7 @@ class _Buffer:
         return bytes(memoryview(self._bytes)[begin * self._row : end * self._row]).translate(None, b"\0")
 
 
-def _rests(columns: Sequence[Array]) -> list[tuple[int, int]]:
+def _standstills(columns: Sequence[Array]) -> list[tuple[int, int]]:
     """Find the long runs of rows that differ from their predecessor only in column 0."""
     if len(columns) < 2:
         return []
@@ -172,37 +168,39 @@ def _write(words: Words, first: int, point: int, column: Array, decimals: int, e
     The integer part begins at `first`, the decimals at `point`.
     """
     below = column <= -0.5 * 10.0**-decimals if column.min() < 0.0 else None
-    parts = np.abs(column)
-    whole = np.floor(parts)
-    parts -= whole  # exact
+    fractions = np.abs(column)
+    whole = np.floor(fractions)
+    fractions -= whole  # exact
     # Up to nine decimals are one 32-bit number; of twelve, the last three are another.
     upper = min(decimals, 9)
-    parts *= 10.0**upper
+    fractions *= 10.0**upper
     high = None
     if decimals > upper:
-        high = np.floor(parts)
-        parts -= high
-        parts *= 10.0 ** (decimals - upper)
-    digits = np.rint(parts)
-    parts -= digits
-    np.abs(parts, out=parts)
+        high = np.floor(fractions)
+        fractions -= high
+        fractions *= 10.0 ** (decimals - upper)
+    digits = np.rint(fractions)
+    fractions -= digits
+    np.abs(fractions, out=fractions)
     near = 0.5 - (_NEAR_HALF if high is None else _NEARER)
-    if parts.max() > near:
-        _write_exactly(column, decimals, np.flatnonzero(parts > near).tolist(), (whole, high, digits, below))
+    if fractions.max() > near:
+        _write_exactly(
+            column, decimals, np.flatnonzero(fractions > near).tolist(), (whole, high, digits, below)
+        )
     _carry(digits, 10.0 ** (decimals - upper if high is not None else upper), whole if high is None else high)
-    place = point + decimals // 3 - 1
+    index = point + decimals // 3 - 1
     if high is not None:
-        words[:, place] = ends.take(digits.astype(np.int32))
+        words[:, index] = ends.take(digits.astype(np.int32))
         _carry(high, 10.0**upper, whole)
-        digits, place, ends = high, place - 1, _MIDDLE
+        digits, index, ends = high, index - 1, _MIDDLE
     rest = digits.astype(np.int32)
-    while place > point:
+    while index > point:
         left = rest // 1000
         rest -= left * 1000
-        words[:, place] = ends.take(rest)
-        rest, place, ends = left, place - 1, _MIDDLE
+        words[:, index] = ends.take(rest)
+        rest, index, ends = left, index - 1, _MIDDLE
     words[:, point] = _AFTER_POINT.take(rest)
-    _write_whole(words, first, point, whole, below)
+    _write_integers(words, first, point, whole, below)
 
 
 def _carry(digits: Array, most: float, into: Array) -> None:
@@ -217,13 +215,13 @@ def _write_exactly(
     column: Array,
     decimals: int,
     rows: Sequence[int],
-    parts: tuple[Array, Array | None, Array, NDArray[np.bool_] | None],
+    components: tuple[Array, Array | None, Array, NDArray[np.bool_] | None],
 ) -> None:
     """Replace the digits of some rows by those that Python formats.
 
     `components` are the arrays to change.
     """
-    whole, high, digits, below = parts
+    whole, high, digits, below = components
     for row in rows:
         shown = f"{abs(column[row]):.{decimals}f}"
         before, _, behind = shown.partition(".")
@@ -234,7 +232,9 @@ def _write_exactly(
             below[row] = column[row] < 0.0 and shown.strip("0.") != ""
 
 
-def _write_whole(words: Words, first: int, point: int, whole: Array, below: NDArray[np.bool_] | None) -> None:
+def _write_integers(
+    words: Words, first: int, point: int, whole: Array, below: NDArray[np.bool_] | None
+) -> None:
     number: Any = whole.astype(np.int32 if point - first < 3 else np.int64)
     groups = []
     for _ in range(point - first - 1):
@@ -245,8 +245,8 @@ def _write_whole(words: Words, first: int, point: int, whole: Array, below: NDAr
     if below is not None:
         number += below.view(np.int8) * number.dtype.type(1000)
     words[:, first] = (_ALONE if begun is None else _SIGNED).take(number)
-    for place, group in enumerate(reversed(groups), first + 1):
+    for index, group in enumerate(reversed(groups), first + 1):
         assert begun is not None
-        table = _UNITS if place == point - 1 else _LEADING
-        words[:, place] = np.where(begun, _FOUR.take(group), table.take(group))
+        table = _UNITS if index == point - 1 else _LEADING
+        words[:, index] = np.where(begun, _FOUR.take(group), table.take(group))
         begun |= group > 0

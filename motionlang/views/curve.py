@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from html import escape
+from math import inf
 
 from motionlang.views.chart import velocity_spans
 from motionlang.views.words import clock_time
@@ -43,7 +44,7 @@ def curve(points: Sequence[Point], begin: float, end: float, title: str) -> str:
     """
     low = min(0.0, *(value for _, value in points))
     high = max(0.0, *(value for _, value in points))
-    if not 0.0 < high - low < float("inf"):
+    if not 0.0 < high - low < inf:
         return ""
     across, up = (WIDTH - LEFT) / ((end - begin) or 1.0), HEIGHT / (high - low)
     line = " ".join(

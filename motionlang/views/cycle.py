@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
     from motionlang.analysis.cycle.profile import Share, TimeProfile
 
-# The largest number of lines in the table, and of lines in a full program listing.
-MAX_LINES, MAX_LISTED = 20, 60
+# The largest number of lines in the table.
+MAX_LINES = 20
 MAX_NAME = 40
 
 _KINDS = (
@@ -36,7 +36,7 @@ _LINES = (
     Column("computing", "s", drop=1),
     Column("", align="<", drop=4),
 )
-_HELD = (
+_WAITS = (
     Column("at line"),
     Column("sub", align="<", drop=3, style="word"),
     Column("waits", "s"),
@@ -68,32 +68,32 @@ def render_profile(
     `everything` adds all lines and the program listing.
     """
     whole = made.seconds
-    parts = [
+    sections = [
         [styled(f"time profile of {clock_time(whole)}", "bold", colour)],
         _kinds(made, whole, width, colour),
     ]
     slacks = made.slacks()
     if slacks:
-        parts.append([_slack(row.axis, row.other, row.seconds) for row in slacks])
-    parts.append(_lines(made, whole, width, colour, everything))
-    held = made.held()
-    if held:
-        parts.append(_held(made, held, whole, width, colour, everything))
+        sections.append([_slack(row.axis, row.other, row.seconds) for row in slacks])
+    sections.append(_lines(made, whole, width, colour, everything))
+    waits = made.waited_lines()
+    if waits:
+        sections.append(_waits(made, waits, whole, width, colour, everything))
     subs = made.subs()
     if len(subs) > 1:
-        parts.append(grid(_SUBS, [_sub(share, whole) for share in subs], width=width, colour=colour))
+        sections.append(grid(_SUBS, [_sub(share, whole) for share in subs], width=width, colour=colour))
     if made.has_tasks and len(made.tasks) > 1:
-        parts.append(
+        sections.append(
             grid(_TASKS, [_task(made, k) for k in range(len(made.tasks))], width=width, colour=colour)
         )
     if everything:
-        parts.append(_listing(made, whole, colour))
-    return "\n\n".join("\n".join(part) for part in parts) + "\n"
+        sections.append(_listing(made, whole, colour))
+    return "\n\n".join("\n".join(section) for section in sections) + "\n"
 
 
 def _kinds(made: TimeProfile, whole: float, width: int, colour: bool) -> list[str]:
     rows = [
-        [share.name, _seconds(share.seconds), _part(share.seconds, whole), _causes(share.causes)]
+        [share.name, _seconds(share.seconds), _percentage(share.seconds, whole), _causes(share.causes)]
         for share in made.kinds()
     ]
     return grid(_KINDS, rows, width=width, colour=colour)
@@ -128,7 +128,7 @@ def _line(made: TimeProfile, share: Share, whole: float) -> list[str]:
         str(share.line),
         made.sub(share.line),
         _seconds(share.seconds),
-        _part(share.seconds, whole),
+        _percentage(share.seconds, whole),
         _sum(causes, MOVING),
         _sum(causes, ("dwell",)),
         _sum(causes, waiting),
@@ -137,7 +137,7 @@ def _line(made: TimeProfile, share: Share, whole: float) -> list[str]:
     ]
 
 
-def _held(
+def _waits(
     made: TimeProfile, shares: Sequence[Share], whole: float, width: int, colour: bool, everything: bool
 ) -> list[str]:
     """Return a table of the lines at which the program waits, with the causes."""
@@ -146,22 +146,22 @@ def _held(
             str(share.line),
             made.sub(share.line),
             _seconds(share.seconds),
-            _part(share.seconds, whole),
+            _percentage(share.seconds, whole),
             _awaited(share.causes),
             _source(made, share.line),
         ]
         for share in (shares if everything else shares[:MAX_LINES])
     ]
-    return grid(_HELD, rows, width=width, colour=colour)
+    return grid(_WAITS, rows, width=width, colour=colour)
 
 
 def _awaited(causes: Mapping[str, float]) -> str:
     """Return the causes that a line waits for, with seconds if there are several."""
     names = sorted(causes, key=lambda name: (-causes[name], name))
-    told = [name.removeprefix("waiting for ").removeprefix("travel of ") for name in names]
+    shown = [name.removeprefix("waiting for ").removeprefix("travel of ") for name in names]
     if len(names) < 2:
-        return "".join(told)
-    return ", ".join(f"{word} {_seconds(causes[name])}" for word, name in zip(told, names, strict=True))
+        return "".join(shown)
+    return ", ".join(f"{word} {_seconds(causes[name])}" for word, name in zip(shown, names, strict=True))
 
 
 def _source(made: TimeProfile, line: int) -> str:
@@ -178,9 +178,9 @@ def _sub(share: Share, whole: float) -> list[str]:
     return [
         share.name,
         _seconds(share.seconds),
-        _part(share.seconds, whole),
+        _percentage(share.seconds, whole),
         _seconds(share.total),
-        _part(share.total, whole),
+        _percentage(share.total, whole),
     ]
 
 
@@ -198,7 +198,7 @@ def _listing(made: TimeProfile, whole: float, colour: bool) -> list[str]:
     out = []
     for number, text in enumerate(lines, 1):
         seconds = by_line.get(number)
-        head = f"{_seconds(seconds):>10}  {_part(seconds, whole):>6}" if seconds else " " * 18
+        head = f"{_seconds(seconds):>10}  {_percentage(seconds, whole):>6}" if seconds else " " * 18
         out.append(f"{styled(head, 'word', colour)}  {number:>4}  {printable(text)}".rstrip())
     return out
 
@@ -208,5 +208,5 @@ def _seconds(value: float) -> str:
     return f"{value:.4f}"
 
 
-def _part(value: float, whole: float) -> str:
+def _percentage(value: float, whole: float) -> str:
     return f"{value / whole:.1%}" if whole else ""

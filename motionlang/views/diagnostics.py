@@ -13,6 +13,7 @@ Plain text is the same on every system, so that tests can compare whole messages
 from __future__ import annotations
 
 from motionlang.views.terminal import WIDTH, cells, printable, styled
+from motionlang.views.words import significant
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ def render(
     gutter = len(str(diagnostic.line)) if source is not None and diagnostic.line else 1
     if source is not None:
         lines.append(
-            f"{' ' * gutter}{styled('-->', 'place', colour)} {_place(diagnostic, name or source.name)}"
+            f"{' ' * gutter}{styled('-->', 'location', colour)} {_location(diagnostic, name or source.name)}"
         )
         if diagnostic.line:
             lines += _excerpt(diagnostic, source.line(diagnostic.line), gutter, colour, width)
@@ -55,7 +56,8 @@ def render(
         lines.append(f"{' ' * (gutter + 1)}{styled('hint:', 'note', colour)} {_short(diagnostic.hint)}")
     if diagnostic.count > 1:
         count = f"{diagnostic.count:,}".replace(",", " ")
-        times = f"{count} times, from {diagnostic.first:.6g} s to {diagnostic.last:.6g} s"
+        first, last = significant(diagnostic.first, 6), significant(diagnostic.last, 6)
+        times = f"{count} times, from {first} s to {last} s"
         lines.append(f"{' ' * (gutter + 1)}{styled('note:', 'note', colour)} {times}")
     return "\n".join(lines) + "\n"
 
@@ -82,21 +84,21 @@ def render_all(
 def tally(diagnostics: Iterable[Diagnostic]) -> str:
     """Count diagnostics by kind: "2 errors, 1 warning"; empty if there are none."""
     severities = [each.severity for each in diagnostics]
-    parts = []
+    counts = []
     for severity in ("error", "warning"):
         count = severities.count(severity)
         if count:
-            parts.append(f"{count} {severity}{'s' if count > 1 else ''}")
-    return ", ".join(parts)
+            counts.append(f"{count} {severity}{'s' if count > 1 else ''}")
+    return ", ".join(counts)
 
 
-def _place(diagnostic: Diagnostic, name: str) -> str:
-    place = printable(name)
+def _location(diagnostic: Diagnostic, name: str) -> str:
+    location = printable(name)
     if diagnostic.line:
-        place += f":{diagnostic.line}"
+        location += f":{diagnostic.line}"
         if diagnostic.column:
-            place += f":{diagnostic.column}"
-    return place
+            location += f":{diagnostic.column}"
+    return location
 
 
 def _short(text: str) -> str:
@@ -106,8 +108,8 @@ def _short(text: str) -> str:
 
 def _excerpt(diagnostic: Diagnostic, line: str, gutter: int, colour: bool, width: int) -> list[str]:
     """Return the line with its number, and carets below it if the column is known."""
-    bar = styled("|", "place", colour)
-    number = styled(f"{diagnostic.line:>{gutter}}", "place", colour)
+    bar = styled("|", "location", colour)
+    number = styled(f"{diagnostic.line:>{gutter}}", "location", colour)
     column = max(diagnostic.column, 1)
     shown, indent, marked = _window(line, column - 1, diagnostic.length, max(width - gutter - 3, 20))
     edge = " " * gutter
@@ -148,8 +150,8 @@ def _widened(text: str, start: int = 0) -> str:
     if "\t" not in text:
         return printable(text)
     made, column = [], start
-    for part in text.split("\t"):
-        shown = printable(part)
+    for segment in text.split("\t"):
+        shown = printable(segment)
         column += cells(shown)
         stop = TAB - column % TAB
         made.append(shown + " " * stop)
@@ -159,15 +161,15 @@ def _widened(text: str, start: int = 0) -> str:
 
 def _last(text: str, room: int) -> str:
     """Return the end of `text` that fits into `room` cells."""
-    kept = text[-room:]
-    while cells(kept) > room:
-        kept = kept[1:]
-    return kept
+    shown = text[-room:]
+    while cells(shown) > room:
+        shown = shown[1:]
+    return shown
 
 
 def _first(text: str, room: int) -> str:
     """Return the start of `text` that fits into `room` cells."""
-    kept = text[: max(room, 0)]
-    while cells(kept) > room:
-        kept = kept[:-1]
-    return kept
+    shown = text[: max(room, 0)]
+    while cells(shown) > room:
+        shown = shown[:-1]
+    return shown

@@ -45,12 +45,12 @@ def diff_lines(
         out.append(f"the run: {found.status[0]} → {found.status[1]}")
     if found.time is not None:
         was, is_ = found.time
-        part = f", {100.0 * (is_ - was) / was:+.2g} %" if was else ""
-        out.append(styled(f"time: {was:.6f} → {is_:.6f} s ({is_ - was:+.6f} s{part})", "bold", colour))
+        percent = f", {100.0 * (is_ - was) / was:+.2g} %" if was else ""
+        out.append(styled(f"time: {was:.6f} → {is_:.6f} s ({is_ - was:+.6f} s{percent})", "bold", colour))
         if charges:
             out.append(f"by line: {_charged(charges, MAX_CHARGED if most == MAX_LINES else most)}")
     out += _first([_line(*each) for each in _together(found.lines)], most, "lines")
-    out += _first([f"missing: {_move(each)}" for each in found.gone], most, "missing moves")
+    out += _first([f"missing: {_move(each)}" for each in found.removed], most, "missing moves")
     out += _first([f"new: {_move(each)}" for each in found.new], most, "new moves")
     out += [_tail(found.tail)] if found.tail else []
     out += _first([_print(*each) for each in found.prints], most, "printed lines")
@@ -79,14 +79,14 @@ def literal_lines(changed: Sequence[ChangedLiteral], most: int) -> list[str]:
 
 
 def _charged(charges: Sequence[Charge], most: int) -> str:
-    told = [f"{_place(each)} {each.seconds:+.6f} s" for each in charges[:most]]
+    charged = [f"{_location(each)} {each.seconds:+.6f} s" for each in charges[:most]]
     if len(charges) > most:
         rest = fsum(each.seconds for each in charges[most:])
-        told.append(f"{len(charges) - most} more {rest:+.6f} s")
-    return ", ".join(told)
+        charged.append(f"{len(charges) - most} more {rest:+.6f} s")
+    return ", ".join(charged)
 
 
-def _place(charge: Charge) -> str:
+def _location(charge: Charge) -> str:
     old, new = charge.old, charge.new
     if old == new:
         return f"line {new}" if new else "no line"
@@ -118,17 +118,17 @@ def _line(change: LineChange, *others: LineChange) -> str:
     """
     where = f"line {change.old}" if change.old == change.new else f"line {change.old}, now {change.new}"
     moves = "1 move" if change.count == 1 else f"{change.count} moves"
-    alike = (change, *others)
-    axes = f"axes {', '.join(str(each.axis) for each in alike)}" if others else f"axis {change.axis}"
+    changes = (change, *others)
+    axes = f"axes {', '.join(str(each.axis) for each in changes)}" if others else f"axis {change.axis}"
     shared = [
         name
         for name, pair in change.figures.items()
         if all(each.figures.get(name) == pair for each in others)
     ]
-    told = [_figure(name, *change.figures[name]) for name in shared]
-    for each in alike:
+    figures = [_figure(name, *change.figures[name]) for name in shared]
+    for each in changes:
         own = [_figure(name, *pair) for name, pair in each.figures.items() if name not in shared]
-        told += [f"axis {each.axis} {figure}" for figure in own]
+        figures += [f"axis {each.axis} {figure}" for figure in own]
     sums = []
     if change.duration:
         sums.append(f"{change.duration:+.6f} s in motion")
@@ -136,7 +136,7 @@ def _line(change: LineChange, *others: LineChange) -> str:
         sums.append(f"{change.wait:+.6f} s before it")
     if change.count > 1 and sums:
         sums[-1] += " together"
-    return f"{where}: {change.command} of {axes}, {moves}{' each' if others else ''}: {', '.join((*told, *sums))}"
+    return f"{where}: {change.command} of {axes}, {moves}{' each' if others else ''}: {', '.join((*figures, *sums))}"
 
 
 def _figure(name: str, was: Any, is_: Any) -> str:
@@ -169,13 +169,13 @@ def change_lines(found: Difference, change: Change) -> list[str]:
     if kind == "line":
         return [_line(what)]
     if kind == "moves":
-        gone, new = iter(found.gone), iter(found.new)
-        told = []
+        removed, new = iter(found.removed), iter(found.new)
+        lines = []
         for (i, _), number in found.hunks.items():
-            move = next(gone if i is not None else new)
+            move = next(removed if i is not None else new)
             if number == what:
-                told.append(f"{'new' if i is None else 'missing'}: {_move(move)}")
-        return _first(told, MAX_LINES, "moves of this kind")
+                lines.append(f"{'new' if i is None else 'missing'}: {_move(move)}")
+        return _first(lines, MAX_LINES, "moves of this kind")
     if kind == "field":
         return _first(found.fields[what], MAX_LINES, "others")
     if kind == "end":
@@ -196,14 +196,14 @@ def _error(change: str, message: str) -> str:
 def _event(was: Any, is_: Any, later: float) -> str:
     if was is None or is_ is None:
         return f"{'missing' if is_ is None else 'new'}: {_happened(was if is_ is None else is_)}"
-    told = [
+    figures = [
         f"{name} {_value(was.get(name))} → {_value(is_.get(name))}"
         for name in ("value", "limit", "text")
         if was.get(name) != is_.get(name)
     ]
     if later:
-        told.append(f"{later:+.6f} s")
-    return f"{_happened(was)}: {', '.join(told)}"
+        figures.append(f"{later:+.6f} s")
+    return f"{_happened(was)}: {', '.join(figures)}"
 
 
 def _happened(event: Any) -> str:

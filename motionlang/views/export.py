@@ -28,7 +28,9 @@ if TYPE_CHECKING:
 TIME_DECIMALS = 9
 
 
-def write_trace(trace: Trace, path: str, rate: float = 1000.0, progress: Report = lambda part: None) -> int:
+def write_trace(
+    trace: Trace, path: str, rate: float = 1000.0, progress: Report = lambda fraction: None
+) -> int:
     """Sample `trace` at `rate` (Hz) into `path`; return the number of rows.
 
     The extension of `path` selects the format. `progress` is called with the completed fraction. Raises OSError,

@@ -5,7 +5,6 @@ The formats are SARIF, JUnit XML and GitHub workflow commands.
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING
 
 from motionlang import __version__
@@ -29,17 +28,17 @@ class Found:
     `path` is the file that they refer to, possibly the machine file. `strict` counts warnings as errors.
     """
 
-    __slots__ = ("diagnostics", "file", "is_wrong", "place", "source")
+    __slots__ = ("diagnostics", "file", "is_wrong", "path", "source")
 
     def __init__(
         self,
         file: str,
         diagnostics: Sequence[Diagnostic],
         source: Source | None = None,
-        place: str = "",
+        path: str = "",
         strict: bool = False,
     ) -> None:
-        self.file, self.diagnostics, self.source, self.place = file, diagnostics, source, place or file
+        self.file, self.diagnostics, self.source, self.path = file, diagnostics, source, path or file
         self.is_wrong = any(strict or each.severity == "error" for each in diagnostics)
 
 
@@ -53,29 +52,31 @@ def written(found: Sequence[Found], form: str, command: str) -> str:
 
 
 def _sarif(found: Sequence[Found], command: str) -> str:
-    results = [_result(each.place, one) for each in found for one in each.diagnostics]
+    results = [_result(each.path, one) for each in found for one in each.diagnostics]
     rules = [
         {"id": code, "shortDescription": {"text": CODES[code]}}
         for code in sorted({one.code for each in found for one in each.diagnostics})
     ]
     driver = {"name": "motionlang", "version": __version__, "rules": rules}
     run = {"tool": {"driver": driver}, "columnKind": "unicodeCodePoints", "results": results}
+    import json
+
     return json.dumps({"$schema": SARIF, "version": "2.1.0", "runs": [run]}, indent=1) + "\n"
 
 
 def _result(file: str, one: Diagnostic) -> dict[str, object]:
-    place: dict[str, object] = {"artifactLocation": {"uri": file.replace("\\", "/")}}
+    location: dict[str, object] = {"artifactLocation": {"uri": file.replace("\\", "/")}}
     if one.line:
-        place["region"] = {"startLine": one.line}
+        location["region"] = {"startLine": one.line}
         if one.column:
-            place["region"] = {
+            location["region"] = {
                 "startLine": one.line, "startColumn": one.column, "endColumn": one.column + max(one.length, 1),
             }  # fmt: skip
     return {
         "ruleId": one.code,
         "level": one.severity,
         "message": {"text": _with_hint(one)},
-        "locations": [{"physicalLocation": place}],
+        "locations": [{"physicalLocation": location}],
     }
 
 
@@ -90,7 +91,7 @@ def _junit(found: Sequence[Found], command: str) -> str:
     lines = ['<?xml version="1.0" encoding="utf-8"?>', f"<testsuites {head}>", f"<testsuite {head}>"]
     for each in found:
         lines.append(f"<testcase classname={name} name={quoteattr(_xml(each.file))}>")
-        text = "\n".join(render(one, each.source, name=each.place) for one in each.diagnostics)
+        text = "\n".join(render(one, each.source, name=each.path) for one in each.diagnostics)
         if each.is_wrong:
             lines.append(
                 f"<failure message={quoteattr(tally(each.diagnostics))}>{escape(_xml(text))}</failure>"
@@ -125,11 +126,11 @@ def _github(found: Sequence[Found], command: str) -> str:
     lines = []
     for each in found:
         for one in each.diagnostics:
-            places = {"file": each.place, "line": one.line, "col": one.column}
+            properties = {"file": each.path, "line": one.line, "col": one.column}
             if one.column:
-                places["endColumn"] = one.column + max(one.length, 1)
-            places["title"] = one.code
-            given = ",".join(f"{key}={_property(str(value))}" for key, value in places.items() if value)
+                properties["endColumn"] = one.column + max(one.length, 1)
+            properties["title"] = one.code
+            given = ",".join(f"{key}={_property(str(value))}" for key, value in properties.items() if value)
             lines.append(f"::{one.severity} {given}::{_data(_with_hint(one))}\n")
     return "".join(lines)
 

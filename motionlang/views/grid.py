@@ -39,18 +39,18 @@ def grid(
 
     `styles` may name a style for each row.
     """
-    kept, widths = _kept(columns, rows, width)
-    columns = [columns[k] for k in kept]
+    indices, widths = _shown_columns(columns, rows, width)
+    columns = [columns[k] for k in indices]
     heads = [([column.title for column in columns], "bold")]
     if any(column.unit for column in columns):
         heads.append(([column.unit for column in columns], "dim"))
-    lines = [_line(columns, widths, texts, [style] * len(kept), colour) for texts, style in heads]
+    lines = [_line(columns, widths, texts, [style] * len(indices), colour) for texts, style in heads]
     # The rule runs through the gaps.
-    lines.append(styled("─" * (sum(widths) + GAP * (len(kept) - 1)), "dim", colour))
+    lines.append(styled("─" * (sum(widths) + GAP * (len(indices) - 1)), "dim", colour))
     paints = [column.style for column in columns]
     for i, row in enumerate(rows):
-        paint = [styles[i]] * len(kept) if styles and styles[i] else paints
-        lines.append(_line(columns, widths, [row[k] for k in kept], paint, colour))
+        paint = [styles[i]] * len(indices) if styles and styles[i] else paints
+        lines.append(_line(columns, widths, [row[k] for k in indices], paint, colour))
     return lines
 
 
@@ -68,20 +68,20 @@ def decimals_of(values: Sequence[float], most: int = 4) -> int:
     return most
 
 
-def _kept(
+def _shown_columns(
     columns: Sequence[Column], rows: Sequence[Sequence[str]], width: int
 ) -> tuple[list[int], list[int]]:
     """Return the columns that fit, with the width of each.
 
     A column without text is dropped, too.
     """
-    kept = [k for k in range(len(columns)) if not columns[k].drop or any(row[k] for row in rows)]
+    indices = [k for k in range(len(columns)) if not columns[k].drop or any(row[k] for row in rows)]
     widths = {
-        k: max(map(cells, (columns[k].title, columns[k].unit, *(row[k] for row in rows)))) for k in kept
+        k: max(map(cells, (columns[k].title, columns[k].unit, *(row[k] for row in rows)))) for k in indices
     }
-    while sum(widths[k] + GAP for k in kept) - GAP > width and any(columns[k].drop for k in kept):
-        kept.remove(max(kept, key=lambda k: columns[k].drop))
-    return kept, [max(widths[k], 1) for k in kept]
+    while sum(widths[k] + GAP for k in indices) - GAP > width and any(columns[k].drop for k in indices):
+        indices.remove(max(indices, key=lambda k: columns[k].drop))
+    return indices, [max(widths[k], 1) for k in indices]
 
 
 def _line(
@@ -92,10 +92,10 @@ def _line(
     colour: bool,
 ) -> str:
     """Return the cells of a row, padded to their columns; padding has no style."""
-    parts = []
+    padded = []
     for column, width, text, style in zip(columns, widths, texts, styles, strict=True):
         if column.align == ">":
             text = text.rstrip()
         blanks, shown = " " * (width - cells(text)), styled(text, style, colour)
-        parts.append(shown + blanks if column.align == "<" else blanks + shown)
-    return (" " * GAP).join(parts).rstrip()
+        padded.append(shown + blanks if column.align == "<" else blanks + shown)
+    return (" " * GAP).join(padded).rstrip()

@@ -80,9 +80,9 @@ def _motion(trace: Trace, rate: float, topics: _Topics, progress: Report) -> Ite
     """
     columns = trace.columns()[1:]
     groups: dict[str, list[tuple[int, str]]] = {}
-    for place, column in enumerate(columns):
+    for index, column in enumerate(columns):
         axis, field = _named(column)
-        groups.setdefault(axis, []).append((place, field))
+        groups.setdefault(axis, []).append((index, field))
     numbers = [topics.add(f"/{axis}", {field: "number" for _, field in of}) for axis, of in groups.items()]
     total, done = trace.rows(rate), 0
     for chunk in trace.chunks(rate):
@@ -90,7 +90,7 @@ def _motion(trace: Trace, rate: float, topics: _Topics, progress: Report) -> Ite
         for time, *values in rows:
             at = round(time * PER_SECOND)
             for number, fields in zip(numbers, groups.values(), strict=True):
-                text = ",".join(f'"{field}":{values[place] + 0.0!r}' for place, field in fields)
+                text = ",".join(f'"{field}":{values[index] + 0.0!r}' for index, field in fields)
                 yield at, number, f"{{{text}}}".encode()
         done += len(chunk)
         progress(done / total)

@@ -40,12 +40,12 @@ def html(run: Run) -> str:
     if len(lines) > MAX_LINES:
         half = MAX_LINES // 2
         lines = [*lines[:half], f"… {len(lines) - 2 * half} lines …", *lines[-half:]]
-    parts = ["\n".join(map(printable, lines))]
+    sections = ["\n".join(map(printable, lines))]
     if run.diagnostics:
-        parts.append(render_all(run.diagnostics, run.source, width=WIDTH))
+        sections.append(render_all(run.diagnostics, run.source, width=WIDTH))
     if run.status != "fault" or run.time:
-        parts.append(render(run, width=WIDTH, colour=False, charts=False))
-    shown = [f"<pre>{escape(part)}</pre>" for part in parts if part.strip()]
+        sections.append(render(run, width=WIDTH, colour=False, charts=False))
+    shown = [f"<pre>{escape(section)}</pre>" for section in sections if section.strip()]
     return "\n".join(shown + _curves(run.controller, run.time))
 
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 GRID = 1000
-_PARTS = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
+_FRACTIONS = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
 
 
 def outline(
@@ -66,8 +66,8 @@ def _points(trace: Trace, axis: int, span: tuple[float, float], bins: int) -> tu
     if not len(used):
         used = np.flatnonzero(begins <= end)[-1:]
         return used, end - begins[used] if begin > 0.0 else np.zeros(1)
-    inside = (skipped[used, None] + (lengths - skipped)[used, None] * _PARTS).ravel()
-    piece = np.repeat(used, len(_PARTS))
+    inside = (skipped[used, None] + (lengths - skipped)[used, None] * _FRACTIONS).ravel()
+    piece = np.repeat(used, len(_FRACTIONS))
     grid = np.linspace(begin, end, bins + 1)
     owner = used[np.clip(np.searchsorted(begins[used], grid, "right") - 1, 0, None)]
     piece = np.concatenate((piece, owner))

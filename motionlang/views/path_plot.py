@@ -43,13 +43,13 @@ def path_figure(run: Run, axes: tuple[int, ...], window: Window) -> Figure:
     window._replace(axes=axes).of(trace.axes)
     span = window.span(trace.end)
     times = np.linspace(*span, POINTS)
-    places = np.stack([_along(trace, axis, "position", times) for axis in axes], 1)
+    positions = np.stack([_along(trace, axis, "position", times) for axis in axes], 1)
     speeds = np.linalg.norm(np.stack([_along(trace, axis, "velocity", times) for axis in axes]), axis=0)
     most = float(speeds.max())
     figure = Figure(figsize=(SIZE, SIZE * 0.86), facecolor="white")
     drawn: Any = figure.add_axes((0.1, 0.09, 0.76, 0.78), projection="3d" if len(axes) == 3 else None)
     colours = ScalarMappable(Normalize(0.0, most or 1.0), "turbo")
-    _draw(drawn, places, speeds, colours)
+    _draw(drawn, positions, speeds, colours)
     for name, axis in zip("xyz", axes, strict=False):
         getattr(drawn, f"set_{name}label")(f"axis {axis} (uu)", fontsize=8.5)
     drawn.tick_params(length=0, labelsize=8)
@@ -83,12 +83,12 @@ def _along(trace: Trace, axis: int, quantity: str, times: Array) -> Array:
     return values
 
 
-def _draw(axes: Any, places: Array, speeds: Array, colours: Any) -> None:
+def _draw(axes: Any, positions: Array, speeds: Array, colours: Any) -> None:
     """Draw segments, each in the colour of its mean speed."""
-    stretches = np.stack((places[:-1], places[1:]), 1)
+    stretches = np.stack((positions[:-1], positions[1:]), 1)
     middle = 0.5 * (speeds[:-1] + speeds[1:])
     kind: Any
-    if places.shape[1] == 3:
+    if positions.shape[1] == 3:
         from mpl_toolkits.mplot3d import art3d  # type: ignore[import-untyped]
 
         kind = art3d.Line3DCollection
@@ -97,7 +97,7 @@ def _draw(axes: Any, places: Array, speeds: Array, colours: Any) -> None:
 
         kind = collections.LineCollection
     axes.add_collection(kind(stretches, colors=colours.to_rgba(middle), linewidths=1.8, capstyle="round"))
-    low, high = places.min(axis=0), places.max(axis=0)
+    low, high = positions.min(axis=0), positions.max(axis=0)
     room = 0.06 * max(float((high - low).max()), 1e-9)
     for name, first, last in zip("xyz", low, high, strict=False):
         getattr(axes, f"set_{name}lim")(first - room, last + room)

@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from motionlang.notes.tn1069 import profiles
+from motionlang.notes.tn1069 import Demand, profiles
 from motionlang.views.servo_plot import BLUE, GREEN, RED, VIOLET, WIDTH, drawing, dress
-
-if TYPE_CHECKING:
-    from motionlang.notes.tn1069 import Demand
 
 COLOURS = (BLUE, GREEN, VIOLET, RED)
 POINTS = 1000

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import _thread
 import os
+from math import inf
 from time import monotonic
 
 from motionlang.views.terminal import is_terminal, wants_colour, width_of
@@ -32,20 +33,18 @@ RUN_PATIENCE, RUN_PERIOD = 1.0, 0.2
 class Progress:
     """A progress line; call it with the completed fraction, 0 to 1."""
 
-    __slots__ = ("_bar", "_label", "_next", "_stream")
-
     def __init__(self, stream: TextIO, label: str) -> None:
         self._stream, self._label = stream, label
-        self._next = monotonic() + PATIENCE if is_shown(stream) else float("inf")
+        self._next = monotonic() + PATIENCE if is_shown(stream) else inf
         self._bar: Bar | None = None
 
-    def __call__(self, part: float) -> None:
+    def __call__(self, fraction: float) -> None:
         if monotonic() < self._next:
             return
         self._next = monotonic() + PERIOD
         if self._bar is None:
             self._bar = _bar(self._stream, self._label)
-        self._bar.update(self._bar.task_ids[0], completed=part, refresh=True)
+        self._bar.update(self._bar.task_ids[0], completed=fraction, refresh=True)
 
     def done(self) -> None:
         """Remove the line."""
@@ -77,8 +76,6 @@ class Watcher:
     The thread only reads: it changes no data. All other output to the terminal is written through `above`. The
     line reappears when that output ends with a complete line.
     """
-
-    __slots__ = ("_begun", "_describe", "_ended", "_line", "_live", "_stop", "_stream")
 
     def __init__(self, stream: TextIO, describe: Callable[[], str]) -> None:
         self._stream, self._describe = stream, describe

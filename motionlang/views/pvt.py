@@ -20,7 +20,7 @@ NOISE = 1e-12
 """Largest jump, relative to the accelerations around it, that is a rounding error."""
 
 
-def segment_lines(profile: Profile, width: int = WIDTH) -> list[str]:
+def segment_lines(profile: Profile) -> list[str]:
     """Return each segment with its jerk, acceleration and initial acceleration jump."""
     columns = (
         Column("segment"),
@@ -33,23 +33,23 @@ def segment_lines(profile: Profile, width: int = WIDTH) -> list[str]:
         Column("jerk", "counts/s³"),
         Column("jump before", "counts/s²"),
     )
-    marks, parts = knots(profile), segments(profile)
-    scale = max((abs(a) for s in parts for a in (s.acceleration, s.end_acceleration)), default=0.0)
+    marks, found = knots(profile), segments(profile)
+    scale = max((abs(a) for s in found for a in (s.acceleration, s.end_acceleration)), default=0.0)
     cells = [
         (
-            part.start_time * 1000.0,
-            part.duration * 1000.0,
+            each.start_time * 1000.0,
+            each.duration * 1000.0,
             marks[i + 1].position,
             marks[i + 1].velocity,
-            quiet(part.acceleration, scale),
-            quiet(part.end_acceleration, scale),
-            part.jerk,
+            quiet(each.acceleration, scale),
+            quiet(each.end_acceleration, scale),
+            each.jerk,
             quiet(marks[i].jump, scale),
         )
-        for i, part in enumerate(parts)
+        for i, each in enumerate(found)
     ]
     shown = _figures(cells)
-    lines = grid(columns, [[str(i), *row] for i, row in enumerate(shown[:MAX_ROWS])], width=width)
+    lines = grid(columns, [[str(i), *row] for i, row in enumerate(shown[:MAX_ROWS])], width=WIDTH)
     if len(shown) > MAX_ROWS:
         lines.append(f"… and {len(shown) - MAX_ROWS} more segments")
     lines += ["", _summary(profile, marks, scale)]
@@ -67,7 +67,7 @@ def _summary(profile: Profile, marks: Sequence[Knot], scale: float) -> str:
 
 
 def comparison_lines(
-    rows: Sequence[tuple[str, Sequence[float], float]], accelerations: Sequence[float], width: int = WIDTH
+    rows: Sequence[tuple[str, Sequence[float], float]], accelerations: Sequence[float]
 ) -> list[str]:
     """Compare the methods for velocities by their largest acceleration jump.
 
@@ -81,7 +81,7 @@ def comparison_lines(
     jumps = _column([quiet(jump, scale) for _, _, jump in rows], 1)
     speeds = [_column([v[n] for _, v, _ in rows], 2) for n in range(1, count + 1)]
     cells = [[name, jumps[i], *(column[i] for column in speeds)] for i, (name, _, _) in enumerate(rows)]
-    return grid(columns, cells, width=width)
+    return grid(columns, cells, width=WIDTH)
 
 
 def quiet(value: float, scale: float) -> float:

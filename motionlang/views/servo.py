@@ -248,11 +248,11 @@ def listing_lines(settings: Settings, made: ListingRun) -> list[str]:
         ]
         for i in shown
     ]
-    asked = settings.accel / settings.hold
+    demanded = settings.accel / settings.hold
     return [
         *grid(columns, rows, width=WIDTH),
         "",
-        f"demanded acceleration {figure(asked)} counts/update²; largest over an update {figure(made.peak_mean)}, "
+        f"demanded acceleration {figure(demanded)} counts/update²; largest over an update {figure(made.peak_mean)}, "
         f"just after a DAC change {figure(made.peak_onset)}",
     ]
 

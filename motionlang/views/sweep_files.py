@@ -59,8 +59,8 @@ def _write_parquet(file: IO[bytes], names: Sequence[str], rows: list[Cells]) -> 
     from pyarrow.parquet import write_table  # type: ignore[import-untyped]
 
     columns = {}
-    for place, name in enumerate(names):
-        values = [row[place] for row in rows]
+    for index, name in enumerate(names):
+        values = [row[index] for row in rows]
         there = [value for value in values if value is not None]
         if there and all(isinstance(value, (int, float)) and not isinstance(value, bool) for value in there):
             whole = name == "variant" or all(isinstance(value, int) for value in there)

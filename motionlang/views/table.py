@@ -53,7 +53,7 @@ _MOVES = (
     Column("ended by", align="<", drop=2, style="warning"),
 )
 # The index of the column of the commanded speed, which is shown if a move did not reach it.
-_ASKED = 10
+_COMMANDED_COLUMN = 10
 # Of very many events, those of these kinds are left out first.
 _USUAL = frozenset({"handler", "buffer full", "stop", "override"})
 _EVENTS = (
@@ -103,31 +103,29 @@ def render(
     `charts` adds the velocity of the axes that moved; `everything` shows every move, phase and line.
     """
     moves = _Gathered(moves_of(run, None if everything else MAX_ROWS), everything)
-    parts = [_head(run, moves.count, colour)]
+    sections = [_head(run, moves.count, colour)]
     if moves.count:
-        parts.append(_moves(moves, width, colour, everything))
+        sections.append(_moves(moves, width, colour, everything))
     if moves.count > MAX_ROWS:
-        parts.append(_totals(moves, run.time, width, colour, everything))
+        sections.append(_totals(moves, run.time, width, colour, everything))
     events = _Events(events_of(run), everything)
     if events.count:
-        parts.append(_happened(events, width, colour))
+        sections.append(_happened(events, width, colour))
     if charts and moves.count:
-        parts += _charts(run, moves, width, colour)
+        sections += _charts(run, moves, width, colour)
     if moves.motors:
-        parts.append(_motors(moves.motors, width, colour, everything))
+        sections.append(_motors(moves.motors, width, colour, everything))
     axes = axes_of(run)
     if axes:
-        parts.append(_axes(axes, width, colour))
+        sections.append(_axes(axes, width, colour))
     if writes := writes_of(run):
-        parts.append(written(writes, width, colour))
-    parts += [[f"{styled('note:', 'note', colour)} {printable(each)}"] for each in run.notes]
-    return "\n\n".join("\n".join(part) for part in parts) + "\n"
+        sections.append(written(writes, width, colour))
+    sections += [[f"{styled('note:', 'note', colour)} {printable(each)}"] for each in run.notes]
+    return "\n\n".join("\n".join(section) for section in sections) + "\n"
 
 
 class _Total:
     """Totals of a program line: seconds and distances of its moves, and top speed."""
-
-    __slots__ = ("count", "distances", "durations", "peak")
 
     def __init__(self) -> None:
         self.durations, self.distances, self.peak = array("d"), array("d"), 0.0
@@ -193,8 +191,8 @@ def _moves(moves: _Gathered, width: int, colour: bool, everything: bool) -> list
             styles.append(phase["name"])
     columns: tuple[Column, ...] = _MOVES
     if not any(_is_short(row) for row in shown):
-        columns = columns[:_ASKED] + columns[_ASKED + 1 :]
-        texts = [[*cells[:_ASKED], *cells[_ASKED + 1 :]] for cells in texts]
+        columns = columns[:_COMMANDED_COLUMN] + columns[_COMMANDED_COLUMN + 1 :]
+        texts = [[*cells[:_COMMANDED_COLUMN], *cells[_COMMANDED_COLUMN + 1 :]] for cells in texts]
     lines = grid(columns, texts, width=width, colour=colour, styles=styles)
     if len(shown) < moves.count:
         more = f"… and {_grouped(moves.count - len(shown))} more moves: --all shows all"
@@ -261,10 +259,12 @@ class _Form:
         phases = [phase for row in rows for phase in row["phases"]] if phased else []
         self.start = decimals_of([row["start_time"] for row in rows], 6)
         self.time = decimals_of([each["duration"] for each in (*rows, *phases)], 6)
-        self.place = decimals_of([row[end] for row in rows for end in ("start", "end")])
+        self.position_decimals = decimals_of([row[end] for row in rows for end in ("start", "end")])
         self.distance = decimals_of([each["distance"] for each in (*rows, *phases)])
         self.speed = decimals_of([row["peak_speed"] for row in rows])
-        self.asked = decimals_of([row["commanded_speed"] for row in rows if "commanded_speed" in row])
+        self.speed_decimals = decimals_of(
+            [row["commanded_speed"] for row in rows if "commanded_speed" in row]
+        )
 
     def move(self, row: Row) -> list[str]:
         return [
@@ -274,11 +274,11 @@ class _Form:
             row["profile"],
             figure(row["start_time"], self.start),
             figure(row["duration"], self.time),
-            figure(row["start"], self.place),
-            figure(row["end"], self.place),
+            figure(row["start"], self.position_decimals),
+            figure(row["end"], self.position_decimals),
             figure(row["distance"], self.distance),
             figure(row["peak_speed"], self.speed),
-            figure(row["commanded_speed"], self.asked) if "commanded_speed" in row else "",
+            figure(row["commanded_speed"], self.speed_decimals) if "commanded_speed" in row else "",
             row.get("ended", "").replace("-", " "),
         ]
 
@@ -317,13 +317,13 @@ def _total(key: tuple[int, str, int], group: _Total, time: float) -> list[str]:
 
 def _charts(run: Run, moves: _Gathered, width: int, colour: bool) -> list[list[str]]:
     charted = [axis for axis, count in sorted(moves.by_axis.items()) if count <= MAX_CHARTED][:MAX_CHARTS]
-    parts = []
+    sections = []
     for axis in charted:
         height = 6 if len(charted) == 1 else 4
         lines = velocity_chart(run.controller.axes[axis], run.time, width=width, height=height, colour=colour)
         if lines:
-            parts.append([styled(f"velocity of axis {axis}, uu/s", "bold", colour), *lines])
-    return parts
+            sections.append([styled(f"velocity of axis {axis}, uu/s", "bold", colour), *lines])
+    return sections
 
 
 def _motors(rows: list[Row], width: int, colour: bool, everything: bool) -> list[str]:
@@ -350,13 +350,13 @@ def _motors(rows: list[Row], width: int, colour: bool, everything: bool) -> list
 
 
 def _axes(axes: list[Row], width: int, colour: bool) -> list[str]:
-    place = decimals_of([axis["position"] for axis in axes])
+    decimals = decimals_of([axis["position"] for axis in axes])
     counts = decimals_of([axis["counts"] for axis in axes], 2)
     scale = decimals_of([axis["scale"] for axis in axes])
     texts = [
         [
             str(axis["axis"]),
-            figure(axis["position"], place),
+            figure(axis["position"], decimals),
             figure(axis["counts"], counts),
             figure(axis["scale"], scale),
             axis["feedback"],

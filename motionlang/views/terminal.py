@@ -16,7 +16,7 @@ STYLES = {
     "error": "bold red",
     "warning": "bold yellow",
     "note": "bold cyan",
-    "place": "blue",
+    "location": "blue",
     "bold": "bold",
     "dim": "dim",
     "word": "cyan",

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 # What a later pass records in a node; it is no part of the text.
-_LATER = frozenset(("at", "row", "definition", "symbol", "places"))
+_LATER = frozenset(("at", "row", "definition", "symbol", "offsets"))
 _INDENT = "  "
 
 

@@ -83,12 +83,12 @@ def _happened(events: Iterable[Event], name: str) -> Iterator[Change]:
     Simultaneous events share one string.
     """
     for time, some in groupby(events, lambda event: round(event.time * PER_SECOND)):
-        told = ",".join(dict.fromkeys(_told(event) for event in some))
-        yield time, f"s{told} {name}\n"
+        text = ",".join(dict.fromkeys(_text_of(event) for event in some))
+        yield time, f"s{text} {name}\n"
 
 
-def _told(event: Event) -> str:
-    """Return an event without blanks, which this format's strings cannot have."""
+def _text_of(event: Event) -> str:
+    """Return an event without blanks, which are not allowed in strings of this format."""
     axis = "" if event.axis is None else f"_axis{event.axis}"
     value = "" if event.value is None else f"_{event.value:.6g}"
     return event.kind.replace(" ", "_") + axis + value

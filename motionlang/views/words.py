@@ -41,6 +41,15 @@ def clock_time(seconds: float) -> str:
     return f"{int(minutes // 60)} h {int(minutes % 60):02d} min {_plain(rest, 0)} s"
 
 
+def significant(value: float, digits: int) -> str:
+    """Format a number with at most `digits` significant digits; 7e-05 is 0.00007."""
+    text = f"{value:.{digits}g}"
+    mantissa, _, exponent = text.partition("e-")
+    if not exponent:
+        return text
+    return f"{value:.{len(mantissa.partition('.')[2]) + int(exponent)}f}"
+
+
 def figure(value: float, decimals: int = 3) -> str:
     """Format a number of a column with `decimals`.
 

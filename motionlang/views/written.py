@@ -22,7 +22,7 @@ _COLUMNS = (Column("written to", align="<", style="word"), Column("", align="<")
 
 def written(rows: Sequence[Row], width: int, colour: bool) -> list[str]:
     """Return the lines of the table."""
-    texts = [[_device(row), _place(row), _value(row["value"])] for row in rows[:MAX_ROWS]]
+    texts = [[_device(row), _target(row), _value(row["value"])] for row in rows[:MAX_ROWS]]
     lines = grid(_COLUMNS, texts, width=width, colour=colour)
     if len(rows) > MAX_ROWS:
         lines.append(styled(f"… and {len(rows) - MAX_ROWS} more: --format json has all", "dim", colour))
@@ -33,7 +33,7 @@ def _device(row: Row) -> str:
     return f"Modbus server {row['server']}" if "server" in row else f"node {row['node']} of bus {row['bus']}"
 
 
-def _place(row: Row) -> str:
+def _target(row: Row) -> str:
     if row["kind"] == "object":
         return f"object 0x{row['number']:04X}, {row['subindex']}"
     what = str(row["kind"]).replace("-", " ")

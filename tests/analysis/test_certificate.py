@@ -98,8 +98,8 @@ def test_a_certificate_says_when_and_on_which_line_and_what_is_left() -> None:
     assert [_row(line)[-2].split()[1] for line in (low, high, accel)] == ["uu", "uu", "%"]
 
 
-def test_what_speaks_against_signing_is_told() -> None:
-    for limits, told in (
+def test_what_prevents_signing_is_reported() -> None:
+    for limits, expected in (
         ({"speed": 99.0}, "the speed of axis 0 reaches 100 uu/s at 0.1000"),
         ({"torque": 1.0}, "the torque of axis 0 cannot be certified: no motor is simulated"),
         ({"jerk": 1e9}, "the jerk of axis 0 is infinite at 0.0000"),
@@ -107,7 +107,7 @@ def test_what_speaks_against_signing_is_told() -> None:
     ):
         result, lines = certified(limits)
         (found,) = violations(result.controller, lines, result.time)
-        assert found.message.startswith(told)
+        assert found.message.startswith(expected)
         assert found.code == "beyond-limit"
     result, lines = certified({"speed": 100.0, "acceleration": 1000.0, "position": [0.0, 40.0]})
     assert violations(result.controller, lines, result.time) == []

@@ -21,7 +21,7 @@ PAUSE INX(1)
 MOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)
 PRINT "there"
 """
-PART = "[[input]]\nchannel = 1\nat = 0.5\n"
+INPUT = "[[input]]\nchannel = 1\nat = 0.5\n"
 
 
 def test_entries_about_the_same_thing_are_replaced_and_others_stay() -> None:
@@ -46,13 +46,13 @@ def test_entries_about_the_same_thing_are_replaced_and_others_stay() -> None:
 def test_of_every_table_it_is_known_what_its_entries_are_about() -> None:
     assert ABOUT.keys() == TABLES.keys() - {"expect"}
     assert all(names.keys() <= TABLES[table].keys() for table, names in ABOUT.items())
-    beside = {name for names in EXPECTED.values() for name in names}
-    assert EXPECTED.keys() | beside == TABLES["expect"].keys()
+    companions = {name for names in EXPECTED.values() for name in names}
+    assert EXPECTED.keys() | companions == TABLES["expect"].keys()
 
 
 # By hand: the part arrives at 0.5 s, the move takes 100/200 + 200/2000 = 0.6 s.
 @pytest.mark.parametrize(
-    ("entry", "told"),
+    ("entry", "message"),
     [
         ("prints = 'there'", ""),
         ("prints = 'the'\nafter = 1.0\nbefore = 1.2", ""),
@@ -74,11 +74,11 @@ def test_of_every_table_it_is_known_what_its_entries_are_about() -> None:
         ("diagnostic = 'never'", "the run had no error never; it had none"),
     ],
 )
-def test_what_is_expected_is_met_or_told(entry: str, told: str) -> None:
-    settings = read_machine(Source("m", f"{PART}[[expect]]\n{entry}\n"))
+def test_an_expectation_is_met_or_reported(entry: str, message: str) -> None:
+    settings = read_machine(Source("m", f"{INPUT}[[expect]]\n{entry}\n"))
     result = run(Source("stroke.mnt", STROKE), machine=settings, cache=False)
     found = unmet(result, settings["expect"])  # type: ignore[arg-type]
-    assert [each[: len(told)] for each in found] == ([told] if told else [])
+    assert [each[: len(message)] for each in found] == ([message] if message else [])
 
 
 def test_an_event_is_expected_of_an_axis_and_within_times() -> None:
@@ -86,16 +86,16 @@ def test_an_event_is_expected_of_an_axis_and_within_times() -> None:
     text = "LIMITMODE(0) = 4 : SPEED(0) = 50 : ACCEL(0) = 1e6 : DECEL(0) = 1e6\nMOVER(0) = 60 : GO(0) : PAUSE IDLE(0)\n"
     made = run(Source("limit.mnt", text), machine={"axis.0.travel": [-100.0, 20.0]}, cache=False)
 
-    def told(**entry: object) -> list[str]:
+    def problems(**entry: object) -> list[str]:
         return [each for each in unmet(made, [entry, {"status": made.status}]) if "event" in each]
 
-    assert told(event="limit") == told(event="limit", axis=0, after=0.3, before=0.5) == []
-    assert told(event="limit", before=0.3)[0].startswith("an event 'limit' happened at 0.4")
-    assert "did not happen; nothing did" in told(event="limit", axis=1)[0]
-    assert told(never_event="limit")[0].startswith("an event 'limit' happened at 0.4")
+    assert problems(event="limit") == problems(event="limit", axis=0, after=0.3, before=0.5) == []
+    assert problems(event="limit", before=0.3)[0].startswith("an event 'limit' happened at 0.4")
+    assert "did not happen; nothing did" in problems(event="limit", axis=1)[0]
+    assert problems(never_event="limit")[0].startswith("an event 'limit' happened at 0.4")
 
 
-def test_an_error_that_nobody_expected_is_told() -> None:
+def test_an_unexpected_error_is_reported() -> None:
     result = run(Source("stroke.mnt", STROKE), machine={"controller.axes": 1}, cache=False)
     (found,) = unmet(result, [])
     assert found.startswith("the run had an unexpected error: line 2: ")
@@ -125,7 +125,7 @@ def test_what_no_entry_can_say_is_a_mistake_of_the_file(entry: str, message: str
 def test_a_scenario_is_the_program_in_another_world(tmp_path: Path) -> None:
     program = tmp_path / "stroke.mnt"
     program.write_text(STROKE)
-    (tmp_path / "stroke.machine.toml").write_text(f"{PART}[[expect]]\ntime = 1.1\nwithin = 0.01\n")
+    (tmp_path / "stroke.machine.toml").write_text(f"{INPUT}[[expect]]\ntime = 1.1\nwithin = 0.01\n")
     folder = tmp_path / "stroke.scenarios"
     assert scenario_files(str(program)) == []
     folder.mkdir()
@@ -152,7 +152,8 @@ def test_an_input_by_its_name() -> None:
 
 
 @pytest.mark.parametrize(
-    ("below", "hint"), [(NAMED, "did you mean Part?"), (PART, "write channel = N"), ("", "write channel = N")]
+    ("below", "hint"),
+    [(NAMED, "did you mean Part?"), (INPUT, "write channel = N"), ("", "write channel = N")],
 )
 def test_a_name_that_the_machine_file_lacks(below: str, hint: str) -> None:
     above = read_machine(Source("s", "[[input]]\nname = 'pert'\nat = 3.0\n"), is_layer=True)

@@ -50,11 +50,11 @@ def machine_of(assumption: Assumption) -> dict[str, object]:
     return read_machine(Source("probe.machine.toml", assumption.probe.machine))
 
 
-def test_readings_without_alternatives_become_fewer() -> None:
+def test_assumptions_without_alternatives_become_fewer() -> None:
     assert sum(not each.alternatives for each in open_ones()) == WITHOUT_ALTERNATIVES
 
 
-def test_readings_that_no_program_tells_become_fewer() -> None:
+def test_assumptions_that_no_program_settles_become_fewer() -> None:
     without = [each.name for each in open_ones() if each.probe is None]
     of_hosts = [name for name in without if name.startswith("mcapi.")]
     assert (len(without) - len(of_hosts), len(of_hosts)) == (WITHOUT_PROBE, OF_HOSTS)
@@ -68,7 +68,7 @@ def test_what_is_our_own_is_asked_of_no_controller() -> None:
         assert each.probe is None, each.name
 
 
-def test_each_answer_is_told_apart_and_belongs_to_an_alternative() -> None:
+def test_each_answer_is_distinct_and_belongs_to_an_alternative() -> None:
     for each in assumptions().values():
         if each.probe is None or each.probe.form:
             continue
@@ -79,8 +79,8 @@ def test_each_answer_is_told_apart_and_belongs_to_an_alternative() -> None:
 
 
 @pytest.mark.parametrize("each", by_name(), ids=lambda each: each.name)
-def test_a_question_of_its_own_is_answered_as_the_reading_that_was_taken(each: Assumption) -> None:
-    """The program compiles, runs, and prints its answer, or is rejected as stated."""
+def test_a_question_of_its_own_is_answered_as_assumed(each: Assumption) -> None:
+    """The probe compiles, runs and prints the answer, or is rejected as stated."""
     assert each.probe is not None
     source = text_of(each)
     if each.probe.answers[0] == REFUSED:
@@ -121,9 +121,7 @@ def switched() -> list[tuple[Assumption, object]]:
 
 
 @pytest.mark.parametrize(("each", "choice"), switched(), ids=lambda each: getattr(each, "name", each))
-def test_a_controller_that_has_it_otherwise_is_found_out_and_can_be_had(
-    each: Assumption, choice: object
-) -> None:
+def test_a_controller_that_differs_is_found_and_can_be_configured(each: Assumption, choice: object) -> None:
     machine = machine_of(each) | {each.key: choice}
     (verdict,) = read("\n".join(run(text_of(each), machine=machine, cache=False).output)).verdicts
     assert (verdict.status, verdict.value) == (OTHER, choice)
@@ -145,10 +143,10 @@ def test_what_moves_stays_within_the_distance_that_is_allowed(each: Assumption) 
     result = run(text_of(each), machine=machine_of(each), cache=False)
     assert result.report["moves"]
     for move in result.report["moves"]:
-        assert all(-1e-6 <= move[place] <= DISTANCE + 1e-6 for place in ("start", "end")), move
+        assert all(-1e-6 <= move[key] <= DISTANCE + 1e-6 for key in ("start", "end")), move
 
 
-def test_what_a_probe_needs_is_said_in_words() -> None:
+def test_what_a_probe_needs_is_stated_in_words() -> None:
     for each in by_name():
         assert each.probe is not None
         if each.probe.machine:

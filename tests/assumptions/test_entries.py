@@ -12,12 +12,12 @@ from motionlang.execution import dialect, dialects
 from tests.fidelity_page import LIST, PAGE, written
 
 # Names outside the tables and grammars: a machine with a motor, any program, the name of a handler.
-BESIDE = {"@motor", "@always", "ONERROR"}
+OTHER_NAMES = {"@motor", "@always", "ONERROR"}
 # Of docs/fidelity.md, which a user reads in five minutes.
 MAX_WORDS = 1200
 
 
-def test_every_reading_is_whole() -> None:
+def test_every_assumption_is_complete() -> None:
     assert len(assumptions()) > 400
     for name, each in assumptions().items():
         assert re.fullmatch(r"[a-z]+\.[a-z0-9]+(-[a-z0-9]+)*", name), name
@@ -28,12 +28,12 @@ def test_every_reading_is_whole() -> None:
 
 def test_no_question_is_asked_twice_in_a_chapter() -> None:
     for chapter in chapters():
-        asked = [each.question for section in chapter.sections for each in section.assumptions]
-        assert sorted(asked) == sorted(set(asked)), chapter.title
+        questions = [each.question for section in chapter.sections for each in section.assumptions]
+        assert sorted(questions) == sorted(set(questions)), chapter.title
 
 
-def test_what_a_reading_depends_on_are_words_of_a_language() -> None:
-    known = {row.name for name in dialects() for row in dialect(name).table()} | BESIDE
+def test_an_assumption_depends_on_keywords_of_a_language() -> None:
+    known = {row.name for name in dialects() for row in dialect(name).table()} | OTHER_NAMES
     signs = {"control", "operator", "separator"}
     for name, each in assumptions().items():
         for word in set(each.words) - known:
@@ -47,9 +47,9 @@ def test_the_list_is_what_the_entries_say() -> None:
 def test_the_short_page_has_the_figures_of_the_entries() -> None:
     text = PAGE.read_text(encoding="utf-8")
     assert text == written(text), "python -m tests.derived writes it"
-    asked = [each for each in assumptions().values() if each.probe is not None and not each.own]
+    probed = [each for each in assumptions().values() if each.probe is not None and not each.own]
     rows = re.findall(r"^\| \[.+\| (\d+) \| \d+ \|$", text, re.MULTILINE)
-    assert sum(map(int, rows)) == len(asked)
+    assert sum(map(int, rows)) == len(probed)
 
 
 def test_the_short_page_is_short() -> None:
@@ -67,7 +67,7 @@ def test_no_run_loads_the_evidence() -> None:
     assert done.stdout == "[]\n", done.stderr
 
 
-def test_what_can_be_set_is_a_reading_with_as_many_alternatives() -> None:
+def test_what_can_be_set_is_an_assumption_with_as_many_alternatives() -> None:
     settable = {
         name: switch for language in dialects() for name, switch in dialect(language).switches().items()
     }

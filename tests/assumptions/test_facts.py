@@ -68,8 +68,8 @@ def test_a_fact_that_is_listed_is_one_of_its_word(language: str) -> None:
 def test_every_fact_of_every_word_has_its_evidence(language: str) -> None:
     """Even an arbitrary choice needs evidence; no other facts exist."""
     known = listed(language)
-    asked = {(row.name, fact) for row in dialect(language).table() for fact in facts_of(row)}
-    assert sorted(asked - known.keys()) == []
+    expected = {(row.name, fact) for row in dialect(language).table() for fact in facts_of(row)}
+    assert sorted(expected - known.keys()) == []
 
 
 def test_the_row_of_a_word_says_nothing_of_its_evidence() -> None:

@@ -66,7 +66,7 @@ def noise(lines: list[str], draw: random.Random) -> str:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 @cases("seed", range(10))
-def test_what_a_controller_has_otherwise_is_found(language: str, seed: int) -> None:
+def test_what_differs_on_a_controller_is_found(language: str, seed: int) -> None:
     draw = random.Random(seed)
     settings: dict[str, object] = {
         f"assumptions.{name}": another(name, switch, draw)
@@ -79,26 +79,28 @@ def test_what_a_controller_has_otherwise_is_found(language: str, seed: int) -> N
         settings[key] = draw.choice(values)
     found = read(noise(answers(language, settings), draw))
     assert [each.message for each in found.problems] == []
-    told = read_machine(Source("found.toml", machine_text(found, "log.txt")))
+    answered = read_machine(Source("found.toml", machine_text(found, "log.txt")))
     for key, value in settings.items():
         name = key.removeprefix("assumptions.")
-        if key in told:
-            assert told[key] == pytest.approx(value) if isinstance(value, float) else told[key] == value, key
+        if key in answered:
+            assert (
+                answered[key] == pytest.approx(value) if isinstance(value, float) else answered[key] == value
+            ), key
         else:
             verdict = next(
                 each for each in found.verdicts if name in (each.assumption.name, each.assumption.key)
             )
             assert verdict.status == HOLDS, key
-    assert set(told) <= set(settings)
-    assert answers(language, told) == answers(language, settings)
+    assert set(answered) <= set(settings)
+    assert answers(language, answered) == answers(language, settings)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 @cases(("moves", "further"), [(False, 0), (True, 0), (False, 2), (True, 2)])
-def test_every_reading_chosen_holds_on_the_virtual_controller(
+def test_every_chosen_assumption_holds_on_the_virtual_controller(
     language: str, moves: bool, further: int
 ) -> None:
-    """The axis does not matter."""
+    """The choice of axis has no influence."""
     motion = Motion(LANGUAGES[language][1] + further, 100.0) if moves else None
     found = read("\n".join(answers(language, {}, motion, further)))
     assert [each.message for each in found.problems] == []
@@ -107,7 +109,7 @@ def test_every_reading_chosen_holds_on_the_virtual_controller(
     assert len(found.verdicts) == len(asked(language, motion=moves))
 
 
-def test_many_open_readings_are_asked() -> None:
+def test_many_open_assumptions_are_probed() -> None:
     open_ones = [each for each in assumptions().values() if each.probe is not None and each.is_open]
     assert len(open_ones) >= 60
     assert len([each for each in open_ones if each.probe and each.probe.language == "mccl"]) >= 25
@@ -125,7 +127,7 @@ def test_a_probe_moves_nothing_and_writes_nothing_unless_it_is_asked(language: s
     moved = run(Source(name, written(language, axis, Motion(axis, 100.0))), cache=False)
     moves: list[dict[str, Any]] = moved.report["moves"]  # type: ignore[assignment]
     assert {move["axis"] for move in moves} == {axis}
-    assert all(-1e-9 <= move[place] <= 100.0 + 1e-9 for move in moves for place in ("start", "end"))
+    assert all(-1e-9 <= move[key] <= 100.0 + 1e-9 for move in moves for key in ("start", "end"))
     assert moves[-1]["end"] == pytest.approx(0.0, abs=1e-9)
 
 
@@ -160,14 +162,14 @@ def lines_name(number: int) -> str:
 
 
 def test_answers_in_another_order_say_the_same() -> None:
-    straight, turned = log(lambda lines: lines), log(lambda lines: lines[::-1])
+    straight, backwards = log(lambda lines: lines), log(lambda lines: lines[::-1])
     assert [(each.assumption.name, each.status) for each in straight.verdicts] == [
-        (each.assumption.name, each.status) for each in turned.verdicts
+        (each.assumption.name, each.status) for each in backwards.verdicts
     ]
-    assert turned.problems == []
+    assert backwards.problems == []
 
 
-def test_a_question_without_an_answer_is_told() -> None:
+def test_a_question_without_an_answer_is_reported() -> None:
     found = log(lambda lines: [*lines[:5], *lines[7:]])
     assert [each.message for each in found.problems] == [
         f"2 of {len(found.verdicts) + 2} questions have no answer"
@@ -215,7 +217,7 @@ def test_answers_that_say_nothing(text: str, wanted: str, message: str) -> None:
     assert found.verdicts == []
 
 
-def test_an_answer_that_nobody_expected_sets_nothing() -> None:
+def test_an_unexpected_answer_sets_nothing() -> None:
     found = read("<probe|mint 2>\n<mint.truth|yes>\n<mint.homespeed-default|fast>\n<end|mint 2>\n")
     assert [each.status for each in found.verdicts] == ["unknown"] * 2
     assert "[assumptions]" not in machine_text(found, "log.txt")

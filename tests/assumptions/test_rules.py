@@ -47,16 +47,16 @@ def answered(assumption: Assumption, machine: dict[str, object] | None = None) -
 @pytest.mark.parametrize("language", NAMES)
 def test_each_question_is_answered_as_the_fact_that_was_taken(language: str) -> None:
     """The program compiles, runs and prints the assumed fact."""
-    asked = [each for row in dialect(language).table() for each in unsettled_facts(language, row)]
-    assert len(asked) > 50
-    for each in asked:
+    unsettled = [each for row in dialect(language).table() for each in unsettled_facts(language, row)]
+    assert len(unsettled) > 50
+    for each in unsettled:
         found = read(answered(each))
         assert [problem.message for problem in found.problems] == [], each.name
         assert [verdict.status for verdict in found.verdicts] == [HOLDS], each.name
         assert each.alternatives, each.name
 
 
-def test_a_range_is_told_by_its_last_value_and_one_beyond_it() -> None:
+def test_a_range_is_probed_by_its_last_value_and_one_beyond_it() -> None:
     high = of("mint", "IDLETIME")["range-high"]
     assert (high.question, high.chosen) == ("The greatest value of IDLETIME", "60000")
     assert high.probe is not None
@@ -68,7 +68,7 @@ def test_a_range_is_told_by_its_last_value_and_one_beyond_it() -> None:
         assert (verdict.status, verdict.what) == (OTHER, other)
 
 
-def test_beyond_a_range_is_a_number_that_a_float_can_tell_apart() -> None:
+def test_beyond_a_range_is_a_number_that_a_float_can_distinguish() -> None:
     assert [
         each.probe.before[2] for each in of("mint", "HOMEACCEL").values() if each.probe and each.probe.error
     ] == [
@@ -86,21 +86,21 @@ def test_a_default_of_few_values_names_the_others() -> None:
     assert (verdict.status, verdict.value) == (OTHER, 1250)
 
 
-def test_a_scale_is_told_by_reading_a_value_back_under_another_one() -> None:
+def test_a_scale_is_probed_by_reading_a_value_back_under_another_one() -> None:
     scale = of("mint", "HOMESPEED")["scale"]
     assert "<mint.homespeed-scale|2.5000>" in answered(scale)
     (verdict,) = read("<probe|mint 1>\n<mint.homespeed-scale|5>\n<end|mint 1>\n").verdicts
     assert verdict.what == "no, or it is stored as written"
 
 
-def test_a_default_that_a_controller_has_otherwise_is_found() -> None:
+def test_a_default_that_differs_on_a_controller_is_found() -> None:
     default = questions()["mint.homespeed-default"]
     shown = answered(default, {"assumptions.mint.homespeed-default": 25.0})
     assert [each.value for each in read(shown).verdicts] == [25]
 
 
-def test_a_short_form_that_the_compiler_refuses_is_told_by_hand() -> None:
-    """A program that does not compile prints nothing."""
+def test_a_short_form_that_the_compiler_rejects_is_answered_by_hand() -> None:
+    """A program that does not compile prints nothing, so a person writes the answer."""
     found = read(f"<mint.speed-short|{REFUSED}>\n")
     assert found.problems == []
     assert [each.what for each in found.verdicts] == ["no such short form is known"]

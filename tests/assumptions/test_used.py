@@ -21,12 +21,12 @@ def used(text: str, language: str = "mint", **settings: object) -> list[str]:
 
 
 def test_the_table_is_what_the_entries_say() -> None:
-    assert indexing.PLACE.read_text(encoding="utf-8") == indexing.written(), (
+    assert indexing.TABLES.read_text(encoding="utf-8") == indexing.written(), (
         "python -m tests.derived writes it"
     )
 
 
-def test_words_bring_their_readings_in_every_spelling_and_not_in_texts() -> None:
+def test_keywords_bring_their_assumptions_in_every_spelling_and_not_in_texts() -> None:
     for text in ("FOLLOWMODE(0) = 1", "x = 1 : followmode.0 = 1"):
         assert "mint.followmode" in used(text)
     assert "mint.followmode" not in used('PRINT "FOLLOWMODE"  \' FOLLOWMODE')

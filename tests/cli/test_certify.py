@@ -18,7 +18,7 @@ MOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)
 LIMITS = "[axis.0.limits]\nspeed = 250\nacceleration = 1500\n"
 
 
-def test_limits_that_are_kept_and_passed(cell: Cell) -> None:
+def test_limits_that_are_met_and_exceeded(cell: Cell) -> None:
     cell.write("stroke.mnt", STROKE)
     cell.write("stroke.machine.toml", LIMITS)
     ran = cell("run", "stroke.mnt", "--certify")
@@ -31,7 +31,7 @@ def test_limits_that_are_kept_and_passed(cell: Cell) -> None:
     assert "stroke.mnt:3" in ran.err
 
 
-def test_what_has_no_bound_is_infinite_and_where_limits_would_stand_is_named(cell: Cell) -> None:
+def test_what_has_no_bound_is_infinite_and_where_limits_belong_is_named(cell: Cell) -> None:
     cell.write("stroke.mnt", STROKE)
     ran = cell("run", "stroke.mnt", "--certify", "--format", "none")
     assert ran.status == 1

@@ -43,7 +43,7 @@ def test_warnings_are_no_mistakes_unless_strict(cell: Cell) -> None:
     assert cell("check", "idle.mnt", "--strict").status == 1
 
 
-def test_the_machine_is_given_or_lies_beside(cell: Cell) -> None:
+def test_the_machine_is_given_or_next_to_the_program(cell: Cell) -> None:
     cell.write("far.mnt", "MOVEA(0) = 300\nGO(0)\n")
     cell.write("small.toml", "axis.0.travel = [0.0, 100.0]\n")
     assert cell("check", "far.mnt").out == "far.mnt: no problems\n"
@@ -53,7 +53,7 @@ def test_the_machine_is_given_or_lies_beside(cell: Cell) -> None:
     assert "beyond the limit switch at 200 of axis 0" in cell("check", "far.mnt").out
 
 
-def test_a_mistake_in_the_machine_file_is_told_there(cell: Cell) -> None:
+def test_a_mistake_in_the_machine_file_is_reported_there(cell: Cell) -> None:
     cell.write("pick.mnt", "PRINT 1\n")
     cell.write("pick.machine.toml", "axis.0.travle = [0.0, 200.0]\n")
     ran = cell("check", "pick.mnt")

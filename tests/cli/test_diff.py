@@ -9,7 +9,7 @@ from tests.cli.programs import Cell
 PICK = "Const rate = 1000\nSPEED(0) = 200 : ACCEL(0) = rate : DECEL(0) = rate\nMOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\n"
 
 
-def test_a_program_beside_its_golden_files_another_one_and_itself(cell: Cell) -> None:
+def test_a_program_against_its_golden_files_another_one_and_itself(cell: Cell) -> None:
     cell.write("pick.mnt", PICK)
     cell.write("fast.mnt", PICK.replace("= 1000", "= 2000"))
     cell("verify", "pick.mnt", "--update")
@@ -40,7 +40,7 @@ def test_both_runs_lie_over_one_another_in_a_page(cell: Cell) -> None:
     assert "but one side is a report" in cell("diff", "pick.mnt", "--plot", "both.html").err
 
 
-def test_what_cannot_be_compared_is_said(cell: Cell) -> None:
+def test_what_cannot_be_compared_is_reported(cell: Cell) -> None:
     cell.write("pick.mnt", PICK)
     cell.write("cut.json", '{"schema": "motionlang.report/2", "moves": [')
     cell.write("other.json", "[1]")
@@ -48,7 +48,7 @@ def test_what_cannot_be_compared_is_said(cell: Cell) -> None:
     move = {"axis": 0, "command": "MOVEA", "line": 1, "duration": 1.0, "distance": 2.0}
     cell.write("lost.json", json.dumps({"schema": "motionlang.report/2", "moves": [move]}))
     cell.write("wrong.machine.toml", "axes = 3\n")
-    for words, status, told in (
+    for words, status, message in (
         (("pick.mnt",), 1, "no pick.golden.json next to it"),
         (("pick.mnt", "none.mnt"), 1, "none.mnt cannot be read"),
         (("pick.mnt", "cut.json"), 1, "cut.json is not JSON"),
@@ -66,7 +66,7 @@ def test_what_cannot_be_compared_is_said(cell: Cell) -> None:
     ):
         ran = cell("diff", *words)
         assert ran.status == status, (words, ran)
-        assert told in ran.err, (words, ran)
+        assert message in ran.err, (words, ran)
 
 
 def test_a_run_against_a_recording(cell: Cell) -> None:

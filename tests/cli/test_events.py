@@ -84,7 +84,7 @@ CASES: dict[str, tuple[str, dict[str, object], list[tuple[object, ...]]]] = {
 def test_what_happened(case: str) -> None:
     program, machine, expected = CASES[case]
     found = events(program, machine)
-    told = [
+    reported = [
         (
             each["kind"],
             None if "value" not in each else pytest.approx(each["value"], abs=1e-3),
@@ -94,7 +94,7 @@ def test_what_happened(case: str) -> None:
         )
         for each in found
     ]
-    assert expected == told
+    assert expected == reported
 
 
 def test_a_limit_that_a_homing_meets_is_no_matter(cell: Cell) -> None:
@@ -125,7 +125,10 @@ def test_the_exit_status_is_that_of_the_events_and_allow_takes_them_off(cell: Ce
     for allowed, status in (("limit", 0), ("all", 0), ("soft-limit,fault", 1), ("fault, limit", 0)):
         assert cell("run", "a.mnt", "--format", "none", "--allow", allowed).status == status, allowed
     wrong = cell("run", "a.mnt", "--allow", "limits")
-    assert (wrong.status, "--allow cannot accept 'limits': choose from limit, soft-limit" in wrong.err) == (
+    assert (
+        wrong.status,
+        "'limits' is no event that a run can accept: choose from limit, soft-limit" in wrong.err,
+    ) == (
         2,
         True,
     )
@@ -139,7 +142,7 @@ def test_a_fault_that_is_handled_is_no_matter(cell: Cell) -> None:
         assert cell("run", "a.mnt", "--format", "none", "--no-cache").status == status, text
 
 
-def test_the_table_has_them_and_the_speed_asked_for(cell: Cell) -> None:
+def test_the_table_has_them_and_the_commanded_speed(cell: Cell) -> None:
     cell.write("a.mnt", CASES["a clamp, once"][0])
     ran = cell("run", "a.mnt", "--no-cache")
     assert re.search(r"peak +commanded", ran.out)
@@ -170,7 +173,7 @@ def test_a_wave_viewer_shows_them_as_text(cell: Cell) -> None:
 
 
 def test_the_log_takes_as_much_of_the_disk_as_it_may(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    for name, value in (("MAX_TAIL", 60), ("LEFT", 30), ("PART", 20)):
+    for name, value in (("MAX_TAIL", 60), ("LEFT", 30), ("CHUNK_SIZE", 20)):
         monkeypatch.setattr(stream, name, value)
     monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
     monkeypatch.setenv("MOTIONLANG_FAST", "0")  # with accelerators the log has one record for all of them

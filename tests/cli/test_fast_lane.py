@@ -14,7 +14,7 @@ from motionlang.cli.commands import build_parser
 from motionlang.cli.run_options import check_options, run_options
 from tests.cases import cases
 
-PARTS = (
+ARGUMENTS = (
     ("pick.mnt",),
     ("--no-cache",),
     ("--profile",),
@@ -26,7 +26,7 @@ PARTS = (
 LINES = [
     ["run", *itertools.chain.from_iterable(chosen)]
     for count in range(1, 4)
-    for chosen in itertools.permutations(PARTS, count)
+    for chosen in itertools.permutations(ARGUMENTS, count)
 ]
 
 

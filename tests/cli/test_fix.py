@@ -86,7 +86,7 @@ def test_a_block_is_fixed_as_a_whole(name: str, cell: Cell) -> None:
     assert path.read_bytes().decode() == head + new
 
 
-def test_more_fixes_than_a_check_tells_mistakes(cell: Cell) -> None:
+def test_more_fixes_than_a_check_reports_mistakes(cell: Cell) -> None:
     """A check stops at 100 errors, in the middle of a block."""
     path = cell.write("old.prg", "a = 1\n" + "IF a DO\n a = SPEED.0\nENDIF\n" * 150 + "PRINT a\n")
     ran = cell("check", "old.prg", "--model", "mintmt", "--fix")
@@ -180,7 +180,7 @@ def test_a_message_names_the_plain_character(cell: Cell) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "summary"),
     [
         ("MOVER(3) = 5\nGo3\n", "1 error; --fix corrects it"),
         ("MOVER(3) = 5\nGo3\nMOVER(3) = 5\nGo3\n", "2 errors; --fix corrects all"),
@@ -188,9 +188,9 @@ def test_a_message_names_the_plain_character(cell: Cell) -> None:
         ("SPED(0) = 3\n", "1 error"),
     ],
 )
-def test_a_check_says_what_it_would_fix(text: str, said: str, cell: Cell) -> None:
+def test_a_check_says_what_it_would_fix(text: str, summary: str, cell: Cell) -> None:
     cell.write("a.mnt", text)
-    assert cell("check", "a.mnt").out.splitlines()[-1] == f"a.mnt: {said}"
+    assert cell("check", "a.mnt").out.splitlines()[-1] == f"a.mnt: {summary}"
     assert "--fix" not in cell("check", "a.mnt", "--fix").out
 
 

@@ -44,7 +44,7 @@ def test_junit_counts_files(cell: Cell) -> None:
     )
     suite = root[0]
     assert (suite.get("tests"), suite.get("failures")) == ("3", "1")
-    assert [(each.get("name"), [part.tag for part in each]) for each in suite] == [
+    assert [(each.get("name"), [child.tag for child in each]) for each in suite] == [
         ("idle.mnt", ["system-out"]),
         ("wrong.mcl", ["failure"]),
         ("ballscrew.mcl", []),
@@ -75,7 +75,7 @@ def test_verify(form: str, cell: Cell) -> None:
         assert [each["matches_golden"] for each in document["programs"]] == [True, False]
 
 
-def test_many_at_once_are_told_as_one_by_one(cell: Cell) -> None:
+def test_many_at_once_are_reported_as_one_by_one(cell: Cell) -> None:
     (cell.folder / "line").mkdir()
     for number in range(6):
         cell.write(f"line/{number}.mnt", SPARE if number % 2 else "PRINT 1 +\n")

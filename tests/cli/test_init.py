@@ -100,6 +100,12 @@ def test_a_home_switch_lies_a_second_ahead(cell: Cell) -> None:
     assert (found["axis.1.home_switch"], found["axis.1.guess"]) == ([-22.0, -20.0], True)
 
 
+def test_a_home_switch_is_guessed_after_a_move_too(cell: Cell) -> None:
+    """The guess is based on the endless homing motion, to -20, not on the move before."""
+    text = "SPEED.1 = 50 : HOMESPEED.1 = 20\nMOVER.1 = 5 : GO.1\nPAUSE IDLE.1\nHOME.1 = 0\nPAUSE IDLE.1\n"
+    assert guesses(cell, text)["axis.1.home_switch"] == [-22.0, -20.0]
+
+
 def test_a_result_says_what_it_depends_on(cell: Cell) -> None:
     cell.write("old.prg", 'INPUT "Way ", s\nPAUSE INX.2\nMOVER.0 = s : GO.0 : PAUSE IDLE.0\n? POS.0\n')
     ran = cell("init", "old.prg", "--format", "none")
@@ -130,14 +136,8 @@ def test_the_limits_are_there_to_fill_in(cell: Cell) -> None:
         (
             "old.prg",
             "PRINT 1\n",
-            "error[file]: old.machine.toml is there already, and init never overwrites",
+            "error[file]: old.machine.toml exists, and is not overwritten",
             "  hint: motionlang run old.prg runs the program with it",
-        ),
-        (
-            "bad.prg",
-            "MOVR.0 = 1\nx = = 2\n",
-            "error[syntax]: bad.prg has ",
-            "  hint: motionlang check bad.prg shows",
         ),
         ("none.prg", None, "error[file]: none.prg cannot be read: no such file or directory", ""),
         (
@@ -160,6 +160,15 @@ def test_what_is_wrong_takes_two_lines(
     assert first.startswith(message)
     assert [line[: len(hint)] for line in rest] == ([hint] if hint else [])
     assert machine.read_text() == "run.until = 5\n"
+
+
+def test_errors_of_the_program_are_shown_as_by_check(cell: Cell) -> None:
+    cell.write("bad.prg", "MOVR.0 = 1\nx = = 2\n")
+    ran = cell("init", "bad.prg")
+    assert (ran.status, ran.out) == (1, "")
+    assert f"{ran.err}bad.prg: 2 errors\n" == cell("check", "bad.prg").out
+    assert "  hint: did you mean MOVER?\n" in ran.err
+    assert not (cell.folder / "bad.machine.toml").exists()
 
 
 def test_a_folder(cell: Cell) -> None:

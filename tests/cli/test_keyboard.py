@@ -21,10 +21,10 @@ PRINT "bye"
 """
 
 
-def played(tmp_path: Path, program: str, *turns: tuple[str, str]) -> tuple[int, str, str]:
-    """Run a program and type after its prompts.
+def run_at_terminal(tmp_path: Path, program: str, *exchanges: tuple[str, str]) -> tuple[int, str, str]:
+    """Run a program and type an answer after each of its prompts.
 
-    Return status, remaining output, errors.
+    Return exit status, remaining output and errors.
     """
     file = tmp_path / "asks.mnt"
     file.write_text(program)
@@ -35,7 +35,7 @@ def played(tmp_path: Path, program: str, *turns: tuple[str, str]) -> tuple[int, 
     ) as process:
         os.close(theirs)
         assert process.stdout is not None
-        for wanted, typed in turns:
+        for wanted, typed in exchanges:
             assert process.stdout.readline() == wanted
             os.write(ours, typed.encode())
         out, err = process.communicate(timeout=10)
@@ -45,11 +45,11 @@ def played(tmp_path: Path, program: str, *turns: tuple[str, str]) -> tuple[int, 
 
 def test_a_line_is_typed_where_the_program_asks_and_keys_where_it_looks_for_them(tmp_path: Path) -> None:
     echo = "217" + 3 * "\b \b" + "21\n"
-    turns = ("how many?\n", "217\x7f\n"), (echo, ""), ("twice that is 42\n", "xq")
-    assert played(tmp_path, PROGRAM, *turns) == (0, "bye\n", "")
+    exchanges = ("how many?\n", "217\x7f\n"), (echo, ""), ("twice that is 42\n", "xq")
+    assert run_at_terminal(tmp_path, PROGRAM, *exchanges) == (0, "bye\n", "")
 
 
 def test_a_program_that_does_not_listen_is_not_waited_for(tmp_path: Path) -> None:
-    status, _, err = played(tmp_path, 'PRINT "x"\nPAUSE INX(3)\n')
+    status, _, err = run_at_terminal(tmp_path, 'PRINT "x"\nPAUSE INX(3)\n')
     assert status == 1
     assert "the program waits until INX(3), which can never happen" in err

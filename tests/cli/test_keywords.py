@@ -104,7 +104,7 @@ def test_a_group_can_be_named(cell: Cell) -> None:
     assert "did you mean homing?" in cell("keywords", "homming").err
 
 
-def test_nothing_is_cut_where_nobody_looks(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_nothing_is_cut_away_from_a_terminal(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     longest = max(
         (row["help"] for row in json.loads(cell("keywords", "--format", "json").out)["keywords"]), key=len
     )
@@ -139,7 +139,7 @@ def test_the_page_of_a_word_says_what_is_left_open_and_what_to_type(
     ]
 
 
-def test_what_is_told_in_motion_or_by_a_long_program_names_its_command(
+def test_what_is_settled_in_motion_or_by_a_long_program_names_its_command(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     assert main(["keywords", "STOPMODE"]) == 0
@@ -152,7 +152,7 @@ def test_what_is_told_in_motion_or_by_a_long_program_names_its_command(
     assert "write a test program with motionlang probe mint.timerevent\n" in capsys.readouterr().out
 
 
-def test_what_no_program_tells_names_its_alternatives(capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_no_program_settles_names_its_alternatives(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["keywords", "CONTOURMODE"]) == 0
     text = " ".join(capsys.readouterr().out.split())
     assert "or: it is an error, and the axes stop at ERRORDECEL" in text

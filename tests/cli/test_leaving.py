@@ -40,7 +40,7 @@ def program(tmp_path: Path) -> str:
 
 @pytest.mark.skipif(sys.implementation.name != "cpython", reason="only CPython tells who waits for the end")
 @pytest.mark.parametrize("before", BEFORE)
-def test_a_process_leaves_at_once_where_nobody_waits_for_its_end(program: str, before: str) -> None:
+def test_a_process_leaves_at_once_if_no_one_waits_for_its_end(program: str, before: str) -> None:
     ran = left(before, "run", program, "--format", "none", "--no-cache")
     assert ran.returncode == 0
     lines = ran.stdout.split()

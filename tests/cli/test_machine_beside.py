@@ -64,7 +64,7 @@ def test_the_scenario_has_an_end(cell: Cell) -> None:
 
 
 FAR = "[[input]]\nchannel = 1\naxis = 44\nabove = 1.0\n\n[axis.12]\nstart = 3\n"
-FAR_TOLD = """\
+FAR_MESSAGE = """\
 error[machine-file]: [[input]]: there is no axis 44
  --> far.toml
   hint: the axes are 0 to 7; controller.axes sets their number
@@ -79,10 +79,10 @@ def test_an_axis_that_there_is_not_is_no_machine(cell: Cell) -> None:
     cell.write("pick.mnt", "PRINT 1\n")
     cell.write("far.toml", FAR)
     ran = cell("run", "pick.mnt", "--machine", "far.toml")
-    assert (ran.status, ran.out, ran.err) == (1, "", FAR_TOLD)
+    assert (ran.status, ran.out, ran.err) == (1, "", FAR_MESSAGE)
     assert cell("check", "pick.mnt", "--machine", "far.toml").status == 1
     ran = cell("repl", "--machine", "far.toml")
-    assert (ran.status, ran.err) == (1, FAR_TOLD.replace(" --> far.toml\n", ""))
+    assert (ran.status, ran.err) == (1, FAR_MESSAGE.replace(" --> far.toml\n", ""))
     given = ("--set", "controller.axes=64", "--format", "none")
     assert cell("run", "pick.mnt", "--machine", "far.toml", *given).out == "1\n"
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+import motionlang
 from tests.cli.programs import Cell
 
 
@@ -50,6 +51,8 @@ def test_a_new_program_runs_and_is_clean(cell: Cell, name: str, file: str) -> No
     checked = cell("check", file, "--strict")
     assert (checked.status, checked.err) == (0, "")
     assert "ended after 2.600" in cell("run", file).out
+    switched = {each.channel for each in motionlang.run(cell.folder / file).machine.log.outputs}
+    assert switched == {1 if file.endswith(".mnt") else 9}
     assert "2 of 2 limits met" in cell("certify", file).out
 
 
@@ -80,3 +83,7 @@ def test_a_program_needs_a_name(name: str, cell: Cell) -> None:
     ran = cell("new", name)
     assert ran.status == 2
     assert "NAME needs a name, such as feed" in ran.err
+
+
+def test_the_commands_quote_a_name_with_blanks(cell: Cell) -> None:
+    assert '  motionlang plot "bag feed.mnt" "bag feed.html"\n' in cell("new", "bag feed").out

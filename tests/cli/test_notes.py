@@ -28,9 +28,9 @@ def test_a_command_prints_what_it_shows(
 @cases(("formula", "number"), FORMULAS)
 def test_a_formula_gives_its_number(formula: str, number: str) -> None:
     """The tolerance is half a step of the last printed digit, plus rounding of inputs."""
-    places = len(number.partition(".")[2])
+    decimals = len(number.partition(".")[2])
     value = float(number)
-    assert worked_out(formula) == pytest.approx(value, rel=2e-9, abs=0.51 * 10.0**-places)
+    assert worked_out(formula) == pytest.approx(value, rel=2e-9, abs=0.51 * 10.0**-decimals)
 
 
 def test_no_formula_is_passed_over() -> None:

@@ -50,9 +50,9 @@ def winder() -> float:
 
 def glue() -> float:
     bead = 2 * 160 + 2 * 60 + 2 * 3.14159265 * 20
-    way = ramp((50**2 + 30**2) ** 0.5, 250, 2500)
+    travel = ramp((50**2 + 30**2) ** 0.5, 250, 2500)
     z = ramp(42.5, 100, 1000)
-    return way + z + 0.08 + ramp(bead, 50, 2500) + 0.15 + ramp(8, 250, 2500) + z
+    return travel + z + 0.08 + ramp(bead, 50, 2500) + 0.15 + ramp(8, 250, 2500) + z
 
 
 def label() -> float:
@@ -66,9 +66,9 @@ def pick_and_place() -> float:
 
 
 def table() -> float:
-    turn = 0.3 + ramp(2000, 4000, 8000) + 0.1 + 0.3
+    index_time = 0.3 + ramp(2000, 4000, 8000) + 0.1 + 0.3
     press = 2 * (ramp(40e3, 60e3, 400e3) + 0.02) + 0.35
-    return turn + press + 0.2 + 0.1
+    return index_time + press + 0.2 + 0.1
 
 
 def saw_feed() -> float:
@@ -78,7 +78,7 @@ def saw_feed() -> float:
     return 6 * piece + 0.5
 
 
-READINGS = 'assumptions."mint.movebuffersize-default" = 20\n'
+ASSUMPTIONS = 'assumptions."mint.movebuffersize-default" = 20\n'
 # Program: the edits, how its cycle is found in what it prints, and how long it takes.
 CASES = {
     "packer.prg": ([], "ms", packer()),
@@ -94,7 +94,7 @@ CASES = {
     ),
     "glue.mnt": (
         [
-            ("run.until = 300", f"{READINGS}run.until = 300"),
+            ("run.until = 300", f"{ASSUMPTIONS}run.until = 300"),
             (
                 "{ channel = 0, at = 2.7, guess = true }",
                 "{ channel = 0, at = 3.0, for = 40.0, every = 45.0 }",

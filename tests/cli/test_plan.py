@@ -81,7 +81,7 @@ def test_mccl_without_a_scale_knows_whole_counts_only(cell: Cell) -> None:
     assert note not in cell("plan", "--distance", "20", "--time", "0.6", "--rule", "third").out
 
 
-def test_what_was_assumed_is_said(cell: Cell) -> None:
+def test_what_was_assumed_is_stated(cell: Cell) -> None:
     out = cell("plan", "--distance", "20", "--speed", "50", "--accel", "250").out
     assert "decel         250  uu/s²  assumed\n" in out
     assert "accel         250  uu/s²  given\n" in out
@@ -140,7 +140,7 @@ def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> Non
     )
 
 
-def test_ramp_times_of_a_move_too_short_are_those_to_the_speed_asked_for(cell: Cell) -> None:
+def test_ramp_times_of_a_move_too_short_are_those_to_the_commanded_speed(cell: Cell) -> None:
     line = "--distance -10 --speed 300 --accel-time 0.15 --decel-time 0.3 --use-times --dialect mint --format json"
     document = json.loads(cell("plan", *line.split()).out)
     assert "ACCELTIME(0) = 150\nDECELTIME(0) = 300\nMOVER(0) = -10" in document["programs"]["mint"]
@@ -208,3 +208,10 @@ def test_a_machine_that_gives_no_scale(cell: Cell, line: str, message: str) -> N
     ran = cell("plan", "--distance", "1", "--time", "1", *line.split())
     assert (ran.status, ran.out) == (2, "")
     assert ran.err.startswith(f"motionlang plan: error: {message}")
+
+
+def test_too_few_figures_have_a_hint_that_works(cell: Cell) -> None:
+    hint = "  hint: give distance, speed and accel, or distance and time with a --rule\n"
+    assert hint in cell("plan", "--distance", "3").err
+    assert cell("plan", "--distance", "3", "--speed", "1", "--accel", "2").status == 0
+    assert cell("plan", "--distance", "3", "--time", "1", "--rule", "third").status == 0

@@ -13,12 +13,12 @@ from motionlang.cli import main
 
 def probe(tmp_path: Path, capsys: pytest.CaptureFixture[str], *options: str) -> tuple[int, str, str]:
     status = main(["probe", *options])
-    said = capsys.readouterr()
-    return status, said.out, said.err
+    captured = capsys.readouterr()
+    return status, captured.out, captured.err
 
 
-def test_the_whole_way(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A different controller runs the probe; its answers reproduce the difference."""
+def test_from_the_probe_to_the_settings(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A controller that differs runs the probe; its answers yield the settings."""
     status, text, _ = probe(tmp_path, capsys, "mint", "--axis", "2")
     assert status == 0
     assert "HOMESPEED(2)" in text
@@ -27,25 +27,25 @@ def test_the_whole_way(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     machine = {"assumptions.mint.homespeed-default": 12.5, "assumptions.mint.float-zeros": "dropped"}
     log = tmp_path / "log.txt"
     log.write_text("\r\n".join(run(str(program), machine=machine, cache=False).output), encoding="utf-8")
-    status, found, said = probe(tmp_path, capsys, "--answers", str(log))
+    status, found, err = probe(tmp_path, capsys, "--answers", str(log))
     assert status == 0
     assert tomllib.loads(found) == {
         "assumptions": {"mint.homespeed-default": 12.5, "mint.float-zeros": "dropped"},
     }
-    assert "mint.homespeed-default: What HOMESPEED is until a program writes it: 12.5, not 4000" in said
-    assert "assumptions confirmed:\n  mint.float-precision, mint.float-to-integer" in said
+    assert "mint.homespeed-default: What HOMESPEED is until a program writes it: 12.5, not 4000" in err
+    assert "assumptions confirmed:\n  mint.float-precision, mint.float-to-integer" in err
 
 
-def test_answers_of_which_some_are_missing_are_read_and_told(
+def test_answers_of_which_some_are_missing_are_read_and_reported(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     log = tmp_path / "log.txt"
     log.write_text("<probe|mint 9>\n<mint.homespeed-default|5>\n<mint.truth|1 ", encoding="utf-8")
-    status, found, said = probe(tmp_path, capsys, "mint", "--answers", str(log))
+    status, found, err = probe(tmp_path, capsys, "mint", "--answers", str(log))
     assert status == 1
     assert '"mint.homespeed-default" = 5' in found
-    assert "the answer to mint.truth is cut off" in said
-    assert "log.txt:3" in said
+    assert "the answer to mint.truth is cut off" in err
+    assert "log.txt:3" in err
 
 
 @pytest.mark.parametrize(
@@ -75,9 +75,9 @@ def test_what_is_wrong_with_a_command_line(
 
 
 def test_answers_that_cannot_be_read(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    status, found, said = probe(tmp_path, capsys, "--answers", str(tmp_path / "none.txt"))
+    status, found, err = probe(tmp_path, capsys, "--answers", str(tmp_path / "none.txt"))
     assert (status, found) == (1, "")
-    assert "cannot be read" in said
+    assert "cannot be read" in err
 
 
 def test_one_question_has_a_program_whose_remarks_say_what_each_answer_means(
@@ -97,8 +97,8 @@ def test_one_question_has_a_program_whose_remarks_say_what_each_answer_means(
     program.write_text(text, encoding="utf-8")
     log = tmp_path / "log.txt"
     log.write_text("\n".join(run(str(program), cache=False).output), encoding="utf-8")
-    status, _, said = probe(tmp_path, capsys, "--answers", str(log))
-    assert (status, said) == (0, "1 assumption confirmed:\n  mint.homespeed-scale\n")
+    status, _, err = probe(tmp_path, capsys, "--answers", str(log))
+    assert (status, err) == (0, "1 assumption confirmed:\n  mint.homespeed-scale\n")
 
 
 def test_a_question_that_moves_says_how_far(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -130,7 +130,7 @@ def test_the_questions_about_a_word_are_listed(tmp_path: Path, capsys: pytest.Ca
         assert other not in text
 
 
-def test_a_question_that_no_program_tells_is_said_with_its_answers(
+def test_a_question_that_no_program_settles_is_listed_with_its_answers(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit) as ended:

@@ -80,7 +80,7 @@ def test_every_command_ends_quietly_where_its_reader_goes_away(
     assert list(crashes.iterdir()) == []
 
 
-def test_a_full_disk_under_standard_output_is_said_once() -> None:
+def test_a_full_disk_under_standard_output_is_reported_once() -> None:
     with open("/dev/full", "w") as full:
         ran = subprocess.run(
             [*COMMAND, "keywords"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
@@ -125,29 +125,29 @@ def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
 
 
 HURRY = "Dim k As Float\nLoop\n  k = k + 0.001\n  JOG(0) = k\nEnd Loop\n"
-TOLD = "JOG starts motions without waiting for them"
+WARNING = "JOG starts motions without waiting for them"
 
 
-def test_a_loop_that_never_waits_is_told_while_it_runs(tmp_path: Path) -> None:
-    """It comes before the run ends, with its line, and not again at the end."""
+def test_a_loop_that_never_waits_is_reported_while_it_runs(tmp_path: Path) -> None:
+    """The message with its line comes before the run ends, and only once."""
     program = tmp_path / "hurry.mnt"
     program.write_text(HURRY)
     command = [*COMMAND, "run", str(program)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert process.stderr is not None
         early = [process.stderr.readline() for _ in range(4)]
-        assert TOLD in early[0]
+        assert WARNING in early[0]
         assert early[1].endswith("hurry.mnt:4\n")
         assert early[3] == "4 |   JOG(0) = k\n"
         assert process.poll() is None
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=MAX_SECONDS)
     assert process.returncode == 130
-    assert TOLD not in err
+    assert WARNING not in err
     assert "the run was ended from the keyboard" in err
 
 
-def test_on_a_terminal_it_stands_above_the_line_of_progress(tmp_path: Path) -> None:
+def test_on_a_terminal_it_is_above_the_line_of_progress(tmp_path: Path) -> None:
     pty = pytest.importorskip("pty")
     program = tmp_path / "hurry.mnt"
     program.write_text(HURRY)
@@ -157,14 +157,14 @@ def test_on_a_terminal_it_stands_above_the_line_of_progress(tmp_path: Path) -> N
     ) as process:
         os.close(terminal)
         shown = b""
-        while b" of machine time " not in shown.partition(TOLD.encode())[2]:
+        while b" of machine time " not in shown.partition(WARNING.encode())[2]:
             shown += os.read(main, 4096)
         process.send_signal(signal.SIGINT)
         while b"run was ended from the keyboard" not in shown:
             shown += os.read(main, 4096)
         process.communicate(timeout=MAX_SECONDS)
     os.close(main)
-    assert shown.count(TOLD.encode()) == 1
+    assert shown.count(WARNING.encode()) == 1
 
 
 def test_standard_output_may_be_closed(tmp_path: Path) -> None:

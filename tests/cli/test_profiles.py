@@ -28,7 +28,7 @@ def test_the_exact_table(cell: Cell) -> None:
     assert cell("profiles").out == TABLE
 
 
-def test_as_printed_beside_it_with_every_erratum(cell: Cell) -> None:
+def test_as_printed_with_every_erratum(cell: Cell) -> None:
     lines = cell("profiles", "--published").out.splitlines()
     printed = [line.split()[2:] for line in lines if line.strip().startswith("as printed")]
     assert printed == [

@@ -130,6 +130,14 @@ def test_any_bytes_end_without_a_traceback(cell: Cell, content: bytes) -> None:
     assert json.loads(ran.out)["schema"] == "motionlang.report/2"
 
 
+def test_a_binary_file_is_one_error(cell: Cell) -> None:
+    cell.write("drive.mnt", b"MZ\x90\0\3\0\0\0" * 500)
+    for verb in ("run", "check", "init"):
+        ran = cell(verb, "drive.mnt")
+        assert ran.status == 1
+        assert (ran.out + ran.err).startswith("error[file]: drive.mnt cannot be read: not a text file\n")
+
+
 def test_until_ends_what_would_go_on(cell: Cell) -> None:
     report = json.loads(cell("run", "jog.mcl", "--until", "2.5", "--format", "json").out)
     assert (report["time"], report["moves"][0]["ended"]) == (2.5, "end-of-run")
@@ -187,7 +195,7 @@ def test_a_trace_has_the_columns_that_were_chosen(cell: Cell) -> None:
     assert "'jerk.9': there is no axis 9" in cell(*trace, "jerk.9").err
 
 
-def test_a_picture_shows_the_part_that_was_asked_for(cell: Cell) -> None:
+def test_a_picture_shows_the_requested_window(cell: Cell) -> None:
     pytest.importorskip("matplotlib")
     plot = ("run", "ballscrew.mcl", "--format", "none", "--plot", "x.svg")
     assert cell(*plot, "--from", "0.2", "--to", "0.5", "--axes", "1").err == ""
@@ -248,11 +256,11 @@ def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
         (("--plot", "x"), "--plot writes .png, .svg and .html, so the file needs one of these extensions"),
         (
             ("--rate", "0"),
-            "argument --rate: '0' is not a number of samples per second above 0, 10,000,000 at most",
+            "argument --rate: '0' is not a rate above 0 and up to 10,000,000 samples per second",
         ),
         (
             ("--rate", "nan"),
-            "argument --rate: 'nan' is not a number of samples per second above 0, 10,000,000 at most",
+            "argument --rate: 'nan' is not a rate above 0 and up to 10,000,000 samples per second",
         ),
         (("--until", "-1"), "argument --until: '-1' is not a time in seconds, 0 or more"),
         (("--until", "inf"), "argument --until: 'inf' is not a time in seconds, 0 or more"),
@@ -277,16 +285,16 @@ def test_a_typing_error_is_answered_with_a_suggestion(cell: Cell) -> None:
         "motionlang run: error: argument --format: 'jsn' is not one of table, json, none\n"
         "  hint: did you mean json?\n"
     )
-    for option, meant in (
+    for option, suggestion in (
         ("--tarce", "--trace"),
         ("--table", "--format table"),
     ):
-        assert cell("run", "x", option).err.splitlines()[-1] == f"  hint: did you mean {meant}?"
+        assert cell("run", "x", option).err.splitlines()[-1] == f"  hint: did you mean {suggestion}?"
     set_key = cell("run", "ballscrew.mcl", "--set", "controller.axs=4").err
     assert "there is no key controller.axs; did you mean controller.axes?" in set_key
 
 
-def test_a_place_that_cannot_be_written_is_known_before_the_run(cell: Cell) -> None:
+def test_a_path_that_cannot_be_written_is_known_before_the_run(cell: Cell) -> None:
     ran = cell("run", "ballscrew.mcl", "--trace", "no/x.csv")
     assert (ran.status, ran.out) == (1, "")
     assert ran.err == "error[file]: there is no folder no\n"
@@ -356,8 +364,8 @@ def test_a_terminal_without_lines_gets_a_plain_table(cell: Cell, monkeypatch: py
 
 def test_the_cache_changes_nothing(cell: Cell) -> None:
     first, second = cell("run", "ballscrew.mcl"), cell("run", "ballscrew.mcl")
-    anew = cell("run", "ballscrew.mcl", "--no-cache")
-    assert first.out == second.out == anew.out
+    uncached = cell("run", "ballscrew.mcl", "--no-cache")
+    assert first.out == second.out == uncached.out
 
 
 def test_version(cell: Cell) -> None:
@@ -400,23 +408,23 @@ def test_what_a_run_reads_is_not_written_over(
     cell: Cell, arguments: tuple[str, ...], lost: str, what: str
 ) -> None:
     cell.write("a.mnt", "PRINT 1\n")
-    kept = cell.write(lost, "PRINT 1\n" if what == "the program" else "")
+    file = cell.write(lost, "PRINT 1\n" if what == "the program" else "")
     (cell.folder / "link.svg").symlink_to("x.svg")
-    before = kept.read_text()
+    before = file.read_text()
     ran = cell(*arguments)
-    assert (ran.status, ran.out, kept.read_text()) == (1, "", before)
+    assert (ran.status, ran.out, file.read_text()) == (1, "", before)
     assert f"{arguments[-1]} is {what} of this run" in ran.err
 
 
 @pytest.mark.parametrize("value", ["9" * 5000, "[" * 3000, "0x" + "f" * 5000])
-def test_a_setting_of_any_length_is_told(cell: Cell, value: str) -> None:
+def test_a_setting_of_any_length_is_reported(cell: Cell, value: str) -> None:
     ran = cell("run", "ballscrew.mcl", "--set", f"controller.axes={value}")
     assert ran.status in (1, 2)
     assert "controller.axes must be " in ran.err
     assert len(ran.err) < 500
 
 
-def test_a_forgotten_go_is_told_by_the_run(cell: Cell) -> None:
+def test_a_forgotten_go_is_reported_by_the_run(cell: Cell) -> None:
     cell.write("forgotten.mnt", "MOVER(0) = 10\nGO(0)\nPAUSE IDLE(0)\n  MOVER(0) = -10\nMOVER(1) = 3\n")
     ran = cell("run", "forgotten.mnt", "--format", "none")
     assert ran.status == 0
@@ -426,7 +434,7 @@ def test_a_forgotten_go_is_told_by_the_run(cell: Cell) -> None:
     assert "hint: GO(1) starts the buffered moves" in ran.err
 
 
-def test_more_than_a_page_or_a_proof_takes_is_told(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_more_than_a_page_or_a_proof_takes_is_reported(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("motionlang.views.scope.MAX_RECORDS", 1)
     ran = cell("run", "ballscrew.mcl", "--plot", "a.html")
     assert ran.status == 1
@@ -436,5 +444,5 @@ def test_more_than_a_page_or_a_proof_takes_is_told(cell: Cell, monkeypatch: pyte
     ran = cell("run", "ballscrew.mcl", "--prove", "--format", "json")
     report = json.loads(ran.out)
     assert (ran.status, report["axes"][0]["position"]) == (1, 200.0)
-    (told,) = report["diagnostics"]
-    assert (told["code"], told["hint"]) == ("proof", "end the run sooner with --until")
+    (diagnostic,) = report["diagnostics"]
+    assert (diagnostic["code"], diagnostic["hint"]) == ("proof", "end the run sooner with --until")

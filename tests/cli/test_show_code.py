@@ -23,7 +23,7 @@ End Sub
 """
 
 
-def test_each_line_of_the_program_stands_above_its_code(cell: Cell) -> None:
+def test_each_line_of_the_program_is_above_its_code(cell: Cell) -> None:
     cell.write("feed.mnt", FEED)
     ran = cell("run", "feed.mnt", "--show-code")
     assert (ran.status, ran.err) == (0, "")

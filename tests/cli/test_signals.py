@@ -66,16 +66,16 @@ STAGES = {
 def test_a_signal_at_any_stage(
     stage: str, number: int, who: str, status: int, cell: Cell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    place, name, outcome = STAGES[stage]
-    if isinstance(place, str):
-        place = sys.modules[place]
-    monkeypatch.setattr(place, name, sending(number, getattr(place, name)))
+    owner, name, outcome = STAGES[stage]
+    if isinstance(owner, str):
+        owner = sys.modules[owner]
+    monkeypatch.setattr(owner, name, sending(number, getattr(owner, name)))
     cell.write("a.mnt", MOVE)
     ran = cell("run", "a.mnt", "--format", "json", "--no-cache")
     report = json.loads(ran.out)
     assert (ran.status, report["status"]) == (status, outcome)
-    told = [each["message"] for each in report["diagnostics"]]
-    assert told == ([f"the run was ended {who}"] if outcome == "interrupted" else [])
+    messages = [each["message"] for each in report["diagnostics"]]
+    assert messages == ([f"the run was ended {who}"] if outcome == "interrupted" else [])
 
 
 @pytest.mark.parametrize("most", [10, 0])
@@ -163,7 +163,7 @@ def test_a_signal_that_python_drops_comes_again() -> None:
 
     def lose() -> None:
         with signals.SIGNALS:
-            signals.SIGNALS._asked = signal.SIGTERM
+            signals.SIGNALS._raised = signal.SIGTERM
             Falls()
             signal.sigtimedwait([], 5)
 
@@ -172,7 +172,7 @@ def test_a_signal_that_python_drops_comes_again() -> None:
 
 
 @pytest.mark.parametrize(("number", "who", "status"), SIGNALS)
-def test_a_process_that_is_told_to_end(number: int, who: str, status: int, tmp_path: Path) -> None:
+def test_a_process_that_is_terminated(number: int, who: str, status: int, tmp_path: Path) -> None:
     program = tmp_path / "endless.mnt"
     program.write_text(MOVE + ENDLESS)
     command = [*COMMAND, "run", str(program), "--realtime", "1000"]
@@ -202,11 +202,11 @@ def test_a_report_is_whole_that_is_being_written_as_a_signal_comes(unbuffered: s
         while not (written == before and int.from_bytes(written, sys.byteorder) > 30_000):  # it is full
             before, written = written, fcntl.ioctl(process.stdout, termios.FIONREAD, bytes(4))
         process.send_signal(signal.SIGTERM)
-        told = process.stdout.read()
+        output = process.stdout.read()
         while more := process.stdout.read():
-            told += more
+            output += more
     assert process.returncode == 143
-    report = json.loads(told)
+    report = json.loads(output)
     assert (report["status"], len(report["moves"])) == ("ended", 500)
 
 
@@ -260,7 +260,7 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
 
 
 @pytest.mark.parametrize(
-    ("place", "arguments"),
+    ("target", "arguments"),
     [
         ("motionlang.cli.run.read_source", ("run", "a.mnt", "--format", "json")),
         ("motionlang.report.pieces", ("run", "a.mnt", "--format", "json")),
@@ -269,10 +269,10 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
         ("motionlang.views.export.write_trace", ("run", "a.mnt", "--trace", "a.csv")),
     ],
 )
-def test_a_crash_anywhere_is_told_and_kept(
-    place: str, arguments: tuple[str, ...], cell: Cell, crashes: Path, monkeypatch: pytest.MonkeyPatch
+def test_a_crash_anywhere_is_reported_and_stored(
+    target: str, arguments: tuple[str, ...], cell: Cell, crashes: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(place, broken)
+    monkeypatch.setattr(target, broken)
     cell.write("a.mnt", MOVE)
     ran = cell(*arguments)
     assert ran.status == 70
@@ -282,7 +282,7 @@ def test_a_crash_anywhere_is_told_and_kept(
         assert json.loads(ran.out)["diagnostics"][0]["code"] == "crash"
 
 
-def test_a_crash_that_cannot_be_kept_is_told(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_crash_that_cannot_be_stored_is_reported(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tempfile, "tempdir", str(cell.folder / "none"))
     monkeypatch.setattr("motionlang.cli.check.check_command", broken)
     ran = cell("check", "a.mnt")

@@ -46,18 +46,18 @@ def test_a_table_of_all_variants_and_the_best(stroke: Cell) -> None:
 
 
 def test_a_front_and_a_picture(stroke: Cell) -> None:
-    for plot, wishes in (
+    for plot, options in (
         ("front.png", ("--pareto", "time,peak.0")),
         ("lines.svg", ()),
         ("map.png", ("--latin", "12")),
     ):
-        ran = stroke(*VARY, "--keep", "time,peak.0", *wishes, "--plot", plot)
+        ran = stroke(*VARY, "--keep", "time,peak.0", *options, "--plot", plot)
         assert (ran.status, ran.err) == (0, "")
         assert (stroke.folder / plot).stat().st_size > 5000
     assert stroke(*VARY, "--pareto", "time,peak.0").out.startswith("4 of 8 variants on the Pareto front\n")
 
 
-def test_bad_variants_are_told_apart_and_kept(stroke: Cell) -> None:
+def test_bad_variants_are_distinguished_and_retained(stroke: Cell) -> None:
     ran = stroke(*VARY[:2], "--vary", "rate=0,500,-1,0", "--keep", "time", "--rows-to", "rows.csv")
     assert ran.status == 1
     assert [line.split() for line in ran.out.splitlines()[3:]] == [["500", "0.90006"]]
@@ -137,16 +137,16 @@ def test_the_file_beside_the_program_says_what_the_line_does_not(stroke: Cell) -
     stroke.write("stroke.sweep.toml", 'kep = ["time"]\nlatin = 0\n[vary]\nrate = {}\n')
     ran = stroke("sweep", "stroke.mnt")
     assert ran.status == 1
-    for told in (
+    for message in (
         "there is no key kep",
         "did you mean keep?",
         "latin is the size of a Latin hypercube sample",
     ):
-        assert told in ran.err
+        assert message in ran.err
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "message"),
     [
         ((), "nothing to vary: give --vary"),
         (("--vary", "rate=1:2"), "how many values of rate?"),
@@ -167,14 +167,14 @@ def test_the_file_beside_the_program_says_what_the_line_does_not(stroke: Cell) -
         (("--vary", "rate=1", "--jobs", "0"), "is not a whole number above 0"),
     ],
 )
-def test_what_the_command_line_lacks_is_said(stroke: Cell, words: tuple[str, ...], told: str) -> None:
+def test_what_the_command_line_lacks_is_reported(stroke: Cell, words: tuple[str, ...], message: str) -> None:
     ran = stroke("sweep", "stroke.mnt", *words)
     assert ran.status == 2
-    assert told in ran.err
+    assert message in ran.err
 
 
-def test_what_cannot_be_read_is_said(stroke: Cell) -> None:
-    for words, told in (
+def test_what_cannot_be_read_is_reported(stroke: Cell) -> None:
+    for words, message in (
         (("no.mnt", "--vary", "a=1"), "no.mnt cannot be read"),
         (("stroke.mnt", "--machines", "nowhere"), "nowhere cannot be read"),
         (("stroke.mnt", "--machines", "empty"), "no machine files in empty"),
@@ -184,5 +184,5 @@ def test_what_cannot_be_read_is_said(stroke: Cell) -> None:
         stroke.write("wrong.mnt", "Const a = 1\nPRINT b\n")
         ran = stroke("sweep", *words)
         assert ran.status in (1, 2)
-        assert told in ran.err, ran.err
+        assert message in ran.err, ran.err
     assert json.dumps(sorted(each.name for each in Path(stroke.folder).glob("*.part"))) == "[]"

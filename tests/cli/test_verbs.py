@@ -46,11 +46,11 @@ def test_what_is_missing_is_named(pick: Cell, given: str, hint: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("typed", "meant"),
+    ("typed", "suggestion"),
     [("profle", "profile"), ("certfy", "certify"), ("proove", "prove"), ("note", "notes"), ("plott", "plot")],
 )
-def test_a_suggestion_is_a_verb_of_the_same_kind(cell: Cell, typed: str, meant: str) -> None:
-    assert f"did you mean {meant}?" in cell(typed, "pick.mnt").err
+def test_a_suggestion_is_a_verb_of_the_same_kind(cell: Cell, typed: str, suggestion: str) -> None:
+    assert f"did you mean {suggestion}?" in cell(typed, "pick.mnt").err
 
 
 def test_the_notes_of_the_vendors(cell: Cell) -> None:

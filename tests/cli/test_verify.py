@@ -28,7 +28,7 @@ def test_update_then_verify(cell: Cell) -> None:
     assert cell("verify", ".", "--update").out == "1 of 1 programs have current golden files\n"
 
 
-def test_a_difference_is_named_by_its_place(cell: Cell) -> None:
+def test_a_difference_is_named_by_its_position(cell: Cell) -> None:
     cell("verify", "ballscrew.mcl", "--update")
     golden = cell.folder / "ballscrew.golden.json"
     document = json.loads(golden.read_text())
@@ -121,7 +121,7 @@ def test_whoever_quits_has_what_was_accepted(changed: Cell, monkeypatch: pytest.
 
 
 @pytest.mark.parametrize("given", ["", "y\n"])
-def test_where_nobody_answers_nothing_is_written(
+def test_without_an_answer_nothing_is_written(
     given: str, changed: Cell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     before = golden(changed, "a")
@@ -232,8 +232,8 @@ def test_a_program_that_motionlang_stumbles_over_leaves_the_others_their_golden_
     assert ran.out == "./jog.mcl: written\n1 of 2 programs have current golden files\n"
     assert "error[crash]: internal error: AssertionError: somebody has thought wrong" in ran.err
     assert not (cell.folder / "ballscrew.golden.json").exists()
-    kept = sorted(each.name for each in Path(tempfile.gettempdir()).glob("*/*"))
-    assert kept == ["ballscrew.mcl", "crash.txt"]
+    files = sorted(each.name for each in Path(tempfile.gettempdir()).glob("*/*"))
+    assert files == ["ballscrew.mcl", "crash.txt"]
 
 
 def test_golden_files_of_version_1_are_read_and_updated(cell: Cell) -> None:

@@ -54,8 +54,8 @@ def started(script: str, verb: str, folder: Path) -> subprocess.Popen[str]:
     )
 
 
-def told_until_all_have_ended(process: subprocess.Popen[str]) -> str:
-    """Return standard error until the command and every worker have closed it."""
+def output_until_all_have_ended(process: subprocess.Popen[str]) -> str:
+    """Return standard error, read until the command and all workers have closed it."""
     try:
         return process.communicate(timeout=MAX_SECONDS)[1]
     finally:
@@ -75,14 +75,14 @@ def test_no_worker_outlives_a_command_that_is_ended(number: int, verb: str, fold
         os.killpg(process.pid, number)
     else:
         process.send_signal(number)
-    told = told_until_all_have_ended(process)
+    output = output_until_all_have_ended(process)
     assert process.returncode in (-number, 128 + number)
-    assert "Traceback" not in told
+    assert "Traceback" not in output
 
 
 @pytest.mark.parametrize("verb", COMMANDS)
 def test_a_signal_while_the_workers_are_started(verb: str, folder: Path) -> None:
     process = started(AT_ONCE, verb, folder)
-    told = told_until_all_have_ended(process)
-    assert (process.returncode, told.count("worker\n")) == (143, JOBS)
-    assert "Traceback" not in told
+    output = output_until_all_have_ended(process)
+    assert (process.returncode, output.count("worker\n")) == (143, JOBS)
+    assert "Traceback" not in output

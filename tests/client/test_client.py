@@ -18,7 +18,7 @@ from motionlang.mccl.hosts.port import Port
 from motionlang.serve import Limits, LockStep, RealTime, Server
 
 Open = Callable[[], Client]
-WAYS = ("virtual", "tcp", "device", "socket://")
+TRANSPORTS = ("virtual", "tcp", "device", "socket://")
 
 
 @pytest.fixture
@@ -26,7 +26,7 @@ def console() -> Console:
     return Console(Machine({"axis.1.travel": [-100_000.0, 100_000.0]}, first_axis=1))
 
 
-@pytest.fixture(params=WAYS)
+@pytest.fixture(params=TRANSPORTS)
 def open_client(request: pytest.FixtureRequest, console: Console) -> Iterator[Open]:
     if request.param == "virtual":
         yield lambda: Client.virtual(console)
@@ -102,8 +102,8 @@ def test_what_was_answered_before_the_code_is_not_lost(board: Client) -> None:
     assert (error.value.code, error.value.answer) == (1, ["01 0"])
 
 
-@pytest.mark.parametrize("way", ["virtual", "tcp"])
-def test_a_wait_that_takes_too_long_is_abandoned(console: Console, way: str) -> None:
+@pytest.mark.parametrize("transport", ["virtual", "tcp"])
+def test_a_wait_that_takes_too_long_is_abandoned(console: Console, transport: str) -> None:
     """A time-out is in machine seconds in process, and in real time elsewhere.
 
     The motion continues, and the client stays usable.
@@ -111,9 +111,9 @@ def test_a_wait_that_takes_too_long_is_abandoned(console: Console, way: str) -> 
     with Server(console, RealTime(console)) as server:
         address = server.listen("127.0.0.1", 0)
         thread = threading.Thread(target=server.run, daemon=True)
-        if way == "tcp":
+        if transport == "tcp":
             thread.start()
-        with Client.virtual(console) if way == "virtual" else Client.tcp(*address) as board:
+        with Client.virtual(console) if transport == "virtual" else Client.tcp(*address) as board:
             board.send("1MN,1SV10000,1MR90000")
             with pytest.raises(NoReply, match=r"1WS: no answer within 0.1 s"):
                 board.wait_for_stop(1, timeout=0.1)
@@ -121,7 +121,7 @@ def test_a_wait_that_takes_too_long_is_abandoned(console: Console, way: str) -> 
             assert not board.status(1) & Status.STOPPED
             assert 0 < board.position(1) < 90000
         server.stop()
-        if way == "tcp":
+        if transport == "tcp":
             thread.join(20.0)
 
 
@@ -148,7 +148,7 @@ def test_a_download(board: Client) -> None:
     assert error.value.answer == ["01 300"]
 
 
-def test_what_background_tasks_say_between_lines_is_kept_apart(console: Console) -> None:
+def test_output_of_background_tasks_between_lines_is_separate(console: Console) -> None:
     with Client.virtual(console) as board, Client.virtual(console) as other:
         board.send("MD1,WA0.01,2TP")
         board.send("GT1")
@@ -234,7 +234,7 @@ def test_a_virtual_board_takes_no_wall_time() -> None:
 # ---------------------------------------------------------------------------------------- no peer
 
 
-def test_nobody_there() -> None:
+def test_no_board_answers() -> None:
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
     with pytest.raises(ConnectionLost, match=f"no board at 127.0.0.1:{port}: connection refused"):
@@ -245,7 +245,7 @@ def test_nobody_there() -> None:
         Client.serial(__file__)
 
 
-def test_somebody_who_does_not_answer() -> None:
+def test_a_peer_that_does_not_answer() -> None:
     with (
         socket.create_server(("127.0.0.1", 0)) as silent,
         pytest.raises(NoReply, match=r"VE: no answer within 0.1 s"),
@@ -323,11 +323,11 @@ def test_a_serial_line_that_is_gone(loop: SerialWire) -> None:
 def test_a_com_port_is_a_serial_line(monkeypatch: pytest.MonkeyPatch) -> None:
     """The path goes to pyserial; there is no such port here, as the message states."""
     serial = pytest.importorskip("serial")
-    asked: list[tuple[str, int]] = []
+    requests: list[tuple[str, int]] = []
     real = serial.serial_for_url
 
     def opened(path: str, baud: int, **how: object) -> object:
-        asked.append((path, baud))
+        requests.append((path, baud))
         return real("loop://", baud, **how)
 
     with pytest.raises(ConnectionLost, match="no board at COM7: "):
@@ -335,10 +335,10 @@ def test_a_com_port_is_a_serial_line(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(serial, "serial_for_url", opened)
     client = Client.open("COM7", timeout=0.05)
     client.close()
-    assert [path for path, _ in asked] == ["COM7"]
+    assert [path for path, _ in requests] == ["COM7"]
 
 
-def test_without_pyserial_it_is_said_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_pyserial_the_message_says_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "serial", None)
     with pytest.raises(ConnectionLost, match=re.escape('python -m pip install "motionlang[serial]"')):
         Client.open("COM7")

@@ -46,11 +46,11 @@ def line(request: pytest.FixtureRequest) -> Iterator[MintClient]:
         thread.join(20.0)
 
 
-def said_until(line: MintClient, mark: str) -> str:
-    said = ""
-    while mark not in said:
-        said += line.output(1.0)
-    return said
+def output_until(line: MintClient, mark: str) -> str:
+    output = ""
+    while mark not in output:
+        output += line.output(1.0)
+    return output
 
 
 def test_a_program_moves_by_what_a_host_writes(line: MintClient) -> None:
@@ -75,9 +75,9 @@ def test_a_download(line: MintClient) -> None:
     line.download('Print "new"\n\nInput "n? ", n\nPrint 2 * n\n')
     assert line.command("LIST") == ['Print "new"', "", 'Input "n? ", n', "Print 2 * n"]
     line.start()
-    assert said_until(line, "n? ").endswith("new\nn? ")
+    assert output_until(line, "n? ").endswith("new\nn? ")
     line.type("21\r")
-    assert "\n42.0000\nP>" in said_until(line, "P>")
+    assert "\n42.0000\nP>" in output_until(line, "P>")
 
 
 def test_what_is_rejected_and_what_has_no_answer(line: MintClient) -> None:

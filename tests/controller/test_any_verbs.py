@@ -30,7 +30,7 @@ def steps_of(r: Random, most: int) -> list[Step]:
     def axis() -> int:
         return r.randrange(3)
 
-    def way() -> float:
+    def distance() -> float:
         return r.choice([0.0, 1.0, -1.0, r.uniform(-20.0, 20.0), r.uniform(-20.0, 20.0)])
 
     makers: list[Callable[[], Step]] = [
@@ -40,22 +40,26 @@ def steps_of(r: Random, most: int) -> list[Step]:
             lambda: (
                 r.choice(["load_by", "load_to", "move_to", "move_by", "retarget_to", "offset"]),
                 axis(),
-                way(),
+                distance(),
             )
         ]
         * 2,
         lambda: ("jog", axis(), r.uniform(-15.0, 15.0)),
-        lambda: ("load_line_by", r.choice([[0, 1], [1, 0], [1, 2], [0, 1, 2]]), [way(), way(), way()]),
+        lambda: (
+            "load_line_by",
+            r.choice([[0, 1], [1, 0], [1, 2], [0, 1, 2]]),
+            [distance(), distance(), distance()],
+        ),
         lambda: (
             "load_arc",
             [0, 1],
-            (way(), way()),
-            r.choice([90.0, 360.0, way() * 25.0]),
+            (distance(), distance()),
+            r.choice([90.0, 360.0, distance() * 25.0]),
             (),
             r.random() < 0.5,
         ),
         lambda: ("load_dwell", axis(), r.randrange(50) / 64.0),
-        lambda: ("load_fly", axis(), axis(), way(), r.uniform(1.0, 9.0)),
+        lambda: ("load_fly", axis(), axis(), distance(), r.uniform(1.0, 9.0)),
         lambda: (r.choice(["stop", "suspend", "resume", "blend", "abort", "disable", "enable"]), axis()),
         lambda: ("gear", axis(), axis(), r.uniform(-2.0, 2.0), r.random() < 0.5),
         lambda: ("cam", axis(), axis(), r.choice(["linear", "cubic"]), r.random() < 0.5),

@@ -60,11 +60,11 @@ def test_time_never_runs_back() -> None:
 
 def test_it_goes_as_far_as_there_is_no_news() -> None:
     clock = Clock()
-    told: list[float] = []
+    calls: list[float] = []
 
     def happening(time: float, quiet: bool) -> Callable[[], bool]:
         def happen() -> bool:
-            told.append(time)
+            calls.append(time)
             return quiet
 
         return happen
@@ -72,9 +72,9 @@ def test_it_goes_as_far_as_there_is_no_news() -> None:
     for time, quiet in ((1.0, True), (2.0, False), (2.0, True), (3.0, True)):
         clock.at(time, happening(time, quiet))
     assert not clock.advance_to_news(5.0)
-    assert (clock.now, told, clock.horizon) == (2.0, [1.0, 2.0, 2.0], 3.0)
+    assert (clock.now, calls, clock.horizon) == (2.0, [1.0, 2.0, 2.0], 3.0)
     assert clock.advance_to_news(5.0)
-    assert (clock.now, told, clock.horizon) == (5.0, [1.0, 2.0, 2.0, 3.0], float("inf"))
+    assert (clock.now, calls, clock.horizon) == (5.0, [1.0, 2.0, 2.0, 3.0], float("inf"))
 
 
 def test_news_at_the_very_end_is_news() -> None:
@@ -83,12 +83,12 @@ def test_news_at_the_very_end_is_news() -> None:
     assert not clock.advance_to_news(1.0)
 
 
-def test_an_event_may_happen_once_more_in_its_turn() -> None:
+def test_an_event_may_schedule_itself_again() -> None:
     clock = Clock()
-    told: list[str] = []
-    event = clock.at(1.0, lambda: told.append("again"))
+    calls: list[str] = []
+    event = clock.at(1.0, lambda: calls.append("again"))
     clock.advance(1.0)
-    clock.at(2.0, lambda: told.append("other"))
+    clock.at(2.0, lambda: calls.append("other"))
     clock.again(event, 2.0)
     clock.advance(2.0)
-    assert told == ["again", "other", "again"]
+    assert calls == ["again", "other", "again"]

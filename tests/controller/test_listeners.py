@@ -5,14 +5,14 @@ from __future__ import annotations
 from motionlang.controller.listeners import KINDS, Listeners
 
 
-def test_each_hears_of_what_it_asked_for_in_the_order_in_which_they_came() -> None:
+def test_each_is_notified_of_its_subscription_in_the_order_of_subscribing() -> None:
     events: list[object] = []
     listeners = Listeners()
     listeners.append(lambda what, axis: events.append(("faults", what, axis)), "fault", "cleared")
     listeners.append(lambda what, axis: events.append(("all", what, axis)))
     listeners.put_first(lambda what, axis: events.append(("first", what, axis)))
     for what in ("fault", "scale"):
-        listeners.tell(what, 2)
+        listeners.notify(what, 2)
     assert events == [
         ("first", "fault", 2),
         ("faults", "fault", 2),
@@ -22,7 +22,7 @@ def test_each_hears_of_what_it_asked_for_in_the_order_in_which_they_came() -> No
     ]
 
 
-def test_one_may_leave_and_another_come_while_they_are_told() -> None:
+def test_one_may_leave_and_another_come_during_notification() -> None:
     events: list[str] = []
     listeners = Listeners()
 
@@ -33,14 +33,14 @@ def test_one_may_leave_and_another_come_while_they_are_told() -> None:
 
     listeners.append(once)
     listeners.append(lambda what, axis: events.append("other"))
-    listeners.tell("idle", 0)
+    listeners.notify("idle", 0)
     assert events == ["once", "other"]
     assert once not in listeners
-    listeners.tell("idle", 0)
+    listeners.notify("idle", 0)
     assert events == ["once", "other", "other", "new"]
 
 
-def test_it_is_known_whether_anybody_hears_of_rest() -> None:
+def test_it_is_known_if_rest_has_a_listener() -> None:
     listeners = Listeners()
 
     def call(what: str, axis: int) -> None: ...

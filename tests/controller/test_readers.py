@@ -26,7 +26,7 @@ def test_a_bound_reading_is_the_reading(shape: str) -> None:
     controller = scaled()
     controller.configure(0, "shape", shape)
     scale = controller.axes[0].scale
-    place, speed = controller.reader("position", 0, POSITION), controller.reader("velocity", 0, "uu/s")
+    position, speed = controller.reader("position", 0, POSITION), controller.reader("velocity", 0, "uu/s")
     counts, left = controller.reader("demand", 0), controller.reader("remaining", 0, "uu")
     controller.load_to(0, 40.0)
     controller.load_by(0, -7.0)
@@ -35,7 +35,7 @@ def test_a_bound_reading_is_the_reading(shape: str) -> None:
         controller.clock.advance(step * 0.05)
         if step == 60:
             controller.define_position(0, 3.0)
-        assert place() == scale.position_to_user(controller.position(0))
+        assert position() == scale.position_to_user(controller.position(0))
         assert speed() == scale.to_user(controller.velocity(0), "uu/s")
         assert counts() == controller.demand(0)
         assert left() == scale.to_user(controller.remaining(0))
@@ -45,15 +45,15 @@ def test_a_bound_reading_is_the_reading(shape: str) -> None:
 
 def test_a_bound_reading_is_right_at_a_past_moment_and_between_the_moves() -> None:
     controller = scaled()
-    place = controller.reader("position", 0, POSITION)
+    position = controller.reader("position", 0, POSITION)
     controller.move_to(0, 8.0)
     controller.clock.advance(1.0)
-    assert place() == pytest.approx(0.6)  # half a second of ramp, 2 counts; half a second at 8 counts/s
+    assert position() == pytest.approx(0.6)  # half a second of ramp, 2 counts; half a second at 8 counts/s
     controller.clock.now = 0.25  # a condition evaluates a past value
-    assert place() == pytest.approx(0.05)  # 16 counts/s², over 2, of a sixteenth of a second²
+    assert position() == pytest.approx(0.05)  # 16 counts/s², over 2, of a sixteenth of a second²
     controller.clock.now = 1.0
     controller.stop(0)
-    assert place() == pytest.approx(0.6)
+    assert position() == pytest.approx(0.6)
 
 
 def test_units_that_change_change_what_is_read_and_written() -> None:
@@ -89,49 +89,49 @@ class Subscriber:
     def __init__(self) -> None:
         self.dependencies, self.wraps = self, dict[int, float]()
         self.notes: list[object] | None = None
-        self.heard: list[tuple[Callable[..., float], object]] = []
+        self.subscriptions: list[tuple[Callable[..., float], object]] = []
 
     def note(self, until: Callable[..., float], level: object) -> None:
-        self.heard.append((until, level))
+        self.subscriptions.append((until, level))
 
 
-def test_who_asks_hears_of_readings_and_of_what_they_are_compared_with() -> None:
+def test_a_subscriber_gets_readings_and_the_levels_they_are_compared_with() -> None:
     controller, subscriber = scaled(), Subscriber()
-    place = controller.reader("position", 0, POSITION, subscriber)
+    position = controller.reader("position", 0, POSITION, subscriber)
     speed = controller.reader("velocity", 0, "uu/s", subscriber)
     controller.define_position(0, 70.0)
-    assert place() == 7.0
-    assert subscriber.heard == []
+    assert position() == 7.0
+    assert subscriber.subscriptions == []
     subscriber.notes = []
     subscriber.wraps[0] = 5.0
-    assert place(6.5) == 2.0
+    assert position(6.5) == 2.0
     assert speed() == 0.0
-    assert [level for _, level in subscriber.heard] == [6.5, None]
+    assert [level for _, level in subscriber.subscriptions] == [6.5, None]
 
 
-def test_what_hears_of_a_reading_is_told_when_it_passes_a_level() -> None:
-    """8 counts/s at 16 counts/s2 and 10 counts per unit.
+def test_a_subscriber_is_notified_when_a_reading_passes_a_level() -> None:
+    """The axis has 8 counts/s, 16 counts/s2 and 10 counts per unit.
 
-    It covers 2 counts in half a second, 16 in two, and 2 in the last half.
+    It covers 2 counts in the first half second, 16 in two seconds, and 2 in the last half second.
     """
     controller, subscriber = scaled(), Subscriber()
     subscriber.notes = []
     controller.reader("position", 0, POSITION, subscriber)()
     controller.reader("velocity", 0, "uu/s", subscriber)()
-    place, speed = (until for until, _ in subscriber.heard)
-    assert place(0.5) == place() == inf
-    assert place(inf) == 0.0  # at rest it is no new maximum
+    until_position, speed = (until for until, _ in subscriber.subscriptions)
+    assert until_position(0.5) == until_position() == inf
+    assert until_position(inf) == 0.0  # at rest it is no new maximum
     controller.move_by(0, 20.0)
-    assert place() == 0.0  # it may change at any time
-    assert place(0.6) == place((0.6, 0.0)) == pytest.approx(0.5 + 4.0 / 8.0)
-    assert place(2.5) == inf
+    assert until_position() == 0.0  # it may change at any time
+    assert until_position(0.6) == until_position((0.6, 0.0)) == pytest.approx(0.5 + 4.0 / 8.0)
+    assert until_position(2.5) == inf
     assert speed(0.4) == pytest.approx(0.25)
     controller.clock.advance(0.6)
-    assert place(inf) == pytest.approx(3.0)  # it reverses, or is at rest
+    assert until_position(inf) == pytest.approx(3.0)  # it reverses, or is at rest
     subscriber.wraps[0] = 0.4
-    assert place(0.3) == pytest.approx(0.5 + 1.0 / 8.0)
-    assert place(0.1) == pytest.approx(0.5 + 2.0 / 8.0)  # as it wraps
-    assert place(inf) == 0.6
+    assert until_position(0.3) == pytest.approx(0.5 + 1.0 / 8.0)
+    assert until_position(0.1) == pytest.approx(0.5 + 2.0 / 8.0)  # as it wraps
+    assert until_position(inf) == 0.6
 
 
 def test_a_recorder_writes_every_reading_and_every_setting_down() -> None:

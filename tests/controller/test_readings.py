@@ -49,9 +49,20 @@ def test_while_a_velocity_is_what_it_is_it_changes_when_that_ends() -> None:
     c.clock.advance(0.2)
     assert c.demand_velocity_crossing_time(0, 30.0) == pytest.approx(0.3)
     c.clock.advance(0.55)
-    assert c.demand_velocity_crossing_time(0, 30.0) == pytest.approx(0.6)
+    assert c.demand_velocity_crossing_time(0, 50.0) == pytest.approx(0.6)
+    assert c.demand_velocity_crossing_time(0, 30.0) == pytest.approx(0.8)
     c.clock.advance(0.7)
     assert c.demand_velocity_crossing_time(0, 30.0) == pytest.approx(0.8)
+
+
+def test_a_velocity_that_the_rest_of_a_move_does_not_have_is_not_reached_before_its_end() -> None:
+    """30 at 50 with rates of 100 takes 0.5 s up, 0.1 s at 50 and 0.5 s down."""
+    c = controller()
+    c.move_to(0, 30.0)
+    c.clock.advance(0.1)
+    assert c.demand_velocity_crossing_time(0, 0.0) == pytest.approx(1.1)
+    assert c.demand_velocity_crossing_time(0, 60.0) == pytest.approx(1.1)
+    assert c.demand_velocity_crossing_time(0, inf) == pytest.approx(0.5)  # the trend changes
 
 
 def test_what_remains_of_a_motion_is_that_of_the_last_one() -> None:

@@ -27,8 +27,8 @@ BLOCK = re.compile(r"^```console\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 def blocks(text: str) -> Iterator[list[tuple[str, str]]]:
     """Yield each block as pairs: a command, and its output on the page."""
     for match in BLOCK.finditer(text):
-        parts = re.split(r"^\$ (.*)\n", match[1], flags=re.MULTILINE)
-        yield list(zip(parts[1::2], parts[2::2], strict=True))
+        chunks = re.split(r"^\$ (.*)\n", match[1], flags=re.MULTILINE)
+        yield list(zip(chunks[1::2], chunks[2::2], strict=True))
 
 
 def answer(command: str, shown: str) -> str:
@@ -42,8 +42,8 @@ def answer(command: str, shown: str) -> str:
         return shown
     assert (program, words[0]) == ("motionlang", "pvt"), command
     words = [str(ROOT / word) if word.startswith("scripts/") else word for word in words[1:]]
-    said = pvt(*words)
-    return said.out + said.err
+    result = pvt(*words)
+    return result.out + result.err
 
 
 def rewritten(text: str) -> str:

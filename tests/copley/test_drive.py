@@ -28,8 +28,8 @@ def loaded(points: list[WirePoint], position: float = 0.0) -> Drive:
     return drive
 
 
-def places(drive: Drive, milliseconds: list[int]) -> list[float]:
-    """Return the positions of the drive at times."""
+def positions(drive: Drive, milliseconds: list[int]) -> list[float]:
+    """Return the positions of the drive at the given times, ms."""
     found = []
     for time in milliseconds:
         drive.run_until(time * 1000)
@@ -37,14 +37,14 @@ def places(drive: Drive, milliseconds: list[int]) -> list[float]:
     return found
 
 
-def told(drive: Drive) -> list[str]:
+def events(drive: Drive) -> list[str]:
     return [what for _, what in drive.log]
 
 
 def test_the_s_curve_of_the_note() -> None:
     drive = loaded(SCURVE)
     drive.start()
-    assert places(drive, [0, 100, 200, 300, 400, 500]) == pytest.approx([0, 83, 500, 917, 1000, 1000])
+    assert positions(drive, [0, 100, 200, 300, 400, 500]) == pytest.approx([0, 83, 500, 917, 1000, 1000])
     assert drive.state == IDLE
     assert drive.log == [(0.0, "move started at 0"), (0.4, "move ended at 1000")]
 
@@ -66,8 +66,8 @@ def test_the_motion_is_that_of_the_points(points: list[WirePoint], last: WirePoi
     drive.start()
     profile = plan_points(from_wire(move), float(position))
     total = sum(point.time for point in move)
-    for part in range(1, 12):
-        drive.run_until(total * 1000 * part // 11)
+    for step in range(1, 12):
+        drive.run_until(total * 1000 * step // 11)
         assert drive.position == pytest.approx(profile.position(drive.now), abs=1e-6)
     assert drive.state == IDLE
 
@@ -75,17 +75,17 @@ def test_the_motion_is_that_of_the_points(points: list[WirePoint], last: WirePoi
 def test_the_first_relative_point_counts_from_the_commanded_position() -> None:
     drive = loaded([WirePoint(5, 0, 10, relative=True), WirePoint(10, 0, 0, relative=True)], 100.0)
     drive.start()
-    assert places(drive, [0, 10]) == [105.0, 115.0]
-    assert "commanded position steps from 100 to 105 at the start" in told(drive)
+    assert positions(drive, [0, 10]) == [105.0, 115.0]
+    assert "commanded position steps from 100 to 105 at the start" in events(drive)
 
 
 def test_points_after_the_end_wait_for_the_next_start() -> None:
     drive = loaded([WirePoint(0, 0, 10), WirePoint(5, 0, 0), WirePoint(5, 0, 10), WirePoint(9, 0, 0)])
     drive.start()
-    assert places(drive, [20]) == [5.0]
+    assert positions(drive, [20]) == [5.0]
     assert drive.buffer.free == SIZE - 2
     drive.start()
-    assert places(drive, [40]) == [9.0]
+    assert positions(drive, [40]) == [9.0]
     assert drive.buffer.free == SIZE
 
 
@@ -111,7 +111,7 @@ def test_an_empty_buffer_in_mid_move_is_an_underflow_and_brakes() -> None:
     assert drive.position == pytest.approx(1500.0)
     assert drive.state == IDLE
     assert drive.starts[-1] == pytest.approx(0.3)
-    assert told(drive)[-1] == "underflow at 500: the next point was not in the buffer in time"
+    assert events(drive)[-1] == "underflow at 500: the next point was not in the buffer in time"
 
 
 def test_a_long_stop_ends_at_its_time_to_the_microsecond() -> None:
@@ -155,7 +155,7 @@ def test_clear_aborts_the_move() -> None:
     assert (drive.state, drive.buffer.free) == (STOPPING, SIZE)
     drive.run_until(1_000_000)
     assert drive.position == pytest.approx(500 + 5000.0**2 / 2 / 1e6)
-    assert "move aborted at 500: the buffer was cleared" in told(drive)
+    assert "move aborted at 500: the buffer was cleared" in events(drive)
 
 
 def test_a_second_stop_does_not_cut_the_first_one_short() -> None:
@@ -177,16 +177,16 @@ def test_a_second_start_in_mid_move_changes_nothing() -> None:
     drive.start()
     drive.run_until(150_000)
     drive.start()
-    assert places(drive, [400]) == [1000.0]
+    assert positions(drive, [400]) == [1000.0]
 
 
-def test_an_initial_position_takes_a_place_but_no_time() -> None:
+def test_an_initial_position_takes_an_entry_but_no_time() -> None:
     drive = Drive(9_000_000.0)
     drive.add_entry(Entry(9_000_000, None, 0, initial=True))
     drive.add(WirePoint(0, 0, 10, relative=True))
     drive.add(WirePoint(7, 0, 0, relative=True))
     drive.start()
-    assert places(drive, [10]) == [9_000_007.0]
+    assert positions(drive, [10]) == [9_000_007.0]
 
 
 class TestSubMode0:
@@ -202,8 +202,8 @@ class TestSubMode0:
         drive.add_entry(Entry(99, None, 10_000))
         drive.start()
         assert (drive.state, drive.buffer.free) == (WAITING, SIZE)
-        for place, state in ((0, WAITING), (10, WAITING), (20, MOVING)):
-            drive.add_entry(Entry(place, None, 10_000))
+        for position, state in ((0, WAITING), (10, WAITING), (20, MOVING)):
+            drive.add_entry(Entry(position, None, 10_000))
             assert drive.state == state
         assert drive.position == 0.0
 
@@ -212,15 +212,15 @@ class TestSubMode0:
         drive.start()
         drive.stop()
         assert drive.state == IDLE
-        for place in (0, 10, 20, 30):
-            drive.add_entry(Entry(place, None, 10_000))
+        for position in (0, 10, 20, 30):
+            drive.add_entry(Entry(position, None, 10_000))
         assert (drive.state, drive.position) == (IDLE, 0.0)
 
     @pytest.mark.parametrize(("waiting", "span"), [(2, 10_250), (3, 10_000), (4, 9_750), (20, 9_750)])
     def test_a_segment_is_steered_by_the_points_left(self, waiting: int, span: int) -> None:
         drive = self.steering()
-        for place in range(waiting + 2):
-            drive.buffer.add(Entry(place, None, 10_000))
+        for position in range(waiting + 2):
+            drive.buffer.add(Entry(position, None, 10_000))
         drive._begin()
         assert drive.next_boundary == span
 

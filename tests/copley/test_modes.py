@@ -10,6 +10,7 @@ import pytest
 
 from motionlang.copley.drive import IDLE, MOVING, Drive
 from motionlang.copley.objects import Abort, ObjectServer
+from motionlang.copley.pdo import Sent
 from motionlang.copley.switches import Switches
 
 CONTROL, STATUS, MODE, POSITION, VELOCITY = 0x6040, 0x6041, 0x6060, 0x6064, 0x606C
@@ -146,8 +147,8 @@ def test_a_limit_switch_ends_the_motion_towards_it_only() -> None:
     assert axis.has(LIMIT) == [False]
 
 
-def test_a_set_point_where_the_axis_stands_is_no_motion_towards_a_limit_switch() -> None:
-    """It is switched on 5 counts beyond the switch."""
+def test_a_set_point_at_the_present_position_is_no_motion_towards_a_limit_switch() -> None:
+    """The axis is already 5 counts beyond the switch when it is enabled."""
     axis = Axis(PP, Switches(positive=-5.0))
     axis.move(0)
     assert axis.at(1.0) == 0
@@ -195,7 +196,7 @@ MACHINE = Switches(negative=-2000.0, positive=3000.0, home=800.0, index=300.0)
 
 
 @pytest.mark.parametrize(
-    ("method", "place"),
+    ("method", "position"),
     [
         (1, -1800),
         (2, 2700),
@@ -209,7 +210,7 @@ MACHINE = Switches(negative=-2000.0, positive=3000.0, home=800.0, index=300.0)
         (37, 0),
     ],
 )
-def test_each_method_ends_at_its_position(method: int, place: int) -> None:
+def test_each_method_ends_at_its_position(method: int, position: int) -> None:
     """Index marks are 300 counts apart; those next to the limits are -1800 and 2700."""
     axis = Axis(HM, MACHINE)
     axis.write(METHOD, method)
@@ -217,7 +218,7 @@ def test_each_method_ends_at_its_position(method: int, place: int) -> None:
     axis.at(60.0)
     assert axis.has(REACHED, BIT_12, BIT_13) == [True, True, False]
     assert axis.objects.read(POSITION, 0) == 0
-    assert axis.drive.datum == place
+    assert axis.drive.datum == position
 
 
 def test_homing_from_an_active_switch_leaves_it() -> None:
@@ -340,3 +341,39 @@ def test_values_that_are_not_simulated_are_refused(index: int, sub: int, value: 
     with pytest.raises(Abort) as refused:
         axis.write(index, value, sub)
     assert refused.value.code == 0x06090030
+
+
+@pytest.mark.parametrize(
+    ("position", "inputs"),
+    [
+        (-101, 0b001),
+        (-100, 0b001),
+        (-99, 0),
+        (299, 0),
+        (300, 0b100),
+        (499, 0b100),
+        (500, 0b110),
+        (501, 0b110),
+    ],
+)
+def test_a_switch_is_active_from_its_position_on(position: int, inputs: int) -> None:
+    """Bits 0 and 1 are the limit switches, bit 2 is the home switch."""
+    assert Switches(negative=-100, positive=500, home=300).inputs(position) == inputs
+
+
+@pytest.mark.parametrize("position", [-1e9, 0.0, 1e9])
+def test_without_switches_none_is_active(position: float) -> None:
+    assert Switches().inputs(position) == 0
+
+
+@pytest.mark.parametrize(
+    ("kind", "sent"), [(1, [1, 2, 3, 4, 5, 6, 7]), (2, [2, 4, 6]), (3, [3, 6]), (240, []), (255, [])]
+)
+def test_a_pdo_of_type_n_is_sent_on_every_nth_sync(kind: int, sent: list[int]) -> None:
+    pdo = Sent(0x182, kind, 0.0, 0.0, [])
+    assert [sync for sync in range(1, 8) if pdo.on_sync(b"data")] == sent
+
+
+def test_a_pdo_of_type_0_is_sent_on_a_sync_if_its_data_have_changed() -> None:
+    pdo = Sent(0x182, 0, 0.0, 0.0, [], data=b"old")
+    assert [pdo.on_sync(data) for data in (b"old", b"new", b"old")] == [False, True, False]

@@ -159,7 +159,7 @@ def test_buffer_commands(server: ObjectServer) -> None:
     for n in range(5):
         send(server, n, WirePoint(n, 0, 10))
     server.write_packet(packet.encode_command(PacketCommand(packet.POP, 2)))
-    assert [place for place, _, _ in added(server)] == [0, 1, 2]
+    assert [index for index, _, _ in added(server)] == [0, 1, 2]
     server.write_packet(packet.encode_command(PacketCommand(packet.CLEAR)))
     assert added(server) == []
     assert server.read(0x2013, 0) == 5

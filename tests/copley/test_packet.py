@@ -48,10 +48,10 @@ def test_commands_are_these_bytes(command: PacketCommand, data: str) -> None:
 
 
 @given(st.integers(0, 7), int24, int24, st.integers(0, 255), st.booleans())
-def test_every_cubic_point_survives_the_way(
-    number: int, place: int, velocity: int, time: int, relative: bool
+def test_every_cubic_point_survives_the_transfer(
+    number: int, position: int, velocity: int, time: int, relative: bool
 ) -> None:
-    content = Packet(number, WirePoint(place, velocity, time, relative))
+    content = Packet(number, WirePoint(position, velocity, time, relative))
     assert packet.decode(packet.encode_packet(content)) == content
 
 

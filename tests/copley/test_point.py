@@ -94,7 +94,7 @@ def test_each_bad_point_says_what_the_drive_would_do(
         to_wire(points)
 
 
-def test_good_points_have_nothing_said_about_them() -> None:
+def test_good_points_have_no_messages() -> None:
     assert check_points([GOOD, Point(-(2.0**31), 214_748_364.7, 0.255), Point(5, None, 0.001), END]) == []
 
 

@@ -45,7 +45,7 @@ def test_commands_are_these_words(command: BufferCommand, word: int) -> None:
 
 
 @given(wire_points)
-def test_every_point_survives_the_way(point: WirePoint) -> None:
+def test_every_point_survives_the_transfer(point: WirePoint) -> None:
     message = serial.encode_point(point)
     assert serial.decode(message) == point
     assert serial.from_words(serial.as_words(message)) == message

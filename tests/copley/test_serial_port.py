@@ -34,7 +34,7 @@ def test_the_procedure_of_the_note() -> None:
     assert line.drive.log == [(0.0, "move started at 0"), (0.4, "move ended at 1000")]
 
 
-def test_a_master_that_asks_for_the_free_places_keeps_the_buffer_fed() -> None:
+def test_a_master_that_polls_for_free_entries_keeps_the_buffer_fed() -> None:
     line = port()
     points = [WirePoint(n * n // 7, n * 90, 5) for n in range(500)] + [WirePoint(40_000, 0, 0)]
     waiting, started = list(points), False

@@ -19,6 +19,7 @@ import pytest
 
 from motionlang.copley.bus import BusError
 from motionlang.copley.eds import eds
+from motionlang.copley.node import object_dictionary
 from motionlang.copley.served import DriveServer
 from motionlang.copley.switches import Switches
 
@@ -43,13 +44,13 @@ class Bus:
 
     def send(self, can_id: int, *data: int) -> None:
         self.master.send(can.Message(arbitration_id=can_id, data=data, is_extended_id=False))
-        self.server.turn()
+        self.server.run_once()
 
     def until(self, seconds: float) -> list[tuple[int, bytes]]:
         """Advance the time in steps of a millisecond; return the frames of the drives."""
         while self.time < seconds - 1e-9:
             self.time = min(self.time + 1e-3, seconds)
-            self.server.turn()
+            self.server.run_once()
         return self.frames()
 
     def frames(self) -> list[tuple[int, bytes]]:
@@ -168,13 +169,13 @@ def test_a_synchronous_pdo_shows_the_position_at_the_sync(bus: Bus) -> None:
     for control in (6, 7, 15):
         bus.send(0x201, control, 0)
     bus.ask(1, 0x23, 0xFF, 0x60, 0, *(100_000).to_bytes(4, "little"))
-    places = []
+    positions = []
     for k in range(1, 4):
         bus.until(k * 0.1)
         bus.send(0x80)
         ((_, data),) = [each for each in bus.frames() if each[0] == 0x381]
-        places.append(int.from_bytes(data[2:], "little"))
-    assert places == [500, 1500, 2500]
+        positions.append(int.from_bytes(data[2:], "little"))
+    assert positions == [500, 1500, 2500]
 
 
 def test_frames_without_sense_change_nothing(bus: Bus) -> None:
@@ -306,8 +307,8 @@ def test_a_foreign_master_interpolates(node: Any) -> None:
     """In sub-mode -2 it reaches 500 and 1000 counts, after 50 ms each."""
     node.op_mode = "INTERPOLATED POSITION"
     node.sdo[0x60C0].raw = -2
-    for place, milliseconds in ((0, 50), (500, 50), (1000, 0)):
-        node.sdo[0x60C1][1].raw = place
+    for position, milliseconds in ((0, 50), (500, 50), (1000, 0)):
+        node.sdo[0x60C1][1].raw = position
         node.sdo[0x60C1][2].raw = milliseconds
     node.controlword = 0x1F
     wait(lambda: node.sdo[0x6064].raw == 1000)
@@ -375,3 +376,28 @@ def test_a_pdo_that_stays_as_it_was_is_not_sent_again(bus: Bus) -> None:
     assert 0x181 in dict(bus.until(0.05))
     bus.ask(1, 0x2F, 0x01, 0x18, 2, 255)  # the transmission type of PDO 2
     assert 0x181 not in dict(bus.until(0.06))
+
+
+def entries(index: int) -> list[tuple[int, str, int]]:
+    """Return sub-index, access and default of the entries of an object of node 5."""
+    record = object_dictionary(5)[index]
+    assert isinstance(record, canopen.objectdictionary.ODRecord)
+    return [(sub, each.access_type, each.default) for sub, each in sorted(record.subindices.items())]
+
+
+@pytest.mark.parametrize(("number", "switch"), [(0, 0), (1, 1 << 31), (3, 1 << 31)])
+def test_only_the_first_pdo_of_each_direction_is_on(number: int, switch: int) -> None:
+    """The identifiers are 0x200 and 0x180 plus the node, and 0x100 more for each PDO.
+
+    Bit 31 disables a PDO. A transmit PDO also has an inhibit time and an event timer.
+    """
+    can_id = 0x100 * number + 5
+    assert entries(0x1400 + number) == [(0, "ro", 2), (1, "rw", switch | 0x200 + can_id), (2, "rw", 255)]
+    *first, (sub, access, timer) = entries(0x1800 + number)
+    assert first == [(0, "ro", 5), (1, "rw", switch | 0x180 + can_id), (2, "rw", 255), (3, "rw", 0)]
+    assert (sub, access, timer > 0) == (5, "rw", number == 0)
+
+
+@pytest.mark.parametrize("index", DEFAULT_MAPPINGS, ids=hex)
+def test_a_mapping_has_eight_entries_that_may_be_written(index: int) -> None:
+    assert [(sub, access) for sub, access, _ in entries(index)] == [(sub, "rw") for sub in range(9)]

@@ -31,9 +31,9 @@ def winding(count: int, milliseconds: int = 2) -> list[WirePoint]:
 
     The velocities are those of the spline through the points.
     """
-    places = [float(round(20_000 * math.sin(0.01 * i) * math.cos(0.0013 * i))) for i in range(count)]
-    velocities = smooth_velocities(places, milliseconds / 1000)
-    return to_wire(points_from(places, velocities, milliseconds / 1000))
+    positions = [float(round(20_000 * math.sin(0.01 * i) * math.cos(0.0013 * i))) for i in range(count)]
+    velocities = smooth_velocities(positions, milliseconds / 1000)
+    return to_wire(points_from(positions, velocities, milliseconds / 1000))
 
 
 def departure(drive: Drive, points: Sequence[Point]) -> float:
@@ -63,19 +63,19 @@ def test_the_same_stream_is_the_same_run() -> None:
     assert run() == run()
 
 
-@pytest.mark.parametrize("way", ["sdo", "-3"])
-def test_cubic_moves_by_sdo(way: str) -> None:
+@pytest.mark.parametrize("transfer", ["sdo", "-3"])
+def test_cubic_moves_by_sdo(transfer: str) -> None:
     points, drive = winding(300), Drive()
     with LockstepBus(drive) as bus:
-        Master(bus).stream(points, way)
+        Master(bus).stream(points, transfer)
     assert departure(drive, from_wire(points)) < 1e-6
 
 
-@pytest.mark.parametrize("way", ["-1", "-2"])
-def test_linear_moves(way: str) -> None:
+@pytest.mark.parametrize("transfer", ["-1", "-2"])
+def test_linear_moves(transfer: str) -> None:
     points, drive = winding(300), Drive()
     with LockstepBus(drive) as bus:
-        Master(bus).stream(points, way)
+        Master(bus).stream(points, transfer)
     assert departure(drive, [Point(p.position, None, p.time / 1000) for p in points]) < 1e-6
     assert drive.position == points[-1].position
     assert drive.state == IDLE
@@ -95,20 +95,24 @@ def test_a_master_at_its_own_pace_in_sub_mode_0() -> None:
     assert spans == {10_000, 10_250}
 
 
-@pytest.mark.parametrize("way", ["0", "-1"])
-@pytest.mark.parametrize("places", [(0, 100, 0), (0, 10, 40, 10, 0, -30, 0), (5, 5, 5)])
-def test_a_move_that_ends_where_it_began_is_made_to_its_end(way: str, places: tuple[int, ...]) -> None:
+@pytest.mark.parametrize("transfer", ["0", "-1"])
+@pytest.mark.parametrize("positions", [(0, 100, 0), (0, 10, 40, 10, 0, -30, 0), (5, 5, 5)])
+def test_a_move_that_ends_where_it_began_is_made_to_its_end(
+    transfer: str, positions: tuple[int, ...]
+) -> None:
     """In the sub-modes that do not signal the end, the master polls the progress.
 
     The position of the drive would not be sufficient.
     """
-    points = [WirePoint(place, None, 10) for place in places[:-1]] + [WirePoint(places[-1], None, 0)]
-    drive = Drive(places[0])
+    points = [WirePoint(position, None, 10) for position in positions[:-1]] + [
+        WirePoint(positions[-1], None, 0)
+    ]
+    drive = Drive(positions[0])
     with LockstepBus(drive, step=10_000) as bus:
-        Master(bus).stream(points, way)
+        Master(bus).stream(points, transfer)
     made = [p for p in drive.profiles if p.shape == "pvt"]
-    assert [p.end for p in made[: len(places) - 1]] == [float(place) for place in places[1:]]
-    assert drive.position == places[-1]
+    assert [p.end for p in made[: len(positions) - 1]] == [float(position) for position in positions[1:]]
+    assert drive.position == positions[-1]
     assert drive.state == IDLE
 
 
@@ -153,7 +157,7 @@ def test_lost_frames_are_sent_again(lost: set[int]) -> None:
     assert departure(drive, from_wire(points)) < 1e-6
 
 
-def test_a_master_that_looks_too_rarely_lets_the_buffer_run_dry() -> None:
+def test_a_master_that_polls_too_rarely_lets_the_buffer_run_dry() -> None:
     points, drive = winding(300), Drive()
     with LockstepBus(drive, step=100_000) as bus, pytest.raises(StreamError, match="underflow"):
         Master(bus).stream(points)
@@ -182,7 +186,7 @@ def test_a_second_move_follows_the_first() -> None:
 
 
 @pytest.mark.parametrize(
-    ("points", "way", "message"),
+    ("points", "transfer", "message"),
     [
         ([WirePoint(0, 0, 10), WirePoint(1, 0, 20), WirePoint(2, 0, 0)], "-1", "need one time for all"),
         ([WirePoint(0, None, 10), WirePoint(1, 0, 0)], "-3", "a linear point needs 0x2010"),
@@ -190,9 +194,11 @@ def test_a_second_move_follows_the_first() -> None:
         ([WirePoint(0, 0, 10), WirePoint(1, 0, 0)], "7", "there is no way '7'"),
     ],
 )
-def test_what_a_way_cannot_carry_is_refused(points: list[WirePoint], way: str, message: str) -> None:
+def test_what_a_transfer_cannot_carry_is_rejected(
+    points: list[WirePoint], transfer: str, message: str
+) -> None:
     with LockstepBus(Drive()) as bus, pytest.raises(StreamError, match=message):
-        Master(bus).stream(points, way)
+        Master(bus).stream(points, transfer)
 
 
 def test_the_node_answers_as_a_canopen_device() -> None:

@@ -33,13 +33,13 @@ def read(text: str) -> list[Point]:
 @given(points)
 def test_what_is_written_is_read_back(move: list[Point]) -> None:
     text = "\n".join(write_points(move))
-    for found, meant in zip(read(text), move, strict=True):
+    for found, expected in zip(read(text), move, strict=True):
         assert (found.position, found.velocity, found.relative) == (
-            meant.position,
-            meant.velocity,
-            meant.relative,
+            expected.position,
+            expected.velocity,
+            expected.relative,
         )
-        assert found.time == pytest.approx(meant.time)
+        assert found.time == pytest.approx(expected.time)
 
 
 @pytest.mark.parametrize(

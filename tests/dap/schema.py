@@ -55,8 +55,8 @@ def _check(schema: dict[str, Any], value: Any, where: str) -> Iterator[str]:
     if "$ref" in schema:
         yield from _check(_definitions()[schema["$ref"].rpartition("/")[2]], value, where)
         return
-    for part in schema.get("allOf", ()):
-        yield from _check(part, value, where)
+    for subschema in schema.get("allOf", ()):
+        yield from _check(subschema, value, where)
     wanted = schema.get("type")
     if wanted is not None:
         kinds = [wanted] if isinstance(wanted, str) else wanted
@@ -73,9 +73,9 @@ def _check(schema: dict[str, Any], value: Any, where: str) -> Iterator[str]:
         for name in schema.get("required", ()):
             if name not in value:
                 yield f"{where} has no {name}"
-        for name, part in schema.get("properties", {}).items():
+        for name, subschema in schema.get("properties", {}).items():
             if name in value:
-                yield from _check(part, value[name], f"{where}.{name}")
+                yield from _check(subschema, value[name], f"{where}.{name}")
     if isinstance(value, list) and "items" in schema:
         for number, each in enumerate(value):
             yield from _check(schema["items"], each, f"{where}[{number}]")

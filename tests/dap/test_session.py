@@ -31,7 +31,7 @@ def test_the_protocol_can_be_checked() -> None:
         pytest.skip("debugpy, whose description of the protocol is used, is not installed")
 
 
-def test_breakpoints_stack_scopes_and_steps_both_ways(client: Client, program: Path) -> None:
+def test_breakpoints_stack_scopes_and_steps_in_both_directions(client: Client, program: Path) -> None:
     client.launch(program)
     (point,) = client.ask("setBreakpoints", source={"path": str(program)}, breakpoints=[{"line": 4}])[
         "breakpoints"
@@ -123,7 +123,7 @@ def test_motion_is_a_function_breakpoint(client: Client, tmp_path: Path) -> None
     assert stop["body"]["reason"] in ("function breakpoint", "entry")
 
 
-def test_an_error_is_an_exception_that_says_where(client: Client, tmp_path: Path) -> None:
+def test_error_is_an_exception_with_its_location(client: Client, tmp_path: Path) -> None:
     program = tmp_path / "fails.mnt"
     program.write_text("Dim a(2) As Integer, i As Integer\nFor i = 1 To 3\n  a(i) = i\nNext\n")
     client.launch(program)

@@ -67,7 +67,7 @@ def test_the_hook_is_called_before_a_statement_with_its_time() -> None:
     """Each statement takes 10 µs: For, then the sum and Next in each iteration."""
     found: list[tuple[int, float]] = []
     source = Source("a.mnt", SQUARES)
-    hook = Hook(lambda task, time, place: found.append((dialect.locate(source, place)[0], time)), limit=0)
+    hook = Hook(lambda task, time, offset: found.append((dialect.locate(source, offset)[0], time)), limit=0)
     dialect = dialect_for(source, None)
     run(source, cache=False, hook=hook)
     assert found == [

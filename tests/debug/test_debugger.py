@@ -161,15 +161,15 @@ def test_hits_are_counted_from_the_start_of_the_program() -> None:
     assert value(debugger, "i") == 3
 
 
-def test_a_log_point_says_its_values_once() -> None:
-    said: list[str] = []
-    debugger = mint(CALLS, say=said.append)
+def test_log_point_prints_its_values_once() -> None:
+    messages: list[str] = []
+    debugger = mint(CALLS, log_message=messages.append)
     debugger.set_breakpoints([at(debugger, 5, message="{n} gives {twice + 1}")])
     debugger.start(False)
-    assert said == ["1 gives 3", "2 gives 5", "3 gives 7"]
+    assert messages == ["1 gives 3", "2 gives 5", "3 gives 7"]
     debugger.step_back()
     debugger.go_on()
-    assert len(said) == 3
+    assert len(messages) == 3
 
 
 def test_reverse_goes_to_the_last_hit_before_the_stop() -> None:
@@ -370,11 +370,11 @@ def test_an_input_given_at_a_stop_is_replayed() -> None:
         debugger.step_back()
 
 
-def test_an_answer_to_input_is_asked_once() -> None:
-    asked: list[str] = []
+def test_input_is_asked_for_once() -> None:
+    prompts: list[str] = []
 
     def ask(prompt: str) -> str:
-        asked.append(prompt)
+        prompts.append(prompt)
         return "7"
 
     output: list[str] = []
@@ -384,7 +384,7 @@ def test_an_answer_to_input_is_asked_once() -> None:
     debugger.step_back()
     debugger.reverse()
     debugger.go_on()
-    assert len(asked) == 1
+    assert len(prompts) == 1
     assert "".join(output).endswith("14\n")
 
 
@@ -462,3 +462,15 @@ def test_an_axis_is_shown_at_the_time_of_the_stop() -> None:
     assert axis["velocity"] == pytest.approx(50.0)
     assert axis["target"] == pytest.approx(100.0)
     debugger.abandon()
+
+
+def test_a_loaded_move_is_not_released_before_its_go() -> None:
+    """GO has released the first two of three moves; the first has left the buffer."""
+    debugger = mint("SPEED(0) = 50\nMOVEA(0) = 100\nMOVEA(0) = 0\nGO(0)\nMOVEA(0) = 7\nPRINT 1\n")
+    debugger.start()
+    debugger.go_to_line(6)
+    (axis,) = [each for each in debugger.state().axes() if each.name == "axis 0"]
+    assert isinstance(axis.value, list)
+    (buffer,) = [each for each in axis.value if each.name == "buffer"]
+    shown = [each.value for each in buffer.value]
+    assert shown == ["MOVEA, line 3", "MOVEA, line 5, not released"]

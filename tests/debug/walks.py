@@ -35,7 +35,7 @@ def snapshot(debugger: Debugger) -> object:
     state = debugger.state()
     tasks = state.tasks()
     calls = [
-        (frame.name, frame.place, [(each.name, shown(each.value)) for each in frame.variables])
+        (frame.name, frame.offset, [(each.name, shown(each.value)) for each in frame.variables])
         for task in tasks
         for frame in state.frames(task.task)
     ]

@@ -89,7 +89,7 @@ def test_an_error_cannot_be_suppressed() -> None:
     assert [each.title for found in findings(shown) for each in fixes(shown, found)] == []
 
 
-def test_a_line_that_continues_has_no_room_for_a_comment() -> None:
+def test_continued_line_cannot_take_a_comment() -> None:
     shown = page("Dim spare, _\n  other\n")
     assert [each.title for found in findings(shown) if found.line == 1 for each in fixes(shown, found)] == []
 

@@ -67,3 +67,12 @@ def test_there_is_no_page_for_values_comments_and_unknown_keys() -> None:
     assert shown("[axis.3]\ntravel = [0, 1]", "[0") is None
     assert shown("[axis.3]\n# travel = 1", "travel") is None
     assert shown("[axis.3]\ntravvel = 1", "travvel") is None
+
+
+@pytest.mark.parametrize("before", ["", "  ", "\t", "# travel\n    "])
+def test_the_hover_of_a_key_spans_the_key(before: str) -> None:
+    text = f"[axis.1]\n{before}travel = 300.0  # uu\n"
+    begin = text.rindex("travel = ")
+    found = hover_machine_file(Source("a.machine.toml", text), begin + 2)
+    assert found is not None
+    assert found.span == (begin, begin + len("travel"))

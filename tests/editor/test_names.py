@@ -66,7 +66,7 @@ def test_the_definition_of_a_name_is_its_declaration() -> None:
 
 def test_references_are_all_uses_with_or_without_the_declaration() -> None:
     shown, offset = at_cursor(with_cursor("  count = cou|nt + 1"))
-    lines = [shown.source.place(start)[0] for start, _ in navigation.references(shown, offset)]
+    lines = [shown.source.location(start)[0] for start, _ in navigation.references(shown, offset)]
     assert lines == [2, 7, 7]
     assert len(navigation.references(shown, offset, declaration=False)) == 2
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from motionlang.editor.completion import Item, complete
 from motionlang.editor.signature import signature
 from tests.cases import cases
@@ -27,6 +29,8 @@ PROPOSED = (
     ("mint", 'Print "sp|\n', ()),
     ("mint", 'Print "a" sp|\n', ("SPEED",)),
     ("mint", "x = 0x1|\n", ()),
+    ("mint", "Dim part2 As Float\npart2|\n", ("part2",)),
+    ("mint", "Dim sp As Float\nx = 12sp|\n", ()),
     ("mccl", "1M|\n", ("MR", "MA", "MN")),
     ("mccl", "MD1,1MN\nMD12,1WS\nMC1|\n", ("1", "12")),
     ("mccl", "AL5,AR10,AA@1|\n", ("10",)),
@@ -95,3 +99,16 @@ def test_no_call_has_no_signature() -> None:
     assert signature(*at_cursor("x = (|\n")) is None
     assert signature(*at_cursor("GO(0) |\n")) is None
     assert signature(*at_cursor("' SPEED(|\n")) is None
+
+
+@pytest.mark.parametrize(
+    ("text", "is_prose"),
+    [
+        ('Print "ab|', True), ('Print "ab|c"', True), ('Print "ab"|', False), ('Print ""|', False),
+        ('Print "|', True), ("x = 3 ' wo|rd", True), ("x = 3 ' \"|", True), ("x = 3| ' word", False),
+        ("|Print 3", False),
+    ],
+)  # fmt: skip
+def test_text_in_a_comment_or_an_open_string_is_prose(text: str, is_prose: bool) -> None:
+    found, offset = at_cursor(text)
+    assert found.is_prose(offset) is is_prose

@@ -10,7 +10,7 @@ from motionlang.source import Source
 from tests.cases import cases
 
 # Language, text, the text that the first such finding marks, and what may have been meant.
-MEANT = (
+CANDIDATES = (
     ("mint", "SPEDE = 3\n", "SPEDE", ("SPEED",)),
     ("mint", "counter = 2\nPrint cuonter\n", "cuonter", ("counter",)),
     ("mint", "Dim a As Integr\na = 1 : Print a\n", "Integr", ("Integer",)),
@@ -19,13 +19,13 @@ MEANT = (
 )  # fmt: skip
 
 
-@cases("language, text, marked, meant", MEANT)
+@cases("language, text, marked, candidates", CANDIDATES)
 def test_a_misspelt_name_has_candidates(
-    language: str, text: str, marked: str, meant: tuple[str, ...]
+    language: str, text: str, marked: str, candidates: tuple[str, ...]
 ) -> None:
     source = Source("a", text)
-    found = [each for each in dialect(language).check(source) if each.candidates or not meant]
-    assert [each.candidates for each in found[:1]] == [meant]
+    found = [each for each in dialect(language).check(source) if each.candidates or not candidates]
+    assert [each.candidates for each in found[:1]] == [candidates]
     line = source.line(found[0].line)
     assert line[found[0].column - 1 :].startswith(marked)
     assert all(not each.fix for each in found)

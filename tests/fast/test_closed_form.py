@@ -180,14 +180,14 @@ def test_a_loop_that_was_closed_remembers_where(name: str, first: int) -> None:
 def test_a_motor_comes_to_rest_to_the_last_bit() -> None:
     """The residual motion decays to exactly zero, so a long rest costs nothing."""
     loop = Loop(0.04, 4e-4, 0.9, integral_limit=5.0)
-    free, held = (ClosedFormServo(loop, LINEAR[name], track()) for name in ("motor", "gravity"))
-    for servo in free, held:
+    free, loaded = (ClosedFormServo(loop, LINEAR[name], track()) for name in ("motor", "gravity"))
+    for servo in free, loaded:
         looked(servo, [2000] * 12)
         state = servo.state
         assert set(looked(servo, [2000])["encoder"]) == {2500.0}
         assert servo.state == state
     assert not free.run_block(10)[1:].any()
-    assert held.output * Motor().amplifier_gain * 0.05 == pytest.approx(0.01)  # gain u/R k = load torque
+    assert loaded.output * Motor().amplifier_gain * 0.05 == pytest.approx(0.01)  # gain u/R k = load torque
 
 
 def test_around_a_limit_there_are_plain_steps_and_elsewhere_there_are_none(

@@ -12,6 +12,7 @@ from motionlang.fast.command_rounds import advanced
 from motionlang.mccl.runtime.task import CommandTask
 from motionlang.source import Source
 from tests.cases import one_in
+from tests.counted_calls import count_calls
 
 MOVES = "1MN,1SV1000,1SA20000,1DS20000"
 WATCH = "MD5,IN5,CN34,NO,IF5,CF34,NO,RP\n"
@@ -29,9 +30,15 @@ PROGRAMS = {
     f"GT7,AR32\n{MOVES},1MR300,1WS,TC35,ET@30,ET@31,ET@32",
     "a count among watches": f"{WATCH}MD6,RA40,AA1,AR40,IB3000,JR-4,NO\nMD7,RA41,NO,RP\nGT5,AR30\nGT6\nGT7,AR32\n"
     f"{MOVES},1MR300,1WS,TR40,ET@30,ET@32",
+    "two counts": f"MD5,RA40,AA1,AR40,IB2500,JR-4,NO\nMD6,IN6,RA41,AA2,AR41,NO,RP\nMD7,IF6,NO,NO,RA3,AS1,AR3,RP\nGT5\n"
+    f"GT6,AR31\nGT7,AR32\n{MOVES},1MR300,1WS,TR40,TR41,ET@31,ET@32",
+    "a count that another task reads": f"MD5,RA40,AA1,AR40,NO,RP\nMD6,RA40,IG1500,CN35,NO,RP\nGT5,AR30\nGT6,AR31\n"
+    f"{MOVES},1MR300,1WS,TR40,ET@30,ET@31",
     "registers of their own": f"MD6,RA1,AC,AR1,NO,RP\n{WATCH}GT5,AR30\nGT6,AR31\n{MOVES},1MR300,1WS,ET@30,ET@31",
 }
+# A controller of a quarter of the usual speed, so that a loop has a quarter of the iterations.
 MACHINE: dict[str, object] = {
+    "controller.instruction_time": 4e-5,
     "input": [
         {"channel": 5, "at": 0.0203, "for": 0.0113, "every": 0.0417},
         {"channel": 6, "at": 0.1},
@@ -43,8 +50,8 @@ def outcome(text: str, fast: bool, until: float = 2.0) -> dict[str, Any]:
     result = execution.run(Source("a.mcl", text), machine=MACHINE, cache=False, fast=fast, until=until)
     report: Any = result.report
     switched = [(each.time, each.channel, each.value) for each in result.machine.log.outputs]
-    kept = ("status", "time", "output", "moves", "axes", "notes", "events", "diagnostics")
-    return {key: report[key] for key in kept} | {"outputs": switched}
+    compared = ("status", "time", "output", "moves", "axes", "notes", "events", "diagnostics")
+    return {key: report[key] for key in compared} | {"outputs": switched}
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
@@ -53,7 +60,7 @@ def test_skipping_rounds_changes_nothing(name: str) -> None:
 
 
 # Parts of a watch; `@` is a number.
-PARTS = (
+CHUNKS = (
     "IN@,CN4@,NO", "IF@,CF4@,NO", "NO", "AL@,AR@", "1RL@21,IC3,CN4@,NO", "1RL@22,IG200,CF4@,NO", "RA7,AA@,AR7",
     "RA5@,AA1,AR5@", "WA0.00@", "IN@,JR2,NO,NO", "AC", "IB@,AL1,NO", "1RV@23,IB500,CN4@,NO", "MC2@", "RA50,IE@,CN47,NO",
 )  # fmt: skip
@@ -65,8 +72,8 @@ def random_program(seed: int) -> str:
     count = random.randint(2, 4)
     lines = ['LU"STATUS",AR21,LU"POSITION",AR22,LU"VELOCITY",AR23', "MD25,IN5,CN45,NO", "MD26,IF6,CF45,NO"]
     for task in range(count):
-        parts = [random.choice(PARTS).replace("@", "%") for _ in range(random.randint(1, 4))]
-        body = ",".join(parts).replace("L%21", "L@21").replace("L%22", "L@22").replace("V%23", "V@23")
+        chunks = [random.choice(CHUNKS).replace("@", "%") for _ in range(random.randint(1, 4))]
+        body = ",".join(chunks).replace("L%21", "L@21").replace("L%22", "L@22").replace("V%23", "V@23")
         end = random.choice(("RP", "RP", f"MJ{task + 10}"))
         lines.append(f"MD{task + 10},{body.replace('%', str(random.choice((5, 6))))},{end}")
     lines += [f"GT{task + 10}" for task in range(count)]
@@ -81,19 +88,26 @@ def test_skipping_rounds_of_random_watches_changes_nothing(seed: int) -> None:
 
 def test_an_hour_of_two_watches_is_over_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """3600 counts at 1 count/s take an hour, and the ramps 1 s more."""
-    resumed, resume = 0, CommandTask.resume
-
-    def counted(task: CommandTask, now: float, horizon: float) -> object:
-        nonlocal resumed
-        resumed += 1
-        return resume(task, now, horizon)
-
-    monkeypatch.setattr(CommandTask, "resume", counted)
+    resumed = count_calls(monkeypatch, (CommandTask, "resume"))
     text = "MD5,IN15,CN34,NO,RP\nMD6,IN16,CN35,NO,RP\nGT5\nGT6\n1MN,1SV1,1SA1,1DS1,1MR3600,1WS,1TP"
     result = execution.run(Source("a.mcl", text), cache=False, until=4000.0)
     assert result.output == ["01 3600"]
     assert 3601.0 <= result.time < 3601.01
-    assert resumed < 500
+    assert resumed.calls < 500
+
+
+def test_counts_of_two_tasks_advance_with_the_skipped_rounds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """100 s have 10 million commands of 10 µs.
+
+    An iteration of each of the two counts takes one in ten of them.
+    """
+    resumed = count_calls(monkeypatch, (CommandTask, "resume"))
+    text = "MD5,RA40,AA1,AR40,NO,RP\nMD6,RA41,AA3,AR41,NO,RP\nGT5\nGT6\nWA100,TR40,TR41"
+    result = execution.run(Source("a.mcl", text), cache=False, until=101.0)
+    (first, second) = map(int, result.output)
+    assert abs(first - 1_000_000) <= 1
+    assert abs(second - 3_000_000) <= 3
+    assert resumed.calls < 500
 
 
 @pytest.mark.parametrize("step", [1e-5, 0.1, 3.0, 2.0**-16, 2.0**-16 * 1.5])

@@ -26,8 +26,8 @@ LOOPS = {
     "a branch": "For i = 1 To 500\n  If i Mod 3 = 0 Then x = x + 1\nNext",
     "downward": "For i = 500 To 1 Step -3\n  If i > 100 Then\n    x = i\n    y = i\n  End If\nNext",
     "nothing": "For i = 1 To 700\nNext",
-    "no turn": "For i = 5 To 1\nNext",
-    "one turn": "For i = 5 To 5\n  x = 1\nNext",
+    "no iteration": "For i = 5 To 1\nNext",
+    "one iteration": "For i = 5 To 5\n  x = 1\nNext",
     "two levels": "For i = 1 To 20\n  For j = 1 To i\n    x = x + 1\n  Next\nNext",
     "a limit that is worked out": "n = 400\nFor i = 1 To n \\ 2 + 3\n  n = 5\nNext",
     "a choice": "For i = 1 To 400\n  Select Case i Mod 4\n  Case 0\n    x = 1\n  Case 1\n    x = 2 : y = 3\n"
@@ -47,16 +47,16 @@ def timeline(text: str) -> tuple[list[str], float]:
 
 @pytest.mark.parametrize("loop", LOOPS.values(), ids=LOOPS.keys())
 @pytest.mark.parametrize("period", [0, 7, 50, 333])
-def test_a_loop_in_chunks_gives_way_at_the_same_moments(
+def test_loop_in_chunks_yields_at_the_same_times(
     loop: str, period: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     text = f"TIMEREVENT = {period}\n{loop}\nPRINT i, x, y, TIME{TICKS}"
     text = text.replace("TIMEREVENT", "x = 0 : y = 0\nTIMEREVENT")
     in_chunks = timeline(text)
     monkeypatch.setattr(for_loops, "_can_be_cut", lambda *_: False)
-    turn_by_turn = timeline(text)
-    assert in_chunks[0] == turn_by_turn[0]
-    assert in_chunks[1] == pytest.approx(turn_by_turn[1], abs=1e-9)
+    stepwise = timeline(text)
+    assert in_chunks[0] == stepwise[0]
+    assert in_chunks[1] == pytest.approx(stepwise[1], abs=1e-9)
 
 
 def test_such_loops_are_cut() -> None:
@@ -84,9 +84,9 @@ def test_random_programs_take_the_same_time(seed: int, monkeypatch: pytest.Monke
     source = Source("a.mnt", Writer(Random(seed)).program())
     in_chunks = run(source, cache=False)
     monkeypatch.setattr(for_loops, "_can_be_cut", lambda *_: False)
-    turn_by_turn = run(source, cache=False)
-    assert in_chunks.output == turn_by_turn.output
-    assert in_chunks.time == pytest.approx(turn_by_turn.time, abs=1e-9)
+    stepwise = run(source, cache=False)
+    assert in_chunks.output == stepwise.output
+    assert in_chunks.time == pytest.approx(stepwise.time, abs=1e-9)
 
 
 WORK = "For i = 1 To 3000\n  x = x + i\n  If x > 500 Then x = 0\nNext\n"
@@ -111,10 +111,10 @@ End Task
 """
 
 
-def test_tasks_that_compute_by_themselves_take_long_turns_and_end_when_they_would(
+def test_computing_tasks_take_long_slices_and_end_at_the_same_time(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """They agree to the duration of an iteration, since a slice ends with one."""
+    """End times agree to the duration of an iteration, since slices end with one."""
     long_turns = timeline(TWO)
     monkeypatch.setattr(scheduler.Scheduler, "_slice_length", lambda *_: 1e-3)
     short_turns = timeline(TWO)

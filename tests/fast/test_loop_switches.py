@@ -17,6 +17,8 @@ STEPS = (
     "COMMS(1) = 4", "If n = 333 Then OUTX(7) = 1", "OUTX(1) = 1 : OUTX(1) = 0", "OUTX(2) = 1 : OUTX(2) = 0", "WAIT(1)",
 )  # fmt: skip
 ENDS = ("Not IDLE(0)", "TIME < 800", "POS(0) < 9", "INX(0) = 0 And TIME < 900", "n < 2500 And TIME < 900")
+# Seeds of the normal run, and of a long one in batches.
+SLICE, BATCHES, BATCH = 40, 10, 100
 
 
 def program(seed: int) -> tuple[str, dict[str, object]]:
@@ -42,7 +44,7 @@ def program(seed: int) -> tuple[str, dict[str, object]]:
     ]
     if random.random() < 0.1:
         inputs.append({"channel": 1, "output": 2, "delay": 0.004})
-    return "\n".join(lines), {"controller.instruction_time": random.choice((1e-5, 0.731e-5)), "input": inputs}
+    return "\n".join(lines), {"controller.instruction_time": random.choice((4e-5, 2.924e-5)), "input": inputs}
 
 
 def is_equal(seed: int) -> bool:
@@ -53,7 +55,22 @@ def is_equal(seed: int) -> bool:
 
 @pytest.mark.slow
 def test_generated_loops_are_equal() -> None:
-    assert [seed for seed in range(300) if not is_equal(seed)] == []
+    """The sample has every kind of step and of loop end.
+
+    It also has a task, an event, and an input that follows an output.
+    """
+    programs = [program(seed) for seed in range(SLICE)]
+    texts = "\n".join(text for text, _ in programs)
+    assert [statement for statement in (*STEPS, *ENDS, "Run T1", "Event IN1") if statement not in texts] == []
+    assert any("delay" in str(machine["input"]) for _, machine in programs)
+    assert [seed for seed in range(SLICE) if not is_equal(seed)] == []
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("batch", range(BATCHES))
+def test_many_generated_loops_are_equal(batch: int) -> None:
+    first = SLICE + batch * BATCH
+    assert [seed for seed in range(first, first + BATCH) if not is_equal(seed)] == []
 
 
 def test_pulses_of_a_loop_are_all_in_the_log() -> None:

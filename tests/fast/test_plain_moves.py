@@ -47,8 +47,8 @@ LOOKS = (
 )
 
 
-def looked_at(seed: int) -> str:
-    """Return a program of plain moves, which are read at any time."""
+def is_read(seed: int) -> str:
+    """Return a program of fast-path moves whose axes are read at any time."""
     random = Random(seed)
     lines = ["SPEED(0, 1, 2) = 20, 35, 50", "ACCEL(0, 1, 2) = 300;", "DECEL(0, 1, 2) = 200, 400, 300"]
     for _ in range(random.randint(4, 14)):
@@ -56,8 +56,8 @@ def looked_at(seed: int) -> str:
             word, value = random.choice((("MOVER", random.uniform(-4, 6)), ("MOVEA", random.uniform(-3, 8))))
             lines.append(f"{word}({k}) = {value:.3f} : GO({k})")
         for _ in range(random.randint(0, 2)):
-            look = random.choice(LOOKS).format(k=random.randrange(3), v=random.randint(1, 90), o=3)
-            lines.extend(each for each in look.split("\n") if each)
+            statement = random.choice(LOOKS).format(k=random.randrange(3), v=random.randint(1, 90), o=3)
+            lines.extend(each for each in statement.split("\n") if each)
         if random.random() < 0.6:
             lines.append("PAUSE IDLE(0) And IDLE(1) And IDLE(2)")
     return "\n".join(lines) + "\nPRINT TIME; POS(0); POS(1); POS(2)\n"
@@ -78,7 +78,7 @@ def all_of(result: Run) -> list[object]:
             m.command,
             m.line,
             m.target,
-            m.asked,
+            m.commanded_speed,
             m.base,
             m.id,
             m.speed,
@@ -95,13 +95,13 @@ def all_of(result: Run) -> list[object]:
 
 def orders(result: Run) -> list[object]:
     """Return the records that a run makes for the proof."""
-    kept = result.orders
-    assert kept is not None
+    expected = result.expected_motion
+    assert expected is not None
     found = [
         each._replace(tie=each.tie and each.tie._replace(master=each.tie.master.index, curve=None))  # type: ignore[arg-type]
-        for each in (order for orders in kept.of.values() for order in orders)
+        for each in (order for orders in expected.of.values() for order in orders)
     ]
-    return [found, kept.data, kept.standstills]
+    return [found, expected.data, expected.standstills]
 
 
 def held_apart(
@@ -119,9 +119,9 @@ def held_apart(
 
 @cases("seed", range(60))
 @pytest.mark.slow
-def test_looks_make_no_difference(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_samples_make_no_difference(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     for machine in (None, MACHINE):
-        plain, ordinary = held_apart(looked_at(seed), monkeypatch, machine)
+        plain, ordinary = held_apart(is_read(seed), monkeypatch, machine)
         assert all_of(plain) == all_of(ordinary)
         assert orders(plain) == orders(ordinary)
 
@@ -169,9 +169,9 @@ def test_moves_of_mccl_begin_at_once_and_are_the_same(seed: int, monkeypatch: py
         assert orders(plain) == orders(ordinary)
 
 
-def test_a_move_of_mccl_that_nobody_looks_at_stays_a_row() -> None:
+def test_unread_mccl_move_stays_a_row() -> None:
     result = run(Source("a.mcl", "1MN,1SV100,1SA500,1DS500\n1MR50,1WS\n1MA0,1TV,1WS"), cache=False)
-    assert kept(result) == [tuple, Move]
+    assert stored_types(result) == [tuple, Move]
     assert result.time == pytest.approx(2 * (50 / 100 + 100 / 500), abs=1e-3)
 
 
@@ -185,20 +185,20 @@ def there_and_back(seed: int) -> str:
         )
         if random.random() < 0.25:
             lines.append(f"{word}(0, 1) = {value}, {value + random.choice((0, 5))}")
-        axis, way = random.randrange(2), random.choice((5, -5, 5, -5, 3))
-        lines.append(f"MOVER({axis}) = {way} : GO({axis})\nPAUSE IDLE({axis})")
+        axis, distance = random.randrange(2), random.choice((5, -5, 5, -5, 3))
+        lines.append(f"MOVER({axis}) = {distance} : GO({axis})\nPAUSE IDLE({axis})")
     return "\n".join(lines) + "\n"
 
 
 @cases("seed", range(20))
-def test_a_way_that_comes_back_is_planned_with_the_rates_of_then(
+def test_repeated_distance_is_planned_with_the_present_rates(
     seed: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plain, ordinary = held_apart(there_and_back(seed), monkeypatch, None)
     assert all_of(plain) == all_of(ordinary)
 
 
-def test_an_axis_that_goes_there_and_back_has_one_recipe_for_each_way() -> None:
+def test_axis_that_moves_to_and_fro_has_a_plan_for_each_direction() -> None:
     text = "".join(f"MOVEA(0) = {5 * (n % 2)} : GO(0)\nPAUSE IDLE(0)\n" for n in range(1, 9))
     log: list[Any] = list(run(Source("a.mnt", text), cache=False).controller.log.moves.as_stored())
     recipes = [row[5] for row in log]
@@ -206,23 +206,23 @@ def test_an_axis_that_goes_there_and_back_has_one_recipe_for_each_way() -> None:
     assert recipes[0] != recipes[1]
 
 
-def kept(result: Run) -> list[type]:
+def stored_types(result: Run) -> list[type]:
     return [type(each) for each in result.controller.log.moves.as_stored()]
 
 
-def test_a_move_that_nobody_looks_at_stays_a_row() -> None:
+def test_unread_move_stays_a_row() -> None:
     source = Source(
         "a.mnt", "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nMOVER(0) = 5 : GO(0)\nPRINT VEL(0)\nPAUSE IDLE(0)"
     )
     result = run(source, cache=False)
-    assert kept(result) == [tuple, Move]
+    assert stored_types(result) == [tuple, Move]
     assert result.controller.axes[0].position(result.time) == 10.0
 
 
-def test_travel_limits_that_it_does_not_come_to_are_no_look() -> None:
+def test_travel_limits_beyond_the_move_need_no_check() -> None:
     source = Source("a.mnt", "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nMOVER(0) = 9 : GO(0)\nPAUSE IDLE(0)")
     result = run(source, cache=False, machine={"axis.0.travel": [-1.0, 10.0]})
-    assert kept(result) == [tuple, Move]
+    assert stored_types(result) == [tuple, Move]
     assert [each.ended for each in result.controller.log.moves] == ["", "fault"]
 
 

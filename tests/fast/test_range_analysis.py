@@ -88,7 +88,7 @@ def test_bits_of_a_counter_are_bounded_by_their_mask() -> None:
     assert "v_y = v_x * 300000000" in text
 
 
-def test_a_sum_without_bound_keeps_its_check() -> None:
+def test_sum_without_bound_retains_its_check() -> None:
     assert "(z := v_x + v_i)" in text_of("Dim i As Integer, x As Integer\nFor i = 1 To 10\n  x = x + i\nNext")
 
 
@@ -121,7 +121,7 @@ def test_a_variable_of_a_program_with_labels_needs_no_check() -> None:
         ("(x + y) * (x - y)", "(v_x + v_y) * (v_x - v_y)"),
     ],
 )
-def test_brackets_stand_where_python_would_group_otherwise(written: str, python: str) -> None:
+def test_brackets_are_written_where_python_would_group_differently(written: str, python: str) -> None:
     program = f"Dim x As Float, y As Float, z As Float\nx = TIME : y = TIME\nz = {written}\nPRINT z"
     assert f"v_z = {python}" in text_of(program)
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
+from motionlang.mint.runtime.task import MintTask
 from motionlang.result import Run
 from motionlang.source import Source
+from tests.counted_calls import count_calls
 from tests.generated.tasks import every_iteration
 
 SETTER = """\
@@ -142,14 +144,14 @@ def test_a_time_that_is_read_outside_the_polling_loop_passes() -> None:
 
 
 @pytest.mark.parametrize("beside", ["If INX(1) Then OUTX(1) = 1", "WAIT(7)", "While INX(1) = 0 : End While"])
-def test_a_loop_until_a_time_ends_then_beside_a_task_that_polls(beside: str) -> None:
+def test_loop_until_a_time_ends_on_time_next_to_a_polling_task(beside: str) -> None:
     text = f"Run Other\nWhile TIME < 400\nEnd While\nPRINT TIME\nEnd\nTask Other\nLoop\n  {beside}\nEnd Loop\nEnd Task"
     (printed,) = ran(text).output
     assert 400 <= int(printed) <= 401  # the other task may have had the time slice
 
 
-def test_what_an_expression_has_worked_out_before_it_waits_is_part_of_the_state() -> None:
-    """Other begins at 1.05 ms, and its iterations take 20.05 ms; it makes twenty."""
+def test_values_of_an_expression_before_its_wait_belong_to_the_state() -> None:
+    """Task Other begins at 1.05 ms and makes twenty iterations of 20.05 ms."""
     assert ran(HALF_WORKED_OUT, until=3.0).output == ["20 402"]
 
 
@@ -168,3 +170,35 @@ def test_tasks_that_hand_a_variable_to_and_fro_for_ever_are_skipped() -> None:
     result = ran(text)
     assert result.time == pytest.approx(28_800.0)
     assert len(result.machine.log.waits) < 2000
+
+
+def test_an_hour_is_skipped_after_many_searches_have_failed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An output changes every 3 ms for 0.6 s, so no search for a period succeeds.
+
+    After that nothing happens until 3600 s.
+    """
+    text = (
+        "Dim k As Integer\nRun Lamp\nRun Guard\nFor k = 1 To 200\n  OUTX(2) = k Mod 2\n  WAIT(3)\nNext\n"
+        "PAUSE INX(3)\nPRINT TIME\nEnd\nTask Lamp\nLoop\n  If INX(1) Then OUTX(1) = 1 Else OUTX(1) = 0\n"
+        "End Loop\nEnd Task\nTask Guard\nLoop\n  If INX(5) Then STOP(0)\nEnd Loop\nEnd Task\n"
+    )
+    resumed = count_calls(monkeypatch, (MintTask, "resume"))
+    machine: dict[str, object] = {"input": [{"channel": 3, "at": 3600.0}]}
+    found = run(Source("a.mnt", text), machine=machine, cache=False, until=4000.0)
+    (passed,) = map(int, found.output)
+    assert 3_600_000 <= passed <= 3_600_002  # the others may each have a time slice of 1 ms before
+    assert resumed.calls < 5000
+
+
+def test_a_stop_on_an_axis_that_is_stopping_is_no_event() -> None:
+    """From 40 at 500/s² the axis stops in 0.08 s; only the first STOP is logged."""
+    text = (
+        "SPEED(0) = 50 : DECEL(0) = 500\nRun T1\nJOG(0) = 40\nWAIT(200)\nWhile Not IDLE(0)\n  STOP(0)\n"
+        "End While\nEnd\nTask T1\n  Loop\n    WAIT(1)\n  End Loop\nEnd Task\n"
+    )
+    fast, plain = (run(Source("a.mnt", text), cache=False, fast=fast) for fast in (True, False))
+    stops = [
+        [each.time for each in found.machine.log.events if each.kind == "stop"] for found in (fast, plain)
+    ]
+    assert stops[0] == stops[1]
+    assert len(stops[0]) == 1

@@ -76,17 +76,17 @@ def left(result: Run) -> tuple[object, ...]:
 def test_it_is_the_same_as_asking_everybody(seed: int) -> None:
     source = Source("tasks.mnt", program(Random(seed)))
     in_turn = execution.run(source, machine=INPUTS, cache=False, until=8.0)
-    asked = execution.run(source, machine=INPUTS, cache=False, until=8.0, pace=lambda now: None)
-    assert left(in_turn) == left(asked)
+    paced = execution.run(source, machine=INPUTS, cache=False, until=8.0, pace=lambda now: None)
+    assert left(in_turn) == left(paced)
 
 
-def test_tasks_that_move_and_wait_are_found_in_one_look(monkeypatch: pytest.MonkeyPatch) -> None:
-    looks = 0
+def test_moving_and_waiting_tasks_are_found_in_one_check(monkeypatch: pytest.MonkeyPatch) -> None:
+    checks = 0
     runnable = Scheduler._runnable
 
     def counted(scheduler: Scheduler) -> object:
-        nonlocal looks
-        looks += 1
+        nonlocal checks
+        checks += 1
         return runnable(scheduler)
 
     monkeypatch.setattr(Scheduler, "_runnable", counted)
@@ -98,4 +98,4 @@ def test_tasks_that_move_and_wait_are_found_in_one_look(monkeypatch: pytest.Monk
     starts = "".join(f"Run axis{n}\n" for n in range(3))
     result = execution.run(Source("tasks.mnt", f"{SETTINGS}{starts}WAIT(60000)\nEnd\n{body}"), cache=False)
     assert len(result.machine.log.waits) > 300
-    assert looks < 40
+    assert checks < 40

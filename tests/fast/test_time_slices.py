@@ -125,8 +125,8 @@ def passed(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     ends: list[float] = []
     passes = TimeSlices.passes_among_others
 
-    def counted(scheduler: TimeSlices, since: float, end: float, by_bell: bool) -> float:
-        reach = passes(scheduler, since, end, by_bell)
+    def counted(scheduler: TimeSlices, since: float, end: float, by_arrival: bool) -> float:
+        reach = passes(scheduler, since, end, by_arrival)
         if reach:
             ends.append(end)
         return reach
@@ -139,9 +139,9 @@ def passed(monkeypatch: pytest.MonkeyPatch) -> list[float]:
 def test_what_meets_a_wait_changes_nothing(name: str) -> None:
     program, machine = MEETS[name]
     source = Source("waits.mnt", SETTINGS + program.replace("{move}", MOVE) + "\n")
-    where_it_stands, gives_way = both(source, machine)
-    assert left(where_it_stands) == left(gives_way)
-    assert len(gives_way.machine.log.waits) > 4
+    within_statement, yields = both(source, machine)
+    assert left(within_statement) == left(yields)
+    assert len(yields.machine.log.waits) > 4
 
 
 @pytest.mark.parametrize(
@@ -153,7 +153,7 @@ def test_what_meets_a_wait_changes_nothing(name: str) -> None:
         "a sub with the wait",
     ],
 )
-def test_a_task_among_others_goes_on_where_it_stands(name: str, passed: list[float]) -> None:
+def test_task_among_others_continues_within_its_statement(name: str, passed: list[float]) -> None:
     program, machine = MEETS[name]
     result = execution.run(
         Source("waits.mnt", SETTINGS + program.replace("{move}", MOVE) + "\n"), machine=machine, cache=False
@@ -167,9 +167,9 @@ def test_a_run_ends_in_the_middle_of_a_wait(until: float) -> None:
     """The run ends at 0.4 s in the move, 0.007 s in the WAIT, or at the end of either."""
     program, machine = MEETS["nothing"]
     source = Source("waits.mnt", SETTINGS + program.replace("{move}", MOVE) + "\n")
-    where_it_stands, gives_way = both(source, machine, until)
-    assert left(where_it_stands) == left(gives_way)
-    assert where_it_stands.time == until
+    within_statement, yields = both(source, machine, until)
+    assert left(within_statement) == left(yields)
+    assert within_statement.time == until
 
 
 def test_a_wait_ends_no_later_than_another_task_is_due(passed: list[float]) -> None:
@@ -186,12 +186,12 @@ def interrupting(after: int) -> Callable[[TimeSlices, float, float, bool], float
     """Return a replacement that interrupts the run at the wait number `after`."""
     passes, left = TimeSlices.passes_among_others, after
 
-    def ends(scheduler: TimeSlices, since: float, end: float, by_bell: bool) -> float:
+    def ends(scheduler: TimeSlices, since: float, end: float, by_arrival: bool) -> float:
         nonlocal left
         left -= 1
         if not left:
             raise KeyboardInterrupt
-        return passes(scheduler, since, end, by_bell)
+        return passes(scheduler, since, end, by_arrival)
 
     return ends
 

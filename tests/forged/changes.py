@@ -43,7 +43,7 @@ class Change(NamedTuple):
 
     module: str
     function: str
-    place: int
+    ordinal: int
     line: int
     before: str
     after: str
@@ -78,8 +78,8 @@ def forged(change: Change) -> Iterator[None]:
 def _of_file(path: str) -> Iterator[Change]:
     module = "motionlang." + path.removesuffix(".py").replace("/", ".")
     for name, node in _functions(ast.parse((PACKAGE / path).read_bytes()), ""):
-        for place, (expression, after) in enumerate(_expressions(node)):
-            yield Change(module, name, place, expression.lineno, ast.unparse(expression), after)
+        for ordinal, (expression, after) in enumerate(_expressions(node)):
+            yield Change(module, name, ordinal, expression.lineno, ast.unparse(expression), after)
 
 
 def _functions(tree: ast.AST, prefix: str) -> Iterator[tuple[str, ast.FunctionDef]]:
@@ -137,7 +137,7 @@ def _code(change: Change) -> CodeType:
     path = PACKAGE.parent / (change.module.replace(".", "/") + ".py")
     tree = ast.parse(path.read_bytes())
     node = next(node for name, node in _functions(tree, "") if name == change.function)
-    target = list(_expressions(node))[change.place][0]
+    target = list(_expressions(node))[change.ordinal][0]
     after = ast.parse(change.after, mode="eval").body
 
     class Changer(ast.NodeTransformer):

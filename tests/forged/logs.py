@@ -55,7 +55,7 @@ def _end(move: Move) -> float:
 def _copy(move: Move) -> Move:
     """Return an equal entry."""
     made = (OffsetMove if move.overlaid else Move)(move.axis, move.command, move.line, move.target)
-    for name in ("start_time", "profile", "scale", "zero", "ended", "offset", "asked", "action"):
+    for name in ("start_time", "profile", "scale", "zero", "ended", "offset", "commanded_speed", "action"):
         setattr(made, name, getattr(move, name))
     return made
 
@@ -158,13 +158,13 @@ def forge(each: Forged) -> tuple[Run, bool]:
     result = ran(each.program)
     entries = Log(result.controller.log.moves)
     result.controller.log.moves = entries  # type: ignore[assignment]
-    before = _told(result)
+    before = _report_rows(result)
     KINDS[each.kind](entries, each.entry)
-    return result, _told(result) != before
+    return result, _report_rows(result) != before
 
 
-def _told(result: Run) -> list[dict[str, object]]:
-    """Return the report's statements on the motion."""
+def _report_rows(result: Run) -> list[dict[str, object]]:
+    """Return the rows of the report that describe the motion."""
     from motionlang.report import moves
 
     return list(moves(result))

@@ -17,7 +17,7 @@ _JOGS = (
     "WAIT 500\nSTOP(0)\nPAUSE IDLE(0)\n"
 )  # fmt: skip
 _PATH = "VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT 300\nSPEED(0) = 20\nWAIT 700\nSPEED(0) = 60\n" + _REST
-_HELD = (
+_SUSPENDED = (
     "VECTORR(0, 1) = 60, 20 : GO(0)\nWAIT 300\nFEEDRATEOVERRIDE(0) = 30\nWAIT 400\nSUSPEND(0) = 1\nWAIT 500\n"
     "SUSPEND(0) = 0\nWAIT 300\nMAXSPEED(1) = 2\nWAIT 500\nSTOP(0)\n" + _REST
 )  # fmt: skip
@@ -51,8 +51,8 @@ MINT = {
     + "ERRORDECEL(0) = 700 : SOFTLIMITFORWARD(0) = 40 : SOFTLIMITMODE(0) = 3\nJOG(0) = 50\nWAIT 3000\n",
     "paths": _RATES + _PATH,
     "paths in S-ramps": _SMOOTH + _RATES + _PATH,
-    "held paths": _RATES + _HELD,
-    "held paths in S-ramps": _SMOOTH + _RATES + _HELD,
+    "held paths": _RATES + _SUSPENDED,
+    "held paths in S-ramps": _SMOOTH + _RATES + _SUSPENDED,
     "a contour": _RATES + _CONTOUR,
     "a contour in S-ramps": _SMOOTH + _RATES + _CONTOUR,
     "an arc": "MAXACCEL(0) = 70\n" + _RATES + "CIRCLER(0, 1) = -10, 0, 300 : GO(0)\n" + _REST,

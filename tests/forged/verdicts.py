@@ -17,7 +17,7 @@ from motionlang.source import Source
 from tests.forged.programs import PROGRAMS
 
 # Times of a run at which the motion of two planners is compared, and the relative difference allowed.
-MOMENTS, ALIKE = 101, 1e-5
+MOMENTS, TOLERANCE = 101, 1e-5
 # Verdicts; the last one applies to several programs; one rejection decides.
 RANKS = ("same", "failed", "slower", "passed")
 # Seconds after which an endless forged planner is abandoned.
@@ -40,12 +40,12 @@ class Entry(NamedTuple):
         """True if both entries have equal axes, durations and ends, within rounding."""
         return self.ends_like(other) and (
             self.duration == other.duration
-            or abs(self.duration - other.duration) <= ALIKE * max(1.0, min(self.duration, other.duration))
+            or abs(self.duration - other.duration) <= TOLERANCE * max(1.0, min(self.duration, other.duration))
         )
 
     def ends_like(self, other: Entry) -> bool:
         """True if both entries have equal axes and ends, within rounding."""
-        return self.axis == other.axis and abs(self.end - other.end) <= ALIKE * max(1.0, abs(self.end))
+        return self.axis == other.axis and abs(self.end - other.end) <= TOLERANCE * max(1.0, abs(self.end))
 
 
 class Motion(NamedTuple):
@@ -63,14 +63,14 @@ class Motion(NamedTuple):
     def is_slower_path(self, other: Motion) -> bool:
         """True if both differ only in paths that end alike and are not shorter in time."""
         return len(self.entries) == len(other.entries) and all(
-            a.ends_like(b) and a.duration >= b.duration * (1.0 - ALIKE) if a.on_path else a.is_like(b)
+            a.ends_like(b) and a.duration >= b.duration * (1.0 - TOLERANCE) if a.on_path else a.is_like(b)
             for a, b in zip(self.entries, other.entries, strict=True)
         )
 
     def ends_like(self, other: Motion) -> bool:
         """True if all axes end at the same positions, within rounding."""
         return len(self.ends) == len(other.ends) and all(
-            abs(a - b) <= ALIKE * max(1.0, abs(a)) for a, b in zip(self.ends, other.ends, strict=True)
+            abs(a - b) <= TOLERANCE * max(1.0, abs(a)) for a, b in zip(self.ends, other.ends, strict=True)
         )
 
     def differs(self, other: Motion) -> bool:
@@ -83,7 +83,7 @@ class Motion(NamedTuple):
             return True
         sizes = [max(1.0, *(abs(state[which]) for state in self.states)) for which in (0, 1)]
         return any(
-            not abs(a[which] - b[which]) <= ALIKE * sizes[which]
+            not abs(a[which] - b[which]) <= TOLERANCE * sizes[which]
             for a, b in zip(self.states, other.states, strict=True)
             for which in (0, 1)
         )
@@ -119,7 +119,7 @@ def motion(result: Run, times: list[float]) -> Motion:
         assert move.profile is not None
         left = result.time - move.start_time
         length, end = move.profile.duration, move.profile.position(min(move.profile.duration, left))
-        length = inf if length > left * (1.0 + ALIKE) else length
+        length = inf if length > left * (1.0 + TOLERANCE) else length
         entries.append(Entry(move.axis, move.start_time, length, end, isinstance(move.action, PathMove)))
     return Motion(result.time, states, tuple(a.position(result.time) for a in axes), tuple(entries))
 
@@ -150,16 +150,16 @@ def verdict(motions: dict[str, Motion], function: str = "") -> Verdict:
     Only programs that call `function` run. The first rejected program decides. Otherwise the planner passes if it
     changes the motion of any program.
     """
-    told = Verdict("same")
+    worst = Verdict("same")
     for name, before in motions.items():
         if function and function not in before.called:
             continue
         found = _of_program(name, before)
         if found.kind == "rejected":
             return found
-        if RANKS.index(found.kind) > RANKS.index(told.kind):
-            told = found
-    return told
+        if RANKS.index(found.kind) > RANKS.index(worst.kind):
+            worst = found
+    return worst
 
 
 def _of_program(name: str, before: Motion) -> Verdict:
@@ -168,8 +168,8 @@ def _of_program(name: str, before: Motion) -> Verdict:
             result = ran(name)
             after = motion(result, _times(before.time))
             if result.status == "fault" or result.crash is not None or result.diagnostics:
-                told = [each.message for each in result.diagnostics]
-                return Verdict("failed", name, f"{result.status} {told[:1]}")
+                messages = [each.message for each in result.diagnostics]
+                return Verdict("failed", name, f"{result.status} {messages[:1]}")
             violations = result.proof().violations
     except Exception as error:
         return Verdict("failed", name, repr(error))

@@ -17,12 +17,12 @@ def main(name: str, count: int, seed: int) -> int:
     seen: dict[str, str] = {}
     begun, done = monotonic(), 0
     for text in WORDS[name]() if count == 0 else inputs(name, count, seed):
-        told = trouble(name, text)
+        finding = trouble(name, text)
         done += 1
-        kind = told.partition(" at ")[2] or told
-        if told and len(text) < len(seen.get(kind, text + " ")):
+        kind = finding.partition(" at ")[2] or finding
+        if finding and len(text) < len(seen.get(kind, text + " ")):
             if kind not in seen:
-                print(f"{done}: {told}\n---\n{text}\n---", flush=True)
+                print(f"{done}: {finding}\n---\n{text}\n---", flush=True)
             seen[kind] = text
     print(
         f"{name}: {done} inputs, seed {seed}: {len(seen)} kinds of trouble, {monotonic() - begun:.0f} s",

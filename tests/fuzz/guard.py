@@ -53,8 +53,8 @@ def trouble(name: str, text: str) -> str:
             run(source, until=UNTIL, cache=False)
     except Exception as error:
         frames = traceback.extract_tb(error.__traceback__)
-        place = " < ".join(
+        location = " < ".join(
             f"{frame.filename.rpartition('motionlang/')[2]}:{frame.lineno}" for frame in frames[:-4:-1]
         )
-        return f"{type(error).__name__}: {str(error)[:200]} at {place}"
+        return f"{type(error).__name__}: {str(error)[:200]} at {location}"
     return ""

@@ -45,13 +45,13 @@ def test_a_million_inputs_a_language(name: str, seed: int) -> None:
         assert trouble(name, text) == "", text
 
 
-def test_a_traceback_is_told_with_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_traceback_is_reported_with_its_location(monkeypatch: pytest.MonkeyPatch) -> None:
     def settle(*_: object) -> None:
         raise AssertionError("it cannot be")
 
     monkeypatch.setattr("motionlang.lang.scheduler.Scheduler.settle", settle)
-    told = trouble("mint", "MOVER(0) = 5\nGO(0)\nPAUSE IDLE(0)\n")
-    assert told.startswith("AssertionError: it cannot be at ")
+    finding = trouble("mint", "MOVER(0) = 5\nGO(0)\nPAUSE IDLE(0)\n")
+    assert finding.startswith("AssertionError: it cannot be at ")
 
 
 def test_inputs_are_the_same_again_and_differ() -> None:
@@ -69,7 +69,7 @@ def test_every_word_has_its_forms() -> None:
     assert all(len(set(mint_forms(row))) > 1 for row in table())
 
 
-def test_what_takes_too_long_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_takes_too_long_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tests.fuzz.guard.MAX_SECONDS", 0.05)
 
     def endless(*_: object, **__: object) -> None:

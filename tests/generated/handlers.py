@@ -8,12 +8,12 @@ that differ.
 
 from __future__ import annotations
 
-import argparse
 import sys
 from random import Random
 
 from motionlang import report, run
 from motionlang.source import Source
+from tests.generated.compared import compare
 
 UNTIL = 1.2
 COSTS = (1e-5, 0.7310585e-5)
@@ -50,6 +50,8 @@ _TASKS = (
     "  If VEL(0) > 0 Then OUTX(7) = 1 Else OUTX(7) = 0\n",
     "  PAUSE IDLE(1)\n  MOVER(1) = 2 : GO(1)\n  WAIT(30)\n",
 )
+# What a program is made of.
+PARTS = (*_CONDITIONS, *_STEPS, *_ACTS, *_MAIN, *_TASKS)
 
 
 def program(seed: int) -> tuple[str, dict[str, object]]:
@@ -110,17 +112,5 @@ def is_equal(seed: int) -> bool:
     return document(*given, True) == document(*given, False)
 
 
-def main(arguments: list[str]) -> int:
-    """Compare programs; exit with 1 if one differs."""
-    parser = argparse.ArgumentParser(prog="tests.generated.handlers")
-    parser.add_argument("count", nargs="?", type=int, default=3000)
-    parser.add_argument("--seed", type=int, default=1)
-    given = parser.parse_args(arguments)
-    different = [seed for seed in range(given.seed, given.seed + given.count) if not is_equal(seed)]
-    print(*(f"seed {seed} differs" for seed in different), sep="\n", end="\n" if different else "")
-    print(f"{given.count} programs from seed {given.seed}: {len(different)} differ")
-    return 1 if different else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(compare("handlers", is_equal))

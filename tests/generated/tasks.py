@@ -10,7 +10,6 @@ differ.
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,6 +18,7 @@ from random import Random
 from motionlang import report, run
 from motionlang.mint.compile import polling
 from motionlang.source import Source
+from tests.generated.compared import compare
 
 # The latest end of a run, machine seconds.
 UNTIL = 1.5
@@ -228,17 +228,5 @@ def is_equal(seed: int) -> bool:
         return document(*program(seed)) == skipped
 
 
-def main(arguments: list[str]) -> int:
-    """Compare programs; exit with 1 if one differs."""
-    parser = argparse.ArgumentParser(prog="tests.generated.tasks")
-    parser.add_argument("count", nargs="?", type=int, default=2000)
-    parser.add_argument("--seed", type=int, default=1)
-    given = parser.parse_args(arguments)
-    different = [seed for seed in range(given.seed, given.seed + given.count) if not is_equal(seed)]
-    print(*(f"seed {seed} differs" for seed in different), sep="\n", end="\n" if different else "")
-    print(f"{given.count} programs from seed {given.seed}: {len(different)} differ")
-    return 1 if different else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(compare("tasks", is_equal, 2000))

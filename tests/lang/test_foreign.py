@@ -31,7 +31,7 @@ def test_the_other_language_is_one_sentence(path: Path) -> None:
 
 
 @cases("path", WRONG, ids=lambda path: path.name)
-def test_mistakes_are_told_as_they_are(path: Path) -> None:
+def test_mistakes_are_reported_unchanged(path: Path) -> None:
     language = dialect("mint" if path.suffix == ".mnt" else "mccl")
     source = Source.read(path)
     try:
@@ -41,7 +41,7 @@ def test_mistakes_are_told_as_they_are(path: Path) -> None:
     assert [each.code for each in one_sentence(language, source, found)] == [each.code for each in found]
 
 
-def test_what_no_language_takes_is_told_as_it_is() -> None:
+def test_text_of_no_language_is_reported_unchanged() -> None:
     language = dialect("mccl")
     source = Source("a.mcl", "\n".join(f"1ZZ3,1TP,{number}QQ" for number in range(500)))
     found = language.check(source)
@@ -56,7 +56,7 @@ def test_what_no_language_takes_is_told_as_it_is() -> None:
         ("a.mcl", "' a comment\nSPEED(0) = 5\nMOVER(0) = 3\nGO(0)\n", "add --dialect mint"),
     ],
 )
-def test_a_run_says_so_and_runs_nothing(name: str, text: str, hint: str) -> None:
+def test_run_reports_the_language_and_runs_nothing(name: str, text: str, hint: str) -> None:
     result = run(Source(name, text), cache=False)
     assert (result.status, result.output, [each.code for each in result.diagnostics]) == (
         "fault",

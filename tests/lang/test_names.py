@@ -53,7 +53,7 @@ def named(found: Names, name: str, kind: str) -> Definition:
 
 
 def lines(source: Source, definition: Definition) -> list[int]:
-    return [source.place(start)[0] for start, _ in definition.uses]
+    return [source.location(start)[0] for start, _ in definition.uses]
 
 
 # Kind, name, and the lines on which it is written; counted by eye in `PROGRAM`.
@@ -120,7 +120,7 @@ def test_a_terminal_is_no_label() -> None:
 def test_blocks_are_found_with_their_names_and_lines() -> None:
     source = Source("a.mnt", PROGRAM)
     found = [
-        (each.kind, each.name, source.place(each.span[0])[0], source.place(each.span[1])[0])
+        (each.kind, each.name, source.location(each.span[0])[0], source.location(each.span[1])[0])
         for each in dialect("mint").names(source).blocks
     ]
     assert found == [
@@ -137,7 +137,7 @@ def test_one_line_ifs_and_else_ifs_open_no_block() -> None:
     text = "If a Then b = 1\nIf a Then\n  If b Then c = 1 Else c = 2\nElse If b Then\n  c = 3\nEnd If\n"
     source = Source("a.mnt", text)
     assert [
-        (each.kind, source.place(each.span[0])[0], source.place(each.span[1])[0])
+        (each.kind, source.location(each.span[0])[0], source.location(each.span[1])[0])
         for each in dialect("mint").names(source).blocks
     ] == [("if", 2, 6)]
 

@@ -76,7 +76,7 @@ def test_mccl_names_the_plain_character(text: str | bytes, message: str, hint: s
     assert mistakes("a.mcl", text) == [(2, f"{message} (?2: bad command format)", hint)]
 
 
-def test_in_strings_and_comments_they_may_stand() -> None:
+def test_strings_and_comments_may_contain_them() -> None:
     made = run(Source("a.mnt", 'PRINT "“on” – off" \' ‘so’\n'), cache=False)
     assert (made.output, made.diagnostics) == (["“on” – off"], [])
 

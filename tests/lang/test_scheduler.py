@@ -8,7 +8,8 @@ import pytest
 
 from motionlang.controller.controller import Controller
 from motionlang.lang.scheduler import Scheduler, Stuck
-from motionlang.lang.task import GeneratorTask, Wait, wait_idle, wait_until
+from motionlang.lang.task import GeneratorTask
+from motionlang.lang.waits import Wait, wait_idle, wait_until
 
 Steps = Generator[float | Wait, tuple[float, float], float]
 
@@ -67,7 +68,7 @@ def test_a_busy_program_meets_the_horizon_and_ends_at_until() -> None:
     assert c.clock.now == pytest.approx(1.0, abs=2e-3)
 
 
-def test_a_wait_that_nothing_can_end_is_said_not_sat_out() -> None:
+def test_wait_that_nothing_can_end_is_reported_at_once() -> None:
     c = controller()
 
     def program(t: float, h: float) -> Steps:
@@ -78,7 +79,7 @@ def test_a_wait_that_nothing_can_end_is_said_not_sat_out() -> None:
         Scheduler(c, task(program)).run()
 
 
-def test_an_endless_wait_is_said_also_when_the_run_is_bounded() -> None:
+def test_endless_wait_is_reported_in_a_bounded_run_too() -> None:
     c = controller()
 
     def program(t: float, h: float) -> Steps:
@@ -151,7 +152,7 @@ def test_the_program_ends_with_its_parent() -> None:
     assert scheduler.run() == "ended"
 
 
-def test_a_task_knows_where_it_stands() -> None:
+def test_task_knows_its_source_offset() -> None:
     c = controller()
 
     def program(t: float, h: float) -> Steps:

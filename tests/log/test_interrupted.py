@@ -44,7 +44,7 @@ PAUSE IDLE(0)
 """
 MCCL = "1MN,2MN,1SV5000,1SA50000,1DS50000\n1MR500,WA0.05,2MR300,1WS,2WS\n1VM,1GO,WA0.1,1ST,1WS\n"
 # Where it is interrupted: anywhere, and where a move is written to the log and its track.
-PLACES = {
+LOCATIONS = {
     "anywhere": ("/motionlang/controller/", "/motionlang/lang/"),
     "log": ("/controller/core.py", "/motionlang/log/expected_motion.py", "/motionlang/log/log.py"),
 }
@@ -81,8 +81,8 @@ class Ended:
     The executed lines are counted.
     """
 
-    def __init__(self, places: tuple[str, ...] | dict[str, set[str]], at: int) -> None:
-        self.places, self.at, self.count = places, at, 0
+    def __init__(self, locations: tuple[str, ...] | dict[str, set[str]], at: int) -> None:
+        self.locations, self.at, self.count = locations, at, 0
         # The first and the last count at each line.
         self.first: dict[tuple[str, int], int] = {}
         self.last: dict[tuple[str, int], int] = {}
@@ -90,10 +90,12 @@ class Ended:
 
     def counts(self, code: CodeType) -> bool:
         """True if the executed lines of a function are counted."""
-        place = next((place for place in self.places if place in code.co_filename), "")
-        return bool(place) and (not isinstance(self.places, dict) or code.co_name in self.places[place])
+        location = next((location for location in self.locations if location in code.co_filename), "")
+        return bool(location) and (
+            not isinstance(self.locations, dict) or code.co_name in self.locations[location]
+        )
 
-    def look(self, frame: FrameType, event: str, argument: Any) -> Any:
+    def trace(self, frame: FrameType, event: str, argument: Any) -> Any:
         code = frame.f_code
         if (counts := self.counted.get(code)) is None:
             counts = self.counted[code] = self.counts(code)
@@ -106,12 +108,12 @@ class Ended:
             if self.count == self.at:
                 sys.settrace(None)
                 raise KeyboardInterrupt
-        return self.look
+        return self.trace
 
 
 @contextmanager
-def looking(ended: Ended) -> Iterator[None]:
-    sys.settrace(ended.look)
+def tracing(ended: Ended) -> Iterator[None]:
+    sys.settrace(ended.trace)
     try:
         yield
     finally:
@@ -127,7 +129,7 @@ def ran(source: Source, ended: Ended, monkeypatch: pytest.MonkeyPatch) -> Run:
         scheduler = Scheduler.run
 
         def run_watched(*given: Any) -> str:
-            with looking(ended):
+            with tracing(ended):
                 return scheduler(*given)
 
         with monkeypatch.context() as m:
@@ -139,18 +141,21 @@ def ran(source: Source, ended: Ended, monkeypatch: pytest.MonkeyPatch) -> Run:
         return run(source, cache=False, prove=True)
 
 
-@pytest.mark.parametrize("places", PLACES)
+@pytest.mark.parametrize("count", [40, pytest.param(1000, marks=pytest.mark.long)])
+@pytest.mark.parametrize("locations", LOCATIONS)
 @pytest.mark.parametrize(("name", "text"), [("a.mnt", MINT), ("a.mcl", MCCL)])
 @pytest.mark.slow
-def test_it_may_end_at_any_line(name: str, text: str, places: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    source, whole = Source(name, text), Ended(PLACES[places], 0)
+def test_it_may_end_at_any_line(
+    name: str, text: str, locations: str, count: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    source, whole = Source(name, text), Ended(LOCATIONS[locations], 0)
     for _ in range(2):  # the first run imports, and fills caches
         whole.count = 0
         result = ran(source, whole, monkeypatch)
         assert (result.status, result.diagnostics, result.proof().holds) == ("ended", [], True)
     assert whole.count > 200
-    for at in Random(name).sample(range(1, whole.count), min(100, whole.count - 1)):
-        result = ran(source, Ended(PLACES[places], at), monkeypatch)
+    for at in Random(name).sample(range(1, whole.count), min(count, whole.count - 1)):
+        result = ran(source, Ended(LOCATIONS[locations], at), monkeypatch)
         assert result.status == "interrupted", at
         json.dumps(result.report)
         render(result)
@@ -171,15 +176,15 @@ def motion(result: Run) -> dict[int, list[tuple[float, str]]]:
     }
 
 
-def test_the_places_exist() -> None:
-    """A renamed file would interrupt no run any more."""
+def test_the_locations_exist() -> None:
+    """If a file were renamed, no run would be interrupted in it."""
     files = ["/motionlang/" + path.relative_to(PACKAGE).as_posix() for path in PACKAGE.rglob("*.py")]
-    for place in (*STEPS, *(each for places in PLACES.values() for each in places)):
-        assert any(place in file for file in files), place
-    for place, names in STEPS.items():
-        (file,) = (file for file in files if place in file)
+    for location in (*STEPS, *(each for locations in LOCATIONS.values() for each in locations)):
+        assert any(location in file for file in files), location
+    for location, names in STEPS.items():
+        (file,) = (file for file in files if location in file)
         text = (PACKAGE.parent / file[1:]).read_text(encoding="utf-8")
-        assert all(f"def {name}(" in text for name in names), place
+        assert all(f"def {name}(" in text for name in names), location
 
 
 @pytest.mark.slow

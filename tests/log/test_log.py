@@ -48,7 +48,7 @@ Print "done"
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Make a log pack at once, with almost all of its data on disk."""
-    for name, value in (("MAX_TAIL", 6), ("LEFT", 3), ("PART", 2), ("MEMORY", 400)):
+    for name, value in (("MAX_TAIL", 6), ("LEFT", 3), ("CHUNK_SIZE", 2), ("MEMORY", 400)):
         monkeypatch.setattr(stream, name, value)
     monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
     monkeypatch.setattr(log_module, "FIRST_CHECK", 1)
@@ -118,18 +118,24 @@ def test_packed_or_not_a_run_reads_the_same(request: pytest.FixtureRequest) -> N
     assert packed > len(whole) // 2
 
 
+def living_moves() -> list[Move]:
+    """Return every Move object that exists in the process."""
+    gc.collect()
+    return [each for each in gc.get_objects() if type(each) is Move]
+
+
 def test_a_move_takes_at_most_200_bytes_and_none_stays_an_object(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(log_module, "MAX_PROFILES", 500)
     monkeypatch.setattr(log_module, "LEFT_PROFILES", 10)
-    monkeypatch.setattr(stream, "PART", 200)
+    monkeypatch.setattr(stream, "CHUNK_SIZE", 200)
+    before = living_moves()  # of runs that earlier tests keep
     result = run(Source("shuttle.mnt", SHUTTLE), cache=False)
     log = result.controller.log
     assert len(log.moves) == 1000
     assert log.moves.packed > 700
     assert log.store.size / log.moves.packed <= 200
     assert log.room + sum(len(a.starts) for a in result.controller.axes.values()) == 500
-    gc.collect()
-    assert len([each for each in gc.get_objects() if type(each) is Move]) < 300
+    assert len(living_moves()) - len(before) < 300
     assert {move.line for move in log.moves} == {5, 9}
     assert log.moves[700].profile is not None
     assert log.moves[700].profile.distance == 20.0
@@ -178,7 +184,7 @@ def test_what_a_program_waited_for_is_in_the_log() -> None:
     assert [change.value for change in log.outputs][:3] == [1, 0, 1]
 
 
-def test_the_turns_of_tasks_add_up() -> None:
+def test_the_slices_of_tasks_add_up() -> None:
     program = """Dim n As Integer
 Run Counting
 For n = 1 To 5000 : Next
@@ -189,9 +195,9 @@ Task Counting
   For k = 1 To 5000 : Next
 End Task
 """
-    turns = list(run(Source("two.mnt", program), cache=False).controller.log.slices)
-    assert [each.tasks for each in turns] == [("ParentTask", "counting"), ("counting",)]
-    for each in turns:
+    slices = list(run(Source("two.mnt", program), cache=False).controller.log.slices)
+    assert [each.tasks for each in slices] == [("ParentTask", "counting"), ("counting",)]
+    for each in slices:
         assert fsum(each.seconds) == pytest.approx(each.until - each.time)
 
 
@@ -204,7 +210,7 @@ def test_a_track_is_read_as_one_list() -> None:
     assert starts == sorted(starts)
     for i in (0, 1, 500, 1999, 2000):
         assert (track.starts[i], track.profiles[i].end) == (starts[i], profiles[i].end)
-        assert track.place(starts[i]) == i
+        assert track.index_at(starts[i]) == i
     assert axis.position(0.5 * (starts[1] + starts[2])) == pytest.approx(
         profiles[1].position(0.5 * (starts[2] - starts[1]))
     )
@@ -237,9 +243,9 @@ def test_a_stream_forgets_and_keeps_its_numbers(small: None) -> None:
     for k in range(100):
         numbers.add((k,))
     numbers.forget(10)
-    kept = [k for (k,) in numbers]
-    assert 10 <= len(kept) <= 20
-    assert (kept[-1], len(numbers), numbers[99]) == (99, 100, (99,))
+    retained = [k for (k,) in numbers]
+    assert 10 <= len(retained) <= 20
+    assert (retained[-1], len(numbers), numbers[99]) == (99, 100, (99,))
     with pytest.raises(IndexError):
         numbers[0]
 

@@ -101,10 +101,10 @@ def test_chunks_are_the_same_rows(monkeypatch: pytest.MonkeyPatch) -> None:
     trace = ballscrew(start=5e-5).trace
     whole = trace.sample(1000.0)
     monkeypatch.setattr(module, "ROWS", 97)
-    parts = [[values.copy() for values in chunk.data] for chunk in trace.chunks(1000.0)]
-    assert len(parts) == 11
+    chunks = [[values.copy() for values in chunk.data] for chunk in trace.chunks(1000.0)]
+    assert len(chunks) == 11
     for k, values in enumerate(whole.data):
-        joined = np.concatenate([part[k] for part in parts])
+        joined = np.concatenate([chunk[k] for chunk in chunks])
         np.testing.assert_allclose(joined, values, rtol=1e-12, atol=1e-9)
 
 
@@ -127,7 +127,7 @@ def test_what_does_not_fit_into_memory_is_refused() -> None:
     gaps=st.lists(st.floats(0.0, 3.0), min_size=5, max_size=5),
     rate=st.floats(0.5, 5000.0),
 )
-def test_samples_are_what_the_controller_would_have_said(
+def test_samples_are_what_the_controller_reports(
     targets: list[float], gaps: list[float], rate: float
 ) -> None:
     controller = Controller(1)

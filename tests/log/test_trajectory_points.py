@@ -106,8 +106,8 @@ def test_chunks_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
     controller.clock.advance(1.7)
     whole = controller.trace.as_controller().sample(3333.0, quantities=EVERY)
     monkeypatch.setattr(trace_module, "ROWS", 7)
-    parts = controller.trace.as_controller().sample(3333.0, quantities=EVERY)
-    for one, other, allowed in zip(whole.data, parts.data, (0, 1e-9, 1e-7, 1e-4, 1e-1), strict=True):
+    chunks = controller.trace.as_controller().sample(3333.0, quantities=EVERY)
+    for one, other, allowed in zip(whole.data, chunks.data, (0, 1e-9, 1e-7, 1e-4, 1e-1), strict=True):
         np.testing.assert_allclose(one, other, rtol=0, atol=allowed)
 
 

@@ -39,14 +39,14 @@ def random_messages(seed: int, count: int) -> None:
         random = chance.random
         if random.random() < 0.9:
             wire.request("first", "initialize", INITIALIZE)
-        asked = []
+        requests = []
         for number in range(count):
             method = random.choice(REQUESTS + NOTIFICATIONS * 2)
             parameters: object = chance.parameters(method)
             if random.random() < 0.1:
                 parameters = chance.broken(chance.parameters(method))
             if method in REQUESTS:
-                asked.append(number)
+                requests.append(number)
                 wire.request(number, method, parameters)
             else:
                 wire.notify(method, parameters)
@@ -56,7 +56,7 @@ def random_messages(seed: int, count: int) -> None:
                 await wire.settled()
         await wire.settled()
         answers = wire.answers()
-        assert [number for number in asked if len(answers.get(number, ())) != 1] == []
+        assert [number for number in requests if len(answers.get(number, ())) != 1] == []
         errors = [each["error"] for every in answers.values() for each in every if "error" in each]
         assert {each["code"] for each in errors} <= REFUSED
         assert "Traceback" not in json.dumps(wire.sent)
@@ -268,8 +268,8 @@ def is_running(process: int) -> bool:
     return state != "Z"
 
 
-def gone(processes: list[int]) -> bool:
-    """True once none of the processes runs; they have a minute."""
+def are_ended(processes: list[int]) -> bool:
+    """True as soon as none of the processes runs; False after a minute."""
     end = time.monotonic() + MAX_SECONDS
     while any(map(is_running, processes)):
         if time.monotonic() > end:
@@ -302,7 +302,7 @@ def test_no_process_is_left_after_a_kill(victim: str) -> None:
         assert found["params"]["version"] == 2
         started = children(served.process.pid)
         served.input.close()
-    assert gone([*started, served.process.pid])
+    assert are_ended([*started, served.process.pid])
     served.process.wait()
     for stream in (served.input, served.output, served.process.stderr):
         assert stream is not None

@@ -56,8 +56,8 @@ def test_a_session_of_an_editor(editor: str, tmp_path: Path) -> None:
         assert hover is not None
         assert "Moves by a distance." in hover.contents.value  # type: ignore[union-attr]
 
-        place = await server.text_document_definition_async(types.DefinitionParams(document, at(8, 1)))
-        assert place == types.Location(client.uri, types.Range(at(3, 4), at(3, 10)))
+        location = await server.text_document_definition_async(types.DefinitionParams(document, at(8, 1)))
+        assert location == types.Location(client.uri, types.Range(at(3, 4), at(3, 10)))
 
         uses = await server.text_document_references_async(
             types.ReferenceParams(types.ReferenceContext(True), document, at(0, 5))
@@ -173,7 +173,7 @@ def test_a_text_in_a_wrong_encoding_has_one_diagnostic(tmp_path: Path) -> None:
     assert session(work, tmp_path) == 0
 
 
-def test_without_pygls_the_command_says_what_to_install() -> None:
+def test_without_pygls_the_command_names_the_package_to_install() -> None:
     program = (
         "import sys; sys.modules['pygls'] = None; from motionlang.cli import main; sys.exit(main(['lsp']))"
     )

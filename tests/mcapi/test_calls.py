@@ -318,6 +318,15 @@ def test_modules_and_abilities() -> None:
     assert (axis.MotorType, axis.ModuleType) == (mc.MC_TYPE_STEPPER, mc.MC150)
 
 
+def test_a_board_with_rates_gives_all_three_and_a_stepper_its_three_ranges() -> None:
+    """A MultiFlex has loop rates of 4, 2 and 1 kHz; ranges are 1, 1/8, 1/64 of 5 MHz."""
+    host, axis = opened({"axis.2.motor": "stepper"}), mc.MCAXISCONFIG()
+    host.GetAxisConfiguration(2, axis)
+    assert (axis.HighRate, axis.MediumRate, axis.LowRate) == (4000.0, 2000.0, 1000.0)
+    assert (axis.HighStepMin, axis.HighStepMax) == (0.0, 5e6)
+    assert (axis.MediumStepMax, axis.LowStepMax) == (625_000.0, 78_125.0)
+
+
 def test_an_ascii_handle_has_its_own_accumulator() -> None:
     """Binary handles share one interface, ASCII handles another.
 
@@ -392,8 +401,14 @@ def test_a_reserved_interface(host: Mcapi) -> None:
     other.Open(0, mc.MC_OPEN_BINARY)
     assert host.pmclock(0) == 0
     assert other.pmclock(50) == mc.MCERR_TIMEOUT
+    third = Mcapi(host.board)
+    third.Open(0, mc.MC_OPEN_BINARY)
+    third.Close()  # not the handle that has it
+    assert other.pmclock(50) == mc.MCERR_TIMEOUT
     host.pmcunlock()
     assert other.pmclock(50) == 0
+    other.Close()
+    assert host.pmclock(50) == 0
 
 
 def test_handles_are_used_again(host: Mcapi) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import motionlang.mcapi.calls  # noqa: F401
-from motionlang.mcapi.registry import AT_ONCE, COMMANDS, POLLS, READINGS
+from motionlang.mcapi.registry import AT_ONCE, COMMANDS, POLLS, QUERIES
 from motionlang.mcapi.table import FUNCTIONS, MCAPI, STRUCTURES
 from tests.mcapi_files import FILES
 
@@ -57,12 +57,12 @@ def test_it_has_all_functions() -> None:
 def test_each_function_means_something_here(name: str) -> None:
     """A function has code in one of four tables, a command, or a reason for neither."""
     function = FUNCTIONS[name]
-    ways = [name in found for found in (AT_ONCE, COMMANDS, POLLS, READINGS)]
-    if not any(ways) and not function.unsupported:
+    implementations = [name in found for found in (AT_ONCE, COMMANDS, POLLS, QUERIES)]
+    if not any(implementations) and not function.unsupported:
         head, _, parameter = function.mccl.partition("{")
         assert len(head.lstrip("a")) == 2
         assert not parameter or parameter.rstrip("}") in [each.name for each in function.arguments]
-    assert sum(ways) + bool(function.unsupported) <= 1
+    assert sum(implementations) + bool(function.unsupported) <= 1
     assert bool(function.help) is not bool(function.unsupported)
 
 

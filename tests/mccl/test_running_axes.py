@@ -25,22 +25,22 @@ def test_a_move_that_could_never_begin_is_refused(shape: str) -> None:
 
     By a remark in the telescope's source, the axis runs until it is stopped.
     """
-    said, console = answers(PADDLE.format(shape))
-    assert said.endswith((b"?-2\r\n>", b"?-2\n>"))
+    reply, console = answers(PADDLE.format(shape))
+    assert reply.endswith((b"?-2\r\n>", b"?-2\n>"))
     assert console.machine.controller.velocity(1) > 1000
-    said, console = answers(PADDLE.format(shape) + "1ST,1WS\r1MA0,1WS\r1TP\r")
+    reply, console = answers(PADDLE.format(shape) + "1ST,1WS\r1MA0,1WS\r1TP\r")
     assert console.machine.controller.position(1) == 0.0
 
 
 def test_with_the_trapezoid_it_is_taken() -> None:
-    said, console = answers(PADDLE.format("PT") + "1WS\r")
-    assert b"?" not in said
+    reply, console = answers(PADDLE.format("PT") + "1WS\r")
+    assert b"?" not in reply
     assert console.machine.controller.position(1) == 0.0
 
 
-def test_the_torque_limit_is_kept_as_it_is_written() -> None:
-    """The self-test sets 12345/i and reads it back."""
+def test_the_torque_limit_is_stored_as_it_is_written() -> None:
+    """The self-test sets 12345/i for several i and reads each one back."""
     for i in range(1, 4):
-        said, _ = answers(f"1SQ{12345 / i:g}\r1TQ\r")
-        assert f"{12345 / i:g}".encode() in said
-        assert b"?" not in said
+        reply, _ = answers(f"1SQ{12345 / i:g}\r1TQ\r")
+        assert f"{12345 / i:g}".encode() in reply
+        assert b"?" not in reply

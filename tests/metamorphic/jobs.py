@@ -72,8 +72,8 @@ class Contour:
             return f"{speed}CIRCLER(0, 1) = {real(-20, 20)}, {real(1, 20)}, {angle}"
         axes, values = ("0, 1, 2", 3) if self.three else ("0, 1", 2)
         size = choose.choice((0.5, 5, 60))
-        ways = ", ".join(str(real(-size, size)) for _ in range(values))
-        return f"{speed}VECTOR{choose.choice('RRA')}({axes}) = {ways}"
+        components = ", ".join(str(real(-size, size)) for _ in range(values))
+        return f"{speed}VECTOR{choose.choice('RRA')}({axes}) = {components}"
 
     def _events(self, late: list[str]) -> None:
         choose, real = self.choose, self._real
@@ -161,11 +161,11 @@ class Train:
                 f"CAMTABLE({slave}, {table}) : MASTERDISTANCE({slave}) = {real(5, 30)} : CAM({slave}) = {once} : "
                 f"GO({slave})"
             )
-        parts = [
+        lines = [
             f"MASTERDISTANCE({slave}) = {real(10, 40)} : FLY({slave}) = {real(2, 30)}"
             for _ in range(choose.randrange(1, 4))
         ]
-        return "\n".join([*parts, f"GO({slave})"])
+        return "\n".join([*lines, f"GO({slave})"])
 
     def _event(self) -> str:
         choose, real = self.choose, self._real

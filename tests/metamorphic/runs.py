@@ -14,8 +14,8 @@ def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: f
     """
     machine = {"controller.instruction_time": fine}
     result = run(Source(name, text), machine=machine, until=until, cache=False, prove=True)
-    told = [each.message for each in (*result.diagnostics, *result.proof(views=False).violations)]
-    assert told == [], text
+    messages = [each.message for each in (*result.diagnostics, *result.proof(views=False).violations)]
+    assert messages == [], text
     return result
 
 

@@ -33,7 +33,7 @@ def text(kind: str, seed: int) -> str:
     return KINDS[kind](seed).text
 
 
-def places(result: Run, times: list[float], first: int = 0) -> list[list[float]]:
+def positions(result: Run, times: list[float], first: int = 0) -> list[list[float]]:
     axes = [result.controller.axes[first + axis] for axis in AXES]
     return [[a.position(time) for time in times] for a in axes]
 
@@ -63,14 +63,14 @@ def near(found: list[list[float]], wanted: list[list[float]], within: float = 1e
 def mirrored(program: str) -> str:
     """Return a contour rotated by 180 degrees."""
 
-    def turned(found: re.Match[str]) -> str:
+    def negated(found: re.Match[str]) -> str:
         values = found[3].split(", ")
-        kept = {2} if found[2].startswith(("CIRCLE", "HELIX")) else set()
-        signed = [value if k in kept else repr(-float(value)) for k, value in enumerate(values)]
+        unsigned = {2} if found[2].startswith(("CIRCLE", "HELIX")) else set()
+        signed = [value if k in unsigned else repr(-float(value)) for k, value in enumerate(values)]
         return f"{found[1]}{', '.join(signed)}"
 
     words = r"((VECTOR[RA]|CIRCLER|HELIXR)\([\d, ]+\) = )([-\d., ]*\d)"
-    return re.sub(words, turned, program)
+    return re.sub(words, negated, program)
 
 
 @pytest.mark.parametrize("kind", ["contours", "contours with events"])
@@ -79,13 +79,17 @@ def test_the_mirrored_program_does_the_mirrored_motion(kind: str) -> None:
         program = text(kind, seed)
         one, other = proved(program), proved(mirrored(program))
         assert other.time == pytest.approx(one.time, rel=1e-12), program
-        near(places(other, grid(one)), [[-p for p in row] for row in places(one, grid(one))], 1e-9)
+        near(positions(other, grid(one)), [[-p for p in row] for row in positions(one, grid(one))], 1e-9)
 
 
-WAYS = {"all axes": (-1.0, -1.0, -1.0), "slaves alone": (1.0, -1.0, -1.0), "the last alone": (1.0, 1.0, -1.0)}
+SIGNS = {
+    "all axes": (-1.0, -1.0, -1.0),
+    "slaves alone": (1.0, -1.0, -1.0),
+    "the last alone": (1.0, 1.0, -1.0),
+}
 
 
-def signed(program: str, ways: tuple[float, ...]) -> str | None:
+def signed(program: str, signs: tuple[float, ...]) -> str | None:
     """Return masters and slaves with each axis in the direction of its sign.
 
     Return None if a program cannot be reversed: a cam whose master reverses, and a table that two slaves read in
@@ -93,26 +97,27 @@ def signed(program: str, ways: tuple[float, ...]) -> str | None:
     """
     master = {int(slave): int(m) for slave, m in re.findall(r"MASTERCHANNEL\((\d)\) = (\d)", program)}
     cams = {
-        (int(axis), ways[int(axis)], ways[master[int(axis)]]) for axis in re.findall(r"CAM\((\d)\)", program)
+        (int(axis), signs[int(axis)], signs[master[int(axis)]])
+        for axis in re.findall(r"CAM\((\d)\)", program)
     }
-    if any(before < 0.0 for _, _, before in cams) or len({way for _, way, _ in cams}) > 1:
+    if any(before < 0.0 for _, _, before in cams) or len({sign for _, sign, _ in cams}) > 1:
         return None
-    of_cams = min((way for _, way, _ in cams), default=1.0)
+    of_cams = min((sign for _, sign, _ in cams), default=1.0)
     flies = r"MASTERDISTANCE\((\d)\) = (\S+) : FLY\(\d\) = (\S+)"
 
     def fly(found: re.Match[str]) -> str:
         slave = int(found[1])
-        over, distance = float(found[2]) * ways[master[slave]], float(found[3]) * ways[slave]
+        over, distance = float(found[2]) * signs[master[slave]], float(found[3]) * signs[slave]
         return f"MASTERDISTANCE({slave}) = {over!r} : FLY({slave}) = {distance!r}"
 
-    def told(found: re.Match[str]) -> str:
+    def with_sign(found: re.Match[str]) -> str:
         word, axis = found[1], int(found[2])
-        way = ways[axis] * (ways[master[axis]] if word == "FOLLOW" else 1.0)
-        return f"{word}({axis}) = {float(found[3]) * way!r}"
+        sign = signs[axis] * (signs[master[axis]] if word == "FOLLOW" else 1.0)
+        return f"{word}({axis}) = {float(found[3]) * sign!r}"
 
     def limits(found: re.Match[str]) -> str:
         axis, forward, reverse = int(found[1]), float(found[2]), float(found[3])
-        if ways[axis] < 0.0:
+        if signs[axis] < 0.0:
             forward, reverse = -reverse, -forward
         return f"SOFTLIMITFORWARD({axis}) = {forward!r} : SOFTLIMITREVERSE({axis}) = {reverse!r}"
 
@@ -121,23 +126,25 @@ def signed(program: str, ways: tuple[float, ...]) -> str | None:
         return found[1] + ", ".join([count, *(repr(float(value) * of_cams) for value in values)])
 
     program = re.sub(flies, fly, program)
-    program = re.sub(r"\b(FOLLOW|MOVER|JOG|OFFSET)\((\d)\) = (-?[\d.]+)", told, program)
+    program = re.sub(r"\b(FOLLOW|MOVER|JOG|OFFSET)\((\d)\) = (-?[\d.]+)", with_sign, program)
     program = re.sub(r"SOFTLIMITFORWARD\((\d)\) = (\S+) : SOFTLIMITREVERSE\(\d\) = (\S+)", limits, program)
     return re.sub(r"(Dim \w\(\d\) As Float = )(.*)", table, program)
 
 
-@pytest.mark.parametrize("name", WAYS)
-def test_masters_and_slaves_the_other_way_do_the_mirrored_motion(name: str) -> None:
+@pytest.mark.parametrize("name", SIGNS)
+def test_masters_and_slaves_in_reverse_do_the_mirrored_motion(name: str) -> None:
     done = {"FOLLOW": 0, "FLY": 0, "SOFTLIMIT": 0}
     for seed in range(4 * len(SEEDS)):
         program = text("masters and slaves", seed)
-        turned = signed(program, WAYS[name])
-        if turned is None:
+        mirror = signed(program, SIGNS[name])
+        if mirror is None:
             continue
-        one, other = proved(program), proved(turned)
+        one, other = proved(program), proved(mirror)
         assert other.time == pytest.approx(one.time, rel=1e-12), program
-        due = [[way * p for p in row] for way, row in zip(WAYS[name], places(one, grid(one)), strict=True)]
-        near(places(other, grid(one)), due, 1e-9)
+        expected = [
+            [sign * p for p in row] for sign, row in zip(SIGNS[name], positions(one, grid(one)), strict=True)
+        ]
+        near(positions(other, grid(one)), expected, 1e-9)
         done = {word: count + (word in program) for word, count in done.items()}
     assert all(done.values())
 
@@ -148,7 +155,7 @@ def test_a_power_of_two_of_counts_a_unit_is_that_many_counts(kind: str) -> None:
         program = text(kind, seed)
         one, other = proved(scaled(program, 1.0)), proved(scaled(program, 8.0))
         assert other.time == pytest.approx(one.time, rel=1e-9), program
-        near(places(other, grid(one)), [[8.0 * p for p in row] for row in places(one, grid(one))])
+        near(positions(other, grid(one)), [[8.0 * p for p in row] for row in positions(one, grid(one))])
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -157,7 +164,7 @@ def test_other_axes_do_the_same(kind: str) -> None:
         program = text(kind, seed)
         one, other = proved(program), proved(elsewhere(program, 4))
         assert other.time == one.time, program
-        assert places(other, grid(one), 4) == places(one, grid(one)), program
+        assert positions(other, grid(one), 4) == positions(one, grid(one)), program
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -167,7 +174,7 @@ def test_what_begins_later_is_the_same_later(kind: str) -> None:
         one, other = proved("WAIT 1\n" + program), proved("WAIT 501\n" + program)
         times = grid(one)
         assert other.time == pytest.approx(one.time + 0.5, abs=1e-7), program
-        near(places(other, [time + 0.5 for time in times]), places(one, times), 1e-5)
+        near(positions(other, [time + 0.5 for time in times]), positions(one, times), 1e-5)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -177,22 +184,22 @@ def test_a_run_that_is_cut_is_the_beginning_of_the_whole(kind: str) -> None:
         whole = proved(program)
         for share in (0.13, 0.5, 0.91):
             until = share * whole.time
-            part = proved(program, until=until)
+            prefix = proved(program, until=until)
             times = [until * k / 19 for k in range(20)]
-            assert places(part, times) == places(whole, times), program
+            assert positions(prefix, times) == positions(whole, times), program
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_loop_that_is_skipped_ends_where_one_does_that_is_run_turn_by_turn(kind: str) -> None:
-    """A loop with a counter runs every iteration; a polling one is skipped."""
+def test_a_skipped_loop_ends_like_one_that_runs_each_iteration(kind: str) -> None:
+    """A loop with a counter runs every iteration; a polling loop is skipped."""
     for seed in SEEDS:
         program = text(kind, seed)
         runs = []
         for body in ("", "n = n + 1\nIF n > 30000 THEN\nn = 0\nEND IF\n"):
-            turns = rf"WHILE NOT (\1)\n{body}ENDWHILE\n"
-            polled = POLLED.sub(turns, program.replace(" : PAUSE", "\nPAUSE"))
+            loop = rf"WHILE NOT (\1)\n{body}ENDWHILE\n"
+            polled = POLLED.sub(loop, program.replace(" : PAUSE", "\nPAUSE"))
             runs.append(proved("Dim n As Integer = 0\n" + polled, fine=1e-3))
-        ends = [places(each, [each.time]) for each in runs]
+        ends = [positions(each, [each.time]) for each in runs]
         # The motion of slaves between two waits depends on the end of these, which a longer iteration delays.
         if kind != "masters and slaves":
             near(ends[1], ends[0], 1e-9)
@@ -207,10 +214,10 @@ def absolute(program: str) -> str:
         if found is None:
             lines.append(line)
             continue
-        speed, word, way, axes, values = found.groups()
+        speed, word, mode, axes, values = found.groups()
         numbers = [float(value) for value in values.split(", ")]
         if word == "VECTOR":
-            base = here if way == "R" else [0.0] * 3
+            base = here if mode == "R" else [0.0] * 3
             here = [b + n for b, n in zip(base, [*numbers, *[0.0] * (3 - len(numbers))], strict=True)][
                 : len(numbers)
             ] + here[len(numbers) :]
@@ -218,8 +225,8 @@ def absolute(program: str) -> str:
         else:
             x, y, angle, *rest = numbers
             centre = here[0] + x, here[1] + y
-            turn = math.radians(angle)
-            c, s = math.cos(turn), math.sin(turn)
+            radians = math.radians(angle)
+            c, s = math.cos(radians), math.sin(radians)
             here = [centre[0] - x * c + y * s, centre[1] - x * s - y * c, here[2] + sum(rest)]
             ends = [*centre, angle, *([here[2]] if rest else [])]
         lines.append(f"{speed}{word}A({axes}) = {', '.join(map(repr, ends))}")
@@ -231,7 +238,7 @@ def test_relative_paths_and_absolute_ones_come_to_the_same() -> None:
         program = text("contours", seed)
         one, other = proved(program), proved(absolute(program))
         assert other.time == pytest.approx(one.time, abs=1e-6), program
-        near(places(other, grid(one)), places(one, grid(one)), 1e-5)
+        near(positions(other, grid(one)), positions(one, grid(one)), 1e-5)
 
 
 def languages(seed: int) -> tuple[str, str]:
@@ -249,7 +256,7 @@ def languages(seed: int) -> tuple[str, str]:
         "CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 0.001",
     ]
     mccl = ["1MN,2MN,1CM1,2CM1,1SN", f"1VV{speed},1VA{accel},1VD{decel}"]
-    way = 100 * choose.randrange(-9, 10), 100 * choose.randrange(1, 10)
+    vector = 100 * choose.randrange(-9, 10), 100 * choose.randrange(1, 10)
     for _ in range(choose.randrange(3, 9)):
         kind = choose.random()
         if kind < 0.25:
@@ -259,9 +266,9 @@ def languages(seed: int) -> tuple[str, str]:
             mccl.append(f"1CP{3 if angle > 0 else 2},1CR{x},2CR{y},1ER{abs(angle)}")
             continue
         if kind < 0.6:  # another corner; without it straight on
-            way = 100 * choose.randrange(-9, 10), 100 * choose.randrange(1, 10)
-        mint.append(f"VECTORR(0, 1) = {way[0]}, {way[1]}")
-        mccl.append(f"1CP1,1MR{way[0]},2MR{way[1]}")
+            vector = 100 * choose.randrange(-9, 10), 100 * choose.randrange(1, 10)
+        mint.append(f"VECTORR(0, 1) = {vector[0]}, {vector[1]}")
+        mccl.append(f"1CP1,1MR{vector[0]},2MR{vector[1]}")
     mint += ["GO(0)", "PAUSE IDLE(0)", "PAUSE IDLE(1)"]
     mccl += ["1GO", "1WS,2WS"]
     return "\n".join(mint) + "\n", "\n".join(mccl) + "\n"

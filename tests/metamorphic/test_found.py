@@ -21,9 +21,11 @@ def proved(program: str) -> Run:
     return result
 
 
-def ends(result: Run, *places: float) -> None:
+def ends(result: Run, *positions: float) -> None:
     axes = result.controller.axes
-    assert [axes[k].position(result.time) for k in range(len(places))] == pytest.approx(places, abs=1e-6)
+    assert [axes[k].position(result.time) for k in range(len(positions))] == pytest.approx(
+        positions, abs=1e-6
+    )
 
 
 def test_a_word_suspends_the_axes_of_a_path_until_it_is_taken_back_whatever_path_is_run_then() -> None:
@@ -106,8 +108,8 @@ def test_a_slave_that_turns_round_to_its_ratio_slows_down_at_decel_and_speeds_up
 
 
 @pytest.mark.parametrize("hold", ["SUSPEND(0) = 1", "FEEDRATEOVERRIDE(0) = 0"])
-def test_a_stop_ends_a_path_that_was_to_stand_at_its_end(hold: str) -> None:
-    """It is already braking for its end when it is suspended; a STOP then ends it."""
+def test_a_stop_ends_a_path_that_was_to_rest_at_its_end(hold: str) -> None:
+    """The path already brakes for its end when it is suspended; then STOP ends it."""
     for wait in (1376, 1410, 1516):
         path = f"FEEDRATEMODE(0) = 2\nVECTORR(0, 1) = 59.7, 13.1\nGO(0)\nWAIT {wait}\n"
         ends(proved(H + path + f"{hold}\nWAIT 30\nSTOP(0)\n" + END), 59.7, 13.1)
@@ -117,7 +119,7 @@ RAMP = (
     "SPEED(0) = 80 : ACCEL(0) = 400 : DECEL(0) = 250\n"
     "PROFILEMODE(0) = 1 : ACCELJERK(0) = 4000 : DECELJERK(0) = 1500\n"
 )
-TURN = (
+S_CURVE = (
     "SPEED(0) = 20 : ACCEL(0) = 50 : DECEL(0) = 50 : FEEDRATEMODE(0) = 2\n"
     "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
 )
@@ -142,15 +144,15 @@ def test_a_path_that_is_left_in_its_s_ramp_fades_likewise(word: str) -> None:
     """
     mode = "FEEDRATEMODE(0) = 2\n" if "OVERRIDE" in word else ""
     result = proved(
-        f"{TURN}{mode}VECTORR(0, 1) = 40, 0 : GO(0)\nWAIT 350\n{word.split(' : ')[-1]}\nWAIT 1500\n"
+        f"{S_CURVE}{mode}VECTORR(0, 1) = 40, 0 : GO(0)\nWAIT 350\n{word.split(' : ')[-1]}\nWAIT 1500\n"
     )
     ends(result, 8.3125)
 
 
-def test_a_flying_shear_that_ends_under_an_s_ramp_stops_alike_whenever_it_began() -> None:
-    """The stop begins with the acceleration just before the end, without rounding.
+def test_a_flying_shear_that_ends_under_an_s_ramp_stops_the_same_whenever_it_began() -> None:
+    """The stop begins with the exact acceleration just before the end.
 
-    The master's position has no influence.
+    The master's position has no influence on it.
     """
     jerks = (
         "PROFILEMODE(1) = 1 : ACCELJERK(1) = 7000 : DECELJERK(1) = 6000 : ACCEL(1) = 440 : DECEL(1) = 230\n"

@@ -28,5 +28,5 @@ def test_random_jobs_keep_every_bound_and_end(kind: str) -> None:
         machine = {"controller.instruction_time": 1e-9}
         job = KINDS[kind](seed)
         result = run(Source("job.mnt", job.text), machine=machine, cache=False, prove=True, until=2000.0)
-        told = [each.message for each in (*result.diagnostics, *result.proof(views=False).violations)]
-        assert (result.status, told) == ("ended", []), f"{kind}, seed {seed}:\n{job.text}"
+        messages = [each.message for each in (*result.diagnostics, *result.proof(views=False).violations)]
+        assert (result.status, messages) == ("ended", []), f"{kind}, seed {seed}:\n{job.text}"

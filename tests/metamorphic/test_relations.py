@@ -39,11 +39,11 @@ class Job:
             for word, value in zip(("ACCELJERK", "DECELJERK"), self.jerks, strict=True):
                 lines.append(f"{word}({axis}) = {value * abs(factor)!r}")
         lines.append(f"WAIT {delay}") if delay else None
-        place = 0.0
+        position = 0.0
         for distance, wait in self.moves:
-            place += distance
+            position += distance
             lines.append(
-                f"MOVE{'A' if absolute else 'R'}({axis}) = {(place if absolute else distance) * factor!r}"
+                f"MOVE{'A' if absolute else 'R'}({axis}) = {(position if absolute else distance) * factor!r}"
             )
             lines += [f"GO({axis})", f"PAUSE IDLE({axis})", f"WAIT {wait}"]
         if self.stops:
@@ -52,30 +52,30 @@ class Job:
         return "\n".join(lines) + "\n"
 
 
-def places(result: Run, axis: int, times: list[float]) -> list[float]:
+def positions(result: Run, axis: int, times: list[float]) -> list[float]:
     return [result.controller.axes[axis].position(time) for time in times]
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_the_mirrored_program_moves_the_mirrored_way(seed: int) -> None:
+def test_the_mirrored_program_moves_the_mirrored_distance(seed: int) -> None:
     one, other = proved(Job(seed).text()), proved(Job(seed).text(factor=-1.0))
     assert other.time == one.time
-    assert places(other, 0, grid(one)) == [-place for place in places(one, 0, grid(one))]
+    assert positions(other, 0, grid(one)) == [-position for position in positions(one, 0, grid(one))]
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_another_axis_does_the_same(seed: int) -> None:
     one, other = proved(Job(seed).text()), proved(Job(seed).text(axis=3))
     assert other.time == one.time
-    assert places(other, 3, grid(one)) == places(one, 0, grid(one))
+    assert positions(other, 3, grid(one)) == positions(one, 0, grid(one))
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_a_power_of_two_scales_every_place_to_the_last_bit(seed: int) -> None:
+def test_a_power_of_two_scales_every_position_to_the_last_bit(seed: int) -> None:
     one, other = proved(Job(seed).text()), proved(Job(seed).text(factor=8.0))
     assert other.time == pytest.approx(one.time, rel=1e-12)
-    assert places(other, 0, grid(one)) == pytest.approx(
-        [8.0 * p for p in places(one, 0, grid(one))], abs=1e-6
+    assert positions(other, 0, grid(one)) == pytest.approx(
+        [8.0 * p for p in positions(one, 0, grid(one))], abs=1e-6
     )
 
 
@@ -84,27 +84,29 @@ def test_what_begins_later_is_the_same_later(seed: int) -> None:
     one, other = proved(Job(seed).text(delay=1)), proved(Job(seed).text(delay=501))
     times = grid(one)
     assert other.time == pytest.approx(one.time + 0.5, abs=1e-9)
-    assert places(other, 0, [time + 0.5 for time in times]) == pytest.approx(places(one, 0, times), abs=1e-5)
+    assert positions(other, 0, [time + 0.5 for time in times]) == pytest.approx(
+        positions(one, 0, times), abs=1e-5
+    )
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_run_that_is_cut_is_the_beginning_of_the_whole(seed: int) -> None:
     whole = proved(Job(seed).text())
     for share in (0.13, 0.5, 0.91):
-        part = proved(Job(seed).text(), until=share * whole.time)
+        prefix = proved(Job(seed).text(), until=share * whole.time)
         times = [share * whole.time * k / 19 for k in range(20)]
-        assert places(part, 0, times) == places(whole, 0, times)
+        assert positions(prefix, 0, times) == positions(whole, 0, times)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_relative_moves_and_absolute_ones_come_to_the_same(seed: int) -> None:
     one, other = proved(Job(seed).text()), proved(Job(seed).text(absolute=True))
     assert other.time == pytest.approx(one.time, abs=1e-9)
-    assert places(other, 0, grid(one)) == pytest.approx(places(one, 0, grid(one)), abs=1e-6)
+    assert positions(other, 0, grid(one)) == pytest.approx(positions(one, 0, grid(one)), abs=1e-6)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_a_loop_that_is_skipped_ends_where_one_does_that_is_run_turn_by_turn(seed: int) -> None:
+def test_a_skipped_loop_ends_like_one_that_runs_each_iteration(seed: int) -> None:
     text = Job(seed).text()
     polled = text.replace("PAUSE IDLE(0)", "WHILE NOT IDLE(0)\nENDWHILE")
     counted = text.replace("PAUSE IDLE(0)", "WHILE NOT IDLE(0)\nn = n + 1\nENDWHILE")

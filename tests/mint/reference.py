@@ -69,8 +69,8 @@ class Reference:
             self.store(name, self.value(node.values[0])[1])
             return
         value = self.value(node.values[0])[1]
-        place = functions.subscript(self.value(node.target.args[0])[1], len(self.arrays[name]) - 1)
-        self.arrays[name][place] = self.as_type(self.types[name], value)
+        index = functions.subscript(self.value(node.target.args[0])[1], len(self.arrays[name]) - 1)
+        self.arrays[name][index] = self.as_type(self.types[name], value)
 
     def store(self, name: str, value: float) -> None:
         self.values[name] = self.as_type(self.types.get(name, "Float"), value)
@@ -170,8 +170,8 @@ class Reference:
             kind = self.types.get(name, "Float")
             return kind, self.values.get(name, 0 if kind == "Integer" else 0.0)
         if name in self.arrays:
-            place = functions.subscript(self.value(node.args[0])[1], len(self.arrays[name]) - 1)
-            return self.types[name], self.arrays[name][place]
+            index = functions.subscript(self.value(node.args[0])[1], len(self.arrays[name]) - 1)
+            return self.types[name], self.arrays[name][index]
         found = [self.value(each) for each in node.args]
         kind = "Float" if any(each[0] == "Float" for each in found) else "Integer"
         value = {"abs": functions.absolute, "min": functions.least, "max": functions.greatest}[name](

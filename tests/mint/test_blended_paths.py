@@ -29,7 +29,7 @@ WAIT = 50
 AT_ONCE = (0.0, 0.0, 0.0, 0.0)
 AT_DECEL = (0.5, 0.1, 0.125, 0.05)
 AT_ERRORDECEL = (0.25, 0.05, 0.0625, 0.025)
-WAYS = {
+ENDS = {
     "CANCEL(0)": ("cancel", AT_ONCE),
     "CANCEL(1)": ("cancel", AT_ONCE),
     "RESET(1) : POS(1) = 0.125": ("cancel", AT_ONCE),
@@ -64,10 +64,10 @@ def rows(result: Run) -> list[tuple[float, float, float, float]]:
 
 
 @pytest.mark.parametrize("how", ["A", "R"])
-@pytest.mark.parametrize("way", WAYS)
-def test_what_ends_a_blend_is_told_of_both_paths(way: str, how: str) -> None:
-    ended, (first, first_time, second, second_time) = WAYS[way]
-    result = proved(PATHS.format(how=how, x=100 if how == "A" else 0) + way, until=1.05)
+@pytest.mark.parametrize("end", ENDS)
+def test_end_of_a_blend_is_reported_for_both_paths(end: str, how: str) -> None:
+    ended, (first, first_time, second, second_time) = ENDS[end]
+    result = proved(PATHS.format(how=how, x=100 if how == "A" else 0) + end, until=1.05)
     moves = build(result)["moves"]
     x, y = 5.0 + first, 0.125 + second
     assert rows(result) == [
@@ -97,8 +97,8 @@ def test_the_end_of_the_run_cuts_both_paths() -> None:
     assert [move["ended"] for move in moves] == ["end-of-run"] * 4
 
 
-def test_the_readings_of_an_axis_whose_paths_come_to_rest() -> None:
-    """0.02 s after the stop they have 0.32 and 0.045 left, at speeds of 8 and 3.
+def test_values_of_an_axis_whose_paths_come_to_rest() -> None:
+    """0.02 s after the stop the paths have 0.32 and 0.045 left, at speeds of 8 and 3.
 
     At 0.07 s the second one is at rest.
     """
@@ -111,13 +111,14 @@ def test_the_readings_of_an_axis_whose_paths_come_to_rest() -> None:
         "POSREMAINING(0)",
         "VELDEMANDPATH(0)",
     )
-    look = "PRINT " + '; " "; '.join(words) + "\n"
+    printing = "PRINT " + '; " "; '.join(words) + "\n"
     result = proved(
-        PATHS.format(how="R", x=0) + f"STOP(0)\nWAIT = 20\n{look}WAIT = 50\n{look}PAUSE IDLE(0)\nPRINT TIME"
+        PATHS.format(how="R", x=0)
+        + f"STOP(0)\nWAIT = 20\n{printing}WAIT = 50\n{printing}PAUSE IDLE(0)\nPRINT TIME"
     )
-    readings = [[float(part) for part in line.split()] for line in result.output[:2]]
-    assert readings[0] == pytest.approx([8.0, 3.0, 0.0, 5.5, 0.25, 0.32, 3.0])
-    assert readings[1] == pytest.approx([3.0, 0.0, 0.0, 5.5, 0.25, 0.045, 3.0])
+    values = [[float(word) for word in line.split()] for line in result.output[:2]]
+    assert values[0] == pytest.approx([8.0, 3.0, 0.0, 5.5, 0.25, 0.32, 3.0])
+    assert values[1] == pytest.approx([3.0, 0.0, 0.0, 5.5, 0.25, 0.045, 3.0])
     assert result.output[2] == "650"
 
 

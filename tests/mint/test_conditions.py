@@ -23,7 +23,7 @@ def mint(text: str, machine: dict[str, object] | None = None, until: float = 20.
     return run(Source("t.mnt", HEAD + text + HANDLER), machine=machine or {}, until=until, cache=False)
 
 
-def place(result: Run, axis: int = 0) -> tuple[object, int]:
+def rest(result: Run, axis: int = 0) -> tuple[object, int]:
     return result.controller.position(axis), result.controller.faults(axis)
 
 
@@ -37,13 +37,13 @@ def place(result: Run, axis: int = 0) -> tuple[object, int]:
     ],
     ids=["jog", "incr", "slave", "speed reference"],
 )
-def test_a_motion_that_turns_into_an_active_switch_stops_at_the_turn(motion: str) -> None:
-    """From 54: 0.125 to speed, 0.75 at -5, 0.0625 to the reversal."""
+def test_motion_that_reverses_into_an_active_switch_stops_at_the_reversal(motion: str) -> None:
+    """From 54: 0.125 to get to a speed of -5, 0.75 at it, and 0.0625 to the reversal."""
     result = mint(f"{BEYOND}{motion}\nWAIT = 2000", TRAVEL)
-    assert place(result) == (pytest.approx(54 - 0.125 - 0.75 - 0.0625, abs=1e-3), 4)
+    assert rest(result) == (pytest.approx(54 - 0.125 - 0.75 - 0.0625, abs=1e-3), 4)
 
 
-def test_an_input_that_stays_active_holds_after_the_way_back_was_free() -> None:
+def test_active_input_still_blocks_after_motion_out_of_it() -> None:
     result = mint(
         "LIMITFORWARDINPUT(0) = 3\nJOG(0) = 40\nPause AXISERROR(0)\nCANCEL(0)\nJOG(0) = -5\nWAIT = 200\n"
         "JOG(0) = 20\nWAIT = 2000\nPRINT VEL(0)\nPRINT AXISERROR(0)",
@@ -70,32 +70,32 @@ def test_a_limit_put_in_force_behind_a_moving_axis_acts_at_once(
     before: str, at_20: str, where: float, motion: str
 ) -> None:
     result = mint(f"{before}\n{motion}\nWhile POS(0) < 20\nEnd While\n{at_20}\nWAIT = 3000")
-    assert place(result) == (pytest.approx(where, abs=1e-2), 16)
+    assert rest(result) == (pytest.approx(where, abs=1e-2), 16)
 
 
 def test_a_switch_put_in_force_behind_a_moving_axis_acts_at_once() -> None:
     result = mint("LIMITMODE(0) = 0\nJOG(0) = 50\nWAIT = 1500\nLIMITMODE(0) = 1\nWAIT = 100", TRAVEL)
-    assert place(result) == (pytest.approx(62.5, abs=1e-2), 4)
+    assert rest(result) == (pytest.approx(62.5, abs=1e-2), 4)
 
 
 def test_a_limit_put_in_force_behind_a_path_stops_all_of_it() -> None:
     """After 1 s the path to 60, 80 has covered 50 - 12.5 = 37.5."""
     result = mint("VECTORA(0, 1) = 60, 80\nGO(0)\nWAIT = 1000\nSOFTLIMITFORWARD(1) = 10\nWAIT = 3000")
-    assert place(result, 1) == (pytest.approx(30.0, abs=1e-2), 16)
-    assert place(result, 0) == (pytest.approx(22.5, abs=1e-2), 0)
+    assert rest(result, 1) == (pytest.approx(30.0, abs=1e-2), 16)
+    assert rest(result, 0) == (pytest.approx(22.5, abs=1e-2), 0)
 
 
 @pytest.mark.parametrize(
     "limit", ["SOFTLIMITFORWARD(0) = 50", "SOFTLIMITREVERSE(0) = 0 : SOFTLIMITFORWARD(0) = 9"]
 )
-def test_an_axis_that_stands_on_its_limit_has_reached_it(limit: str) -> None:
+def test_axis_at_rest_on_its_limit_has_reached_it(limit: str) -> None:
     result = mint(f"{limit}\nMOVER(0) = -10\nGO(0)\nWAIT = 1000")
-    assert place(result) == (0.0, 32)
+    assert rest(result) == (0.0, 32)
 
 
-def test_an_axis_that_stands_on_its_switch_at_power_up_has_reached_it() -> None:
+def test_axis_on_its_switch_at_power_up_has_reached_it() -> None:
     result = mint("MOVER(0) = -10\nGO(0)\nWAIT = 1000", {"axis.0.travel": [0.0, 100.0]})
-    assert place(result) == (0.0, 8)
+    assert rest(result) == (0.0, 8)
 
 
 def test_an_error_input_acts_when_its_mode_is_put_in_force() -> None:
@@ -105,16 +105,16 @@ def test_an_error_input_acts_when_its_mode_is_put_in_force() -> None:
         "ERRORINPUTMODE(0) = 3\nWAIT = 500",
         {"input": [{"channel": 2, "at": 1.0}]},
     )
-    assert place(result) == (pytest.approx(14.625, abs=1e-3), 2)
+    assert rest(result) == (pytest.approx(14.625, abs=1e-3), 2)
 
 
 @pytest.mark.parametrize("stop", ["STOP(0)", "STOP(1)", "STOP(0, 1)", "STOP(1, 0)"])
-def test_a_path_is_stopped_by_any_of_its_axes_alike(stop: str) -> None:
-    """37.5 covered and 50² / 800 to rest; axis 0 has 0.6 of it."""
+def test_any_axis_of_a_path_stops_it(stop: str) -> None:
+    """The path covers 37.5, and 50² / 800 more to rest; axis 0 has 0.6 of it."""
     result = mint(
         f"STOPMODE(0, 1) = 1;\nERRORDECEL(0, 1) = 400;\nVECTORA(0, 1) = 60, 80\nGO(0)\nWAIT = 1000\n{stop}\nWAIT = 2000"
     )
-    assert place(result) == (pytest.approx(24.375, abs=1e-3), 0)
+    assert rest(result) == (pytest.approx(24.375, abs=1e-3), 0)
 
 
 @pytest.mark.parametrize("stop", ["STOP(0, 1)", "STOP(1, 0)"])
@@ -122,16 +122,16 @@ def test_of_two_stops_of_a_path_the_hard_one_holds(stop: str) -> None:
     result = mint(
         f"STOPMODE(1) = 1\nERRORDECEL(0, 1) = 400;\nVECTORA(0, 1) = 60, 80\nGO(0)\nWAIT = 1000\n{stop}\nWAIT = 2000"
     )
-    assert place(result) == (pytest.approx(24.375, abs=1e-2), 0)
+    assert rest(result) == (pytest.approx(24.375, abs=1e-2), 0)
 
 
 @pytest.mark.parametrize("axis", [0, 1])
-def test_a_stop_input_stops_a_path_by_any_of_its_axes_alike(axis: int) -> None:
+def test_stop_input_of_any_axis_stops_a_path(axis: int) -> None:
     result = mint(
         f"ERRORDECEL(0, 1) = 400;\nSTOPINPUT({axis}) = 1\nVECTORA(0, 1) = 60, 80\nGO(0)\nWAIT = 3000",
         {"input": [{"channel": 1, "at": 1.0}]},
     )
-    assert place(result) == (pytest.approx(24.375, abs=0.05), 0)
+    assert rest(result) == (pytest.approx(24.375, abs=0.05), 0)
 
 
 FOLLOWING = "MASTERCHANNEL(0) = 1\nFOLLOW(0) = 1\nJOG(1) = 10\nWAIT = 1000\n"
@@ -221,7 +221,7 @@ def test_what_begins_while_the_axis_is_suspended_waits(load: str) -> None:
     assert result.output == ["0.0000", "1"], result.diagnostics
 
 
-HELD = "MASTERCHANNEL(0) = 1\nSUSPENDINPUT(0) = 2\nMOVEBUFFERSIZE(0) = 9\nJOG(1) = 10\n"
+SUSPENDABLE = "MASTERCHANNEL(0) = 1\nSUSPENDINPUT(0) = 2\nMOVEBUFFERSIZE(0) = 9\nJOG(1) = 10\n"
 
 
 @pytest.mark.parametrize(
@@ -240,8 +240,8 @@ def test_an_offset_on_a_held_cam_or_shear_begins_at_the_release(
     The offset of 10 takes 0.55 s from 3 s on, with rates of 100 and 200 and a peak speed of 36.5.
     """
     result = mint(
-        f"Dim c(2) As Float = 1, 10\nCAMTABLE(0, c, NULL)\n{HELD}{load}\nGO(0)\nWAIT = 1500\nOFFSET(0) = 10\nGO(0)\n"
-        "WAIT = 1450\nPRINT POS(0)\nWAIT = 1050\nPRINT POS(0)",
+        f"Dim c(2) As Float = 1, 10\nCAMTABLE(0, c, NULL)\n{SUSPENDABLE}{load}\nGO(0)\nWAIT = 1500\n"
+        "OFFSET(0) = 10\nGO(0)\nWAIT = 1450\nPRINT POS(0)\nWAIT = 1050\nPRINT POS(0)",
         SUSPENDING,
     )
     assert [float(each) for each in result.output] == pytest.approx([before, after + 10.0], abs=1e-2)
@@ -250,7 +250,7 @@ def test_an_offset_on_a_held_cam_or_shear_begins_at_the_release(
 def test_an_input_holds_a_shear_after_its_last_segment() -> None:
     """Two segments of 10 end at 2.05 s; the input holds the move by 5 until 3 s."""
     fly = "MASTERDISTANCE(0) = 10\nFLY(0) = 5\nFLY(0) = 5\nMOVER(0) = 5\nGO(0)\n"
-    result = mint(f"{HELD}{fly}WAIT = 2900\nPRINT POS(0)\nWAIT = 2000\nPRINT POS(0)", SUSPENDING)
+    result = mint(f"{SUSPENDABLE}{fly}WAIT = 2900\nPRINT POS(0)\nWAIT = 2000\nPRINT POS(0)", SUSPENDING)
     assert [float(each) for each in result.output] == pytest.approx([10.0, 15.0])
 
 
@@ -267,7 +267,7 @@ HOMING: dict[str, object] = {"axis.0.home_switch": [20.0, 30.0]}
 )
 def test_what_waits_while_an_axis_homes_is_carried_out_when_it_is_home(text: str) -> None:
     result = mint(f"HOMESPEED(0) = 20\n{text}\nPRINT HOMESTATUS(0)", HOMING)
-    assert place(result) == (10.0, 0)
+    assert rest(result) == (10.0, 0)
     assert result.output[-1] == "1"
     assert "dropped" not in result.report
 
@@ -278,19 +278,19 @@ def test_what_waits_while_an_axis_follows_is_carried_out_when_it_does_no_longer(
         "MOVEA(0) = 30\nMASTERCHANNEL(0) = 1\nFOLLOW(0) = 1\nJOG(1) = 10\nGO(0)\nWAIT = 1000\nFOLLOW(0) = 0\n"
         "PAUSE IDLE(0)\nSTOP(1)"
     )
-    assert place(result) == (30.0, 0)
+    assert rest(result) == (30.0, 0)
     assert "dropped" not in result.report
 
 
 @pytest.mark.parametrize(
     ("end", "reason"), [("STOP(0)", "stop"), ("CANCEL(0)", "cancel"), ("RESET(0)", "cancel")]
 )
-def test_what_a_stop_throws_out_of_the_buffers_is_told(end: str, reason: str) -> None:
+def test_moves_that_a_stop_discards_are_reported(end: str, reason: str) -> None:
     result = mint(
         f"MOVEBUFFERSIZE(0, 1) = 5;\nMOVER(0) = 10\nVECTORR(0, 1) = 3, 4\nMOVER(1) = 5\nHOME(0) = 2\nWAIT = 10\n{end}",
         HOMING,
     )
-    told = [
+    discarded = [
         (each["axis"], each["command"], each["line"], each["reason"]) for each in result.report["dropped"]
     ]
-    assert told == [(0, "MOVER", 3, reason), (0, "VECTORR", 4, reason), (1, "VECTORR", 4, reason)]
+    assert discarded == [(0, "MOVER", 3, reason), (0, "VECTORR", 4, reason), (1, "VECTORR", 4, reason)]

@@ -67,7 +67,7 @@ def test_a_stop_at_errordecel(first: float, limit: float) -> None:
     assert ran(text).controller.position(0) == limit + (distance if limit > 0 else -distance)
 
 
-WAYS = {
+COMMANDS = {
     "a path": "VECTORA(0, 1) = 20, 13 : GO(0)\nPAUSE IDLE(0)",
     "a speed that was changed": "MOVEA(0) = 30 : GO(0)\nWAIT = 300\nSPEED(0) = 4.1\nPAUSE IDLE(0)",
     "a new zero": "MOVEA(0) = 30 : GO(0)\nWAIT = 300\nPOS(0) = 0.17\nPAUSE IDLE(0)",
@@ -76,10 +76,11 @@ WAYS = {
 }
 
 
-@pytest.mark.parametrize("way", WAYS)
-def test_ways_to_a_limit(way: str) -> None:
-    setup = "MASTERCHANNEL(0) = 1\n" if "FOLLOW" in WAYS[way] else ""
-    text = f"{setup}{RATES}{SOFT}MOVEA(0) = 0.1 : GO(0)\nPAUSE IDLE(0)\n{WAYS[way]}\nPRINT POS(0) = {HIGH}\nSTOP(1)"
+@pytest.mark.parametrize("command", COMMANDS)
+def test_commands_that_end_at_a_limit(command: str) -> None:
+    setup = "MASTERCHANNEL(0) = 1\n" if "FOLLOW" in COMMANDS[command] else ""
+    begin = f"{setup}{RATES}{SOFT}MOVEA(0) = 0.1 : GO(0)\nPAUSE IDLE(0)\n"
+    text = f"{begin}{COMMANDS[command]}\nPRINT POS(0) = {HIGH}\nSTOP(1)"
     assert ran(text).output == ["1"]
 
 

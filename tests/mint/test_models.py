@@ -50,6 +50,6 @@ def test_every_product_is_known_by_its_own_name_in_any_case(product: str) -> Non
         ("dcx-pci30", "dcx-pci300"),
     ],
 )
-def test_a_name_that_nobody_has_is_told_with_the_one_that_was_meant(name: str, meant: str) -> None:
+def test_unknown_model_is_reported_with_a_suggestion(name: str, meant: str) -> None:
     problem = unknown_model(name)
     assert problem == (f"{name!r} is not a known controller", f"did you mean {meant}?")

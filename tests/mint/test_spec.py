@@ -21,8 +21,8 @@ from tests.mint_manual import CHAPTERS, FOLDER, INDEX, contents, heading, pages
 PAGES = pages()
 
 
-def said(text: str, mark: str) -> list[str]:
-    """Return the texts after a mark, line by line."""
+def marked(text: str, mark: str) -> list[str]:
+    """Return the text behind each occurrence of a mark at the start of a line."""
     return [line[3:] for line in map(str.lstrip, text.split("\n")) if line.startswith(mark)]
 
 
@@ -35,14 +35,14 @@ def page(name: str) -> Path:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_the_page_shows_what_it_says(name: str) -> None:
+def test_page_shows_its_output(name: str) -> None:
     text = page(name).read_text(encoding="utf-8")
-    settings = read_machine(Source("machine.toml", "\n".join(said(text, "'| "))))
+    settings = read_machine(Source("machine.toml", "\n".join(marked(text, "'| "))))
     result = run(page(name), machine=settings, cache=False, prove=True)
-    assert result.orders is None or result.proof().violations == []
-    assert [f"{each.line}: {each.message}" for each in result.diagnostics] == said(text, "'? ")
-    assert result.output == [line.translate(SIGNS) for line in said(text, "'>")]
-    assert "'! " not in text or result.notes == said(text, "'! ")
+    assert result.expected_motion is None or result.proof().violations == []
+    assert [f"{each.line}: {each.message}" for each in result.diagnostics] == marked(text, "'? ")
+    assert result.output == [line.translate(SIGNS) for line in marked(text, "'>")]
+    assert "'! " not in text or result.notes == marked(text, "'! ")
 
 
 @cases("name", PAGES)

@@ -148,9 +148,9 @@ def test_the_listing_arrives() -> None:
 )
 @settings(max_examples=100)
 def test_the_listing_never_overshoots_its_trajectory(
-    distance: int, speed: int, accel: int, held: int, steps: int
+    distance: int, speed: int, accel: int, hold_steps: int, steps: int
 ) -> None:
-    routine = Listing(Settings(distance, speed, accel, 40, hold=held, max_steps=steps))
+    routine = Listing(Settings(distance, speed, accel, 40, hold=hold_steps, max_steps=steps))
     last = 0
     for _ in range(5 * distance + 100):
         routine.update(routine.position, 0)
@@ -208,15 +208,15 @@ def test_the_listings_pid_is_the_loops() -> None:
 
 
 def test_the_override_keeps_the_load_where_it_is() -> None:
-    free, held, fine, fine_held = demonstrate(SPEED, LIMIT, 0.1, 32.2, 0.25, 60)
+    free, overridden, fine, fine_overridden = demonstrate(SPEED, LIMIT, 0.1, 32.2, 0.25, 60)
     for run in (free, fine):
         assert run.onset > 10.0 * LIMIT
         assert run.slid > 1e-3
-    for run in (held, fine_held):
+    for run in (overridden, fine_overridden):
         assert run.mean < LIMIT
         assert run.slid == 0.0
-    assert held.onset == pytest.approx(1.5 * LIMIT, rel=0.01)
-    assert fine_held.onset < LIMIT
+    assert overridden.onset == pytest.approx(1.5 * LIMIT, rel=0.01)
+    assert fine_overridden.onset < LIMIT
 
 
 def test_the_override_is_shown_from_the_start_of_its_move_to_the_rest_behind_it() -> None:
@@ -234,9 +234,9 @@ def test_the_override_is_shown_from_the_start_of_its_move_to_the_rest_behind_it(
 
 def test_more_gain_changes_nothing_under_the_override() -> None:
     for gain in (20, 200):
-        _, held, _, fine_held = demonstrate(SPEED, LIMIT, 0.1, 32.2, 0.2, gain)
-        assert held.mean < LIMIT
-        assert fine_held.onset < LIMIT
+        _, overridden, _, fine_overridden = demonstrate(SPEED, LIMIT, 0.1, 32.2, 0.2, gain)
+        assert overridden.mean < LIMIT
+        assert fine_overridden.onset < LIMIT
 
 
 # ------------------------------------------------------------------------------------------------------- slipping
@@ -275,7 +275,7 @@ def test_scale_is_counts_per_unit() -> None:
     assert found.peak == pytest.approx(4.0)
 
 
-def test_a_track_tells_the_time_of_the_run() -> None:
+def test_a_track_has_the_time_of_the_run() -> None:
     gentle, rough = plan("trapezoid", 0.0, 2.0, SPEED, 2.0, 2.0), plan("trapezoid", 2.0, 0.0, SPEED, 4.0, 4.0)
     track = Track([1.0, 1.0 + gentle.duration, 9.0], [gentle, hold(2.0), rough])
     assert check_track(track, 0.1, 32.2).first == 9.0

@@ -48,7 +48,7 @@ def test_every_column_keeps_its_limits() -> None:
 
 
 @pytest.mark.parametrize(("column", "peak"), [(0, 1.0), (1, 1.0), (2, 1.0), (3, 1.0)])
-def test_the_peak_acceleration_is_the_one_asked_for(column: int, peak: float) -> None:
+def test_the_peak_acceleration_is_the_commanded_one(column: int, peak: float) -> None:
     assert tn1069.profiles()[column].peak_acceleration == pytest.approx(peak * 100e3, rel=1e-12)
 
 
@@ -99,7 +99,7 @@ def test_the_parabola_begins_with_a_jump_of_acceleration() -> None:
     assert starts == pytest.approx([100e3, 0.0, 0.0, 100e3], rel=1e-6, abs=1.0)
 
 
-def test_the_errata_are_told() -> None:
+def test_the_errata_are_reported() -> None:
     assert len(tn1069.ERRATA) == 8
 
 

@@ -50,8 +50,8 @@ def drawn(choose: np.random.Generator, count: int, shape: str) -> States:
     v0 = choose.uniform(-1.5, 1.5, count) * speed * (choose.random(count) < 0.8)
     a0 = choose.uniform(-1.0, 1.0, count) * rates.min(axis=0) * (choose.random(count) < 0.7)
     start = choose.uniform(-1.0, 1.0, count) * speed
-    way = choose.choice((1.0, 10.0, 0.01), count) * choose.uniform(-3.0, 3.0, count) * speed
-    return States(speed, rates, jerks, v0, a0 * (shape == "scurve"), start, start + way)
+    distance = choose.choice((1.0, 10.0, 0.01), count) * choose.uniform(-3.0, 3.0, count) * speed
+    return States(speed, rates, jerks, v0, a0 * (shape == "scurve"), start, start + distance)
 
 
 def integrated(states: States, shape: str) -> dict[str, Figures]:
@@ -60,9 +60,11 @@ def integrated(states: States, shape: str) -> dict[str, Figures]:
     columns = [
         each.tolist() for each in (states.start, states.target, states.speed, *states.rates, states.v0)
     ]
-    bent = [each.tolist() for each in (*states.jerks, states.a0)]
+    jerk_limited = [each.tolist() for each in (*states.jerks, states.a0)]
     times, pieces = [], []
-    for numbers, (up, down, a0) in zip(zip(*columns, strict=True), zip(*bent, strict=True), strict=True):
+    for numbers, (up, down, a0) in zip(
+        zip(*columns, strict=True), zip(*jerk_limited, strict=True), strict=True
+    ):
         made = plan(shape, *(*numbers, 0.0, up, down, a0)) if smooth else plan(shape, *numbers)
         times.append(made.knots)
         pieces.append(made.pieces)
@@ -72,10 +74,12 @@ def integrated(states: States, shape: str) -> dict[str, Figures]:
         for k, piece in enumerate(some):
             lasts[k, n] = knots[k + 1] - knots[k]
             rate[k, n], jerk[k, n] = 2.0 * piece[2], 6.0 * piece[3]
-    return _judged(states, smooth, lasts, rate, jerk)
+    return _figures_of(states, smooth, lasts, rate, jerk)
 
 
-def _judged(states: States, smooth: bool, lasts: Figures, rate: Figures, jerk: Figures) -> dict[str, Figures]:
+def _figures_of(
+    states: States, smooth: bool, lasts: Figures, rate: Figures, jerk: Figures
+) -> dict[str, Figures]:
     speed, rates, jerks = states.speed, states.rates, states.jerks
     p, v, a = states.start.copy(), states.v0.copy(), states.a0.copy()
     own = np.where(states.a0 * states.v0 >= 0.0, jerks[0], jerks[1])
@@ -92,7 +96,7 @@ def _judged(states: States, smooth: bool, lasts: Figures, rate: Figures, jerk: F
         # The times of velocity reversal and of its peak, or the ends without one.
         summit = np.clip(np.where(j != 0.0, -a_ / np.where(j, j, 1.0), 0.0), 0.0, dt)
         for begin, end in ((np.zeros_like(dt), summit), (summit, dt)):
-            _look(found, states, (v, a_, j), (begin, end, whole), fastest)
+            _check(found, states, (v, a_, j), (begin, end, whole), fastest)
         p = p + ((j * dt / 6.0 + 0.5 * a_) * dt + v) * dt
         v, a = v + (0.5 * j * dt + a_) * dt, a_ + j * dt
         low, high = np.minimum(low, p), np.maximum(high, p)
@@ -102,33 +106,33 @@ def _judged(states: States, smooth: bool, lasts: Figures, rate: Figures, jerk: F
     return found
 
 
-def _look(
+def _check(
     found: dict[str, Figures],
     states: States,
     piece: tuple[Figures, Figures, Figures],
     times: tuple[Figures, Figures, Figures],
     fastest: Figures,
 ) -> None:
-    """Check the bounds of a stretch of monotone velocity, before and after zero."""
+    """Check the bounds over an interval of monotone velocity, split where it is zero."""
     (v, a, j), (begin, end, whole) = piece, times
     first, last = (v + (0.5 * j * x + a) * x for x in (begin, end))
     _note(found, "speed", np.maximum(np.abs(first), np.abs(last)) / fastest)
     push = np.maximum(np.abs(a + j * begin), np.abs(a + j * end))
-    turns = first * last < 0.0
+    reverses = first * last < 0.0
     still = np.maximum(np.abs(first), np.abs(last)) <= 1e-9 * fastest
     empty = (end - begin <= 1e-12 * whole) | still
     up = (first + last) * (a + 0.5 * j * (begin + end)) > 0.0
     for side, name in enumerate(("acceleration", "deceleration")):
-        mine = ~empty & ~turns & (up if side == 0 else ~up)
+        mine = ~empty & ~reverses & (up if side == 0 else ~up)
         bound = np.maximum(states.rates[side], np.abs(states.a0))
         _note(found, name, np.where(mine, push / bound, 0.0))
         if j.any():
             _note(found, "jerk", np.where(mine, np.abs(j) / states.jerks[side], 0.0))
     # A motion that reverses eases out at the jerk that it began with, at a rate of either side.
     both = np.maximum(states.rates.max(axis=0), np.abs(states.a0))
-    _note(found, "acceleration", np.where(~empty & turns, push / both, 0.0))
+    _note(found, "acceleration", np.where(~empty & reverses, push / both, 0.0))
     if j.any():
-        _note(found, "jerk", np.where(~empty & turns, np.abs(j) / states.jerks.max(axis=0), 0.0))
+        _note(found, "jerk", np.where(~empty & reverses, np.abs(j) / states.jerks.max(axis=0), 0.0))
 
 
 def _note(found: dict[str, Figures], name: str, share: Figures) -> None:

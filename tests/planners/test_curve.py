@@ -9,23 +9,23 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.planners import Profile, hold, on_line, path_length, plan_trapezoid, scaled
-from motionlang.planners.curve import from_curve
+from motionlang.planners import Profile, hold, on_line, path_length, plan, plan_trapezoid, scaled
+from motionlang.planners.curve import from_curve, relabelled
 from motionlang.planners.evaluate import positions
 from motionlang.planners.pvt.motion import plan_pvt
 from motionlang.planners.table_motion import KINDS, table_curve
 from motionlang.planners.verify import verify
 from tests.planners.cases import Move, moves, quick
 
-parts = st.floats(0.0, 1.0)
+fractions = st.floats(0.0, 1.0)
 
 
 @quick
-@given(moves(), parts)
-def test_the_crossing_of_a_position_is_where_it_is_first_reached(move: Move, part: float) -> None:
+@given(moves(), fractions)
+def test_the_crossing_of_a_position_is_where_it_is_first_reached(move: Move, fraction: float) -> None:
     made = move.planned()
     low, high = made.extrema()
-    wanted = min(low + part * (high - low), high)  # not beyond it by rounding
+    wanted = min(low + fraction * (high - low), high)  # not beyond it by rounding
     time = made.crossing(wanted)
     assert time is not None
     size = max(abs(low), abs(high), 1e-9)
@@ -35,10 +35,10 @@ def test_the_crossing_of_a_position_is_where_it_is_first_reached(move: Move, par
 
 
 @quick
-@given(st.lists(st.floats(-100.0, 100.0), min_size=3, max_size=30), st.sampled_from(KINDS), parts)
-def test_no_crossing_of_a_table_is_missed(values: list[float], kind: str, part: float) -> None:
+@given(st.lists(st.floats(-100.0, 100.0), min_size=3, max_size=30), st.sampled_from(KINDS), fractions)
+def test_no_crossing_of_a_table_is_missed(values: list[float], kind: str, fraction: float) -> None:
     made = table_curve([float(n) for n in range(len(values))], values, kind)
-    reached = part * made.duration
+    reached = fraction * made.duration
     wanted = made.position(reached)
     time = made.crossing(wanted)
     assert time is not None
@@ -47,10 +47,10 @@ def test_no_crossing_of_a_table_is_missed(values: list[float], kind: str, part: 
 
 
 @quick
-@given(moves(), parts)
-def test_the_crossing_is_not_before_the_time_asked_for(move: Move, part: float) -> None:
+@given(moves(), fractions)
+def test_the_crossing_is_not_before_the_requested_time(move: Move, fraction: float) -> None:
     made = move.planned()
-    after = part * made.duration
+    after = fraction * made.duration
     time = made.crossing(made.end, after)
     assert time is not None
     assert time >= after
@@ -112,7 +112,7 @@ def test_a_jump_of_velocity_crosses_nothing() -> None:
 
 
 @quick
-@given(moves(), parts, parts)
+@given(moves(), fractions, fractions)
 def test_cut_and_rest_are_the_whole(move: Move, where: float, when: float) -> None:
     made = move.planned()
     time = where * made.duration
@@ -160,7 +160,7 @@ def test_the_state_at_a_time() -> None:
 
 
 @quick
-@given(moves(), st.sampled_from([-2.5, -1.0, 0.5, 3.0]), parts)
+@given(moves(), st.sampled_from([-2.5, -1.0, 0.5, 3.0]), fractions)
 def test_scaling(move: Move, factor: float, when: float) -> None:
     made = move.planned()
     other, t = scaled(made, 7.0, factor), when * made.duration
@@ -198,3 +198,13 @@ def test_hold() -> None:
         None,
     )
     assert hold(3.0, 2.0).duration == 2.0
+
+
+def test_a_profile_with_another_name_makes_its_pieces_when_they_are_needed() -> None:
+    made = relabelled(plan("trapezoid", 0.0, 40.0, 10.0, 50.0, 50.0), "follow")
+    assert not hasattr(made, "_curve")
+    assert made.shape == "follow"
+    assert made.duration == pytest.approx(4.2)
+    assert made.position(2.1) == pytest.approx(20.0)
+    again = relabelled(made, "gear")
+    assert again.curve is made.curve

@@ -12,20 +12,20 @@ from motionlang.planners import Profile
 from motionlang.planners.lookahead import Pace, plan_course
 
 # Length, speed, acceleration, deceleration.
-Way = tuple[float, float, float, float]
+Segment = tuple[float, float, float, float]
 
 EASY = (90.0, 60.0)
 
 
-def course(ways: list[Way], v0: float = 0.0, joins: tuple[float, ...] = ()) -> Profile:
+def course(segments: list[Segment], v0: float = 0.0, joins: tuple[float, ...] = ()) -> Profile:
     made = plan_course(
-        [(length, Pace("trapezoid", *limits)) for length, *limits in ways], 0.0, v0, joins=joins
+        [(length, Pace("trapezoid", *limits)) for length, *limits in segments], 0.0, v0, joins=joins
     )
     assert made is not None
     return made
 
 
-def least_time(ways: list[Way], v0: float, joins: tuple[float, ...]) -> float:
+def least_time(segments: list[Segment], v0: float, joins: tuple[float, ...]) -> float:
     """Return the least time by a linear program over the squared speeds at joins.
 
     The squared peak speeds between joins are variables, too. The solution with the largest sum has every square at
@@ -33,9 +33,9 @@ def least_time(ways: list[Way], v0: float, joins: tuple[float, ...]) -> float:
     """
     from scipy.optimize import linprog  # type: ignore[import-untyped]  # 0.3 s
 
-    n = len(ways)
+    n = len(segments)
     rows, bounds = [], []
-    for i, (length, _, accel, decel) in enumerate(ways):
+    for i, (length, _, accel, decel) in enumerate(segments):
         for signs, most in (
             ({i + 1: 1.0, i: -1.0}, 2.0 * accel * length),
             ({i: 1.0, i + 1: -1.0}, 2.0 * decel * length),
@@ -46,7 +46,7 @@ def least_time(ways: list[Way], v0: float, joins: tuple[float, ...]) -> float:
                 row[k] = sign
             rows.append(row)
             bounds.append(2.0 * length * accel * decel / (accel + decel) if most is None else most)
-    speeds = [way[1] for way in ways]
+    speeds = [segment[1] for segment in segments]
     limits = [joins[i] if joins else inf for i in range(n - 1)]
     caps = [min(a, b, c) ** 2 for a, b, c in zip(speeds, speeds[1:], limits, strict=False)]
     ranges = [(v0 * v0, v0 * v0), *((0.0, cap) for cap in caps), (0.0, 0.0), *((0.0, v * v) for v in speeds)]
@@ -54,14 +54,14 @@ def least_time(ways: list[Way], v0: float, joins: tuple[float, ...]) -> float:
     assert found.status == 0, found.message
     v = [sqrt(max(0.0, square)) for square in found.x]
     time = 0.0
-    for i, (length, _, accel, decel) in enumerate(ways):
+    for i, (length, _, accel, decel) in enumerate(segments):
         first, last, top = v[i], v[i + 1], v[n + 1 + i]
         ramps = (top * top - first * first) / (2.0 * accel) + (top * top - last * last) / (2.0 * decel)
         time += (top - first) / accel + (top - last) / decel + max(0.0, length - ramps) / top
     return time
 
 
-def random_ways(random: Random) -> list[Way]:
+def random_segments(random: Random) -> list[Segment]:
     return [
         (
             random.choice([10.0, 80.0, random.uniform(0.05, 100), random.uniform(0.01, 1.0)]),
@@ -73,10 +73,10 @@ def random_ways(random: Random) -> list[Way]:
     ]
 
 
-def keeps_its_limits(ways: list[Way], made: Profile) -> None:
+def keeps_its_limits(segments: list[Segment], made: Profile) -> None:
     """Check that each piece observes the limits of its segment."""
     begins = [0.0]
-    for length, *_ in ways:
+    for length, *_ in segments:
         begins.append(begins[-1] + length)
     times = sorted({*made.knots, *(made.crossing(s) or 0.0 for s in begins[1:-1])})
     for t0, t1 in pairwise(times):
@@ -84,13 +84,13 @@ def keeps_its_limits(ways: list[Way], made: Profile) -> None:
             continue
         middle = made.at(0.5 * (t0 + t1))
         here = next(i for i, s in enumerate([*begins[1:-1], inf]) if middle.position < s)
-        _, speed, accel, decel = ways[here]
+        _, speed, accel, decel = segments[here]
         assert max(made.velocity(t0), made.velocity(t1)) <= speed * (1.0 + 1e-9)
         assert -decel * (1.0 + 1e-9) <= middle.acceleration <= accel * (1.0 + 1e-9)
 
 
 @pytest.mark.parametrize(
-    ("ways", "time"),
+    ("segments", "time"),
     [
         # 1/3 s to 30, 88.5 uu at 30, 1/2 s from it
         ([(1.0, 29.0, *EASY), (100.0, 30.0, *EASY)], 1 / 3 + 88.5 / 30 + 0.5),
@@ -100,33 +100,33 @@ def keeps_its_limits(ways: list[Way], made: Profile) -> None:
         ),
     ],
 )
-def test_courses_by_their_figures(ways: list[Way], time: float) -> None:
-    made = course(ways)
+def test_courses_by_their_figures(segments: list[Segment], time: float) -> None:
+    made = course(segments)
     assert made.duration == pytest.approx(time, abs=1e-12)
-    keeps_its_limits(ways, made)
+    keeps_its_limits(segments, made)
 
 
 def test_a_short_stretch_with_low_limits_keeps_them() -> None:
-    ways = [(5.0, 100.0, 60.0, 60.0), (hypot(40.0, 0.001), 100.0, 300.0, 500.0)]
-    made = course(ways)
-    keeps_its_limits(ways, made)
-    assert made.duration == pytest.approx(least_time(ways, 0.0, ()), rel=1e-9)
+    segments = [(5.0, 100.0, 60.0, 60.0), (hypot(40.0, 0.001), 100.0, 300.0, 500.0)]
+    made = course(segments)
+    keeps_its_limits(segments, made)
+    assert made.duration == pytest.approx(least_time(segments, 0.0, ()), rel=1e-9)
 
 
 def judge(first: int, count: int) -> None:
     for seed in range(first, first + count):
         random = Random(seed)
-        ways = random_ways(random)
-        joins = tuple(random.choice([inf, random.uniform(0.1, 60.0)]) for _ in ways[1:])
+        segments = random_segments(random)
+        joins = tuple(random.choice([inf, random.uniform(0.1, 60.0)]) for _ in segments[1:])
         v0 = 0.0
         if random.random() < 0.4:
-            length, speed, _, decel = ways[0]
+            length, speed, _, decel = segments[0]
             v0 = random.random() * min(speed, joins[0] if joins else inf, sqrt(2.0 * decel * length))
-            v0 = min(v0, *(w[1] for w in ways), *joins, sqrt(2.0 * min(w[3] for w in ways) * length))
-        made = course(ways, v0, joins)
-        assert made.duration == pytest.approx(least_time(ways, v0, joins), rel=1e-9), seed
-        keeps_its_limits(ways, made)
-        assert made.end == pytest.approx(sum(way[0] for way in ways), rel=1e-12)
+            v0 = min(v0, *(w[1] for w in segments), *joins, sqrt(2.0 * min(w[3] for w in segments) * length))
+        made = course(segments, v0, joins)
+        assert made.duration == pytest.approx(least_time(segments, v0, joins), rel=1e-9), seed
+        keeps_its_limits(segments, made)
+        assert made.end == pytest.approx(sum(segment[0] for segment in segments), rel=1e-12)
         assert made.extrema()[1] <= made.end * (1.0 + 1e-12)
 
 

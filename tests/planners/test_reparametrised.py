@@ -135,7 +135,7 @@ def test_an_arc_stays_on_its_circle(sweep: float, back: bool, cut: bool, shape: 
 
 @quick
 @given(moves(), st.floats(0.1, 3.0), st.floats(0.0, 1.0))
-def test_velocity_and_acceleration_are_the_derivatives(move: Move, turns: float, share: float) -> None:
+def test_velocity_and_acceleration_are_the_derivatives(move: Move, revolutions: float, share: float) -> None:
     along = move.planned()
     if along.duration == 0.0:
         return
@@ -143,7 +143,7 @@ def test_velocity_and_acceleration_are_the_derivatives(move: Move, turns: float,
     length = along.extrema()[1]
     if length == 0.0:
         return
-    sweep = 2.0 * math.pi * turns
+    sweep = 2.0 * math.pi * revolutions
     made = Reparametrised(
         along, arc_over(length, 5.0, 3.0, 1.0, sweep, 5.0 + 3.0 * math.cos(1.0 + sweep), True)
     )
@@ -155,6 +155,14 @@ def test_velocity_and_acceleration_are_the_derivatives(move: Move, turns: float,
     bend = (made.velocity(t + h) - made.velocity(t - h)) / (2.0 * h)
     assert made.velocity(t) == pytest.approx(slope, abs=1e-4 * made.peak_speed + 1e-9)
     assert made.acceleration(t) == pytest.approx(bend, abs=1e-3 * made.peak_acceleration + 1e-9)
+
+
+def test_a_curve_of_one_piece_is_not_searched_for_the_part_travelled(monkeypatch: pytest.MonkeyPatch) -> None:
+    along = plan("trapezoid", 0.0, CIRCLE, 20.0, 50.0, 50.0)
+    monkeypatch.setattr(Profile, "extrema", None)
+    quarter = travelled(along, arc_over(CIRCLE, 0.0, 10.0, 0.0, 0.5 * math.pi, 0.0, True))
+    assert quarter.position(along.duration) == pytest.approx(0.0, abs=1e-9)
+    assert quarter.velocity(0.5 * along.duration) == pytest.approx(-5.0 * math.sin(0.25 * math.pi))
 
 
 def all_kinds() -> list[Profile]:
@@ -190,11 +198,11 @@ def test_every_kind_answers_as_its_samples_say(index: int) -> None:
         assert high - 1e-3 <= by_hand[0].max() <= high + 1e-9
     assert np.abs(by_hand[1]).max() == pytest.approx(made.peak_speed, rel=1e-3)
     for wanted in (0.1, 0.5, 0.9):
-        place = float(by_hand[0].min() + wanted * (by_hand[0].max() - by_hand[0].min()))
-        first = made.crossing(place)
+        level = float(by_hand[0].min() + wanted * (by_hand[0].max() - by_hand[0].min()))
+        first = made.crossing(level)
         assert first is not None
-        assert made.position(first) == pytest.approx(place, abs=1e-9)
-        signs = np.sign(by_hand[0] - place)
+        assert made.position(first) == pytest.approx(level, abs=1e-9)
+        signs = np.sign(by_hand[0] - level)
         assert first == pytest.approx(t[np.flatnonzero(signs != signs[0])[0]], abs=2.0 * duration / n)
 
 
@@ -315,8 +323,8 @@ def test_a_bend_in_the_curve_is_drawn_as_a_jump_of_the_velocity_and_nothing_else
     Rounding determines on which side of a kink a time is.
     """
     rises = [0.0, 10.0, 40.0, 80.0, 100.0, 80.0, 40.0, 10.0]
-    places = [45.0 * n for n in range(9)]
-    cam = table_curve(places, [datum + sum(rises[:n]) for n in range(9)])
+    distances = [45.0 * n for n in range(9)]
+    cam = table_curve(distances, [datum + sum(rises[:n]) for n in range(9)])
     drawn = Reparametrised(plan_trapezoid(0.0, 360.0, 1000.0, 360.0, 360.0), cam)
     knots, pieces, _ = drawn.curve
     for piece, begin, finish in zip(pieces, knots, knots[1:], strict=False):
@@ -360,18 +368,18 @@ def test_the_knots_of_a_sequence_that_grows_are_found_once_for_each_part(
 ) -> None:
     """A path changed n times is a sequence of n arcs, and each change reads its knots."""
     searched: list[Profile] = []
-    places = reparametrised.places
+    knot_distances = reparametrised.knot_distances
 
     def counted(path: Profile) -> list[float]:
         searched.append(path)
-        return places(path)
+        return knot_distances(path)
 
-    monkeypatch.setattr(reparametrised, "places", counted)
+    monkeypatch.setattr(reparametrised, "knot_distances", counted)
     along = plan("trapezoid", 0.0, 1.0, 10.0, 100.0, 100.0)
-    parts: list[Profile] = []
+    segments: list[Profile] = []
     for _ in range(20):
-        parts.append(
+        segments.append(
             Reparametrised(along, arc_over(1.0, 0.0, 3.0, 0.0, 1.0 / 3.0, 3.0 * math.cos(1.0 / 3.0), True))
         )
-        assert len(ProfileSequence("trapezoid", parts).knots) == 2 * len(parts) + 1
+        assert len(ProfileSequence("trapezoid", segments).knots) == 2 * len(segments) + 1
     assert len(searched) == 20

@@ -12,15 +12,15 @@ from motionlang.planners.root import bracketed_root
 @pytest.mark.parametrize("rising", [True, False])
 def test_a_root_that_is_flat_takes_no_more_than_bisection(power: int, rising: bool) -> None:
     """Newton's steps to a root of order n shrink by 1 - 1/n: 300 steps for n = 9."""
-    asked: list[float] = []
+    calls: list[float] = []
     sign = 1.0 if rising else -1.0
 
     def f(x: float) -> tuple[float, float]:
-        asked.append(x)
+        calls.append(x)
         return sign * (x - 0.3) ** power, sign * power * (x - 0.3) ** (power - 1)
 
     assert bracketed_root(f, 0.0, 1.0, rising) == pytest.approx(0.3, rel=1e-13)
-    assert len(asked) <= 2 * 53
+    assert len(calls) <= 2 * 53
 
 
 @pytest.mark.parametrize(

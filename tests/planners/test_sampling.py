@@ -52,8 +52,8 @@ def track() -> tuple[list[float], list[Profile]]:
     """Return moves of two shapes with pauses; one is cut short, a jog is the last."""
     first = plan_trapezoid(0.0, 12.0, 8.0, 16.0, 16.0)
     second = plan_jerk(12.0, -5.0, 8.0, 16.0, 16.0, 100.0, 100.0)
-    place = second.position(0.9)
-    third = plan_sinusoidal(place, 4.0, 8.0, 16.0, 16.0, second.velocity(0.9))
+    position = second.position(0.9)
+    third = plan_sinusoidal(position, 4.0, 8.0, 16.0, 16.0, second.velocity(0.9))
     jog = plan_velocity("trapezoid", third.end, 0.0, 3.0, 16.0, 16.0)
     return [1.0, 3.5, 4.4, 11.0], [first, second, third, jog]
 

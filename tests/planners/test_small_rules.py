@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import exp, inf, nextafter
+from math import exp, inf, nextafter, sqrt
+from typing import Any
 
 import pytest
 
@@ -11,17 +12,18 @@ from motionlang.planners import Profile, plan_jerk, plan_sinusoidal, plan_trapez
 from motionlang.planners.curve import from_curve
 from motionlang.planners.dissect import s_curve_times, slip_acceleration, step_segments, trapezoid_times
 from motionlang.planners.extrapolation import Extrapolated
-from motionlang.planners.feasibility import finish
+from motionlang.planners.feasibility import finish, stretched
 from motionlang.planners.jerk import jerk_ramps
 from motionlang.planners.jerk_limited import jerk_limited_approach
-from motionlang.planners.limits import LARGEST
+from motionlang.planners.limits import LARGEST, SMALLEST
 from motionlang.planners.lookahead import Pace, plan_course
 from motionlang.planners.pieces import position_in
 from motionlang.planners.pvt.fit import Rounding, fit_profile, fit_track
 from motionlang.planners.ramps import MOMENT
+from motionlang.planners.rate import Rate
 from motionlang.planners.reach import remedies
-from motionlang.planners.reparametrised import places
-from motionlang.planners.segment_speed import between
+from motionlang.planners.reparametrised import knot_distances
+from motionlang.planners.segment_speed import between, entry_speed, exit_speed
 from motionlang.planners.solve import solve_move
 from motionlang.planners.stop import ramps_of
 from motionlang.planners.superposition import added
@@ -75,10 +77,10 @@ def test_a_course_that_is_over_already_stands() -> None:
 
 
 @pytest.mark.parametrize(("v0", "a0"), [(20.0, 100.0), (20.0, -100.0), (-20.0, -100.0), (20.0, 20.0)])
-@pytest.mark.parametrize("way", [30.0, 1000.0])
-def test_the_search_comes_to_the_plan_of_the_closed_form(v0: float, a0: float, way: float) -> None:
+@pytest.mark.parametrize("distance", [30.0, 1000.0])
+def test_the_search_comes_to_the_plan_of_the_closed_form(v0: float, a0: float, distance: float) -> None:
     rates = (400.0, 300.0, 2000.0, 1500.0)
-    target = way if v0 > 0.0 else -way
+    target = distance if v0 > 0.0 else -distance
 
     def straight(here: float, velocity: float) -> Profile:
         return plan_jerk(here, target, 200.0, *rates, velocity)
@@ -89,7 +91,7 @@ def test_the_search_comes_to_the_plan_of_the_closed_form(v0: float, a0: float, w
     assert (searched.duration, searched.end_velocity) == pytest.approx((closed.duration, 0.0))
     for i in range(12):
         time = closed.duration * i / 12
-        assert searched.position(time) == pytest.approx(closed.position(time), abs=1e-9 * way)
+        assert searched.position(time) == pytest.approx(closed.position(time), abs=1e-9 * distance)
         assert searched.velocity(time) == pytest.approx(closed.velocity(time), abs=1e-6)
 
 
@@ -124,7 +126,7 @@ def test_a_wave_is_added_to_one_without_height() -> None:
 def test_a_curve_has_no_turning_points_beyond_its_pieces() -> None:
     pieces = ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0), (1.0, 1.0, -0.25, 0.0, 0.0, 0.0, 0.0))
     curve = ((0.0, 1.0, 2.0), pieces, (("segment", 0),))  # the second would reverse at 3
-    assert places(from_curve("table", 0.0, 1.75, curve, 1.0, 0.5)) == [0.0, 1.0, 2.0]
+    assert knot_distances(from_curve("table", 0.0, 1.75, curve, 1.0, 0.5)) == [0.0, 1.0, 2.0]
 
 
 def test_each_cubic_of_a_table_ends_where_the_next_one_begins() -> None:
@@ -163,8 +165,8 @@ def test_a_fit_ends_after_it_begins() -> None:
 
 def test_the_printed_slews_cover_their_distances() -> None:
     a_cycle = tn1069.VELOCITY / tn1069.CYCLES
-    for way, time in zip(tn1069.PRINTED["S_V"], tn1069.PRINTED["T_V"], strict=True):
-        assert abs(way / a_cycle - time) < 0.5
+    for distance, time in zip(tn1069.PRINTED["S_V"], tn1069.PRINTED["T_V"], strict=True):
+        assert abs(distance / a_cycle - time) < 0.5
 
 
 def test_a_move_from_rest_takes_numbers_that_add_up_to_the_largest() -> None:
@@ -173,3 +175,33 @@ def test_a_move_from_rest_takes_numbers_that_add_up_to_the_largest() -> None:
     assert found is not None
     assert found[0] == 2.0
     assert from_rest(100.0, nextafter(LARGEST, inf), 100.0, 100.0) is None
+
+
+def test_a_rate_is_the_velocity_of_a_profile_as_a_position() -> None:
+    """After 0.25 s at 400 the velocity is 100, and so is the rate's position."""
+    state = Rate(MOVE).at(0.25)
+    assert (state.position, state.velocity, state.acceleration, state.jerk) == (100.0, 400.0, 0.0, 0.0)
+    assert (Rate(MOVE).start, Rate(MOVE).end, Rate(MOVE).duration) == (0.0, 0.0, MOVE.duration)
+    assert Rate(plan_trapezoid(5.0, 5.0, *LIMITS)).start_velocity == 0.0
+
+
+@pytest.mark.parametrize("most", [1000.0, 110.0])
+def test_a_segment_limits_its_speeds_by_the_squares(most: float) -> None:
+    """Over 20 units, squared speeds differ from 100² by 2·200·20 up or 2·400·20 down."""
+    ramps = stretched("trapezoid", 200.0, 400.0, 1.0, 1.0)
+    assert exit_speed(ramps, 20.0, 100.0, 0.0, most) == pytest.approx(min(most, sqrt(18_000.0)))
+    assert entry_speed(ramps, 20.0, 100.0, most) == pytest.approx(min(most, sqrt(26_000.0)))
+
+
+@pytest.mark.parametrize("plan", [plan_trapezoid, plan_sinusoidal])
+@pytest.mark.parametrize("index", range(3))
+def test_the_smallest_speed_and_rates_are_allowed_and_smaller_ones_are_not(plan: Any, index: int) -> None:
+    def planned(figure: float) -> Profile:
+        figures = [1.0, 1.0, 1.0]
+        figures[index] = figure
+        made: Profile = plan(0.0, 1.0, *figures)
+        return made
+
+    assert planned(SMALLEST).end == 1.0
+    with pytest.raises(ValueError, match=r"."):
+        planned(nextafter(SMALLEST, 0.0))

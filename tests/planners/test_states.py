@@ -60,9 +60,9 @@ class State:
             max(self.speed, came),
             max(abs(self.start), abs(self.target), abs(made.distance), self.speed),
         )
-        parts = spans(made, 0.0, made.duration)
+        segments = spans(made, 0.0, made.duration)
         found = {"speed": 0.0, "acceleration": 0.0, "deceleration": 0.0, "jerk": 0.0, "gap": 0.0, "end": 0.0}
-        for span in parts:
+        for span in segments:
             found["speed"] = max(found["speed"], span.peak(1) / fastest)
             sides = list(span.sides())
             for power, left, right in sides:
@@ -76,15 +76,15 @@ class State:
                     jerk = self.jerks[side] if len(sides) == 1 else max(self.jerks)
                     found["jerk"] = max(found["jerk"], abs(left[3]) / jerk)
         rates = max(self.rates)
-        for before, after in pairwise(parts):
+        for before, after in pairwise(segments):
             gaps = [abs(x - y) for x, y in zip(before.at(before.length), after.at(0.0), strict=True)]
             late = 1e-15 * (1.0 + made.duration)
             scaled = [gaps[0] / size, (gaps[1] - 2.0 * late * rates) / fastest, 0.0]
             if smooth:
                 scaled[2] = (gaps[2] - 2.0 * late * max(self.jerks)) / rates
             found["gap"] = max(found["gap"], *scaled)
-        if parts:
-            end = parts[-1].at(parts[-1].length)
+        if segments:
+            end = segments[-1].at(segments[-1].length)
             found["end"] = abs(end[0] - self.target) / size
         return found
 
@@ -101,7 +101,7 @@ def test_plans_from_random_states_keep_their_bounds_and_arrive(shape: str) -> No
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-def test_integrated_anew_plans_from_random_states_keep_their_bounds_and_arrive(shape: str) -> None:
+def test_integrated_plans_from_random_states_keep_their_bounds_and_arrive(shape: str) -> None:
     choose, worst = np.random.default_rng(12), dict[str, float]()
     for first in range(0, COUNT, BATCH):
         states = drawn(choose, min(BATCH, COUNT - first), shape)
@@ -109,6 +109,6 @@ def test_integrated_anew_plans_from_random_states_keep_their_bounds_and_arrive(s
             which = int(shares.argmax())
             worst[name] = max(worst.get(name, 0.0), float(shares[which]))
             most = 1e-9 if name in ("gap", "end", "rest") else 1.0 + 1e-9
-            told = {field: each[..., which].tolist() for field, each in states._asdict().items()}
-            assert shares[which] <= most, f"{name} {shares[which]!r} of number {first + which}: {told}"
+            state = {field: each[..., which].tolist() for field, each in states._asdict().items()}
+            assert shares[which] <= most, f"{name} {shares[which]!r} of number {first + which}: {state}"
     print(shape, COUNT, worst)

@@ -17,7 +17,7 @@ def test_the_sum_is_the_float_next_to_the_exact_one(terms: list[float]) -> None:
     assert total(iter(terms)) == float(sum(map(Fraction, terms)))
 
 
-def test_what_no_float_holds_is_said() -> None:
+def test_what_no_float_represents_is_reported() -> None:
     assert total([1e308, 1e308]) == inf
     assert total([1.0, inf]) == inf
     assert isnan(total([inf, -inf]))

@@ -16,12 +16,12 @@ from motionlang.planners.lookahead import Pace, plan_course
 from motionlang.planners.ramp_down import stop_in_motion
 
 
-def judge(
+def check(
     made: Profile, v0: float, a0: float, accel: float, decel: float, jerks: tuple[float, float]
 ) -> None:
     """Check piece by piece: continuous acceleration, rates and jerks within limits.
 
-    The limits are those of the direction.
+    The limits depend on the direction.
     """
     state = made.at(0.0)
     assert (state.velocity, state.acceleration) == pytest.approx((v0, a0), rel=1e-9, abs=1e-9)
@@ -64,7 +64,7 @@ def moved(seed: int) -> None:
     p, v, a = state(random, first)
     target = random.choice([random.uniform(-150, 150), p + math.copysign(random.uniform(0, 5), v or 1.0)])
     made = plan("scurve", p, target, speed, accel, decel, v, 0.0, *jerks, a)
-    judge(made, v, a, accel, decel, jerks)
+    check(made, v, a, accel, decel, jerks)
     assert (made.end, made.end_velocity) == (target, 0.0)
     before = made.at(made.duration * (1.0 - 1e-12))
     assert before.position == pytest.approx(target, abs=1e-6 * (1.0 + abs(target)))
@@ -78,11 +78,11 @@ def stopped(seed: int) -> None:
     first = plan("scurve", 0.0, random.uniform(1, 100), speed, accel, decel, 0.0, 0.0, *jerks)
     p, v, a = state(random, first)
     made = plan_stop("scurve", p, v, decel, 0.0, jerks[1], a, jerks[0])
-    judge(made, v, a, accel, decel, jerks)
+    check(made, v, a, accel, decel, jerks)
     assert made.end <= first.end + 1e-9
     v1 = random.uniform(-1.0, 1.0) * speed
     jogged = plan_velocity("scurve", p, v, v1, accel, decel, 0.0, *jerks, a)
-    judge(jogged, v, a, accel, decel, jerks)
+    check(jogged, v, a, accel, decel, jerks)
     assert jogged.end_velocity == v1
 
 
@@ -97,19 +97,19 @@ def coursed(seed: int) -> None:
     end = sum(length for length, _ in stretches)
     first = plan_course(stretches, 0.0, 0.0)
     assert first is not None
-    judge(first, 0.0, 0.0, accel, decel, jerks)
+    check(first, 0.0, 0.0, accel, decel, jerks)
     assert first.end == pytest.approx(end, rel=1e-12)
     p, v, a = state(random, first)
     again = plan_course(stretches, p, v, a)
     if again is None:
         assert first.duration - first.crossing(p) < 2.0 * (decel / jerks[1] + v / decel)  # type: ignore[operator]
         return
-    judge(again, v, a, accel, decel, jerks)
-    place = 0.0
+    check(again, v, a, accel, decel, jerks)
+    position = 0.0
     for length, pace in stretches:
-        place += length
+        position += length
         for made in (first, again):
-            time = made.crossing(0.5 * (2.0 * place - length)) if place - 0.5 * length > p else None
+            time = made.crossing(0.5 * (2.0 * position - length)) if position - 0.5 * length > p else None
             assert time is None or made.velocity(time) <= pace.speed * (1.0 + 1e-9)
 
 
@@ -169,7 +169,7 @@ def test_a_stop_late_in_the_last_ramp_changes_nothing() -> None:
         assert made.duration == pytest.approx(0.1, abs=1e-9)
 
 
-def test_a_move_planned_anew_in_its_middle_takes_the_time_it_had_left() -> None:
+def test_a_move_planned_again_in_its_middle_takes_the_time_it_had_left() -> None:
     """The best plan from the beginning is the best from every state in between.
 
     This applies to ramps and slew.

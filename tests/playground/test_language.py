@@ -19,7 +19,7 @@ class Editor:
     def __init__(self) -> None:
         self.got: list[dict[str, Any]] = []
         self.came = asyncio.Event()
-        self.tell = language.serve(self._take)
+        self.send = language.serve(self._take)
 
     def _take(self, text: str) -> None:
         self.got.append(json.loads(text))
@@ -27,7 +27,7 @@ class Editor:
 
     async def ask(self, method: str, **params: Any) -> Any:
         """Return the result of a request."""
-        self.tell(json.dumps({"jsonrpc": "2.0", "id": method, "method": method, "params": params}))
+        self.send(json.dumps({"jsonrpc": "2.0", "id": method, "method": method, "params": params}))
         while True:
             for each in self.got:
                 if each.get("id") == method:
@@ -37,7 +37,7 @@ class Editor:
             await self.came.wait()
 
     def notify(self, method: str, **params: Any) -> None:
-        self.tell(json.dumps({"jsonrpc": "2.0", "method": method, "params": params}))
+        self.send(json.dumps({"jsonrpc": "2.0", "method": method, "params": params}))
 
     def open(self, uri: str, language: str, text: str) -> None:
         item = {"uri": uri, "languageId": language, "version": 0, "text": text}
@@ -104,7 +104,7 @@ def test_a_blank_machine_file_is_none() -> None:
 def test_a_message_that_is_none_has_an_answer() -> None:
     async def use() -> None:
         editor = await begun()
-        editor.tell("{")
+        editor.send("{")
         assert editor.got[-1]["error"]["message"] == "the message is not valid JSON"
         assert (
             await editor.ask(

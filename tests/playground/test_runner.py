@@ -65,12 +65,12 @@ def command(*arguments: str) -> str:
 
 @pytest.mark.parametrize("path", one_in(4, GALLERY), ids=lambda path: path.name)
 def test_output_and_table_are_those_of_the_command_line(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    beside = path.with_suffix(".machine.toml")
-    machine = beside.read_text(encoding="utf-8") if beside.exists() else ""
+    machine_file = path.with_suffix(".machine.toml")
+    machine = machine_file.read_text(encoding="utf-8") if machine_file.exists() else ""
     found = messages(path.read_text(encoding="utf-8"), machine=machine, name=path.name)
     monkeypatch.setattr(sys, "stdin", io.StringIO(""))
-    parts = [printed(found), of_type(found, "result")["table"]]
-    assert "\n".join(filter(None, parts)) == command("run", str(path), "--no-cache")
+    outputs = [printed(found), of_type(found, "result")["table"]]
+    assert "\n".join(filter(None, outputs)) == command("run", str(path), "--no-cache")
 
 
 def test_input_asks_until_it_has_every_answer() -> None:

@@ -10,7 +10,7 @@ from math import copysign, inf, sqrt
 
 NEAR = 1e-9
 # Counts that an axis may still move before a reversal and count as having reversed.
-TURNED = 1e-6
+REVERSAL_TOLERANCE = 1e-6
 
 # A section: its remaining duration, and its acceleration.
 Stretches = list[tuple[float, float]]
@@ -25,7 +25,7 @@ class Limit:
 
     def __init__(self, sign: int, action: str, number: int = 0) -> None:
         self.sign, self.action, self.number = sign, action, number
-        self.place: float | None = None
+        self.position: float | None = None
         self.raised = self.hit = False
 
 
@@ -39,7 +39,7 @@ class Axis:
         self.doing = "idle"  # "move", "jog", "stop"
         self.target = self.jogging = 0.0
         self.suspended = self.fault = False
-        self.way: Stretches = []
+        self.stretches: Stretches = []
         self.queue: list[tuple[str, float]] = []
         self.released = 0
         self.limits = [Limit(+1, "abort"), Limit(-1, "abort")]
@@ -76,7 +76,7 @@ class Axis:
         """Halt at once, and drop the loaded moves."""
         self.suspended = False
         self._forget()
-        self._stand()
+        self._rest()
 
     def suspend(self, on: bool) -> None:
         """Decelerate to rest but do not drop the moves; or continue them."""
@@ -98,9 +98,9 @@ class Axis:
             if self.doing == "move":
                 self._change()
 
-    def retarget(self, place: float) -> None:
+    def retarget(self, target: float) -> None:
         """Set a new end position for the move in progress."""
-        self.target = place
+        self.target = target
         self._change()
 
     def rename(self, position: float) -> None:
@@ -108,13 +108,13 @@ class Axis:
         shift = position - self.position
         self.position += shift
         self.target += shift
-        self._look()
+        self._update_limits()
 
-    def place_limit(self, number: int, place: float | None, action: str) -> None:
-        """Move a limit, with another action."""
+    def set_limit(self, number: int, position: float | None, action: str) -> None:
+        """Set the position and the action of a limit."""
         limit = self.limits[number]
-        limit.action, limit.place, limit.raised = action, place, False
-        self._look()
+        limit.action, limit.position, limit.raised = action, position, False
+        self._update_limits()
 
     # ------------------------------------------------------------------------------------------------- motion
 
@@ -126,8 +126,8 @@ class Axis:
     def _forget(self) -> None:
         self.queue, self.released = [], 0
 
-    def _stand(self) -> None:
-        self.velocity, self.way = 0.0, []
+    def _rest(self) -> None:
+        self.velocity, self.stretches = 0.0, []
         self._end()
 
     def _end(self) -> None:
@@ -154,32 +154,32 @@ class Axis:
         if self.doing == "move":
             speed = self.speed * self.override
             if self.suspended or not speed:
-                self.way = [*self._to_rest(self.decel), (inf, 0.0)]
+                self.stretches = [*self._to_rest(self.decel), (inf, 0.0)]
             else:
-                self.way = self._to(self.target, speed)
+                self.stretches = self._to(self.target, speed)
         elif self.doing == "jog":
-            self.way = self._to_velocity(0.0 if self.suspended else self.jogging)
-        self._look()
+            self.stretches = self._to_velocity(0.0 if self.suspended else self.jogging)
+        self._update_limits()
 
     def _brake(self, rate: float) -> None:
         rest = self.position + self.velocity * abs(self.velocity) / (2.0 * rate)
         self.doing = "stop"
         if self.end is None or rest <= self.end:
-            self.way = self._to_rest(rate)  # if not, the path ends first, and is already braked for
-        self._look()
+            self.stretches = self._to_rest(rate)  # if not, the path ends first, and is already braked for
+        self._update_limits()
 
     def _to_rest(self, rate: float) -> Stretches:
         v = self.velocity
         return [(abs(v) / rate, -copysign(rate, v))] if v else []
 
     def _to_velocity(self, wanted: float) -> Stretches:
-        v, way = self.velocity, []
+        v, stretches = self.velocity, []
         if v * wanted < 0.0:
-            way, v = self._to_rest(self.decel), 0.0
+            stretches, v = self._to_rest(self.decel), 0.0
         rate = self.accel if abs(wanted) > abs(v) else self.decel
         if wanted != v:
-            way.append((abs(wanted - v) / rate, copysign(rate, wanted - v)))
-        return [*way, (inf, 0.0)]
+            stretches.append((abs(wanted - v) / rate, copysign(rate, wanted - v)))
+        return [*stretches, (inf, 0.0)]
 
     def _to(self, target: float, speed: float) -> Stretches:
         """Return the fastest motion to rest at a target.
@@ -196,8 +196,12 @@ class Axis:
         if abs(stopping - size) <= NEAR * (1.0 + size):
             return self._to_rest(self.decel)
         if u > speed:
-            held = (size - stopping) / speed
-            ramps = [((u - speed) / self.decel, -self.decel), (held, 0.0), (speed / self.decel, -self.decel)]
+            cruise_time = (size - stopping) / speed
+            ramps = [
+                ((u - speed) / self.decel, -self.decel),
+                (cruise_time, 0.0),
+                (speed / self.decel, -self.decel),
+            ]
         else:
             ramps = self._ramps(size + u * u / (2.0 * self.accel), speed, u)
         return [(time, rate * sign) for time, rate in ramps]
@@ -213,10 +217,10 @@ class Axis:
         The distance counts from rest, but the ramp begins at speed `u`.
         """
         peak = min(speed, sqrt(2.0 * size / (1.0 / self.accel + 1.0 / self.decel)))
-        held = (size - peak * peak * (0.5 / self.accel + 0.5 / self.decel)) / peak if peak else 0.0
+        cruise_time = (size - peak * peak * (0.5 / self.accel + 0.5 / self.decel)) / peak if peak else 0.0
         return [
             ((peak - u) / self.accel, self.accel),
-            (max(0.0, held), 0.0),
+            (max(0.0, cruise_time), 0.0),
             (peak / self.decel, -self.decel),
         ]
 
@@ -225,33 +229,33 @@ class Axis:
     def run(self, until: float) -> None:
         """Advance the time to `until`."""
         for _ in range(100_000):
-            while self.way and self.way[0][0] <= 0.0:
-                self.way.pop(0)
-            if not self.way:
+            while self.stretches and self.stretches[0][0] <= 0.0:
+                self.stretches.pop(0)
+            if not self.stretches:
                 if self.doing != "idle":
                     self._arrive()
                     continue
                 self.time = until
                 return
-            span, rate = self.way[0]
+            span, rate = self.stretches[0]
             left = until - self.time
             limit, met = self._meets(rate, min(span, left))
             step = min(span, left, met)
             self._pass(step, rate)
-            self.way[0] = (span - step, rate)
+            self.stretches[0] = (span - step, rate)
             if limit is not None:
                 self._act(limit)
             elif step == span:
-                self.way.pop(0)
+                self.stretches.pop(0)
                 if rate and abs(self.velocity) < 1e-9 * (1.0 + self.speed):
                     self.velocity = 0.0
-                self._look()
+                self._update_limits()
             elif self.time >= until:
                 return
             if (
                 self.time >= until
-                and not (self.way and self.way[0][0] <= 0.0)
-                and (self.way or self.doing == "idle")
+                and not (self.stretches and self.stretches[0][0] <= 0.0)
+                and (self.stretches or self.doing == "idle")
             ):
                 return
         raise AssertionError("the reference axis comes to no end")
@@ -274,24 +278,28 @@ class Axis:
         """Return the first limit that is reached within `span`, and its time; inf if none."""
         found: tuple[Limit | None, float] = (None, inf)
         for limit in self.limits:
-            if limit.place is None or limit.raised:
+            if limit.position is None or limit.raised:
                 continue
-            gap = (limit.place - self.position) * limit.sign
+            gap = (limit.position - self.position) * limit.sign
             time = _first(self.velocity * limit.sign, rate * limit.sign, gap)
             if time is not None and time <= span and time < found[1]:
                 found = (limit, time)
         return found
 
-    def _look(self) -> None:
-        """Act on every limit that the axis is beyond and moving into."""
-        rate = next((rate for time, rate in self.way if time > 0.0), 0.0)
+    def _update_limits(self) -> None:
+        """React to every limit that the axis is beyond and moving further into."""
+        rate = next((rate for time, rate in self.stretches if time > 0.0), 0.0)
         for limit in self.limits:
-            if limit.place is None:
+            if limit.position is None:
                 limit.raised = False
                 continue
-            beyond = (self.position - limit.place) * limit.sign >= -1e-6
+            beyond = (self.position - limit.position) * limit.sign >= -1e-6
             heading = self.velocity * limit.sign > 0.0 or (not self.velocity and rate * limit.sign > 0.0)
-            if heading and rate * limit.sign < 0.0 and self.velocity**2 < 2.0 * abs(rate) * TURNED:
+            if (
+                heading
+                and rate * limit.sign < 0.0
+                and self.velocity**2 < 2.0 * abs(rate) * REVERSAL_TOLERANCE
+            ):
                 heading = False
             if not (beyond and heading):
                 limit.raised = False

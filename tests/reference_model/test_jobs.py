@@ -32,7 +32,7 @@ class Job:
         self.c: Controller = Machine({}).controller
         self.axes: dict[int, Axis] = {}
         self.limits: dict[tuple[int, int], Limit] = {}
-        self.told: list[str] = []
+        self.log: list[str] = []
         for number in AXES:
             figures = [
                 round(choose.uniform(low, high), 2)
@@ -57,12 +57,12 @@ class Job:
             self.advance(time)
             self.command(self.choose.choice(AXES), time)
         for number in AXES:
-            self.say(time, number, "stop")
+            self.record(time, number, "stop")
             self.c.stop(number)
             self.axes[number].stop()
         self.advance(time + 60.0)
         for number, axis in self.axes.items():
-            assert self.c.is_idle(number) is (axis.doing == "idle"), "\n".join(self.told)
+            assert self.c.is_idle(number) is (axis.doing == "idle"), "\n".join(self.log)
 
     def advance(self, time: float) -> None:
         """Advance both to a time, and compare them in between and at the end."""
@@ -77,22 +77,22 @@ class Job:
                 self.compare(number, axis, then)
             slave = self.c.axes[SLAVE].position(then)
             assert abs(slave - self.geared) <= 2e-4, (
-                f"the slave: {slave} for {self.geared} at {then}\n" + "\n".join(self.told)
+                f"the slave: {slave} for {self.geared} at {then}\n" + "\n".join(self.log)
             )
 
     def compare(self, number: int, axis: Axis, time: float) -> None:
         a = self.c.axes[number]
         ours, theirs = (a.position(time), a.velocity(time)), (axis.position, axis.velocity)
         gaps = abs(ours[0] - theirs[0]), abs(ours[1] - theirs[1])
-        said = "\n".join(self.told)
+        log = "\n".join(self.log)
         near = gaps[0] <= 1e-4 and gaps[1] <= 1e-3  # 1e-14 before a target takes 3e-8 s, or none
-        assert near, f"axis {number} at {time!r}: {ours} for {theirs}, {axis.doing}\n{said}"
+        assert near, f"axis {number} at {time!r}: {ours} for {theirs}, {axis.doing}\n{log}"
         assert bool(self.c.faults(number)) is axis.fault, (
-            f"axis {number} at {time!r}: {self.c.faults(number)}\n{said}"
+            f"axis {number} at {time!r}: {self.c.faults(number)}\n{log}"
         )
 
-    def say(self, time: float, number: int, *what: object) -> None:
-        self.told.append(f"{time!r} axis {number}: {' '.join(map(str, what))}")
+    def record(self, time: float, number: int, *what: object) -> None:
+        self.log.append(f"{time!r} axis {number}: {' '.join(map(str, what))}")
 
     def command(self, number: int, time: float) -> None:
         """Give one random command to both."""
@@ -100,53 +100,53 @@ class Job:
         kind = choose.randrange(15)
         value = round(choose.uniform(-120, 120), 2)
         if kind <= 2 and not axis.endless:
-            self.say(time, number, "move by", value)
+            self.record(time, number, "move by", value)
             c.load_by(number, value)
             axis.load("by", value)
             c.go([number])
             axis.go()
         elif kind <= 4:
-            self.say(time, number, "move to", value)
+            self.record(time, number, "move to", value)
             c.load_to(number, value)
             axis.load("to", value)
             c.go([number])
             axis.go()
         elif kind <= 6:
             value = round(choose.choice((-1, 1)) * choose.uniform(2, 90), 2)
-            self.say(time, number, "jog", value)
+            self.record(time, number, "jog", value)
             c.jog(number, value)
             axis.jog(value)
         elif kind == 7:
-            self.say(time, number, "stop")
+            self.record(time, number, "stop")
             c.stop(number)
             axis.stop()
         elif kind == 8:
-            self.say(time, number, "cancel")
+            self.record(time, number, "cancel")
             c.abort(number)
             axis.cancel()
         elif kind <= 10:
             on = not axis.suspended
-            self.say(time, number, "suspend", on)
+            self.record(time, number, "suspend", on)
             (c.suspend if on else c.resume)(number)
             axis.suspend(on)
         elif kind == 11:
             value = choose.choice((0.0, 0.3, 0.8, 1.0, 1.5))
-            self.say(time, number, "override", value)
+            self.record(time, number, "override", value)
             c.configure(number, "override", value)
             axis.set_override(value)
         elif kind == 12:
             value = round(choose.uniform(5, 90), 2)
-            self.say(time, number, "speed", value)
+            self.record(time, number, "speed", value)
             c.configure(number, "speed", value)
             axis.set_speed(value)
         elif kind == 13:
             self.limit(number, axis, time)
         elif axis.doing == "move" and not axis.queue and choose.random() < 0.5:
-            self.say(time, number, "retarget", value)
+            self.record(time, number, "retarget", value)
             c.retarget_to(number, value)
             axis.retarget(value)
         elif number != 0:  # a slave does not depend on its master's numbers
-            self.say(time, number, "position", value)
+            self.record(time, number, "position", value)
             c.define_position(number, value)
             axis.rename(value)
 
@@ -154,12 +154,12 @@ class Job:
         which, action = self.choose.randrange(2), self.choose.choice(ACTIONS)
         limit = self.limits[number, which]
         near = axis.position + self.choose.uniform(-15, 40) * (1 if which == 0 else -1)
-        place = None if self.choose.random() < 0.2 else round(near, 3)
-        self.say(time, number, "limit", which, action, place)
-        limit.place(None)
+        position = None if self.choose.random() < 0.2 else round(near, 3)
+        self.record(time, number, "limit", which, action, position)
+        limit.set_position(None)
         limit.action = action
-        limit.place(place)
-        axis.place_limit(which, place, action)
+        limit.set_position(position)
+        axis.set_limit(which, position, action)
 
 
 class PathJob:
@@ -178,7 +178,7 @@ class PathJob:
         self.length = hypot(*self.ends)
         self.along = Axis(*figures)
         self.along.limits, self.along.end = [], self.length
-        self.told: list[str] = [f"to {self.ends}"]
+        self.log: list[str] = [f"to {self.ends}"]
 
     def run(self) -> None:
         c, choose, along = self.c, self.choose, self.along
@@ -196,12 +196,12 @@ class PathJob:
         if along.suspended:
             c.resume(0)
             along.suspend(False)
-        self.told.append(f"{time!r} override 1")
+        self.log.append(f"{time!r} override 1")
         c.configure(0, "override", 1.0)
         along.set_override(1.0)
         self.advance(time + 60.0)
-        assert c.is_idle(0), self.told
-        assert c.is_idle(1), self.told
+        assert c.is_idle(0), self.log
+        assert c.is_idle(1), self.log
 
     def advance(self, time: float) -> None:
         now = self.c.clock.now
@@ -210,18 +210,18 @@ class PathJob:
             self.c.clock.advance(then)
             self.along.run(then)
             for number in AXES:
-                place = self.ends[number] / self.length * self.along.position
+                position = self.ends[number] / self.length * self.along.position
                 done = self.c.axes[number].position(then)
-                assert abs(done - place) <= 1e-4, (
-                    f"axis {number} at {then!r}: {done} for {place}\n{self.told}"
+                assert abs(done - position) <= 1e-4, (
+                    f"axis {number} at {then!r}: {done} for {position}\n{self.log}"
                 )
                 fault = any(limit.hit for limit in self.along.limits if limit.number == number)
-                assert bool(self.c.faults(number)) is fault, f"axis {number} at {then!r}\n{self.told}"
+                assert bool(self.c.faults(number)) is fault, f"axis {number} at {then!r}\n{self.log}"
 
     def command(self, number: int, time: float) -> None:
         choose, c, along = self.choose, self.c, self.along
         kind = choose.randrange(7)
-        self.told.append(f"{time!r} axis {number}: {kind}")
+        self.log.append(f"{time!r} axis {number}: {kind}")
         if kind == 0:
             c.stop(number)
             along.stop()
@@ -247,17 +247,17 @@ class PathJob:
         """Set a limit of one axis, ahead of its position or behind it."""
         slope = self.ends[number] / self.length
         sign, action = self.choose.choice((-1, 1)), self.choose.choice(ACTIONS)
-        place = self.c.position(number) + sign * self.choose.uniform(-5, 30)
-        self.told.append(f"limit {sign} {action} {place}")
+        position = self.c.position(number) + sign * self.choose.uniform(-5, 30)
+        self.log.append(f"limit {sign} {action} {position}")
         theirs = Limit(self.c, number, sign, SOFT_LIMIT_FORWARD if sign > 0 else SOFT_LIMIT_REVERSE, action)
         self.c.axes[number].limits.append(theirs)
-        theirs.place(place)
+        theirs.set_position(position)
         if sign * slope <= 0.0:
             return  # the axis never reaches it
         ours = Reference(+1, action, number)
         # Of simultaneous limits those of the first axis are checked first.
         self.along.limits = sorted([*self.along.limits, ours], key=lambda each: each.number)
-        self.along.place_limit(self.along.limits.index(ours), place / slope, action)
+        self.along.set_limit(self.along.limits.index(ours), position / slope, action)
 
 
 @pytest.mark.parametrize("kind", [Job, PathJob])

@@ -39,7 +39,7 @@ PROMPTS = (
 @pytest.mark.parametrize("name", sorted(PIECES))
 @settings(max_examples=60)
 @given(data=st.data())
-def test_whatever_is_typed_is_answered(name: str, data: st.DataObject) -> None:
+def test_any_input_is_answered(name: str, data: st.DataObject) -> None:
     piece = st.one_of(st.sampled_from(PIECES[name]), st.sampled_from(PROMPTS), st.text(max_size=8))
     lines = data.draw(st.lists(st.lists(piece, max_size=3).map(" ".join), max_size=12))
     session = Session(dialect(name))

@@ -19,10 +19,10 @@ def _home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_each_dialect_has_its_own_and_only_the_user_can_read_it(tmp_path: Path) -> None:
     history("mint").store_string("MOVER = 12")
-    kept = tmp_path / "state" / "motionlang" / "mint-history"
-    assert "+MOVER = 12" in kept.read_text()
-    assert kept.stat().st_mode & 0o777 == 0o600
-    assert kept.parent.stat().st_mode & 0o777 == 0o700
+    stored = tmp_path / "state" / "motionlang" / "mint-history"
+    assert "+MOVER = 12" in stored.read_text()
+    assert stored.stat().st_mode & 0o777 == 0o600
+    assert stored.parent.stat().st_mode & 0o777 == 0o700
     assert list(history("mint").load_history_strings()) == ["MOVER = 12"]
     assert list(history("mccl").load_history_strings()) == []
 
@@ -37,9 +37,9 @@ def test_a_file_that_others_could_read_is_closed_to_them(
     assert path.stat().st_mode & 0o777 == 0o600
 
 
-@pytest.mark.parametrize("place", ["", "/proc/nowhere/history", "/dev/null"])
-def test_what_cannot_be_kept_is_not(place: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("MOTIONLANG_HISTORY", place)
+@pytest.mark.parametrize("path", ["", "/proc/nowhere/history", "/dev/null"])
+def test_history_that_cannot_be_stored_is_dropped(path: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MOTIONLANG_HISTORY", path)
     assert isinstance(history("mint"), InMemoryHistory)
 
 

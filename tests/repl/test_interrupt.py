@@ -21,7 +21,7 @@ def test_ctrl_c_is_a_request_first_and_an_order_the_second_time() -> None:
     assert signal.getsignal(signal.SIGINT) is before
 
 
-def test_what_was_asked_for_is_over_with_the_command() -> None:
+def test_interrupt_request_ends_with_its_command() -> None:
     interrupts = Interrupts()
     with interrupts:
         signal.raise_signal(signal.SIGINT)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from prompt_toolkit.application import create_app_session
@@ -15,7 +16,8 @@ from prompt_toolkit.output import DummyOutput
 from motionlang.execution import dialect, dialects
 from motionlang.repl.complete import WordCompleter, candidates
 from motionlang.repl.highlight import styled
-from motionlang.repl.prompt import banner, converse
+from motionlang.repl.live import Live
+from motionlang.repl.prompt import _asker, banner, converse
 from motionlang.repl.session import Session
 
 CTRL_C, CTRL_D, ENTER = "\x03", "\x04", "\r"
@@ -69,7 +71,7 @@ def test_live_mode_is_a_matter_of_the_terminal(keys: PipeInput) -> None:
     assert session.machine.controller.clock.now < 1.0
 
 
-def test_completion_knows_the_table_and_says_what_a_word_does() -> None:
+def test_completion_offers_keywords_with_their_help() -> None:
     mccl = dialect("mccl")
     assert [word for word, _, _ in candidates(mccl, "1MN,2W")][:3] == ["WA", "WB", "WD"]
     row = mccl.table().get("MR")
@@ -93,3 +95,14 @@ def test_completion_of_files_belongs_to_load(tmp_path: Path) -> None:
     completer = WordCompleter(dialect("mccl"))
     for typed, found in ((f".load {tmp_path}/pi", ["ck.mcl"]), (f".help {tmp_path}/pi", [])):
         assert [each.text for each in completer.get_completions(Document(typed), CompleteEvent())] == found
+
+
+@pytest.mark.parametrize("is_live", [True, False])
+def test_the_bar_below_the_prompt_shows_if_machine_time_follows_real_time(
+    keys: PipeInput, is_live: bool
+) -> None:
+    session = Session(dialect("mint"))
+    bar: Any = _asker(session, Live(session)).bottom_toolbar
+    session.live = is_live
+    ((_, text),) = bar()
+    assert text.endswith("   live") == is_live

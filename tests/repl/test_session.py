@@ -11,6 +11,7 @@ from motionlang.cli.repl import open_session
 from motionlang.execution import ONE_SHIFT, dialect
 from motionlang.repl.live import Live
 from motionlang.repl.session import Session
+from motionlang.repl.status import number_text
 
 
 def after(polls: int) -> object:
@@ -30,7 +31,7 @@ def test_ctrl_c_ends_the_command_and_the_axis_goes_on() -> None:
     assert not session.over
 
 
-def test_pace_is_told_of_the_time_that_is_about_to_be_reached() -> None:
+def test_pace_is_called_with_the_next_time() -> None:
     session = Session(dialect("mccl"))
     times: list[float] = []
     session.pace = times.append
@@ -39,10 +40,10 @@ def test_pace_is_told_of_the_time_that_is_about_to_be_reached() -> None:
     assert times[-1] == pytest.approx(3.0, abs=1e-3)
 
 
-def test_pace_is_told_of_the_moments_at_which_a_background_task_goes_on() -> None:
-    """The command waits, too, and is interrupted every 0.25 s: Other runs next.
+def test_pace_is_called_when_a_background_task_continues() -> None:
+    """The command waits and is interrupted every 0.25 s; then the task Other runs.
 
-    No task runs then.
+    No task runs in between.
     """
     session = Session(dialect("mint"))
     session.feed("Task Other\nLoop\n  WAIT(300)\nEnd Loop\nEnd Task")
@@ -61,12 +62,12 @@ def test_a_command_that_never_ends_is_ended_after_a_shift() -> None:
     assert session.feed("1TP") == "01 0\n"
 
 
-def test_an_input_is_answered_by_whoever_is_asked() -> None:
+def test_input_is_answered_by_ask() -> None:
     session = Session(dialect("mint"), {"answer": [{"text": "3"}]})
-    asked: list[tuple[str, float]] = []
+    prompts: list[tuple[str, float]] = []
 
     def answer(begun: str) -> str:
-        asked.append((begun, session.machine.clock.now))
+        prompts.append((begun, session.machine.clock.now))
         return "21"
 
     session.ask = answer
@@ -77,8 +78,8 @@ def test_an_input_is_answered_by_whoever_is_asked() -> None:
     assert session.feed('INPUT "how many? ", n : PRINT n * 2') == "how many? 21\n42\n"
     assert session.feed(".reset") == ""
     assert session.feed("Dim s As String\nINPUT s : PRINT s; : INPUT s") == "3\n321\n"
-    assert [begun for begun, _ in asked] == ["how many? ", "3"]
-    assert all(time < 1e-3 for _, time in asked)
+    assert [begun for begun, _ in prompts] == ["how many? ", "3"]
+    assert all(time < 1e-3 for _, time in prompts)
 
 
 def test_ctrl_c_instead_of_an_answer_ends_the_command_at_the_input() -> None:
@@ -94,7 +95,7 @@ def test_ctrl_c_instead_of_an_answer_ends_the_command_at_the_input() -> None:
     assert session.feed("PRINT n") == "3\n"
 
 
-def test_an_input_that_nobody_answers_ends_the_command() -> None:
+def test_unanswered_input_ends_the_command() -> None:
     session = Session(dialect("mint"))
     answer = session.feed("Dim n As Integer\nINPUT n")
     assert "the command waits for the operator to answer INPUT, which can never happen" in answer
@@ -140,7 +141,7 @@ def test_a_session_without_trouble_ends_well(
     assert capsys.readouterr() == ("01 0\n", "")
 
 
-def test_a_machine_that_the_language_does_not_know_is_said(
+def test_machine_unknown_to_the_language_is_reported(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("sys.stdin", io.StringIO("1TP\n"))
@@ -184,3 +185,11 @@ def test_a_position_at_the_prompt_is_in_whole_counts() -> None:
     assert session.feed("Dim x As Float = POS(0)\nPRINT x > 0 And x < 1e-6") == "1\n"
     session.machine.clock.advance(1.0)  # ½·1·1² uu are 500 counts
     assert session.feed("PRINT POS(0), POSREMAINING(0)") == "0.500099.5000\n"
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(0.0, "0"), (4e-13, "0"), (-4e-13, "0"), (6e-13, "0.0000000000006"), (1 / 3, "0.3333333333")],
+)
+def test_a_number_has_ten_digits_and_no_noise_below_half_of_1e_12(value: float, text: str) -> None:
+    assert number_text(value) == text

@@ -43,7 +43,7 @@ def test_motion_outlives_its_host(board: Board) -> None:
     assert second.ask(b"1WS,1TP") == b"01 2000\n>"
 
 
-def test_a_background_task_outlives_its_host_and_tells_nobody(board: Board) -> None:
+def test_a_background_task_outlives_its_host_silently(board: Board) -> None:
     first, second = board.connect(), board.connect()
     assert first.ask(b"MD1,1TP,AL@20,AA1,AR20,WA0.001,RP") == b"\n>"
     first.ask(b"GT1")
@@ -131,12 +131,12 @@ def test_no_command_reaches_the_file_system() -> None:
     seen: list[tuple[str, object]] = []
     watching = False
 
-    def look(event: str, arguments: tuple[object, ...]) -> None:
+    def audit(event: str, arguments: tuple[object, ...]) -> None:
         if watching and event.startswith(watched):
             seen.append((event, arguments))
 
     import_module("motionlang.controller.triggers.next_watches")  # which only the second round needs
-    sys.addaudithook(look)
+    sys.addaudithook(audit)
     for again in (False, True):  # the first round imports the commands' modules
         watching = again
         answered = 0
@@ -150,7 +150,9 @@ def test_no_command_reaches_the_file_system() -> None:
     assert seen == []
 
 
-def test_an_error_of_our_own_is_told_and_costs_a_line(serve: Serve, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_internal_error_is_reported_and_costs_a_line(
+    serve: Serve, monkeypatch: pytest.MonkeyPatch
+) -> None:
     board = serve(clock="real")
     first, second = board.connect(), board.connect()
 

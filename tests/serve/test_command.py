@@ -105,17 +105,17 @@ def test_a_serial_device() -> None:
         assert process.wait(20) == 0
 
 
-def test_hosts_that_are_connected_at_the_end_get_what_was_said() -> None:
+def test_hosts_that_are_connected_at_the_end_get_the_output() -> None:
     with running("--tcp", "0") as process:
         port = int(line_with(process, "listening on ").rpartition(":")[2])
         with socket.create_connection(("127.0.0.1", port), 20) as host:
             host.sendall(b"HE\r")
-            said = host.recv(1) + host.recv(1)
+            reply = host.recv(1) + host.recv(1)
             process.send_signal(signal.SIGTERM)
             while piece := host.recv(65536):
-                said += piece
-            assert said.count(b"\n") > 100
-            assert said.endswith(b"\n>")
+                reply += piece
+            assert reply.count(b"\n") > 100
+            assert reply.endswith(b"\n>")
         assert process.wait(20) == 0
 
 

@@ -112,7 +112,7 @@ def test_a_write_raises_the_event_and_the_program_answers(served: Served) -> Non
     assert (result.status, result.output[0], len(result.output)) == ("ended", "event 2.2500", 2)
 
 
-def test_every_way_of_writing(served: Served) -> None:
+def test_every_write_function(served: Served) -> None:
     client = served.client
     assert not client.write_register(20, 7).isError()
     assert not client.mask_write_register(address=20, and_mask=0xFFFE, or_mask=0).isError()
@@ -120,7 +120,7 @@ def test_every_way_of_writing(served: Served) -> None:
     assert list(answer.registers) == [6, 3]
 
 
-def test_what_does_not_exist_is_told_to_the_client(served: Served) -> None:
+def test_what_does_not_exist_is_reported_to_the_client(served: Served) -> None:
     for answer, code in (
         (served.client.read_holding_registers(1999, count=2), 2),
         (served.client.write_registers(2000, [1]), 2),

@@ -109,12 +109,12 @@ def test_a_blank_pauses_and_goes_on(board: Board) -> None:
     while count() < 3:
         pass
     wire.send(b" ")
-    while (held := count()) != int(other.ask(b"WA0.05,TR20").split()[0]):
+    while (paused_at := count()) != int(other.ask(b"WA0.05,TR20").split()[0]):
         pass
     wire.send(b" ")
     wire.send(b"\x1b")
     wire.expect(b"?-7\n>")
-    assert held >= 3
+    assert paused_at >= 3
 
 
 def test_line_ends(board: Board) -> None:

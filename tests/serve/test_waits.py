@@ -8,7 +8,7 @@ from tests.serve.conftest import Serve
 
 
 @pytest.mark.parametrize("clock", ["lockstep", "realtime"])
-def test_a_wait_that_nothing_ends_is_told_at_once(serve: Serve, clock: str) -> None:
+def test_a_wait_that_nothing_ends_is_reported_at_once(serve: Serve, clock: str) -> None:
     board = serve(clock=clock)
     host, other = board.connect(), board.connect()
     host.ask(b"1MN,1SA1000000,1VM,1GO")
@@ -21,7 +21,7 @@ def test_a_wait_that_nothing_ends_is_told_at_once(serve: Serve, clock: str) -> N
     ]
 
 
-def test_a_wait_that_ends_is_not_told(serve: Serve) -> None:
+def test_a_wait_that_ends_is_not_reported(serve: Serve) -> None:
     board = serve()
     host = board.connect()
     host.ask(b"1MN,1MR1000,1WS,WA0.1")

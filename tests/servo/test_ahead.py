@@ -54,16 +54,16 @@ def test_points_are_those_that_are_made_one_by_one(
 
 
 @cases(
-    ("name", "ratio", "part"),
-    [(name, ratio, part) for name in ALL for ratio, part in ((1, 0), (4, 0), (3, 2))],
+    ("name", "ratio", "phase"),
+    [(name, ratio, phase) for name in ALL for ratio, phase in ((1, 0), (4, 0), (3, 2))],
 )
-def test_steps_along_an_array_are_those_along_a_list(name: str, ratio: int, part: int) -> None:
+def test_steps_along_an_array_are_those_along_a_list(name: str, ratio: int, phase: int) -> None:
     loop = replace(ALL[name], servo_rate=1000.0 * ratio, trajectory_rate=1000.0)
     points = SpeculativeGenerator(renamed(), 1e-3).points(700, 400)
     state = initial_state(discretise(ROUGH, loop.period), float(points[1]))
-    along = run_steps(loop, ROUGH, COLUMNS, np.asarray(points), part, 390 * ratio, state)
+    along = run_steps(loop, ROUGH, COLUMNS, np.asarray(points), phase, 390 * ratio, state)
     assert isinstance(points, np.ndarray)
-    listed = run_steps(loop, ROUGH, COLUMNS, points.tolist(), part, 390 * ratio, state)
+    listed = run_steps(loop, ROUGH, COLUMNS, points.tolist(), phase, 390 * ratio, state)
     assert along[0].columns == listed[0].columns
     assert along[1] == listed[1]
 
@@ -110,11 +110,11 @@ def test_taken_back_it_runs_a_few_steps_again_and_not_the_block(
     assert again == [(sample - 1) % MARKED + 1]
 
 
-def test_a_long_run_by_steps_goes_in_parts(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The limit bounds its memory; a chunk may end within a trajectory cycle."""
+def test_a_long_run_by_steps_goes_in_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Chunks limit the memory; a chunk may end within a trajectory cycle."""
     whole = simulate(renamed(), LOOPS["feed-forward"], ROUGH, until=0.5)
     monkeypatch.setattr(stretch, "_CHUNK", 333)
-    parts = simulate(renamed(), LOOPS["feed-forward"], ROUGH, until=0.5)
+    chunked = simulate(renamed(), LOOPS["feed-forward"], ROUGH, until=0.5)
     assert all(
-        np.array_equal(whole[name], parts[name]) for name in ("position", "velocity", "output", "error")
+        np.array_equal(whole[name], chunked[name]) for name in ("position", "velocity", "output", "error")
     )

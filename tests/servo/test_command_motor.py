@@ -37,7 +37,7 @@ def test_a_drive_has_nothing_of_the_motor(capsys: pytest.CaptureFixture[str]) ->
     assert found == {"speed_per_volt": 10_000.0, "time_constant": 0.003, "quantised": False}
 
 
-def test_a_bandwidth_leaves_the_motor_of_the_file_beside_the_program(
+def test_a_bandwidth_leaves_the_motor_of_the_machine_file_unchanged(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "slide.mnt").write_text("MOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n")

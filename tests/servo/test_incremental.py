@@ -50,7 +50,7 @@ def test_cuts_do_not_matter(cuts: list[float]) -> None:
     assert np.abs(servo.trace.output - whole.output).max() < 1e-9
 
 
-def test_time_can_be_asked_for_twice() -> None:
+def test_time_can_be_queried_twice() -> None:
     servo = Servo(PID, Motor(), track())
     servo.advance(0.3)
     before = servo.position
@@ -103,8 +103,8 @@ def test_an_open_loop_coasts_and_a_closed_one_holds() -> None:
     assert servo.output == 0.0
     assert abs(servo.velocity) < 1.0
     where = servo.position
-    standing = Track([0.0, 0.5], [hold(0.0), hold(where)])
-    servo._generator.track = standing
+    standstill = Track([0.0, 0.5], [hold(0.0), hold(where)])
+    servo._generator.track = standstill
     servo.close()
     servo.advance(0.8)
     assert servo.is_closed

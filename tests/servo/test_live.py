@@ -158,7 +158,7 @@ def test_without_a_motor_feedback_equals_demand() -> None:
     assert result.report["axes"][0]["feedback"] == "demand"
 
 
-def test_mccl_tells_both() -> None:
+def test_mccl_reports_both() -> None:
     position, optimal, error, _ = (
         reply[1]
         for reply in printed(
@@ -198,7 +198,7 @@ def test_idle_waits_for_the_windows() -> None:
     assert settled > ideal + 5.0
 
 
-def test_idle_comes_at_the_sample_at_which_the_window_was_kept() -> None:
+def test_idle_comes_at_the_sample_at_which_the_window_was_met() -> None:
     text = f"SCALE(0) = 100 : IDLEMODE(0) = 1 : IDLEPOS(0) = 0.002 : IDLETIME(0) = 5\n{MOVE}PAUSE IDLE(0)\nPRINT TIME"
     result = run(text, MOTOR, servo={"proportional": 0.008, "derivative": 0.15})
     trace = servo_trace(result.controller.axes[0], result.time + 0.2)
@@ -316,7 +316,7 @@ def test_the_rest_behind_a_move_is_what_was_seen_of_it(
     assert len(thrown) - few > few
 
 
-def test_a_column_that_nobody_looks_at_is_not_made() -> None:
+def test_an_unused_column_is_not_made() -> None:
     plants = Motor(), Motor(resonance=80.0, load_inertia=1e-5), Drive(5000.0, 2e-3)
     plain = ("position", "velocity", "current", "output")
     with_twist = ("position", "velocity", "current", "twist", "output")
@@ -327,8 +327,8 @@ def test_a_column_that_nobody_looks_at_is_not_made() -> None:
 
 
 def test_torque_turns_the_motor_until_it_is_cancelled() -> None:
-    tell = 'PRINT VEL(0), " ", TORQUE(0)'
-    text = f"TORQUE(0) = 10 : WAIT = 200 : {tell}\nCANCEL(0) : WAIT = 300 : {tell}"
+    report = 'PRINT VEL(0), " ", TORQUE(0)'
+    text = f"TORQUE(0) = 10 : WAIT = 200 : {report}\nCANCEL(0) : WAIT = 300 : {report}"
     turning, held = printed(text, ROUGH, servo=GAINS)
     assert turning[0] > 5000.0
     assert turning[1] == 10.0
@@ -404,7 +404,7 @@ def test_new_gains_act_at_once() -> None:
     assert weak[0] == pytest.approx(4.0 * strong[0], rel=0.01)
 
 
-def test_words_without_a_motor_are_kept_and_named() -> None:
+def test_keywords_without_a_motor_are_stored_and_named() -> None:
     result = motionlang.run(Source("x", "KPROP(0) = 2\nPRINT KPROP(0)"), dialect="mint", cache=False)
     assert result.output == ["2.0000"]
     assert "KPROP" in result.notes[0]
@@ -428,7 +428,7 @@ def test_a_motor_at_rest_costs_nothing() -> None:
 def test_a_long_rest_is_passed_over_and_what_follows_it_is_at_its_sample(plant: dict[str, object]) -> None:
     """Readings during a rest do not affect the next move."""
 
-    def told(*reads: float) -> list[tuple[float, float]]:
+    def samples(*reads: float) -> list[tuple[float, float]]:
         controller, feedback = fitted(plant, {"proportional": 0.02, "derivative": 0.2})
         controller.move_to(0, 400.0)
         for time in reads:
@@ -442,7 +442,7 @@ def test_a_long_rest_is_passed_over_and_what_follows_it_is_at_its_sample(plant: 
             seen.append((controller.position(0), feedback.error))
         return seen
 
-    assert told() == told(30.0) == told(*range(10, 60)) == told(59.9)
+    assert samples() == samples(30.0) == samples(*range(10, 60)) == samples(59.9)
 
 
 def test_a_motor_that_hunts_for_ever_ends_no_run_and_no_search() -> None:
@@ -460,8 +460,8 @@ def test_a_motor_that_hunts_for_ever_ends_no_run_and_no_search() -> None:
     assert np.ptp(trace.position[-2000:]) > 5.0
 
 
-def test_a_motor_that_no_longer_stands_is_watched_again() -> None:
-    """An unstable loop amplifies 1e-7 counts: at first that is a motor at rest."""
+def test_a_motor_that_leaves_standstill_is_watched_again() -> None:
+    """An unstable loop amplifies 1e-7 counts, which at first count as standstill."""
     controller, feedback = fitted(MOTOR, {"proportional": 0.0225})
     trips: list[float] = []
 

@@ -29,7 +29,7 @@ error[machine-file]: axis.0.plant.inertia must be greater than zero, not -1.0
   |
 2 | inertia = -1.0
   | ^^^^^^^
-  hint: Inertia of the motor, kg m².
+  hint: inertia of the motor, kg m²
 """,
     ),
     (
@@ -40,7 +40,7 @@ error[machine-file]: axis.3.servo.limit_style must be "sum" or "term", not 'soft
   |
 2 | limit_style = "soft"
   | ^^^^^^^^^^^
-  hint: sum: the sum stops at the limit; term: the sum winds up beyond it.
+  hint: sum: the sum stops at the limit; term: the sum winds up beyond it
 """,
     ),
     (
@@ -80,14 +80,14 @@ error[machine-file]: there is no key axis.2.plnt.inertia
 
 
 @pytest.mark.parametrize(("text", "message"), MISTAKES, ids=lambda text: text.split("\n")[-2][:30])
-def test_a_mistake_is_told_with_its_line(text: str, message: str) -> None:
+def test_a_mistake_is_reported_with_its_line(text: str, message: str) -> None:
     source = Source("m.toml", text)
     with pytest.raises(ProgramError) as caught:
         read_machine(source)
     assert render_all(caught.value.diagnostics, source, name="m.toml") == message
 
 
-def test_every_mistake_of_a_section_is_told_at_once() -> None:
+def test_every_mistake_of_a_section_is_reported_at_once() -> None:
     source = Source("m.toml", '[axis.0.plant]\nkind = "ac"\ninertia = 0\nquantised = 1\ncolour = "red"\n')
     with pytest.raises(ProgramError) as caught:
         read_machine(source)

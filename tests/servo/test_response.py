@@ -154,9 +154,7 @@ def test_poles_are_controls(name: str) -> None:
     ids=["motor", "load", "current", "drive"],
 )
 @pytest.mark.parametrize("integral", [True, False])
-def test_a_suggestion_has_the_bandwidth_that_was_asked_for(
-    plant: Motor | Drive, hz: float, integral: bool
-) -> None:
+def test_a_suggestion_has_the_requested_bandwidth(plant: Motor | Drive, hz: float, integral: bool) -> None:
     made = suggest(plant, hz, integral=integral)
     _, closed = closed_by_control(made.loop, plant)
     gain = abs(control().frequency_response(closed, np.array([hz]) * 2 * pi).complex[0])
@@ -195,7 +193,7 @@ def test_nonlinear_loops_have_no_frequency_response() -> None:
 
 
 @pytest.mark.parametrize("name", PAIRS)
-def test_the_quick_way_to_a_bandwidth_finds_the_same_to_the_last_bit(name: str) -> None:
+def test_the_quick_search_of_a_bandwidth_finds_the_same_to_the_last_bit(name: str) -> None:
     loop, plant = PAIRS[name]
     found = bandwidth(loop, plant)
     assert found == loop_figures(loop, plant).bandwidth

@@ -28,7 +28,7 @@ from motionlang.servo.steps import MEMORY, initial_state, stepper, without_const
 @pytest.mark.parametrize(
     ("error", "since"), [([9.0, 9.0, 0.0, 0.0, 0.0], 102.0), ([0.0, 0.0, 0.0], 100.0), ([0.0, 9.0], np.inf)]
 )
-def test_a_window_is_kept_since_the_sample_after_the_last_one_outside(
+def test_a_window_is_met_since_the_sample_after_the_last_one_outside(
     error: list[float], since: float
 ) -> None:
     rows = np.zeros((len(SEEN), len(error)))
@@ -88,7 +88,7 @@ def test_an_override_holds_for_one_update_unless_it_says_so() -> None:
         assert (made.steps, made.hold) == (5, 1)
 
 
-def test_a_gain_that_falls_at_once_is_looked_for_in_the_first_part() -> None:
+def test_a_gain_that_falls_at_once_is_searched_in_the_first_interval() -> None:
     grid = np.array([1.0, 2.0, 3.0, 4.0])
     assert _first_fall(grid, 1.0 / grid, 0.7, lambda f: 1.0 / f) == pytest.approx(1.0 / 0.7)
     assert _first_fall(grid, 1.0 / grid, 0.3, lambda f: 1.0 / f) == pytest.approx(1.0 / 0.3)

@@ -10,15 +10,15 @@ from motionlang.servo.discrete import discretise, exponential
 from motionlang.servo.steps import initial_state
 from motionlang.servo.stretch import run_stretch
 
-ASKED = ("position", "velocity", "integral", "output")
+COLUMNS = ("position", "velocity", "integral", "output")
 
 
 def test_the_matrix_exponential() -> None:
     """The exponential of a rotation, a shear and a stiff decay; exp(a) exp(-a) = 1."""
     angle = 0.7
-    turned = exponential([[0.0, -angle], [angle, 0.0]])
-    assert turned[0][0] == pytest.approx(np.cos(angle), abs=1e-15)
-    assert turned[1][0] == pytest.approx(np.sin(angle), abs=1e-15)
+    rotation = exponential([[0.0, -angle], [angle, 0.0]])
+    assert rotation[0][0] == pytest.approx(np.cos(angle), abs=1e-15)
+    assert rotation[1][0] == pytest.approx(np.sin(angle), abs=1e-15)
     assert exponential([[0.0, 1e-9], [0.0, 0.0]]) == [[1.0, 1e-9], [0.0, 1.0]]
     assert exponential([[-50.0]])[0][0] == pytest.approx(np.exp(-50.0), rel=1e-12)
     rng = np.random.default_rng(5)
@@ -36,7 +36,7 @@ def test_the_output_of_a_loop_that_runs_away_has_an_end(derivative: float) -> No
     state = initial_state(discretise(Motor(), loop.period), 0.0)
     i = np.arange(2002)
     kicked = 50.0 * np.sin(i / 200.0) + 500.0 * ((i // 300) % 2)
-    ran, after = run_stretch(loop, Motor(), ASKED, kicked, 0, 8000, state)
+    ran, after = run_stretch(loop, Motor(), COLUMNS, kicked, 0, 8000, state)
     columns = np.array([np.asarray(column) for column in ran.columns])
     assert np.isfinite(columns).all()
     assert np.isfinite(after[:3]).all()

@@ -32,17 +32,17 @@ def test_a_plant_that_no_gains_close_is_given_up_after_few_searches(
     inductance: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A bandwidth takes a hundred times as long as a check of stability."""
-    asked: list[float] = []
+    calls: list[float] = []
 
     def counted(loop: Loop, plant: Motor | Drive) -> float:
-        asked.append(bandwidth(loop, plant))
-        return asked[-1]
+        calls.append(bandwidth(loop, plant))
+        return calls[-1]
 
     monkeypatch.setattr(tuning, "bandwidth", counted)
     suggest.cache_clear()
     with pytest.raises(BeyondPlant):
         axis_loop({}, {}, Motor(inductance=inductance))
-    assert len(asked) <= 16
+    assert len(calls) <= 16
 
 
 @pytest.mark.parametrize(

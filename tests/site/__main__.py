@@ -104,10 +104,10 @@ def main(folder: Path) -> int:
     print("== site", flush=True)
     pages.main()
     for name, command in GENERATORS.items():
-        place = folder / BELOW[name]
-        place.parent.mkdir(parents=True, exist_ok=True)
-        build(place, *command)
-        wrong = wrong_site(place)
+        target = folder / BELOW[name]
+        target.parent.mkdir(parents=True, exist_ok=True)
+        build(target, *command)
+        wrong = wrong_site(target)
         print("".join(f"{name}: {each}\n" for each in wrong), end="", flush=True)
         failed |= bool(wrong)
     print("== browsers", flush=True)

@@ -40,21 +40,21 @@ def problems(folder: Path) -> Iterator[str]:
     for path, page in pages.items():
         name = path.relative_to(folder).as_posix()
         for address in page.loaded:
-            parts = urlsplit(address)
-            if parts.scheme not in ("", "data") or parts.netloc:
+            url = urlsplit(address)
+            if url.scheme not in ("", "data") or url.netloc:
                 yield f"{name} loads {address}"
         if name == "404.html":  # a file server shows it for any address, so its links have no base
             continue
         for address in (*page.links, *page.loaded):
-            parts = urlsplit(address)
-            if parts.scheme or parts.netloc:
+            url = urlsplit(address)
+            if url.scheme or url.netloc:
                 continue
-            target = (path.parent / unquote(parts.path)).resolve() if parts.path else path
+            target = (path.parent / unquote(url.path)).resolve() if url.path else path
             if target.is_dir():
                 target /= "index.html"
             if not target.exists():
                 yield f"{name} links to {address}, which does not exist"
-            elif parts.fragment and target in pages and not _has(pages[target], parts.fragment):
+            elif url.fragment and target in pages and not _has(pages[target], url.fragment):
                 yield f"{name} links to {address}, which has no such place"
 
 

@@ -50,18 +50,18 @@ def rewritten(text: str, page: str, run: Callable[[str, str], str]) -> str:
     `run` returns the playground fragment of a block by its kind and text, or "".
     """
     base = posixpath.dirname(site_path(page) or "")
-    parts, end = [], 0
+    chunks, end = [], 0
     for block in _FENCE.finditer(text):
-        parts.append(_with_links(text[end : block.start()], page, base))
-        parts.append(block[0])
+        chunks.append(_with_links(text[end : block.start()], page, base))
+        chunks.append(block[0])
         program = run(block[1], block[2])
         if program:
             target = posixpath.relpath("playground/index.html", base or ".")
-            parts.append(
+            chunks.append(
                 f'\n\n<p class="run"><a href="{target}?docs#{program}">Run in the playground</a></p>\n'
             )
         end = block.end()
-    return "".join([*parts, _with_links(text[end:], page, base)])
+    return "".join([*chunks, _with_links(text[end:], page, base)])
 
 
 def _with_links(text: str, page: str, base: str) -> str:
@@ -106,13 +106,13 @@ def main() -> None:
         target = site_path(source)
         if target is None or not path.is_file():
             continue
-        place = PAGES / target
-        place.parent.mkdir(parents=True, exist_ok=True)
+        destination = PAGES / target
+        destination.parent.mkdir(parents=True, exist_ok=True)
         if path.suffix == ".md":
             text = rewritten(path.read_text(encoding="utf-8"), source, runnable(gallery))
-            place.write_text(text, encoding="utf-8", newline="\n")
+            destination.write_text(text, encoding="utf-8", newline="\n")
         else:
-            shutil.copy(path, place)
+            shutil.copy(path, destination)
     shutil.copytree(DIST, PAGES / "playground")
 
 

@@ -25,12 +25,12 @@ def output(command: str) -> str:
     `printf 'TEXT' > FILE` writes a file.
     """
     found = ""
-    for part in command.split("; "):
-        written = re.fullmatch(r"printf '(.*)' > (\S+)", part)
+    for line in command.split("; "):
+        written = re.fullmatch(r"printf '(.*)' > (\S+)", line)
         if written:
             Path(written[2]).write_text(written[1].replace("\\n", "\n"), encoding="utf-8")
         else:
-            found += answer(part)
+            found += answer(line)
     return found
 
 
@@ -68,9 +68,9 @@ def test_each_page_says_what_the_document_says(entry: Entry) -> None:
 def test_each_calculation_gives_the_number(entry: Entry) -> None:
     """The tolerance is half a step of the last digit shown."""
     number = entry.shows[0]
-    places = len(number.partition(".")[2])
+    decimals = len(number.partition(".")[2])
     value = float(eval(entry.command[5:], dict(NAMES)))  # a line of our own table
-    assert value == pytest.approx(float(number), rel=2e-9, abs=0.51 * 10.0**-places)
+    assert value == pytest.approx(float(number), rel=2e-9, abs=0.51 * 10.0**-decimals)
 
 
 @cache

@@ -65,11 +65,11 @@ class Browser:
     def find(self, selector: str) -> Any:
         return self.driver.find_element("css selector", selector)
 
-    def mouse(self, part: float = 0.5, height: int = 40) -> Any:
+    def mouse(self, fraction: float = 0.5, height: int = 40) -> Any:
         """Return mouse actions that begin in the picture, at a fraction of its width."""
-        place = "[Math.round(scope.getBoundingClientRect().left + LEFT + %g * width), %s]"
+        position = "[Math.round(scope.getBoundingClientRect().left + LEFT + %g * width), %s]"
         top = f"document.querySelector('header').getBoundingClientRect().bottom + {height}"
-        x, y = self.js(place % (part, f"Math.round({top})"))
+        x, y = self.js(position % (fraction, f"Math.round({top})"))
         actions = self._actions(self.driver, duration=0)
         actions.w3c_actions.pointer_action.move_to_location(x, y)
         return actions

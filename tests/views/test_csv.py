@@ -39,7 +39,7 @@ def test_columns_have_their_own_decimals() -> None:
     ]
 
 
-def test_rounding_carries_into_the_whole_part() -> None:
+def test_rounding_carries_into_the_integer() -> None:
     assert lines([[9999.9999996, 0.9999996, -0.9999996]], [6]) == ["10000.000000", "1.000000", "-1.000000"]
 
 
@@ -47,7 +47,7 @@ def test_there_is_no_negative_zero() -> None:
     assert lines([[-0.0, -1e-9]], [6]) == ["0.000000", "0.000000"]
 
 
-def test_what_fixed_point_cannot_hold_goes_the_slow_way() -> None:
+def test_what_fixed_point_cannot_represent_takes_the_slow_path() -> None:
     assert lines([[float("nan"), float("inf"), 1e300, -1.5]], [6]) == [f"{x:.6f}" for x in (
         float("nan"), float("inf"), 1e300, -1.5)]  # fmt: skip
 
@@ -72,9 +72,9 @@ STRETCHES = {
     "one column changes at a time": [(400, 1, 0), (400, 0, 0), (400, 0, 1)],
     "a rest over a seam": [(BLOCK - 400, 1, 1), (900, 0, 0), (200, 1, 1)],
     "a seam between rests": [(BLOCK, 0, 0), (1, 1, 1), (BLOCK, 0, 0)],
-    "rests one behind the other": [part for _ in range(9) for part in ((LONG_REST + 1, 0, 0), (1, 1, 0))],
+    "rests one behind the other": [row for _ in range(9) for row in ((LONG_REST + 1, 0, 0), (1, 1, 0))],
     "rests around the shortest": [
-        part for n in range(LONG_REST - 2, LONG_REST + 3) for part in ((n, 0, 0), (2, 1, 1))
+        row for n in range(LONG_REST - 2, LONG_REST + 3) for row in ((n, 0, 0), (2, 1, 1))
     ],
 }
 
@@ -128,3 +128,17 @@ def test_digits_are_those_of_savetxt(decimals: int) -> None:
         plain = [f"{each + 0.0:.{decimals}f}" for each in values.tolist()]
         minus = f"-{0.0:.{decimals}f}"
         assert shown == [each.replace("-", "") if each == minus else each for each in plain], size
+
+
+@pytest.mark.parametrize("sign", ["", "-"])
+@pytest.mark.parametrize(
+    ("before", "behind"), [("999", "1000"), ("9999999", "10000000"), ("99999999", "100000000")]
+)
+def test_digits_that_are_rounded_up_get_one_more_digit_before_the_point(
+    before: str, behind: str, sign: str
+) -> None:
+    """With six decimals, .9999996 is rounded up to 1, .9999993 is not."""
+    values = np.array([float(f"{sign}{before}.{part}") for part in ("9999996", "9999993", "5")])
+    text = b"".join(Formatter([6]).lines([values])).decode()
+    shown = [f"{behind}.000000", f"{before}.999999", f"{before}.500000"]
+    assert text.splitlines() == [sign + each for each in shown]

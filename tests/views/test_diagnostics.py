@@ -115,7 +115,7 @@ def test_whole_messages(diagnostic: Diagnostic, message: str) -> None:
     assert render(diagnostic, PROGRAM) == message
 
 
-def test_without_a_source_there_is_no_place() -> None:
+def test_without_a_source_there_is_no_location() -> None:
     diagnostic = Diagnostic("file", "pick.mnt cannot be read: no such file", hint="look again")
     assert render(diagnostic) == "error[file]: pick.mnt cannot be read: no such file\n  hint: look again\n"
 
@@ -136,7 +136,7 @@ def test_colours_only_paint() -> None:
     assert plain == MESSAGES["word"][1]
 
 
-def test_several_stand_apart_and_are_counted() -> None:
+def test_several_are_separated_and_counted() -> None:
     two = [
         Diagnostic("syntax", "one"),
         Diagnostic("syntax", "two"),
@@ -160,3 +160,9 @@ def test_any_text_is_shown_within_the_width(text: str, column: int, length: int,
     for line in message.splitlines()[2:]:
         assert line.isprintable()
         assert cells(line) <= max(width, 24)
+
+
+def test_times_of_a_repeated_diagnostic_have_no_power_of_ten() -> None:
+    found = Diagnostic("range", "SPEED cannot be -1", 1)
+    found.count, found.first, found.last = 500_000, 1e-05, 9.99999
+    assert "  note: 500 000 times, from 0.00001 s to 9.99999 s\n" in render(found, PROGRAM)

@@ -68,17 +68,17 @@ def test_the_same_run_gives_the_same_bytes(tmp_path: Path) -> None:
 def test_progress_goes_from_nothing_to_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(trace_module, "ROWS", 100)
     for suffix in (".csv", ".npz", ".vcd"):
-        parts: list[float] = []
-        write_trace(ballscrew().trace, str(tmp_path / f"x{suffix}"), 1000.0, parts.append)
-        assert parts == sorted(parts)
-        assert parts[-1] == 1.0
+        fractions: list[float] = []
+        write_trace(ballscrew().trace, str(tmp_path / f"x{suffix}"), 1000.0, fractions.append)
+        assert fractions == sorted(fractions)
+        assert fractions[-1] == 1.0
 
 
 def test_a_failure_leaves_the_old_file_and_no_half_of_a_new_one(tmp_path: Path) -> None:
     path = tmp_path / "pick.csv"
     path.write_text("old")
 
-    def fail(part: float) -> None:
+    def fail(fraction: float) -> None:
         raise OSError(28, "No space left on device")
 
     with pytest.raises(OSError, match="No space left"):
@@ -88,7 +88,7 @@ def test_a_failure_leaves_the_old_file_and_no_half_of_a_new_one(tmp_path: Path) 
 
 
 def test_ctrl_c_leaves_nothing_either(tmp_path: Path) -> None:
-    def interrupt(part: float) -> None:
+    def interrupt(fraction: float) -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):

@@ -18,9 +18,10 @@ from motionlang.views.window import Window
 pytest.importorskip("matplotlib")
 
 from matplotlib.figure import Figure
+from matplotlib.text import Annotation
 
 from motionlang.views.chapter12_plot import _draw_motion
-from motionlang.views.plot_panel import mark_events
+from motionlang.views.plot_panel import GAP, LETTER, MAX_NAMED, _names, mark_events, name_moves
 
 
 def test_panels_fill_a_figure_from_its_head_to_its_foot() -> None:
@@ -47,7 +48,7 @@ def figures(monkeypatch: pytest.MonkeyPatch) -> list[Figure]:
 
     @contextmanager
     def drawing(path: str, width: float, height: float) -> Iterator[Figure]:
-        drawn.append(Figure())
+        drawn.append(Figure(figsize=(width, height)))
         yield drawn[-1]
 
     monkeypatch.setattr(sweep_plot, "drawing", drawing)
@@ -107,7 +108,7 @@ def test_an_event_is_named_towards_the_middle_of_its_run(time: float, side: str)
     assert [line.get_xdata()[0] for panel in panels for line in panel.lines] == [time, time]
 
 
-def test_a_motor_that_never_settles_is_said_to() -> None:
+def test_a_motor_that_never_settles_is_reported() -> None:
     figures = {"peak_following_error": 2.0, "rms_torque": 0.1, "peak_output": 3.0}
     rows = [
         {"axis": axis, "line": 1, "motor": {**figures, "settle_time": time}}
@@ -116,3 +117,45 @@ def test_a_motor_that_never_settles_is_said_to() -> None:
     lines = _motors(rows, 100, False, False)
     assert ["never" in line for line in lines if line.split()[0] in ("0", "1")] == [True, False]
     assert "0.25" in lines[-1]
+
+
+@pytest.mark.parametrize(("count", "height"), [(1, 5.0), (2, 5.0), (3, 7.2), (4, 9.4)])
+def test_the_picture_of_a_sweep_grows_with_its_panels(
+    count: int, height: float, figures: list[Figure]
+) -> None:
+    curves = {f"time.{k}": {"": [(0.0, 1.0)]} for k in range(count)}
+    sweep_plot.plot_lines("x.svg", "speed", curves, {})
+    assert figures[0].get_figheight() == pytest.approx(height)
+
+
+def named(rows: list[dict[str, object]], span: tuple[float, float]) -> list[tuple[str, float]]:
+    """Return the labels above a panel, each with the time at its centre, ms."""
+    axes = Figure().subplots()
+    name_moves(axes, rows, span, 1e-3)
+    return [(text.get_text(), text.xy[0]) for text in axes.texts if isinstance(text, Annotation)]
+
+
+def move(line: int, start: float, duration: float) -> dict[str, object]:
+    return {"line": line, "start_time": start, "duration": duration, "command": "MOVEA"}
+
+
+def test_a_move_is_named_in_the_middle_of_what_is_shown_of_it() -> None:
+    """Of a move from 8 to 14 s, a window from 10 to 20 s shows 10 to 14 s."""
+    rows = [move(3, 8.0, 6.0), move(4, 14.0, 6.0)]
+    assert [at for _, at in named(rows, (10.0, 20.0))] == pytest.approx([12_000.0, 17_000.0])
+    assert named(rows, (10.0, 10.0)) == []
+
+
+@pytest.mark.parametrize(("count", "shown"), [(MAX_NAMED, 1), (MAX_NAMED + 1, 0)])
+def test_of_very_many_moves_none_is_named(count: int, shown: int) -> None:
+    """One move takes nearly all the time; the others are too short for their names."""
+    rows = [move(3, 0.0, 9.0), *(move(4, 9.0, 0.001) for _ in range(count - 1))]
+    assert len(named(rows, (0.0, 10.0))) == shown
+
+
+def test_a_name_has_a_gap_to_the_one_before() -> None:
+    """There is room for ten names, but not for the gaps: every second move is named."""
+    (*_, shortest) = _names(move(3, 0.0, 1.0))
+    time = len(shortest) * LETTER + 0.5 * GAP
+    rows = [move(3, k * time, time) for k in range(10)]
+    assert [round(at / 1000.0 / time, 3) for _, at in named(rows, (0.0, 1.0))] == [0.5, 2.5, 4.5, 6.5, 8.5]

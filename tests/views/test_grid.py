@@ -12,7 +12,8 @@ from rich.table import Table
 from rich.text import Text
 from rich.theme import Theme
 
-from motionlang.views.grid import GAP, Column, grid
+from motionlang.views import table
+from motionlang.views.grid import GAP, Column, decimals_of, grid
 from motionlang.views.terminal import STYLES, styled
 
 # Only a rule below the head, which runs through the gaps: rich's notation of a box, line by line.
@@ -88,3 +89,36 @@ def test_a_grid_is_the_table_that_rich_draws(colour: bool) -> None:
         styles = [draw.choice(NAMES) for _ in rows] if draw.random() < 0.5 else []
         lines = grid(columns, rows, width=1000, colour=colour, styles=styles)
         assert lines == drawn_by_rich(columns, rows, styles, colour)
+
+
+@pytest.mark.parametrize(
+    ("values", "decimals"),
+    [
+        ([], 0), ([0.0], 0), ([12.0, 3.0], 0), ([1.5, 2.25], 2), ([1 / 3], 4), ([1 / 3, 7.0], 4),
+        ([0.0101234567], 4), ([0.0091234567], 5), ([0.00091234567], 6), ([1.23456789e-8], 9),
+    ],
+)  # fmt: skip
+def test_four_decimals_suffice_unless_all_values_are_below_a_hundredth(
+    values: list[float], decimals: int
+) -> None:
+    assert decimals_of(values) == decimals
+
+
+@pytest.mark.parametrize(
+    ("columns", "order"),
+    [
+        (table._EVENTS, ["line", "limit", "value", "motion of line", ""]),
+        (table._AXES, ["feedback", "counts", "scale"]),
+        (table._MOTORS, ["peak output", "line"]),
+        (table._TOTALS, ["of the run", "each"]),
+    ],
+)
+def test_a_narrow_table_drops_the_least_important_column_first(
+    columns: tuple[Column, ...], order: list[str]
+) -> None:
+    dropped: list[str] = []
+    for width in range(200, 0, -1):
+        head = grid(columns, [[f"{k}" * 30 for k in range(len(columns))]], width=width * 2)[-1]
+        gone = [each.title for k, each in enumerate(columns) if f"{k}" * 30 not in head]
+        dropped += [title for title in gone if title not in dropped]
+    assert dropped == order

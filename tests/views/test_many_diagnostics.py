@@ -18,23 +18,23 @@ BAD = "".join(f"1XX{number}\n" for number in range(3000))
 class Counting(str):
     """A text that counts how often it is searched."""
 
-    looks = 0
+    scans = 0
 
     def count(self, *given: object) -> int:
-        Counting.looks += 1
+        Counting.scans += 1
         return super().count(*given)  # type: ignore[arg-type]
 
     def rfind(self, *given: object) -> int:
-        Counting.looks += 1
+        Counting.scans += 1
         return super().rfind(*given)  # type: ignore[arg-type]
 
 
-def test_places_of_many_mistakes_cost_one_look_at_the_text() -> None:
+def test_locations_of_many_mistakes_cost_one_scan_of_the_text() -> None:
     source = Source("bad.mcl", BAD)
     source.text = Counting(BAD)
     found = check(source)
     assert [each.line for each in found] == list(range(1, 3001))
-    assert Counting.looks < 10
+    assert Counting.scans < 10
 
 
 def test_a_file_full_of_mistakes_is_shown_in_bounds() -> None:
@@ -54,21 +54,25 @@ def test_equal_diagnostics_of_a_run_are_one() -> None:
         "home.mnt", "Dim i As Integer\nFor i = 1 To 50\n HOME(0) = 0\n CANCEL(0)\n WAIT = 100\nNext\n"
     )
     ran = motionlang.run(program, machine={"controller.axes": 1}, until=10.0, cache=False)
-    (told,) = [each for each in ran.diagnostics if each.code == "never"]
-    assert (told.count, told.line) == (50, 3)
-    assert 0.0 < told.first < 0.001
-    assert 4.9 < told.last < 4.92
-    shown = told.as_dict()
-    assert (shown["count"], shown["first_time"], shown["last_time"]) == (50, told.first, told.last)
-    assert f"note: 50 times, from {told.first:.6g} s to {told.last:.6g} s" in render(told, program)
+    (diagnostic,) = [each for each in ran.diagnostics if each.code == "never"]
+    assert (diagnostic.count, diagnostic.line) == (50, 3)
+    assert 0.0 < diagnostic.first < 0.001
+    assert 4.9 < diagnostic.last < 4.92
+    shown = diagnostic.as_dict()
+    assert (shown["count"], shown["first_time"], shown["last_time"]) == (
+        50,
+        diagnostic.first,
+        diagnostic.last,
+    )
+    assert f"note: 50 times, from 0.00001 s to {diagnostic.last:.6g} s" in render(diagnostic, program)
 
 
 def test_a_command_that_is_refused_again_and_again_is_counted() -> None:
     ran = motionlang.run(Source("w.mcl", "2MR1,WA0.1,RP9\n"), until=10.0)
-    (told,) = [each for each in ran.diagnostics if each.code == "disabled-axis"]
-    assert told.count == 10
-    assert 0.9 < told.last < 0.91
-    assert told.first < 0.001
+    (diagnostic,) = [each for each in ran.diagnostics if each.code == "disabled-axis"]
+    assert diagnostic.count == 10
+    assert 0.9 < diagnostic.last < 0.91
+    assert diagnostic.first < 0.001
 
 
 def test_different_diagnostics_of_a_run_are_bounded() -> None:

@@ -71,7 +71,7 @@ def test_channels_are_lanes_below_the_axes(tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("texts")
-def test_what_is_not_drawn_is_said(tmp_path: Path) -> None:
+def test_what_is_not_drawn_is_reported(tmp_path: Path) -> None:
     run, controller = new_run(axes=12)
     for axis in range(11):
         controller.move_by(axis, 100.0)
@@ -134,18 +134,18 @@ def test_the_legend_lies_where_the_curves_do_not_end(end: list[float], high: boo
     assert _ends_high([np.array(end), np.zeros(3)]) is high
 
 
-def test_a_folder_that_is_not_there_is_said_of_the_file_that_was_asked_for(tmp_path: Path) -> None:
-    asked = str(tmp_path / "nowhere" / "x.png")
+def test_a_missing_folder_is_reported_with_the_requested_file(tmp_path: Path) -> None:
+    path = str(tmp_path / "nowhere" / "x.png")
     with pytest.raises(FileNotFoundError) as caught:
-        write_plot(ballscrew(), asked)
-    assert caught.value.filename == asked
+        write_plot(ballscrew(), path)
+    assert caught.value.filename == path
 
 
 @pytest.mark.usefixtures("texts")
-def test_a_part_of_a_run_has_the_peaks_of_that_part(tmp_path: Path) -> None:
-    """The ramp of 1250 mm/s² reaches 125 mm/s after a tenth of a second.
+def test_a_window_of_a_run_has_the_peaks_of_that_window(tmp_path: Path) -> None:
+    """A ramp of 1250 mm/s² reaches 125 mm/s after a tenth of a second.
 
-    The move's name stays visible.
+    The name of the move stays visible.
     """
     write_plot(ballscrew(), str(tmp_path / "x.svg"), window=Window(0.05, 0.10005))
     found = re.findall(r"<text[^>]*>([^<]*)</text>", (tmp_path / "x.svg").read_text(encoding="utf-8"))

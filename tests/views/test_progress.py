@@ -40,8 +40,8 @@ def plain(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_bar_says_how_far_it_is_and_goes_away() -> None:
     terminal = Terminal()
     bar = Progress(terminal, "x[1].csv")
-    for part in (0.0, 0.25, 1.0):
-        bar(part)
+    for fraction in (0.0, 0.25, 1.0):
+        bar(fraction)
     bar.done()
     text = terminal.getvalue()
     assert [re.sub(r"[━╸╺ ]+", " ", line) for line in terminal.words()] == [
@@ -94,7 +94,7 @@ def test_a_watcher_leaves_a_question_and_its_answer_alone() -> None:
     watcher.above(terminal.write, "")
 
 
-def test_its_thread_writes_by_itself_and_ends_when_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_its_thread_writes_by_itself_and_ends_on_request(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(progress, "RUN_PATIENCE", 0.0)
     monkeypatch.setattr(progress, "RUN_PERIOD", 0.0)
     terminal, seen, times = Terminal(), threading.Event(), 0

@@ -113,10 +113,10 @@ def test_each_pulse_and_each_gap_is_in_the_svg(tmp_path: Path) -> None:
     assert all(right - left >= 1.0 - 1e-5 for left, right in bars)
 
 
-def test_a_part_of_the_run_has_its_pulses(tmp_path: Path) -> None:
+def test_a_window_of_the_run_has_its_pulses(tmp_path: Path) -> None:
     """Between 5 and 55 s there are five pulses, 10 s apart.
 
-    They have 20, 30, 40, 50 and 60 ms.
+    They take 20, 30, 40, 50 and 60 ms.
     """
     pytest.importorskip("matplotlib")
     write_plot(pulses(), str(tmp_path / "x.svg"), window=Window(begin=5.0, end=55.0))
@@ -131,8 +131,8 @@ class Page:
         racer = pytest.importorskip("py_mini_racer")
         self._context = racer.MiniRacer()
         scripts = (
-            files("motionlang.views.scope").joinpath(f"{part}.js").read_text(encoding="utf-8")
-            for part in ("model", "draw")
+            files("motionlang.views.scope").joinpath(f"{name}.js").read_text(encoding="utf-8")
+            for name in ("model", "draw")
         )
         data = json.dumps(data_of(page(made)))
         self._context.eval(

@@ -150,7 +150,7 @@ def test_the_document_is_plain_ascii() -> None:
     assert json.loads(text(run))["output"] == ["µ\ud800\x1b"]
 
 
-ALIKE = """
+SIMILAR_MOVES = """
 Dim n As Integer
 SCALEFACTOR(1) = 3 : SPEED(0, 1) = 20, 35
 For n = 1 To 6
@@ -170,8 +170,8 @@ End
 """
 
 
-def test_lines_of_moves_that_are_alike_are_those_of_each() -> None:
-    result = run(Source("a.mnt", ALIKE), cache=False, until=30.0)
+def test_lines_of_similar_moves_are_those_of_each() -> None:
+    result = run(Source("a.mnt", SIMILAR_MOVES), cache=False, until=30.0)
     lines = [json.dumps(row) for row in build(result)["moves"]]
     assert len(lines) > 12
     written = text(result)
@@ -184,8 +184,8 @@ MOTOR = "SERVOC(0) = 1\n"
 
 
 @pytest.mark.parametrize("in_full", [0, 3, 1000])
-def test_a_brief_row_is_a_part_of_the_whole_one(in_full: int) -> None:
-    result = run(Source("a.mnt", ALIKE), cache=False, until=30.0)
+def test_a_brief_row_is_a_subset_of_the_full_one(in_full: int) -> None:
+    result = run(Source("a.mnt", SIMILAR_MOVES), cache=False, until=30.0)
     whole, brief = list(moves(result)), list(moves(result, in_full))
     assert [len(row) == 6 for row in brief] == [number >= in_full for number in range(len(whole))]
     assert all(row.items() >= short.items() for row, short in zip(whole, brief, strict=True))

@@ -21,6 +21,7 @@ from motionlang.servo import Loop, simulate
 from motionlang.servo.settings import make_plant
 from motionlang.source import Source
 from motionlang.views.scope import _packed, page, write_scope
+from tests.generated.motion import generate
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 from tests.views.test_vcd import switched
 
@@ -188,6 +189,15 @@ def test_the_same_run_gives_the_same_bytes(tmp_path: Path) -> None:
     for name in ("one", "two"):
         write_scope(pick(), str(tmp_path / name))
     assert (tmp_path / "one").read_bytes() == (tmp_path / "two").read_bytes()
+
+
+def test_a_rounding_error_is_no_block_of_the_critical_path() -> None:
+    """Two links of this run have a gap of 4e-19 s, which must not be shown as a time."""
+    program = generate(14)
+    bands = data_of(page(run(Source(program.name, program.text), machine=program.machine, until=3.0)))[
+        "bands"
+    ]
+    assert [(begin, end) for begin, end, *_ in bands[0]["spans"] if end - begin < 1e-12] == []
 
 
 def test_more_than_a_page_holds_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -95,11 +95,11 @@ def test_the_wheel_zooms_around_the_pointer_and_shift_drag_moves(browser: Browse
 
 
 def test_two_cursors_and_what_lies_between_them(browser: Browser) -> None:
-    for part in (0.2, 0.7):
-        browser.mouse(part).pause(1).click().perform()
+    for fraction in (0.2, 0.7):
+        browser.mouse(fraction).pause(1).click().perform()
     assert browser.js("marks.map((time) => time / END)") == pytest.approx([0.2, 0.7], abs=0.005)
-    told = browser.find("#readout").text
-    assert [each for each in ("A ", "B ", "Δ ") if each not in told] == []
+    readout = browser.find("#readout").text
+    assert [each for each in ("A ", "B ", "Δ ") if each not in readout] == []
     values = browser.js("[...document.querySelectorAll('#scope .value')].map((each) => each.textContent)")
     assert all("A " in each and "Δ " in each for each in values)
     # A cursor is moved by its line, and removed by a click on it.
@@ -112,7 +112,7 @@ def test_two_cursors_and_what_lies_between_them(browser: Browser) -> None:
     assert browser.js("marks.length") == 0
 
 
-def test_keys_move_and_zoom_and_are_told_on_the_page(browser: Browser) -> None:
+def test_keys_move_and_zoom_and_are_listed_on_the_page(browser: Browser) -> None:
     browser.keys("+")
     assert window(browser) == pytest.approx([0.25, 0.75], abs=0.002)
     browser.keys("\ue014")
@@ -163,7 +163,7 @@ def test_axes_and_quantities_are_switched_by_their_names(browser: Browser) -> No
     assert browser.js("panels.length") == 4
 
 
-def test_the_way_of_two_axes(browser: Browser) -> None:
+def test_the_path_of_two_axes(browser: Browser) -> None:
     assert not browser.find("#way").is_displayed()
     choices = browser.driver.find_elements("css selector", "#ways select")
     choices[0].send_keys("X: axis 0")
@@ -180,7 +180,7 @@ def test_the_lines_that_take_the_time_lead_to_where_they_do(browser: Browser) ->
     browser.js("document.querySelector('#lines tr').scrollIntoView({block: 'center'})")
     rows[0].click()
     assert browser.js("marks[0]") == pytest.approx(browser.js("data.lines[0].time"))
-    assert browser.js("data.bands.map((band) => band.name)") == ["critical chain", "ParentTask"]
+    assert browser.js("data.bands.map((band) => band.name)") == ["critical path", "ParentTask"]
     assert browser.js("document.querySelectorAll('#scope .wait').length") > 5
 
 
@@ -229,7 +229,7 @@ def test_a_second_run_lies_behind_the_first(started: Browser, folder: Path) -> N
     assert started.complaints() == []
 
 
-def test_it_begins_with_the_window_that_was_asked_for(started: Browser, folder: Path) -> None:
+def test_it_begins_with_the_requested_window(started: Browser, folder: Path) -> None:
     text = page(pick(), window=Window(0.5, 1.0, (1,), (0, 2)))
     (folder / "window.html").write_text(text, encoding="utf-8")
     started.open(folder / "window.html")

@@ -129,7 +129,7 @@ def test_many_moves_are_summed_up_by_line() -> None:
     assert render(shift()).startswith(MANY)
 
 
-def test_of_very_many_figures_few_are_held_that_add_up_to_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_of_very_many_figures_few_are_stored_that_add_up_to_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = render(shift())
     monkeypatch.setattr("motionlang.views.table.MAX_TERMS", 7)
     assert render(shift()) == whole
@@ -138,7 +138,7 @@ def test_of_very_many_figures_few_are_held_that_add_up_to_the_same(monkeypatch: 
     assert max(len(each) for total in totals for each in (total.durations, total.distances)) < 7
 
 
-def test_all_moves_with_their_phases_where_everything_is_asked_for() -> None:
+def test_all_moves_with_their_phases_where_everything_is_requested() -> None:
     made = render(shift(), everything=True)
     assert made.count("MOVER") == 400 + 4
     assert made.count("├ accel") == 400
@@ -167,7 +167,7 @@ def test_notes_and_errors_of_axes_are_shown() -> None:
     assert text.endswith("\n\nnote: line 3: a wait on an input that no scenario drives\n")
 
 
-def test_colour_only_paints_and_charts_are_asked_for() -> None:
+def test_colour_only_paints_and_charts_are_requested() -> None:
     painted = render(ballscrew(), colour=True)
     assert "\x1b[1mballscrew.mnt\x1b[0m" in painted
     assert "\x1b[32m├ accel\x1b[0m" in painted

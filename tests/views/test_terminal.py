@@ -68,7 +68,7 @@ def test_only_unicode_has_lines() -> None:
     ("style", "shown"),
     [
         ("error", "\x1b[1;31mx\x1b[0m"),
-        ("place", "\x1b[34mx\x1b[0m"),
+        ("location", "\x1b[34mx\x1b[0m"),
         ("dim", "\x1b[2mx\x1b[0m"),
         ("segment", "x"),
         ("", "x"),

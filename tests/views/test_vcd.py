@@ -94,14 +94,14 @@ def test_another_program_reads_the_samples_in_it(tmp_path: Path, make: object) -
     samples = run.trace.sample(1000.0)
     grid = np.rint(samples.time * 1e9).astype(np.int64)
     for column, values in zip(samples.columns[1:], samples.data[1:], strict=True):
-        times, held = found[column.name.replace("_", ".", 1)]
-        shown = np.array(held)[np.searchsorted(times, grid, "right") - 1]
+        times, states = found[column.name.replace("_", ".", 1)]
+        shown = np.array(states)[np.searchsorted(times, grid, "right") - 1]
         np.testing.assert_allclose(shown, values, rtol=0, atol=1e-6)
         # A viewer that draws straight lines shows the same: no slope during standstill.
-        np.testing.assert_allclose(np.interp(grid, times, held), values, rtol=0, atol=1e-6)
+        np.testing.assert_allclose(np.interp(grid, times, states), values, rtol=0, atol=1e-6)
     for lane in lanes(run.controller):
-        times, held = found[f"{lane.group.replace(' ', '_')}.{lane.name}"]
-        assert (times, held) == ([round(time * 1e9) for time in lane.times], lane.values)
+        times, states = found[f"{lane.group.replace(' ', '_')}.{lane.name}"]
+        assert (times, states) == ([round(time * 1e9) for time in lane.times], lane.values)
 
 
 def read(path: Path) -> tuple[dict[str, tuple[list[int], list[float]]], int]:

@@ -48,8 +48,8 @@ def install(folder: Path) -> None:
     npm(folder, "install", "--ignore-scripts", *PACKAGES)
     npm(folder, "rebuild", "argon2")
     server = folder / SERVER / "lib" / "vscode"
-    for part in (server, server / "extensions"):
-        npm(part, "install", "--ignore-scripts", "--omit=dev")
+    for package in (server, server / "extensions"):
+        npm(package, "install", "--ignore-scripts", "--omit=dev")
     npm(server, "rebuild", "--yes", *NATIVE)
     extension = folder / "extension"
     shutil.copytree(EXTENSION, extension, ignore=shutil.ignore_patterns("node_modules"), dirs_exist_ok=True)

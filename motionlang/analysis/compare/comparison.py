@@ -62,8 +62,8 @@ class Comparison(NamedTuple):
     @property
     def is_within(self) -> bool | None:
         """True if everything is within tolerance; None if no tolerance was given."""
-        judged = [row["within"] for row in self.moves + self.signals if row["within"] is not None]
-        return all(judged) if judged else None
+        verdicts = [row["within"] for row in self.moves + self.signals if row["within"] is not None]
+        return all(verdicts) if verdicts else None
 
     def report(self) -> Row:
         """Return the comparison as plain data, schema `motionlang.compare/1`."""

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 SEPARATORS = ("\t", ";", ",", " ")
 REMARKS = ("#", "%", "//")
 # Lines that are read to detect the separator and the head.
-_LOOKED_AT = 60
+_SAMPLED_LINES = 60
 # The possible names of the time column, and the seconds of a unit in a name.
 TIMES = ("time", "t", "time_s", "zeit", "timestamp", "sec", "seconds")
 UNITS = {"s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "ns": 1e-9}
@@ -84,7 +84,7 @@ def read_table(source: Source) -> Table:
         for number, line in enumerate(source.text.split("\n"), 1)
         if line.strip() and not line.lstrip().startswith(REMARKS)
     ]
-    separator, width = _separator([line for _, line in lines[:_LOOKED_AT]])
+    separator, width = _separator([line for _, line in lines[:_SAMPLED_LINES]])
     head: list[list[str]] = []
     rows: list[list[float]] = []
     numbers: list[int] = []
@@ -260,5 +260,5 @@ def usable_rows(times: Array, table: Table) -> tuple[NDArray[np.int64], list[Dia
             )
         )
         rows = rows[first:last]
-    keeps = np.append(np.diff(times[rows]) > 0.0, True)
-    return rows[keeps], remarks
+    advances = np.append(np.diff(times[rows]) > 0.0, True)
+    return rows[advances], remarks

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 
-def part_of(link: Link) -> str:
-    """Return the key of a budget, in addition to `time`, that a link counts towards."""
+def category_of(link: Link) -> str:
+    """Return the budget key, in addition to `time`, that a link counts towards."""
     if link.is_motion:
         return "motion"
     return link.cause if link.cause in ("dwell", "computing", "settling") else "waiting"
@@ -28,13 +28,13 @@ def over_budget(run: Run, settings: Mapping[str, object]) -> Iterator[Diagnostic
         if not key.startswith("budget."):
             continue
         assert isinstance(allowed, (int, float))
-        part = key.removeprefix("budget.")
-        links = [link for link in made.links if part in ("time", part_of(link))]
-        taken = run.time if part == "time" else made.total(links)
+        category = key.removeprefix("budget.")
+        links = [link for link in made.links if category in ("time", category_of(link))]
+        taken = run.time if category == "time" else made.total(links)
         if taken > allowed:
             lines = made.shares_of(links)
             line, seconds = next(((share.line, share.seconds) for share in lines), (0, 0.0))
-            what = "the run" if part == "time" else part
+            what = "the run" if category == "time" else category
             yield Diagnostic(
                 "budget",
                 f"{what} took {taken:.6g} s, {taken - allowed:.6g} s over the budget of {allowed:g} s",

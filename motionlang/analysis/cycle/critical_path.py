@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
     # One of several links that differ only in their times, with their durations: terms of an exact sum.
-    Alike = tuple["Link", list[float]]
+    LinkGroup = tuple["Link", list[float]]
     # Its cause, source position, task, axes and the line that waited.
     About = tuple[str, SourcePosition, str, tuple[int, ...], int]
     Put = Callable[[float], None]
@@ -74,7 +74,7 @@ class Link:
     begin: float
     end: float
     cause: str
-    place: SourcePosition
+    position: SourcePosition
     task: str
     axes: tuple[int, ...]
     waited: int = 0
@@ -97,9 +97,9 @@ class Strip:
     """
 
     def __init__(
-        self, place: SourcePosition, task: str, phases: Phases, waited: int, axes: tuple[int, ...] = ()
+        self, position: SourcePosition, task: str, phases: Phases, waited: int, axes: tuple[int, ...] = ()
     ) -> None:
-        self.place, self.task, self.phases, self.axes, self.waited = place, task, phases, axes, waited
+        self.position, self.task, self.phases, self.axes, self.waited = position, task, phases, axes, waited
         self.begins: list[float] = []
         self.ends: list[float] = []
 
@@ -113,8 +113,8 @@ class Strip:
         self.begins.append(begin)
         self.ends.append(end)
 
-    def parts(self) -> Iterator[tuple[str, list[float], list[float]]]:
-        """Yield each phase, with its start and end in each link."""
+    def by_phase(self) -> Iterator[tuple[str, list[float], list[float]]]:
+        """Yield each phase, with its start and end times in each link."""
         lows, ends = self.begins, self.ends
         for name, seconds in self.phases[:-1]:
             highs = [
@@ -133,15 +133,15 @@ class _Loops:
         self._low, self._high, self._depth = 1.0, 0.0, 0
         self._begun = self._over = _NOTHING
 
-    def take(self, begin: float, end: float, place: SourcePosition) -> bool:
+    def take(self, begin: float, end: float, position: SourcePosition) -> bool:
         """Charge computing to its loops; False at a position in a sub that a loop calls."""
         if self._low <= begin and end <= self._high:  # unchanged, the most frequent case
-            if len(place.callers) > self._depth:
+            if len(position.callers) > self._depth:
                 return False
             self._begun(begin)
             self._over(end)
             return True
-        self._low, self._high, inside = self._chain._compute(begin, end, self._task, place)
+        self._low, self._high, inside = self._chain._compute(begin, end, self._task, position)
         if inside is not None:
             self._depth = len(inside.callers)
             self._begun, self._over = self._chain._strip("computing", inside, self._task).columns
@@ -153,7 +153,7 @@ class CriticalPath:
 
     def __init__(self, run: Run) -> None:
         self.motions = Motions(run)
-        self.places = SourcePositions(run)
+        self.positions = SourcePositions(run)
         self._run = run
         self._near = STATEMENTS * run.machine.instruction_time + 1e-9
         self._polls = Polls(run, self.motions, all_waits(run))
@@ -180,19 +180,19 @@ class CriticalPath:
         """Return the start and end of each link, and its other fields, which are shared."""
         found: list[tuple[float, float, About]] = []
         for strip in self._strips.values():
-            for name, lows, highs in strip.parts():
-                about = name, strip.place, strip.task, strip.axes, strip.waited
+            for name, lows, highs in strip.by_phase():
+                about = name, strip.position, strip.task, strip.axes, strip.waited
                 found += [(low, high, about) for low, high in zip(lows, highs, strict=True) if low < high]
         found.sort(key=itemgetter(0))  # no two begin together
         return found
 
-    def alike(self) -> list[Alike]:
-        """Return the links as a table needs them, without making each."""
-        found: dict[object, Alike] = {}
+    def grouped(self) -> list[LinkGroup]:
+        """Return the links grouped for a table, without creating each link."""
+        found: dict[object, LinkGroup] = {}
         for strip in self._strips.values():
-            for name, lows, highs in strip.parts():
+            for name, lows, highs in strip.by_phase():
                 if lows:
-                    about = name, strip.place, strip.task, strip.axes, strip.waited
+                    about = name, strip.position, strip.task, strip.axes, strip.waited
                     link = Link(lows[0], highs[0], *about)
                     _put(found, link, exact_terms(map(sub, highs, lows)))
         return list(found.values())
@@ -224,12 +224,12 @@ class CriticalPath:
             _, at, since, until, cause, what, _, callers = wait = waits[last]
             if since >= time or until > time + 1e-12:
                 continue  # it was not over by then
-            kind, caller, place, began, ended, of_motion, begun, over = known.get(at, UNKNOWN)
+            kind, caller, position, began, ended, of_motion, begun, over = known.get(at, UNKNOWN)
             if kind != cause or caller != callers:
                 known[at] = self._at(at, cause, callers, task)
-                _, _, place, began, ended, of_motion, begun, over = known[at]
+                _, _, position, began, ended, of_motion, begun, over = known[at]
             if until < time:
-                if loops is None or not loops.take(until, time, place):
+                if loops is None or not loops.take(until, time, position):
                     began(until)
                     ended(time)
                 time = until
@@ -249,13 +249,13 @@ class CriticalPath:
             else:
                 motion = self._awaited(wait, time)
                 if motion is None:
-                    self._add(since, time, self._cause(wait, time), place, task)
+                    self._add(since, time, self._cause(wait, time), position, task)
                     time = since
                     continue
                 end, begin, line, axes, shape = motion
             if end < time:
                 if end < time - near:
-                    self._add(end, time, "settling", place, task)
+                    self._add(end, time, "settling", position, task)
                 else:
                     began(end)
                     ended(time)
@@ -264,30 +264,30 @@ class CriticalPath:
             earlier = waits[last - 1][3] if last else 0.0
             in_between = begin - near <= since and earlier <= begin + near < until
             if (
-                in_between and place is where and known_move == (line, axes, shape)
+                in_between and position is where and known_move == (line, axes, shape)
             ):  # the task itself began it
                 started(begin)
                 arrived(time)
                 time = begin
                 continue
             motion = end, begin, line, axes, shape
-            moved[at] = (line, axes, shape), place, *self._strip_of(motion, task, place).columns
-            other, time = self._back(motion, time, task, place)
+            moved[at] = (line, axes, shape), position, *self._strip_of(motion, task, position).columns
+            other, time = self._back(motion, time, task, position)
             if other != task:
                 return other, time
         return self._started(task, time) if time > 0.0 else (task, time)
 
     def _at(self, at: int, cause: str, callers: tuple[int, ...], task: str) -> WaitedAt:
         """Return the common fields of the waits of one cause at one position."""
-        place = self.places.of(at, callers)
-        computing = self._strip("computing", place, task).columns
+        position = self.positions.of(at, callers)
+        computing = self._strip("computing", position, task).columns
         return (
             cause,
             callers,
-            place,
+            position,
             *computing,
             cause in MOVED,
-            *self._strip(CAUSES[cause], place, task).columns,
+            *self._strip(CAUSES[cause], position, task).columns,
         )
 
     def _started(self, task: str, time: float) -> tuple[str, float]:
@@ -311,7 +311,7 @@ class CriticalPath:
         return self.motions.crossing(axes[0], time) if found is None and cause == MOVING else found
 
     def _compute(
-        self, begin: float, end: float, task: str, place: SourcePosition
+        self, begin: float, end: float, task: str, position: SourcePosition
     ) -> tuple[float, float, SourcePosition | None]:
         """Charge computing to its loops, and outside them to `position`; return a loop.
 
@@ -323,11 +323,11 @@ class CriticalPath:
         number = bisect_right(spans, begin, key=itemgetter(1))
         while begin < end:
             since, until, at, callers = spans[number] if number < len(spans) else (end, end, 0, ())
-            self._add(begin, min(since, end), "computing", place, task)
+            self._add(begin, min(since, end), "computing", position, task)
             begin = max(begin, since)
             if begin < end:
-                loop = self.places.of(at, callers)
-                nearer = place if since < waited and len(place.callers) > len(loop.callers) else loop
+                loop = self.positions.of(at, callers)
+                nearer = position if since < waited and len(position.callers) > len(loop.callers) else loop
                 self._add(begin, min(until, end), "computing", nearer, task)
                 if first[2] is None:
                     first = since, until, loop
@@ -368,11 +368,11 @@ class CriticalPath:
             if before is None:
                 # An outside event has started it while all tasks waited: the task waited for that.
                 _, at, since, _, _, _, _, callers = waiting
-                self._add(since, begin, self._cause(waiting, begin), self.places.of(at, callers), task)
+                self._add(since, begin, self._cause(waiting, begin), self.positions.of(at, callers), task)
                 return task, since
             end = before[0]
             if end < begin:
-                self._add(end, begin, "waiting", self.places.at_line(line), task)
+                self._add(end, begin, "waiting", self.positions.at_line(line), task)
             motion, time = before, min(end, begin)
 
     def _motion_after(self, over: float, time: float, task: str) -> float:
@@ -383,7 +383,7 @@ class CriticalPath:
             return over
         end, begin, line, _, _ = motion
         if end < time:
-            self._add(end, time, "settling", self.places.at_line(line), task)
+            self._add(end, time, "settling", self.positions.at_line(line), task)
         self._add_motion(motion, end, task, NOWHERE, max(begin, over))
         return max(begin, over)
 
@@ -393,9 +393,9 @@ class CriticalPath:
         """Return the wait of a task at `time`, excluding its first and last instant."""
         waits, soon = self._waits.get(task, []), time + self._near
         untils = self._untils.get(task)
-        place = bisect_right(waits, soon, key=_UNTIL) if untils is None else bisect_right(untils, soon)
-        if place < len(waits) and waits[place][2] < time - self._near:
-            return waits[place]
+        index = bisect_right(waits, soon, key=_UNTIL) if untils is None else bisect_right(untils, soon)
+        if index < len(waits) and waits[index][2] < time - self._near:
+            return waits[index]
         return None
 
     def _who_acted(self, time: float, task: str) -> str | None:
@@ -412,33 +412,35 @@ class CriticalPath:
     def _starter(self, task: str) -> tuple[str, float]:
         """Return the task that started another, and when; the parent started with the run."""
         parent = parent_of(self._run)
-        begin = next((turn.time for turn in self._run.machine.log.slices if task in turn.tasks), 0.0)
+        begin = next(
+            (time_slice.time for time_slice in self._run.machine.log.slices if task in time_slice.tasks), 0.0
+        )
         return parent, 0.0 if task == parent else begin
 
     def _first_location(self, task: str) -> SourcePosition:
         """Return the start of a task, or its first wait if the start is not known."""
-        begin = self.places.begin(task)
+        begin = self.positions.begin(task)
         if begin is not None:
             return begin
         waits = self._waits.get(task, [])
-        return self.places.of(waits[0][1], waits[0][-1]) if waits else NOWHERE
+        return self.positions.of(waits[0][1], waits[0][-1]) if waits else NOWHERE
 
     # ---------------------------------------------------------------------------------------- charging
 
-    def _strip(self, cause: str, place: SourcePosition, task: str) -> Strip:
+    def _strip(self, cause: str, position: SourcePosition, task: str) -> Strip:
         """Return the strip of one phase.
 
         Each source position has exactly one `SourcePosition` object.
         """
-        key = id(place), cause, task
+        key = id(position), cause, task
         if key not in self._strips:
-            waited = 0 if cause == "computing" else place.line
-            self._strips[key] = Strip(place, task, ((cause, 0.0),), waited)
+            waited = 0 if cause == "computing" else position.line
+            self._strips[key] = Strip(position, task, ((cause, 0.0),), waited)
         return self._strips[key]
 
-    def _add(self, begin: float, end: float, cause: str, place: SourcePosition, task: str) -> None:
+    def _add(self, begin: float, end: float, cause: str, position: SourcePosition, task: str) -> None:
         if end > begin:
-            self._strip(cause, place, task).add(begin, end)
+            self._strip(cause, position, task).add(begin, end)
 
     def _add_motion(
         self, motion: Motion, time: float, task: str, waited: SourcePosition, begin: float
@@ -454,16 +456,16 @@ class CriticalPath:
     def _strip_of(self, motion: Motion, task: str, waited: SourcePosition, begin: float = 0.0) -> Strip:
         """Return the strip of a move, or of its remainder from `begin` on."""
         _, began, line, axes, shape = motion
-        place = self.places.at_line(line)
-        if waited.callers and place.sub == waited.sub:
-            place = self.places.called(place.line, waited.callers)
+        position = self.positions.at_line(line)
+        if waited.callers and position.sub == waited.sub:
+            position = self.positions.called(position.line, waited.callers)
         phases = self.motions.phases(shape)
         if begin > began:
             phases = _behind(phases, begin - began)
-        key = id(place), id(phases), axes, task, waited.line
+        key = id(position), id(phases), axes, task, waited.line
         strip = self._strips.get(key)
         if strip is None:
-            strip = self._strips[key] = Strip(place, task, phases, waited.line, axes)
+            strip = self._strips[key] = Strip(position, task, phases, waited.line, axes)
         return strip
 
 
@@ -476,17 +478,17 @@ def _behind(phases: Phases, seconds: float) -> Phases:
     return phases[-1:]
 
 
-def _put(found: dict[object, Alike], link: Link, times: list[float]) -> None:
-    key = id(link.place), link.cause, link.axes, link.waited
+def _put(found: dict[object, LinkGroup], link: Link, times: list[float]) -> None:
+    key = id(link.position), link.cause, link.axes, link.waited
     if key in found:
         found[key][1].extend(times)
     else:
         found[key] = link, times
 
 
-def alike(links: Iterable[Link]) -> list[Alike]:
+def grouped(links: Iterable[Link]) -> list[LinkGroup]:
     """Group links by position, cause, axes and the line that waited."""
-    found: dict[object, Alike] = {}
+    found: dict[object, LinkGroup] = {}
     for link in links:
         _put(found, link, [link.duration])
     return list(found.values())

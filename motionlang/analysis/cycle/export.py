@@ -86,10 +86,10 @@ def trace_events(made: TimeProfile) -> Iterator[Row]:
     Times are microseconds. The name of a lane precedes its first event, and the name of the process precedes
     all events.
     """
-    run, places = made.run, SourcePositions(made.run)
+    run, positions = made.run, SourcePositions(made.run)
     lanes: dict[str, int] = {}
     yield {"name": "process_name", "ph": "M", "pid": 1, "args": {"name": run.source.name}}
-    for lane, name, begin, end, about in _stretches(made, places):
+    for lane, name, begin, end, about in _stretches(made, positions):
         number = lanes.get(lane)
         if number is None:
             number = lanes[lane] = len(lanes) + 1
@@ -104,16 +104,16 @@ def trace_events(made: TimeProfile) -> Iterator[Row]:
         yield row | {"ts": begin * MICRO, "dur": (end - begin) * MICRO, "args": about}
 
 
-def _stretches(made: TimeProfile, places: SourcePositions) -> Iterator[tuple[str, str, float, float, Row]]:
+def _stretches(made: TimeProfile, positions: SourcePositions) -> Iterator[tuple[str, str, float, float, Row]]:
     """Yield the lane, name, begin, end and further fields of each event."""
     run = made.run
-    for begin, end, (cause, place, task, axes, _) in made.spans():
-        name = f"{cause}, line {place.line}" if place.line else cause
-        yield PATH, name, begin, end, {"line": place.line, "axes": axes, "task": task}
+    for begin, end, (cause, position, task, axes, _) in made.spans():
+        name = f"{cause}, line {position.line}" if position.line else cause
+        yield PATH, name, begin, end, {"line": position.line, "axes": axes, "task": task}
     for task, waits in made.waits().items():
         for wait in waits:
             what = wait.why or f"for {wait.until - wait.since:.6g} s"
-            about = {"line": places.of(wait.at, wait.callers).line, "cause": wait.cause}
+            about = {"line": positions.of(wait.at, wait.callers).line, "cause": wait.cause}
             yield f"task {task}", what, wait.since, wait.until, about
     for move in run.controller.log.moves:
         if move.profile is None:
@@ -130,17 +130,17 @@ def _stretches(made: TimeProfile, places: SourcePositions) -> Iterator[tuple[str
 
 def speedscope(made: TimeProfile) -> Row:
     """Return the critical path as weighted stacks: program, calls, line, and action."""
-    places = SourcePositions(made.run)
+    positions = SourcePositions(made.run)
     frames: dict[tuple[str, int], int] = {}
     known: dict[int, list[int]] = {}  # of a link by the identity of its shared fields
     spans = made.spans()
     for _, _, about in spans:
         if id(about) not in known:
-            cause, place, *_ = about
+            cause, position, *_ = about
             stack = [(PROGRAM, 0)]
-            for line in place.callers:
-                stack += [(places.sub(line) or PROGRAM, 0), (_named(made, line), line)]
-            stack += [(place.sub or PROGRAM, 0), (_named(made, place.line), place.line), (cause, 0)]
+            for line in position.callers:
+                stack += [(positions.sub(line) or PROGRAM, 0), (_named(made, line), line)]
+            stack += [(position.sub or PROGRAM, 0), (_named(made, position.line), position.line), (cause, 0)]
             unique = [frame for k, frame in enumerate(stack) if k == 0 or frame != stack[k - 1]]
             known[id(about)] = [frames.setdefault(frame, len(frames)) for frame in unique]
     name = made.run.source.name

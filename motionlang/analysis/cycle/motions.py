@@ -48,7 +48,7 @@ class Motions:
         self.alone: dict[int, tuple[int, ...]] = {axis: (axis,) for axis in run.controller.axes}
         log: Iterable[Any] = run.controller.log.moves.as_stored()
         self.rows: list[tuple[Any, ...]] = [
-            row if row.__class__ is tuple else _kept(row)
+            row if row.__class__ is tuple else _stored_row(row)
             for row in log
             if row.__class__ is tuple or row.profile is not None
         ]
@@ -103,22 +103,22 @@ class Motions:
         axis. With `axes` given, the last motion that ended before is returned if none ended within `near`.
         """
         ends, low = self.ends, time - near
-        place = bisect_right(ends, time + near) - 1
-        alone = place > 0 and ends[place - 1] < low <= ends[place] > since  # no other one is near to it
-        if alone and (not axes or self.axis(place) in axes):
-            return self._motion(place)
+        index = bisect_right(ends, time + near) - 1
+        alone = index > 0 and ends[index - 1] < low <= ends[index] > since  # no other one is near to it
+        if alone and (not axes or self.axis(index) in axes):
+            return self._motion(index)
         found, best = -1, (0.0, 0.0)
-        while place >= 0:
-            end = ends[place]
+        while index >= 0:
+            end = ends[index]
             if end <= since or (end < low and (found >= 0 or axes is None)):
                 break
-            if not axes or self.axis(place) in axes:
+            if not axes or self.axis(index) in axes:
                 if end < low:
-                    return self._whole(place)
-                begin = self.begins[self.order[place]]
+                    return self._whole(index)
+                begin = self.begins[self.order[index]]
                 if found < 0 or (begin, end) >= best:
-                    found, best = place, (begin, end)
-            place -= 1
+                    found, best = index, (begin, end)
+            index -= 1
         return None if found < 0 else self._whole(found)
 
     def before(self, axes: tuple[int, ...], begin: float, near: float) -> Motion | None:
@@ -127,33 +127,33 @@ class Motions:
         It ended within `near` of `begin`, or was blended.
         """
         first = bisect_right(self.ends, begin + near)
-        place = first - 1
-        while place >= 0 and self.ends[place] >= begin - near:
-            if self.axis(place) in axes and self.begins[self.order[place]] < begin:
-                return self._whole(place)
-            place -= 1
-        for place in range(first, len(self.ends)):
-            if self.axis(place) not in axes:
+        index = first - 1
+        while index >= 0 and self.ends[index] >= begin - near:
+            if self.axis(index) in axes and self.begins[self.order[index]] < begin:
+                return self._whole(index)
+            index -= 1
+        for index in range(first, len(self.ends)):
+            if self.axis(index) not in axes:
                 continue
-            began = self.begins[self.order[place]]
+            began = self.begins[self.order[index]]
             if began < begin:
-                return self._whole(place)
+                return self._whole(index)
             if began > begin:  # so has any later end
                 return None
         return None
 
     def last(self, after: float, time: float) -> Motion | None:
         """Return the last motion that ended after `after` and not after `time`."""
-        place = bisect_right(self.ends, time) - 1
-        return self._whole(place) if place >= 0 and self.ends[place] > after else None
+        index = bisect_right(self.ends, time) - 1
+        return self._whole(index) if index >= 0 and self.ends[index] > after else None
 
     def last_end(self, axis: int | None, after: float, until: float) -> float | None:
         """Return the last end of a motion of `axis`, or any for None, in (after, until]."""
-        place = bisect_right(self.ends, until) - 1
-        while place >= 0 and self.ends[place] > after:
-            if axis is None or self.axis(place) == axis:
-                return self.ends[place]
-            place -= 1
+        index = bisect_right(self.ends, until) - 1
+        while index >= 0 and self.ends[index] > after:
+            if axis is None or self.axis(index) == axis:
+                return self.ends[index]
+            index -= 1
         return None
 
     def moving_at(self, axis: int | None, time: float) -> int | None:
@@ -163,39 +163,39 @@ class Motions:
 
     def crossing(self, axis: int | None, time: float) -> Motion | None:
         """Return the motion of `axis`, or of any for None, at a time, as if it ended then."""
-        for place in range(bisect_right(self.ends, time), len(self.ends)):
-            if (axis is None or self.axis(place) == axis) and self.begins[self.order[place]] < time:
-                _, begin, line, axes, shape = self._whole(place)
+        for index in range(bisect_right(self.ends, time), len(self.ends)):
+            if (axis is None or self.axis(index) == axis) and self.begins[self.order[index]] < time:
+                _, begin, line, axes, shape = self._whole(index)
                 return time, begin, line, axes, shape
         return None
 
-    def axis(self, place: int) -> int:
+    def axis(self, index: int) -> int:
         """Return the axis of the motion at `index` in order of ends."""
-        axis: int = self.rows[self.order[place]][0]
+        axis: int = self.rows[self.order[index]][0]
         return axis
 
-    def _whole(self, place: int) -> Motion:
+    def _whole(self, index: int) -> Motion:
         """Return the motion at `index` in order of ends, with all of its axes."""
         ends, order, begins = self.ends, self.order, self.begins
-        end, number = ends[place], order[place]
-        first, last = place, place + 1
+        end, number = ends[index], order[index]
+        first, last = index, index + 1
         while first and ends[first - 1] == end:
             first -= 1
         while last < len(ends) and ends[last] == end:
             last += 1
         if last - first == 1:
-            return self._motion(place)
+            return self._motion(index)
         begin, line = begins[number], self.lines[number]
         same = [each for each in order[first:last] if begins[each] == begin and self.lines[each] == line]
         shapes = [self.rows[each][5] for each in same]
         shape = next(filter(_moves, shapes), shapes[0])
         return end, begin, line, tuple(self.rows[each][0] for each in same), shape
 
-    def _motion(self, place: int) -> Motion:
+    def _motion(self, index: int) -> Motion:
         """Return the motion at `index` in order of ends, with its own axis only."""
-        number = self.order[place]
+        number = self.order[index]
         row = self.rows[number]
-        return self.ends[place], self.begins[number], self.lines[number], self.alone[row[0]], row[5]
+        return self.ends[index], self.begins[number], self.lines[number], self.alone[row[0]], row[5]
 
 
 def _moves(shape: Profile | Recipe) -> bool:
@@ -214,14 +214,14 @@ def _cuts(begins: list[float]) -> Sequence[int]:
         return ()
     width = bisect_right(begins, begins[0])
     firsts = begins[::width]
-    alike = len(begins) % width == 0 and all(begins[k::width] == firsts for k in range(1, width))
-    if alike and all(map(lt, firsts, islice(firsts, 1, None))):
+    is_regular = len(begins) % width == 0 and all(begins[k::width] == firsts for k in range(1, width))
+    if is_regular and all(map(lt, firsts, islice(firsts, 1, None))):
         return range(0, len(begins) + 1, width)
     return [0, *compress(range(1, len(begins)), map(ne, begins, islice(begins, 1, None))), len(begins)]
 
 
-def _kept(move: Move) -> tuple[Any, ...]:
-    """Return the required fields of any other move, in the form of a plain one."""
+def _stored_row(move: Move) -> tuple[Any, ...]:
+    """Return the required fields of a move in the form of a stored fast-path move."""
     profile = move.profile
     assert profile is not None
     shape = profile._recipe if profile.pieced and len(profile._recipe) > 2 else profile

@@ -20,10 +20,11 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import Counter
-from math import fsum
+from math import fsum, inf
 from operator import itemgetter
 
 from motionlang.lang.loop_dependencies import KINDS, MOVING, LoopDependencies
+from motionlang.lang.waits import ROUNDING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -45,7 +46,6 @@ if TYPE_CHECKING:
 # Statements between a change and the end of the wait for it, if the loop has no WAIT of its own. A shorter
 # stretch of a loop was no wait.
 MIN_STATEMENTS = 100.0
-ROUNDING = 1e-9
 _NOTHING = LoopDependencies(frozenset())
 _SINCE: Callable[[Wait], float] = itemgetter(2)
 
@@ -70,7 +70,7 @@ class Polls:
         self._run, self._motions = run, motions
         self._cost = run.machine.instruction_time
         self._ask: Callable[[int], LoopDependencies | None] | None = None
-        self._asked: dict[int, LoopDependencies] = {}
+        self._dependencies: dict[int, LoopDependencies] = {}
         self._changes: dict[str, dict[int | None, list[float]]] | None = None
         self.waits = waits
         self.spans: dict[str, list[Span]] = {}
@@ -80,18 +80,20 @@ class Polls:
             self.waits = dict(waits)
         for task, rows in loops.items():
             asking = {row[1] for row in rows}
-            if any(asked.leaves or asked.within for asked in map(self.asked, asking)):
+            if any(
+                dependencies.leaves or dependencies.within for dependencies in map(self.dependencies, asking)
+            ):
                 self.waits[task] = self._nested(task, rows, waits.get(task, []))
             spans = sorted(((row[2], -row[3], row) for row in reversed(rows)), key=itemgetter(0, 1))
             self.spans[task] = list(_innermost((row[2], row[3], row[1], row[-1]) for _, _, row in spans))
 
-    def asked(self, at: int) -> LoopDependencies:
-        """Return the readings of the loop or the wait at a source offset."""
-        found = self._asked.get(at)
+    def dependencies(self, at: int) -> LoopDependencies:
+        """Return what the loop or the wait at a source offset reads."""
+        found = self._dependencies.get(at)
         if found is None:
             if self._ask is None:
-                self._ask = self._run.dialect.asked(self._run.source)
-            found = self._asked[at] = self._ask(at) or _NOTHING
+                self._ask = self._run.dialect.loop_dependencies(self._run.source)
+            found = self._dependencies[at] = self._ask(at) or _NOTHING
         return found
 
     # ------------------------------------------------------------------------------------------- nesting
@@ -124,43 +126,53 @@ class Polls:
         """Close the innermost loop and add it to the one around it."""
         loop = around.pop()
         outer = around[-1] if around else whole
-        asked = self.asked(loop.at)
-        if asked.leaves or asked.within:
-            loop.acts += [(begin, begin) for begin in self._starts(asked.lines, loop.since, loop.until)]
-            if asked.leaves and not loop.acts:
+        dependencies = self.dependencies(loop.at)
+        if dependencies.leaves or dependencies.within:
+            loop.acts += [
+                (begin, begin) for begin in self._starts(dependencies.lines, loop.since, loop.until)
+            ]
+            if dependencies.leaves and not loop.acts:
                 stretch = loop.since, loop.until
                 loop.items = self._wait(
-                    task, loop, asked, stretch, asked.leaves, not asked.counts, loop.items
+                    task,
+                    loop,
+                    dependencies,
+                    stretch,
+                    dependencies.leaves,
+                    not dependencies.counts,
+                    loop.items,
                 )
-            elif asked.within:
-                self._between(task, loop, asked)
+            elif dependencies.within:
+                self._between(task, loop, dependencies)
         outer.items += loop.items
         outer.acts += loop.acts
         outer.inner.append((loop.since, loop.until))
 
-    def _between(self, task: str, loop: _Loop, asked: LoopDependencies) -> None:
+    def _between(self, task: str, loop: _Loop, dependencies: LoopDependencies) -> None:
         """Find the waits of a working loop, between its actions."""
         items, inner = sorted(loop.items, key=_SINCE), sorted(loop.inner)
         made: list[Wait] = []
-        begin, place, number = loop.since, 0, 0
+        begin, index, number = loop.since, 0, 0
         for act, over in [*sorted(loop.acts), (loop.until, loop.until)]:
-            first, place = place, _up_to(items, place, act, _SINCE)
-            stretch = items[first:place]
+            first, index = index, _up_to(items, index, act, _SINCE)
+            stretch = items[first:index]
             lower, number = number, _up_to(inner, number, act, itemgetter(0))
             if act - begin > MIN_STATEMENTS * self._cost + ROUNDING and _iterates(
                 stretch, inner[lower:number], begin, act
             ):
-                stretch = self._wait(task, loop, asked, (begin, act), asked.within, False, stretch)
-            first, place = place, _up_to(items, place, over, _SINCE)
-            made += stretch + items[first:place]
+                stretch = self._wait(
+                    task, loop, dependencies, (begin, act), dependencies.within, False, stretch
+                )
+            first, index = index, _up_to(items, index, over, _SINCE)
+            made += stretch + items[first:index]
             begin = max(begin, over)
-        loop.items = made + items[place:]
+        loop.items = made + items[index:]
 
     def _wait(
         self,
         task: str,
         loop: _Loop,
-        asked: LoopDependencies,
+        dependencies: LoopDependencies,
         stretch: tuple[float, float],
         reads: frozenset[Read],
         whole: bool,
@@ -174,7 +186,7 @@ class Polls:
         longest = max((wait[3] - wait[2] for wait in items), default=0.0)
         late = MIN_STATEMENTS * self._cost + 2.0 * longest + ROUNDING
         found = self._ended(reads, begin, end, late, whole)
-        if found is None or (asked.counts and end - found[0] > late):
+        if found is None or (dependencies.counts and end - found[0] > late):
             return items
         over, cause, what = found
         after = [wait for wait in items if wait[3] > over]
@@ -182,7 +194,7 @@ class Polls:
             after[0] = (*after[0][:2], over, *after[0][3:])
         if cause != "time":
             loop.acts.append((begin, over))
-        return [(task, loop.at, begin, over, cause, what, asked.why, loop.callers), *after]
+        return [(task, loop.at, begin, over, cause, what, dependencies.why, loop.callers), *after]
 
     # --------------------------------------------------------------------------------------- causes
 
@@ -225,7 +237,7 @@ class Polls:
 
     def of_condition(self, wait: Wait, end: float) -> Ended | None:
         """Return what ended a wait for a condition."""
-        reads = self.asked(wait[1]).leaves
+        reads = self.dependencies(wait[1]).leaves
         late = 2.5 * self._cost + ROUNDING
         return self._ended(reads, wait[2], end, late, True) if reads else None
 
@@ -237,8 +249,8 @@ class Polls:
             log = self._run.controller.log
             self._changes = {"input": _by_channel(log.inputs), "analogue": _by_channel(log.analogue_inputs)}
         times = self._changes.get(kind, {}).get(number, [])
-        place = bisect_right(times, end) - 1
-        return times[place] if place >= 0 and times[place] > begin else None
+        index = bisect_right(times, end) - 1
+        return times[index] if index >= 0 and times[index] > begin else None
 
     def _starts(self, lines: frozenset[int], begin: float, end: float) -> list[float]:
         """Return the start times of the motion that the given lines commanded."""
@@ -264,11 +276,11 @@ def _loops(run: Run) -> dict[str, list[Row]]:
     return found
 
 
-def _up_to(rows: list[Any], place: int, time: float, since: Callable[[Any], float]) -> int:
+def _up_to(rows: list[Any], index: int, time: float, since: Callable[[Any], float]) -> int:
     """Return the index of the first row, from `index` on, that is not before `time`."""
-    while place < len(rows) and since(rows[place]) < time:
-        place += 1
-    return place
+    while index < len(rows) and since(rows[index]) < time:
+        index += 1
+    return index
 
 
 def _iterates(waits: list[Wait], loops: list[tuple[float, float]], begin: float, end: float) -> bool:
@@ -297,11 +309,11 @@ def _innermost(spans: Iterable[Span]) -> Iterator[Span]:
     """
     around: list[Span] = []
     time = 0.0
-    for span in [*spans, (float("inf"), float("inf"), 0, ())]:
+    for span in [*spans, (inf, inf, 0, ())]:
         while around and around[-1][1] <= span[0] + ROUNDING:
-            _, until, *place = around.pop()
+            _, until, *about = around.pop()
             if until > time:
-                yield time, until, *place  # type: ignore[misc]
+                yield time, until, *about  # type: ignore[misc]
                 time = until
         if around and span[0] > time:
             yield time, span[0], *around[-1][2:]

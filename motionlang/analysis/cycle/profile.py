@@ -6,9 +6,9 @@ from functools import cached_property
 from math import fsum
 from operator import attrgetter
 
-from motionlang.analysis.cycle.critical_path import CriticalPath, Link, alike
+from motionlang.analysis.cycle.critical_path import CriticalPath, Link, grouped
 from motionlang.analysis.cycle.slacks import Slack, slacks
-from motionlang.analysis.cycle.tasks import TaskTime, parent_of, task_times, told
+from motionlang.analysis.cycle.tasks import TaskTime, parent_of, reported, task_times
 from motionlang.planners.total import exact_terms
 from motionlang.record import record
 
@@ -44,8 +44,8 @@ class TimeProfile:
         self.run = run
         self._chain = CriticalPath(run)
         self._waits = self._chain.waits
-        self._places = self._chain.places
-        self._alike = _summed(self._chain.alike())
+        self._positions = self._chain.positions
+        self._groups = _summed(self._chain.grouped())
 
     @cached_property
     def tasks(self) -> list[TaskTime]:
@@ -61,7 +61,7 @@ class TimeProfile:
         """Return the waits of each task in order of time, including loops that waited."""
         from motionlang.log.records import Waited
 
-        return {name: map(Waited._make, told(waits)) for name, waits in self._waits.items()}
+        return {name: map(Waited._make, reported(waits)) for name, waits in self._waits.items()}
 
     @property
     def links(self) -> list[Link]:
@@ -75,11 +75,11 @@ class TimeProfile:
     @property
     def seconds(self) -> float:
         """The length of the critical path, which is the time of the run."""
-        return fsum(term for _, terms in self._alike for term in terms)
+        return fsum(term for _, terms in self._groups for term in terms)
 
     def lines(self) -> list[Share]:
         """Return the path by line of the program, the longest first."""
-        return self._shares(lambda link: ((str(link.place.line), link.place.line),), own=True)
+        return self._shares(lambda link: ((str(link.position.line), link.position.line),), own=True)
 
     def subs(self) -> list[Share]:
         """Return the path by sub: `seconds` in the sub itself, `total` with its calls.
@@ -87,12 +87,12 @@ class TimeProfile:
         Lines outside all subs belong to the program.
         """
 
-        places = self._places
+        positions = self._positions
 
         def names(link: Link) -> Iterable[tuple[str, int]]:
-            yield link.place.sub or PROGRAM, 0
-            for line in reversed(link.place.callers):
-                yield places.sub(line) or PROGRAM, 0
+            yield link.position.sub or PROGRAM, 0
+            for line in reversed(link.position.callers):
+                yield positions.sub(line) or PROGRAM, 0
             yield PROGRAM, 0
 
         return self._shares(names)
@@ -102,8 +102,8 @@ class TimeProfile:
 
         return self._shares(lambda link: ((_kind(link), 0),), own=True)
 
-    def held(self) -> list[Share]:
-        """Return the path by the line at which a task waited; `causes` has them by kind."""
+    def waited_lines(self) -> list[Share]:
+        """Return the path by the line at which a task waited; `causes` splits it by kind."""
         lines = self._shares(lambda link: ((str(link.waited), link.waited),), own=True, cause=_kind)
         return [share for share in lines if share.line]
 
@@ -129,7 +129,7 @@ class TimeProfile:
             "kinds": list(map(_share, self.kinds())),
             "lines": list(map(_share, self.lines())),
             "subs": list(map(_share, self.subs())),
-            "waits": list(map(_share, self.held())),
+            "waits": list(map(_share, self.waited_lines())),
             "slack": [_row(slack, "axis", "other", "seconds") for slack in self.slacks()],
         }
         if critical_path:
@@ -140,7 +140,7 @@ class TimeProfile:
 
     def sub(self, line: int) -> str:
         """Return the sub that contains a line, "" for none."""
-        return self._places.sub(line)
+        return self._positions.sub(line)
 
     def total(self, links: Iterable[Link]) -> float:
         """Return the total duration of some links, seconds."""
@@ -148,7 +148,7 @@ class TimeProfile:
 
     def shares_of(self, links: Iterable[Link]) -> list[Share]:
         """Return some links by line, the longest first, without links that have no line."""
-        made = self._shares(lambda link: ((str(link.place.line), link.place.line),), True, links)
+        made = self._shares(lambda link: ((str(link.position.line), link.position.line),), True, links)
         return [share for share in made if share.line]
 
     def _shares(
@@ -165,7 +165,7 @@ class TimeProfile:
         mine: dict[str, dict[str, list[float]]] = {}
         totals: dict[str, list[float]] = {}
         lines: dict[str, int] = {}
-        for link, terms in self._alike if links is None else _summed(alike(links)):
+        for link, terms in self._groups if links is None else _summed(grouped(links)):
             for k, (name, line) in enumerate(dict.fromkeys(names(link))):
                 lines[name] = line
                 causes = mine.setdefault(name, {})
@@ -210,6 +210,6 @@ def _row(each: object, *names: str) -> dict[str, Any]:
 
 def about_link(about: About) -> dict[str, Any]:
     """Return all fields of a link in a report except its times."""
-    cause, place, task, axes, waited = about
-    where = {"line": place.line, "sub": place.sub, "callers": place.callers}
+    cause, position, task, axes, waited = about
+    where = {"line": position.line, "sub": position.sub, "callers": position.callers}
     return {"cause": cause, **where, "task": task, "axes": axes, "wait_line": waited}

@@ -44,10 +44,10 @@ def slacks(motions: Motions, waits: Mapping[str, Sequence[Wait]]) -> list[Slack]
         waited.update([int(wait[3] * 1000.0) for wait in mine if wait[4] != "time"])
     found: dict[tuple[int, int], list[float]] = defaultdict(list)
     for axes, ends in _together(motions):
-        for last, stood in _by_last(ends, waited):
+        for last, columns in _by_last(ends, waited):
             for number, axis in enumerate(axes):
                 if number != last:
-                    found[axis, axes[last]] += map(sub, stood[last], stood[number])
+                    found[axis, axes[last]] += map(sub, columns[last], columns[number])
     rows = [Slack(axis, other, fsum(times)) for (axis, other), times in found.items() if any(times)]
     return sorted(rows, key=lambda row: (-row.seconds, row.axis, row.other))
 
@@ -108,8 +108,8 @@ def _by_last(ends: list[list[float]], waited: set[int]) -> Iterator[tuple[int, l
     last = list(map(max, *ends))
     millis = [int(each * 1000.0) for each in last]
     if not waited.issuperset(millis):
-        kept = [each in waited or each + 1 in waited for each in millis]
-        last, ends = list(compress(last, kept)), [list(compress(column, kept)) for column in ends]
+        is_waited = [each in waited or each + 1 in waited for each in millis]
+        last, ends = list(compress(last, is_waited)), [list(compress(column, is_waited)) for column in ends]
     for number, column in enumerate(ends):
         if column == last:
             yield number, ends  # always the same one

@@ -46,8 +46,11 @@ class TaskTime:
         return self.end - self.begin
 
 
-def told(waits: Iterable[Wait]) -> Iterator[Wait]:
-    """Yield waits as reported: one that ended while its axis moved is for that axis."""
+def reported(waits: Iterable[Wait]) -> Iterator[Wait]:
+    """Yield waits in the form of the report.
+
+    A wait that ended while its axis was in motion is reported as a wait for that axis.
+    """
     for wait in waits:
         yield (*wait[:4], "axis", *wait[5:]) if wait[4] == MOVING else wait
 
@@ -59,11 +62,11 @@ def all_waits(run: Run) -> dict[str, list[Wait]]:
         found.setdefault(name, []).extend(waits)
     scheduler = run.machine.scheduler
     for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():
-        under_way, mine = task.wait, found.setdefault(task.name, [])
-        if under_way is not None and under_way.since < run.time:
+        current, mine = task.wait, found.setdefault(task.name, [])
+        if current is not None and current.since < run.time:
             *callers, at = task.stack
-            about = under_way.cause, tuple(under_way.what), under_way.why, tuple(callers)
-            mine.append((task.name, at, under_way.since, run.time, *about))
+            about = current.cause, tuple(current.what), current.why, tuple(callers)
+            mine.append((task.name, at, current.since, run.time, *about))
     return found
 
 
@@ -90,18 +93,18 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
     first: dict[str, float] = {}
     last: dict[str, float] = {}
     computed: dict[str, list[float]] = {}
-    for turn in run.machine.log.slices:
-        for name, seconds in zip(turn.tasks, turn.seconds, strict=True):
+    for time_slice in run.machine.log.slices:
+        for name, seconds in zip(time_slice.tasks, time_slice.seconds, strict=True):
             computed.setdefault(name, []).append(seconds)
-            first.setdefault(name, turn.time)
-            last[name] = turn.until
+            first.setdefault(name, time_slice.time)
+            last[name] = time_slice.until
     made = []
     for name in dict.fromkeys((parent, *first, *waits)):
         mine = waits.get(name, [])
         begin = 0.0 if name == parent else min(first.get(name, over), mine[0][2] if mine else over)
         end = over if name == parent else max(last.get(name, begin), mine[-1][3] if mine else begin)
         waiting: dict[str, list[float]] = defaultdict(list)
-        for _, _, since, until, cause, _, _, _ in told(mine):
+        for _, _, since, until, cause, _, _, _ in reported(mine):
             waiting[cause].append((until if until < end else end) - since)
         causes = {cause: fsum(times) for cause, times in waiting.items()}
         rest = fsum((end, -begin, *(-time for time in causes.values())))

@@ -8,6 +8,7 @@ are not changes: moves, events and the end of the run shift with the accepted ch
 from __future__ import annotations
 
 from bisect import bisect_right
+from math import inf
 from typing import Any
 
 from motionlang.analysis.diff.reports import Difference, LineChange, end_of
@@ -60,7 +61,9 @@ def merged(old: Report, new: Report, found: Difference, accepted: Collection[Cha
         _chosen(old.get("output", []), new.get("output", []), found.printed, _numbers(keys, "print"))
     )
     made["diagnostics"] = list(
-        _chosen(old.get("diagnostics", []), new.get("diagnostics", []), found.told, _numbers(keys, "error"))
+        _chosen(
+            old.get("diagnostics", []), new.get("diagnostics", []), found.reported, _numbers(keys, "error")
+        )
     )
     if "events" in old or "events" in new:
         olds, news = shifts
@@ -97,9 +100,9 @@ def _moves(
             sides = ((0, was[i]), (1, is_[j]))
         else:
             side, row = (0, was[i]) if i is not None else (1, is_[j])
-            kept = (("moves", found.hunks[i, j]) in keys) is (side == 1)
-            begin = line.alone(row, side, kept)
-            if not kept:
+            in_merged = (("moves", found.hunks[i, j]) in keys) is (side == 1)
+            begin = line.alone(row, side, in_merged)
+            if not in_merged:
                 continue
             sides = ((side, row),)  # type: ignore[assignment]
         made.append({**row, "start_time": begin})
@@ -115,8 +118,8 @@ def _moves(
 
 def _shift(shifts: list[tuple[float, float]], time: float) -> float:
     """Return the shift at a time, which is that of the last begin or end before."""
-    place = bisect_right(shifts, (time + 1e-9, float("inf")))
-    return shifts[place - 1][1] if place else 0.0
+    index = bisect_right(shifts, (time + 1e-9, inf))
+    return shifts[index - 1][1] if index else 0.0
 
 
 def _numbers(keys: set[tuple[str, object]], kind: str) -> set[object]:

@@ -125,12 +125,12 @@ def aligned(
 
 def _by_number(a: Sequence[object], b: Sequence[object], key: Callable[[object], Hashable]) -> Pairs:
     """Pair the nth of a kind with the nth of the same kind, while both stay in order."""
-    places: dict[Hashable, list[int]] = {}
+    indices: dict[Hashable, list[int]] = {}
     for j in range(len(b) - 1, -1, -1):
-        places.setdefault(key(b[j]), []).append(j)
+        indices.setdefault(key(b[j]), []).append(j)
     pairs, last = [], -1
     for i, each in enumerate(a):
-        waiting = places.get(key(each), [])
+        waiting = indices.get(key(each), [])
         while waiting and waiting[-1] <= last:
             waiting.pop()
         if waiting:

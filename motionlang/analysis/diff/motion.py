@@ -107,15 +107,17 @@ def _candidates(
     distance, doubt = np.abs(one - other) - ROUNDING * size, TABLE * (size + zeros)
     far = np.flatnonzero((distance + 2.0 * doubt >= np.max(distance)) & (distance + doubt > 0.0))
     first_such: dict[tuple[float, float], int] = {}  # a cycle reaches the same positions repeatedly
-    for k, places in zip(far.tolist(), zip(one[far].tolist(), other[far].tolist(), strict=True), strict=True):
-        first_such.setdefault(places, k)
+    for k, positions in zip(
+        far.tolist(), zip(one[far].tolist(), other[far].tolist(), strict=True), strict=True
+    ):
+        first_such.setdefault(positions, k)
     return list(first_such.values()), np.flatnonzero(distance + doubt > tolerance).tolist()
 
 
 def _positions(axis: Axis, times: Sequence[float]) -> Array | None:
     """Return the positions of an axis, user units; None if it is not all in pieces."""
     track = WholeTrack(axis)
-    some = slice(max(track.place(times[0]) - 1, 0), track.place(times[-1]) + 1)
+    some = slice(max(track.index_at(times[0]) - 1, 0), track.index_at(times[-1]) + 1)
     table = PieceTable(track.starts[some], track.profiles[some])
     if not table.is_exact:
         return None

@@ -31,11 +31,11 @@ _FIGURES = re.compile(r"-?\d[\d.]*(?:e-?\d+)?")
 _LINE = re.compile(r"\bline \d+")
 # The fields that are compared separately, and those for positions instead of contents.
 OWN = ("schema", "program", "time", "status", "moves", "output", "events", "diagnostics", "assumptions")
-PLACES = ("line", "column")
+LOCATION_FIELDS = ("line", "column")
 # Fields of a move for its command: if no other one differs, the motion does not.
 COMMANDED = frozenset(("commanded_speed",))
 # Events whose figures are positions; those of the others are speeds.
-PLACED = ("limit", "soft limit", "following error")
+POSITION_EVENTS = ("limit", "soft limit", "following error")
 
 
 class LineChange:
@@ -73,7 +73,7 @@ class Difference:
         self.status: tuple[str, str] | None = None
         self.moves = (0, 0)
         self.lines: list[LineChange] = []
-        self.gone: list[Move] = []
+        self.removed: list[Move] = []
         self.new: list[Move] = []
         # Lines with new numbers, which is no difference.
         self.moved: dict[int, int] = {}
@@ -92,7 +92,7 @@ class Difference:
         self.later: list[tuple[float, int, float]] = []
         self.printed: list[Pair] = []
         self.happened: list[Pair] = []
-        self.told: list[Pair] = []
+        self.reported: list[Pair] = []
 
     @property
     def others(self) -> list[str]:
@@ -106,7 +106,7 @@ class Difference:
             self.time
             or self.status
             or self.lines
-            or self.gone
+            or self.removed
             or self.new
             or self.tail
             or self.prints
@@ -118,7 +118,7 @@ class Difference:
     @property
     def first(self) -> tuple[float, int] | None:
         """Time and axis of the first difference in motion that the reports show."""
-        times = [(each["start_time"], each["axis"]) for each in (*self.gone, *self.new)]
+        times = [(each["start_time"], each["axis"]) for each in (*self.removed, *self.new)]
         times += [(each.first_time, each.axis) for each in self.lines if each.is_motion]
         return min(times, default=None)
 
@@ -247,7 +247,7 @@ def _moves(found: Difference, old: list[Move], new: list[Move], tolerance: Toler
             found.hunks[i, j] = hunk
             found.pairs.append((i, j, None))
             if j is None and i is not None:
-                found.gone.append(old[i])
+                found.removed.append(old[i])
                 line.alone(old[i], 0, False)
             elif j is not None:
                 found.new.append(new[j])
@@ -321,9 +321,9 @@ def _phases(one: list[Move], other: list[Move], tolerance: Tolerance) -> Iterato
 def _prints(found: Difference, old: list[str], new: list[str]) -> None:
     for i, j in aligned(old, new, str, lambda text: _FIGURES.sub("", str(text))):
         was, is_ = "" if i is None else old[i], "" if j is None else new[j]
-        otherwise = i is None or j is None or was != is_
-        found.printed.append((i, j, len(found.prints) if otherwise else None))
-        if otherwise:
+        differs = i is None or j is None or was != is_
+        found.printed.append((i, j, len(found.prints) if differs else None))
+        if differs:
             found.prints.append((None if i is None else i + 1, None if j is None else j + 1, was, is_))
 
 
@@ -333,19 +333,19 @@ def _events(found: Difference, old: list[Move], new: list[Move], tolerance: Tole
     for i, j in aligned(old, new, _by_happening, _by_axis):
         was, is_ = None if i is None else old[i], None if j is None else new[j]
         later = 0.0
-        otherwise = was is None or is_ is None
+        differs = was is None or is_ is None
         if was is not None and is_ is not None:
-            kind = "position" if was["kind"] in PLACED else "peak_speed"
-            otherwise = was.get("text") != is_.get("text") or not all(
+            kind = "position" if was["kind"] in POSITION_EVENTS else "peak_speed"
+            differs = was.get("text") != is_.get("text") or not all(
                 tolerance.same(was.get(name), is_.get(name), kind) for name in ("value", "limit")
             )
             shift = is_["time"] - was["time"]
             if not any(
                 tolerance.same(was["time"] + each, is_["time"], "time") for each in _later(shifts, was)
             ):
-                later, otherwise = shift, True
-        found.happened.append((i, j, len(found.events) if otherwise else None))
-        if otherwise:
+                later, differs = shift, True
+        found.happened.append((i, j, len(found.events) if differs else None))
+        if differs:
             found.events.append((was, is_, later))
 
 
@@ -355,12 +355,12 @@ def _later(shifts: list[tuple[float, int, float]], event: Move) -> list[float]:
     They are 0, the shift of the last motion, and the shift of the last motion of the event's axis.
     """
     found = [0.0]
-    place = bisect_right(shifts, (event["time"] + 1e-9, inf)) - 1
-    if place >= 0:
-        found.append(shifts[place][2])
-    while place >= 0 and shifts[place][1] != event.get("axis"):
-        place -= 1
-    return [*found, shifts[place][2]] if place >= 0 else found
+    index = bisect_right(shifts, (event["time"] + 1e-9, inf)) - 1
+    if index >= 0:
+        found.append(shifts[index][2])
+    while index >= 0 and shifts[index][1] != event.get("axis"):
+        index -= 1
+    return [*found, shifts[index][2]] if index >= 0 else found
 
 
 def _by_happening(event: Any) -> tuple[object, ...]:
@@ -379,35 +379,35 @@ def _by_axis(event: Any) -> tuple[object, ...]:
 
 def _errors(found: Difference, old: list[Move], new: list[Move]) -> None:
     """Compare diagnostics by their text, not their location."""
-    told = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in old]
-    tells = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in new]
-    for i, j in aligned(told, tells, str):
-        found.told.append((i, j, len(found.errors) if i is None or j is None else None))
+    before = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in old]
+    after = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in new]
+    for i, j in aligned(before, after, str):
+        found.reported.append((i, j, len(found.errors) if i is None or j is None else None))
         if j is None and i is not None:
-            found.errors.append(("removed", told[i]))
+            found.errors.append(("removed", before[i]))
         elif i is None and j is not None:
-            found.errors.append(("added", tells[j]))
+            found.errors.append(("added", after[j]))
 
 
-def _others(place: str, old: object, new: object, tolerance: Tolerance, field: str = "") -> Iterator[str]:
+def _others(path: str, old: object, new: object, tolerance: Tolerance, field: str = "") -> Iterator[str]:
     """Yield every difference between two JSON values, by its path in the document."""
     if isinstance(old, dict) and isinstance(new, dict):
         for name in sorted(old.keys() | new.keys()):
-            if name in PLACES:
+            if name in LOCATION_FIELDS:
                 continue
             if name not in old or name not in new:
-                yield f"{place}.{name} is {'new' if name not in old else 'missing'}"
+                yield f"{path}.{name} is {'new' if name not in old else 'missing'}"
             else:
-                yield from _others(f"{place}.{name}", old[name], new[name], tolerance, name)
+                yield from _others(f"{path}.{name}", old[name], new[name], tolerance, name)
     elif isinstance(old, list) and isinstance(new, list):
         if len(old) != len(new):
-            yield f"{place} has {len(new)} entries instead of {len(old)}"
+            yield f"{path} has {len(new)} entries instead of {len(old)}"
         for i, (one, other) in enumerate(zip(old, new, strict=False)):
-            yield from _others(f"{place}[{i}]", one, other, tolerance, field)
+            yield from _others(f"{path}[{i}]", one, other, tolerance, field)
     elif old is None or new is None:
         if old is not new:
-            yield f"{place} is {'new' if old is None else 'missing'}"
+            yield f"{path} is {'new' if old is None else 'missing'}"
     elif isinstance(old, str) and isinstance(new, str) and _LINE.sub("", old) == _LINE.sub("", new):
         return
     elif not tolerance.same(old, new, field):
-        yield f"{place} is {json.dumps(new)} instead of {json.dumps(old)}"
+        yield f"{path} is {json.dumps(new)} instead of {json.dumps(old)}"

@@ -55,7 +55,7 @@ class Timeline:
             self._put(1, ends[1], ends[1] - ends[0], made)
         return wait, begin
 
-    def alone(self, move: Move, side: int, kept: bool) -> float:
+    def alone(self, move: Move, side: int, in_merged: bool) -> float:
         """Return the start in the merged run of a move that only one of the runs has.
 
         `side` is 0 for the old run, 1 for the new one. The merged run has the move only if `in_merged`.
@@ -64,7 +64,7 @@ class Timeline:
         last = self._before(side, start)
         begin = start + (last[3] - last[0] if last[3] is not None else 0.0)
         if move["duration"] is not None:
-            self._put(side, start + move["duration"], None, begin + move["duration"] if kept else None)
+            self._put(side, start + move["duration"], None, begin + move["duration"] if in_merged else None)
         return begin
 
     def _put(self, side: int, end: float, shift: float | None, made: float | None) -> None:

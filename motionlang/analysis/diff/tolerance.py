@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
+from math import inf
 
 # Figures that differ by no more than this fraction, or this amount, are equal: another mathematical library
 # is no difference.
-PART, NOTHING = 1e-9, 1e-12
+MIN_RELATIVE, MIN_ABSOLUTE = 1e-9, 1e-12
 _TUBE = re.compile(r"(\w+)=([0-9.eE+-]+)\s*(%|[a-zA-Z/²]*)$")
 # The kinds of tolerances, their units and factors to the units of a report.
 UNITS = {
@@ -32,7 +33,7 @@ class Tolerance:
         Raises ValueError for any other text.
         """
         self._sizes: dict[str, float] = {}
-        self._parts: dict[str, float] = {}
+        self._relative: dict[str, float] = {}
         for text in texts:
             found = _TUBE.match(text.strip())
             units = UNITS.get(found[1]) if found else None
@@ -44,10 +45,10 @@ class Tolerance:
                 size = float(found[2])
             except ValueError:
                 raise ValueError(f"{found[2]!r} in {text!r} is not a number") from None
-            if not 0.0 <= size < float("inf"):
+            if not 0.0 <= size < inf:
                 raise ValueError(f"the tolerance {text!r} must be 0 or more")
             if found[3] == "%":
-                self._parts[found[1]] = size / 100.0
+                self._relative[found[1]] = size / 100.0
             else:
                 self._sizes[found[1]] = size * units[found[3]]
 
@@ -60,7 +61,12 @@ class Tolerance:
         if isinstance(expected, float) and isinstance(found, float):
             kind = FIELDS.get(field, "")
             size = max(abs(expected), abs(found))
-            tube = max(self._sizes.get(kind, 0.0), self._parts.get(kind, PART) * size, PART * size, NOTHING)
+            tube = max(
+                self._sizes.get(kind, 0.0),
+                self._relative.get(kind, MIN_RELATIVE) * size,
+                MIN_RELATIVE * size,
+                MIN_ABSOLUTE,
+            )
             return expected == found or abs(expected - found) <= tube
         return expected == found and type(expected) is type(found)
 

@@ -25,6 +25,7 @@ guess is a setting that compiled code depends on (`Dialect.compiled_in`).
 from __future__ import annotations
 
 import re
+from math import inf
 
 from motionlang.execution import run
 from motionlang.lang.machine.layers import layered
@@ -287,7 +288,7 @@ def _improve(guesses: Guesses, result: Run, reads: list[InputRead]) -> bool:
 
     Returns False if it is not stuck, or if nothing is left to guess.
     """
-    lost = [axis for axis, homing in result.controller.homings.items() if homing.in_vain]
+    lost = [axis for axis, homing in result.controller.homings.items() if homing.endless_motion]
     changed = [guesses.home(axis, result) for axis in lost]
     if any(changed):
         return True
@@ -306,7 +307,7 @@ def _improve(guesses: Guesses, result: Run, reads: list[InputRead]) -> bool:
 def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: Task) -> bool:
     """Change a guess for a wait that never ends."""
     wait = task.wait
-    if wait is None or wait.due() != float("inf"):
+    if wait is None or wait.due() != inf:
         return False
     if result.status == "until" and result.time - wait.since < 2 * PERIOD:
         return False  # it may still end
@@ -319,9 +320,11 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: T
         if key == "key":
             return _press(guesses, result, reads)
         if key == "analogue":
-            asked = result.dialect.asked(result.source)(task.at)
+            dependencies = result.dialect.loop_dependencies(result.source)(task.at)
             analogue = (
-                sorted(n for kind, n in asked.leaves if kind == "analogue" and n is not None) if asked else []
+                sorted(n for kind, n in dependencies.leaves if kind == "analogue" and n is not None)
+                if dependencies
+                else []
             )
             raised = [guesses.level(channel, wait.since) for channel in analogue]
             return any(raised)

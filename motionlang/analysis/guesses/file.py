@@ -26,14 +26,14 @@ MAX_TEXT = 60
 HEAD = """\
 # The machine around {program}, written by motionlang init.
 #
-# A line with `guess = true` is a guess. Correct it and take `guess = true` away; a result that depends on a guess says
-# so. docs/machine-file.md explains every key.
+# A line with `guess = true` is a guess. Correct it and remove `guess = true`; until then, a run that depends on it
+# reports it. docs/machine-file.md explains every key.
 
 run.until = {until:g}    # the run ends here if the program does not
 """
 INPUTS = """
 # Digital inputs. `at` is a time in seconds, `output` the output that the input follows after `delay`; `every` repeats
-# it, `value = 0` turns an input round.
+# it, `value = 0` inverts an input.
 """
 ANALOGUE = """
 # Analogue inputs, in percent.
@@ -60,7 +60,7 @@ def machine_text(source: Source, guesses: Guesses, reads: list[InputRead], resul
     program = os.path.basename(source.name)
     fixed = guesses.fixed
     answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
-    parts = [
+    sections = [
         HEAD.format(program=program, until=until),
         *_table("input", INPUTS, _inputs(source, guesses, reads)),
         *_table("analogue", ANALOGUE, [_guess(each) for each in guesses.analogue.values()]),
@@ -68,10 +68,10 @@ def machine_text(source: Source, guesses: Guesses, reads: list[InputRead], resul
         *_table("key", KEYS, _lines(fixed, "key") + [_guess(each) for each in guesses.keys]),
     ]
     for number in sorted({move.axis for move in result.machine.log.moves} | guesses.axes.keys()):
-        parts.append(_axis(number, guesses, result))
+        sections.append(_axis(number, guesses, result))
     folder = f"{os.path.splitext(program)[0]}.scenarios"
-    parts.append(EXPECT.format(status="ended" if result.status == "ended" else "until", folder=folder))
-    return "".join(parts)
+    sections.append(EXPECT.format(status="ended" if result.status == "ended" else "until", folder=folder))
+    return "".join(sections)
 
 
 def _inputs(source: Source, guesses: Guesses, reads: list[InputRead]) -> list[str]:

@@ -39,8 +39,8 @@ def check_profile(
     _check_edges(proof, a, i, order)
     if not profile.pieced or order.kind == "rest":
         return
-    parts = spans(profile, 0.0, min(length, 1e300))
-    _check_knots(proof, a, i, order, parts)
+    segments = spans(profile, 0.0, min(length, 1e300))
+    _check_knots(proof, a, i, order, segments)
     if order.kind not in PLANNED:
         return
     # An axis that comes in too fast, or with too much acceleration, is excused until it has slowed down.
@@ -48,8 +48,8 @@ def check_profile(
     slow = _slowing(profile, order, begun)
     still = SLACK * max(1.0, abs(profile.start_velocity), order.speed if order.speed < inf else 0.0)
     uses = Uses(proof)
-    eased = abs(begun.bent)
-    for span in slow.cuts(parts):
+    eased = abs(begun.acceleration_before)
+    for span in slow.cuts(segments):
         middle = span.begin + 0.5 * span.length
         uses.compare("speed", span.peak(1), slow.bound(middle))
         sides = list(span.sides())
@@ -68,11 +68,11 @@ def check_profile(
             if order.jerks[0] < inf:
                 uses.compare("jerk", steep, jerk)
     where = f"axis {a.index} from {a.starts[i]:.6f} s"
-    uses.tell(order.line, where, " counts")
+    uses.report(order.line, where, " counts")
     if isfinite(length):
-        reached, due = abs(profile.velocity(length)), slow.due(length)
-        if reached > due + still + 4e-15 * (1.0 + a.starts[i]) * max(order.rates):
-            words = f"it does not slow down: {reached:g} counts/s after {length:g} s, expected {due:g}"
+        reached, expected = abs(profile.velocity(length)), slow.expected(length)
+        if reached > expected + still + 4e-15 * (1.0 + a.starts[i]) * max(order.rates):
+            words = f"it does not slow down: {reached:g} counts/s after {length:g} s, expected {expected:g}"
             proof.breaks(order.line, f"{where}: {words}")
     size = abs(a.profiles[i - 1].position(a.starts[i] - a.starts[i - 1])) if i else 0.0
     _check_time(proof, profile, order, begun, max(size, abs(profile.start)), where)
@@ -89,8 +89,8 @@ def _check_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size
     if order.kind in ("move", "step"):
         if not isfinite(profile.duration):
             return
-        way, late = _to_go(profile, order, begun)
-        least, most = move_times(v0, a0, way, order.speed, by, rounding(way, size, profile.end))
+        distance, late = _to_go(profile, order, begun)
+        least, most = move_times(v0, a0, distance, order.speed, by, rounding(distance, size, profile.end))
         least, most, took = least - late, most - late, profile.duration
     else:
         least = most = lead(v0, a0, order.goal, by)[0]
@@ -115,7 +115,7 @@ def _to_go(profile: Profile, order: Order, begun: Begin) -> tuple[float, float]:
     A stepper stops at once at the velocity of its step, as if it came to rest that much later and farther on.
     """
     late = order.step / order.rates[1]
-    return profile.distance + copysign(0.5 * order.step * late, profile.distance) - begun.way, late
+    return profile.distance + copysign(0.5 * order.step * late, profile.distance) - begun.distance, late
 
 
 def _slowing(profile: Profile, order: Order, begun: Begin) -> Slowing:
@@ -127,7 +127,7 @@ def _slowing(profile: Profile, order: Order, begun: Begin) -> Slowing:
     v0, a0, speed = begun.velocity, begun.acceleration, order.speed
     if order.kind in ("move", "step") and isfinite(profile.duration):
         speed = max(speed, top_speed(v0, a0, _to_go(profile, order, begun)[0], speed, by))
-    if order.jerks[0] < inf or not begun.bent:
+    if order.jerks[0] < inf or not begun.acceleration_before:
         return slowing(v0, a0, speed, by)
     slow = slowing(v0, a0, speed, by, begun.time)
     over = max(begun.time, begun.left or 0.0) * (1.0 + SLACK) + LATE
@@ -150,13 +150,13 @@ def _check_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
         first, last, speed = profile.at(0.0).position, state.position + early * state.velocity, state.velocity
     size = SLACK * max(1.0, abs(profile.start), abs(profile.end))
     late = 4e-16 * (1.0 + a.starts[i] + duration)
-    for name, told, done in (("begins", profile.start, first), ("ends", profile.end, last)):
-        if abs(told - done) > size + 4.0 * late * abs(speed):
+    for name, stated, done in (("begins", profile.start, first), ("ends", profile.end, last)):
+        if abs(stated - done) > size + 4.0 * late * abs(speed):
             where = f"axis {a.index} from {a.starts[i]:.6f} s"
-            proof.breaks(order.line, f"{where}: it {name} at {told:g}, its pieces at {done:g}")
+            proof.breaks(order.line, f"{where}: it {name} at {stated:g}, its pieces at {done:g}")
 
 
-def _check_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[Span]) -> None:
+def _check_knots(proof: Proof, a: WholeTrack, i: int, order: Order, segments: list[Span]) -> None:
     """Check continuity of pieces: position, planned velocity, S-ramp acceleration."""
     profile = a.profiles[i]
     names = ("position", "velocity", "acceleration")[
@@ -165,11 +165,11 @@ def _check_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[
     sizes = [max(1.0, abs(profile.start))]
     # A ramp between velocities that differ by rounding takes no time, whatever its rate: its change of
     # velocity counts.
-    if not parts:
+    if not segments:
         return
-    left, changed = parts[0], [0.0, 0.0, 0.0]
+    left, changed = segments[0], [0.0, 0.0, 0.0]
     steepest = max((jerk for jerk in order.jerks if jerk < inf), default=0.0)
-    for right in parts[1:]:
+    for right in segments[1:]:
         if right.length <= 4e-16 * (1.0 + a.starts[i] + right.begin):
             first, last = right.at(0.0), right.at(right.length)
             changed = [before + abs(y - x) for before, x, y in zip(changed, first, last, strict=False)]

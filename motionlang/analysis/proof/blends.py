@@ -11,7 +11,8 @@ from math import fsum
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import ROUNDED, SLACK
-from motionlang.analysis.proof.paths import PathLayout, check_tail, spans_along, stops_within
+from motionlang.analysis.proof.path_layout import PathLayout
+from motionlang.analysis.proof.paths import check_tail, spans_along, stops_within
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -66,11 +67,11 @@ def _tail_in_force(run: Run, master: WholeTrack, i: int, tail: Order) -> Order:
     earlier order.
     """
     assert tail.path is not None
-    if not tail.path.rests or stops_within(run, tail, master.starts[i]):
+    if not tail.path.comes_to_rest or stops_within(run, tail, master.starts[i]):
         return tail
-    for order in reversed(run.orders.of[master.index][:i]):
+    for order in reversed(run.expected_motion.of[master.index][:i]):
         for each in (order, *(order.path.tails if order.path is not None else ())):
-            if each.path is not None and each.path.entry == tail.path.entry and not each.path.rests:
+            if each.path is not None and each.path.entry == tail.path.entry and not each.path.comes_to_rest:
                 return each
         if order.path is None or order.path.begun < tail.path.begun:
             break
@@ -82,11 +83,11 @@ def _suspended_by(run: Run, master: WholeTrack, i: int, tail: Order) -> Order | 
 
     None if it was not suspended.
     """
-    order = run.orders.of[master.index][i - 1]
+    order = run.expected_motion.of[master.index][i - 1]
     assert tail.path is not None
     for each in (order, *(order.path.tails if order.path is not None else ())):
         if each.path is not None and each.path.entry == tail.path.entry:
-            resumed = each.path.rests and not tail.path.rests
+            resumed = each.path.comes_to_rest and not tail.path.comes_to_rest
             return _tail_in_force(run, master, i - 1, each) if resumed else None
     return None
 
@@ -100,14 +101,19 @@ def _check_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
     assert path is not None
     while i > 0 and master.starts[i] == begin:  # a path that has ended takes no time at its end
         i -= 1
-    in_progress = path.tails[-1].path if path.tails else run.orders.of[master.index][i].path
+    in_progress = path.tails[-1].path if path.tails else run.expected_motion.of[master.index][i].path
     begun = run.members(path)
     before = run.path_before(begun[0]) if begun else None
     if in_progress is None or before is None or run.rest_of(begun[0]) is not None:
         return
-    # The one before it may be over while the one before that is still run.
+    # The previous path may have ended while the path before that is still in motion.
     earlier = run.order_of(before).path
-    if earlier is None or earlier.members != path.members or earlier.rests or earlier.entry == path.entry:
+    if (
+        earlier is None
+        or earlier.members != path.members
+        or earlier.comes_to_rest
+        or earlier.entry == path.entry
+    ):
         return
     moves, late = run.members(earlier), ROUNDED * (1.0 + begin)
     if len(moves) != len(path.members) or (not path.tails and (moves[0].ended or not path.blend)):
@@ -116,30 +122,30 @@ def _check_begin(proof: Proof, run: Run, master: WholeTrack, i: int, order: Orde
         run.path_before(each) is not before for each, before in _pairs(run, path, moves)
     ):
         return  # another path of one of its axes is in between
-    way = PathLayout(earlier, run.origins(earlier))
+    layout = PathLayout(earlier, run.origins(earlier))
     profiles = [(move.profile, begin - move.start_time) for move in moves if move.profile is not None]
-    left, speed = _left(way, profiles)
-    due = min(path.blend, MAX_SHARE * way.length)
-    slack = SLACK * max(1.0, way.length) + 8.0 * late * speed
+    left, speed = _left(layout, profiles)
+    wanted = min(path.blend, MAX_SHARE * layout.length)
+    slack = SLACK * max(1.0, layout.length) + 8.0 * late * speed
     prompts = [
         each
         for number in path.members
-        for each in run.orders.prompted(number, _planned(run, moves[0]) + late, begin + late)
+        for each in run.expected_motion.prompted(number, _planned(run, moves[0]) + late, begin + late)
     ]
     # A blend that is planned by then keeps the distance that was in force, and joined paths stay joined.
     if left is None or any(word in ("blend_mode", "blend_distance") for _, word in prompts):
         return
     where = f"path from {begin:.6f} s"
-    if left > due + slack:
+    if left > wanted + slack:
         if all(word != "blend" for _, word in prompts):
-            words = f"it begins {left:g} before the end of the previous one, commanded at most {due:g}"
+            words = f"it begins {left:g} before the end of the previous one, commanded at most {wanted:g}"
             proof.breaks(order.line, f"{where}: {words}")
     elif (
-        left < due - slack
-        and not path.rests  # what is suspended blends into nothing
+        left < wanted - slack
+        and not path.comes_to_rest  # a suspended path is not blended
         and all(abs(time - begin) > late for time in _causes(run, moves[0], prompts, begin))
     ):
-        words = f"it begins {left:g} before the end of the previous one, commanded {due:g}"
+        words = f"it begins {left:g} before the end of the previous one, commanded {wanted:g}"
         proof.breaks(order.line, f"{where}: {words}")
 
 
@@ -159,20 +165,20 @@ def _planned(run: Run, move: Move) -> float:
     return move.start_time
 
 
-def _left(way: PathLayout, profiles: Sequence[tuple[Profile, float]]) -> tuple[float | None, float]:
+def _left(layout: PathLayout, profiles: Sequence[tuple[Profile, float]]) -> tuple[float | None, float]:
     """Return the remaining distance of a path, None if unknown, and its speed."""
-    parts = [
+    states = [
         (end - profile.position(time), profile.velocity(time), end - start, abs(k))
         for (profile, time), start, end, k in zip(
-            profiles, way.starts, way.ends, way.path.scales, strict=True
+            profiles, layout.starts, layout.ends, layout.path.scales, strict=True
         )
     ]
-    fast = max(abs(velocity) / k for _, velocity, _, k in parts)
-    if way.unit is not None:
-        left, _, length, _ = max(parts, key=lambda part: abs(part[2]) / part[3])
-        return (way.length * left / length if length else 0.0), fast
-    along = spans_along(profiles, way, MOMENT)
-    return (way.length - along[0].at(0.0)[0] if along else None), fast
+    fast = max(abs(velocity) / k for _, velocity, _, k in states)
+    if layout.unit is not None:
+        left, _, length, _ = max(states, key=lambda state: abs(state[2]) / state[3])
+        return (layout.length * left / length if length else 0.0), fast
+    along = spans_along(profiles, layout, MOMENT)
+    return (layout.length - along[0].at(0.0)[0] if along else None), fast
 
 
 def _causes(run: Run, before: Move, prompts: Sequence[tuple[float, str]], begin: float) -> Iterator[float]:
@@ -193,17 +199,19 @@ def _check_sum(
 ) -> None:
     path, (begin, end) = order.path, time
     assert path is not None
-    for place, number in enumerate(path.members):
+    for index, number in enumerate(path.members):
         a = run.axes[number]
         for share in SHARES:
             now = begin + share * (end - begin)
-            k = a.place(now)
+            k = a.index_at(now)
             state = a.profiles[k].at(now - a.starts[k])
-            profiles = [(moves[place].profile, moves[place].start_time) for moves in entries]
-            parts = [profile.velocity(now - start) for profile, start in profiles if profile is not None]
-            done, due = state.velocity, fsum(parts)
+            profiles = [(moves[index].profile, moves[index].start_time) for moves in entries]
+            velocities = [profile.velocity(now - start) for profile, start in profiles if profile is not None]
+            done, total = state.velocity, fsum(velocities)
             rounding = 8e-16 * (1.0 + now) * abs(state.acceleration)
-            if abs(done - due) > SLACK * max(1.0, *map(abs, parts)) + rounding:
-                words = f"axis {number} runs at {done:g} counts/s at {now:.6f} s, its paths add up to {due:g}"
+            if abs(done - total) > SLACK * max(1.0, *map(abs, velocities)) + rounding:
+                words = (
+                    f"axis {number} runs at {done:g} counts/s at {now:.6f} s, its paths add up to {total:g}"
+                )
                 proof.breaks(order.line, f"path from {path.begun:.6f} s: {words}")
                 return

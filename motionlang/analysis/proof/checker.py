@@ -46,9 +46,9 @@ class Proof:
 
     def lines(self) -> list[str]:
         """Return the results as lines of text."""
-        looked = ", ".join(f"{name} {count}" for name, count in self.counts.items())
+        checked = ", ".join(f"{name} {count}" for name, count in self.counts.items())
         found = [
-            f"proof: {looked}; {len(self.violations) or 'no'} violation{'s'[: len(self.violations) != 1]}"
+            f"proof: {checked}; {len(self.violations) or 'no'} violation{'s'[: len(self.violations) != 1]}"
         ]
         found += [f"  {name}: {share:.9f} of the limit" for name, share in sorted(self.worst.items())]
         found += [f"  ordered: {name}, {count} x" for name, count in sorted(self.exceptions.items())]
@@ -77,8 +77,6 @@ class Proof:
 class Uses:
     """The used bounds of one profile; each violation is reported once, at its worst."""
 
-    __slots__ = ("_broken", "_proof")
-
     def __init__(self, proof: Proof) -> None:
         self._proof = proof
         self._broken: dict[str, tuple[float, float]] = {}
@@ -91,7 +89,7 @@ class Uses:
         if not self._proof.uses(name.split(" of axis")[0], figure, bound):
             self._broken[name] = max(self._broken.get(name, (0.0, bound)), (figure, bound))
 
-    def tell(self, line: int, where: str, unit: str) -> None:
+    def report(self, line: int, where: str, unit: str) -> None:
         """Report the violations."""
         for name, (figure, bound) in self._broken.items():
             self._proof.breaks(line, f"{where}: the {name} reaches {figure:g}{unit}, above {bound:g}")
@@ -99,8 +97,6 @@ class Uses:
 
 class Offsets:
     """The superposed offset entries of one axis, by start time."""
-
-    __slots__ = ("_ends", "_moves", "_starts", "_sums")
 
     def __init__(self) -> None:
         self._moves: list[Move] = []
@@ -120,10 +116,10 @@ class Offsets:
         self._ends.append(max(end, self._ends[-1]) if self._ends else end)
         self._sums.append(self._sums[-1] + (profile.distance if isfinite(profile.duration) else 0.0))
 
-    def gone(self, time: float) -> float:
-        """Return the distance of all of them at a time."""
+    def travelled(self, time: float) -> float:
+        """Return the total distance of all offsets at a time."""
         in_force, over = self._in_force(time)
-        return fsum((self._sums[over], *(gone(move, time)[0] for move in in_force)))
+        return fsum((self._sums[over], *(travelled(move, time)[0] for move in in_force)))
 
     def is_active_at(self, time: float) -> bool:
         """True if an offset is in progress at a time."""
@@ -147,12 +143,16 @@ class Run:
     """The records of a run: tracks of its axes, log, orders, and end time."""
 
     def __init__(
-        self, axes: Mapping[int, WholeTrack], moves: Iterable[Move], orders: ExpectedMotion, until: float
+        self,
+        axes: Mapping[int, WholeTrack],
+        moves: Iterable[Move],
+        expected_motion: ExpectedMotion,
+        until: float,
     ) -> None:
-        self.axes, self.orders, self.until = axes, orders, until
+        self.axes, self.expected_motion, self.until = axes, expected_motion, until
         # A log creates its entries on each read; those of paths and offsets, by number, are cached.
         self._log = moves
-        self._kept: dict[int, Move] = {}
+        self._stored: dict[int, Move] = {}
         # The entries of paths by axis, beginning and number, as the orders refer to them; and as a list.
         self.entries: dict[tuple[int, float, int], Move] = {}
         self.paths: dict[int, list[Move]] = {}
@@ -177,7 +177,7 @@ class Run:
         self._tracks: dict[int, WholeTrack] = {}
         ordered = {
             order.path.entry: order
-            for records in orders.of.values()
+            for records in expected_motion.of.values()
             for order in records
             if order.path is not None
         }
@@ -186,7 +186,7 @@ class Run:
         last: dict[int, int] = {}
         for number, move in enumerate(moves):
             if move.overlaid:
-                self._kept[number] = move
+                self._stored[number] = move
                 self.offsets.setdefault(move.axis, Offsets()).add(move)
                 continue
             previous, last[move.axis] = last.get(move.axis, -1), number
@@ -195,7 +195,7 @@ class Run:
             if before is not None:
                 order = _continued(self._order_of[id(before)], move, number)
             if order is not None and order.path is not None:
-                self._kept[number] = self.entries[move.axis, order.path.begun, order.path.nth] = move
+                self._stored[number] = self.entries[move.axis, order.path.begun, order.path.nth] = move
                 self._add_path(move, before)
                 self._order_of[id(move)] = order
                 self._previous[id(move)] = previous
@@ -247,7 +247,7 @@ class Run:
     def moves(self) -> Iterator[Move]:
         """The entries of the log in order."""
         for number, move in enumerate(self._log):
-            yield self._kept.get(number, move)
+            yield self._stored.get(number, move)
 
     def span(self, a: WholeTrack, i: int) -> tuple[float, float]:
         """Return when a profile of a track came into force, and when it ended."""
@@ -267,8 +267,8 @@ class Run:
         """Return the order in force when an entry of the log begins."""
         found = self._order_of.get(id(move))
         if found is None:
-            a, records = self.axes[move.axis], self.orders.of[move.axis]
-            i = a.place(move.start_time)
+            a, records = self.axes[move.axis], self.expected_motion.of[move.axis]
+            i = a.index_at(move.start_time)
             while records[i].path is not None and i and a.starts[i] == move.start_time:
                 i -= 1  # a path that begins at the end of a move without a distance
             found = records[i]
@@ -278,8 +278,8 @@ class Run:
         """Return the times next to `time` at which motion or an offset of an axis began."""
         begins = self._begins.get(axis)
         if begins is None:
-            offsets = {begun for number, begun in self.orders.offsets if number == axis}
-            begins = self._begins[axis] = sorted(offsets | self.orders.begun[axis])
+            offsets = {begun for number, begun in self.expected_motion.offsets if number == axis}
+            begins = self._begins[axis] = sorted(offsets | self.expected_motion.begun[axis])
         k = bisect_left(begins, time)
         return begins[max(k - 1, 0) : k + 1]
 
@@ -290,7 +290,7 @@ class Run:
 
     def path_before(self, move: Move) -> Move | None:
         """Return the previous path entry on the axis; None if that is not of a path."""
-        return self._kept.get(self._previous[id(move)])
+        return self._stored.get(self._previous[id(move)])
 
     def path_after(self, move: Move) -> Move | None:
         """Return the next path entry on the axis; None if that is not of a path."""
@@ -300,7 +300,7 @@ class Run:
 
     def is_blended(self, a: WholeTrack, time: float) -> bool:
         """True if an axis is on two paths at once."""
-        return a.profiles[a.place(time)].shape == "blend"
+        return a.profiles[a.index_at(time)].shape == "blend"
 
     def logged(self, a: WholeTrack, move: Move, time: float, ending: bool) -> float:
         """Return a track's position from a log entry, without the motion of blended paths."""
@@ -314,11 +314,11 @@ class Run:
             for entry in reversed(chains[before]):
                 if _end(entry) <= time:
                     break
-                done -= gone(entry, max(time, entry.start_time))[1]
+                done -= travelled(entry, max(time, entry.start_time))[1]
             before -= 1
         after = k + 1
         while after < len(chains) and chains[after][0].start_time < time:
-            done -= fsum(gone(entry, time)[0] for entry in chains[after] if entry.start_time < time)
+            done -= fsum(travelled(entry, time)[0] for entry in chains[after] if entry.start_time < time)
             after += 1
         return done
 
@@ -343,8 +343,8 @@ def _continued(order: Order, move: Move, number: int) -> Order:
     return order._replace(path=order.path._replace(begun=move.start_time, entry=number))
 
 
-def gone(move: Move, time: float) -> tuple[float, float]:
-    """Return the distance of a log entry at a time, and the signed rest of it."""
+def travelled(move: Move, time: float) -> tuple[float, float]:
+    """Return the distance of a log entry at a time, and the signed remaining distance."""
     profile = move.profile
     assert profile is not None
     here = profile.position(min(time - move.start_time, profile.duration))
@@ -356,7 +356,7 @@ def position(a: WholeTrack, time: float, ending: bool = False) -> float:
 
     A new zero is such an event.
     """
-    i = a.place(time)
+    i = a.index_at(time)
     while ending and i > 0 and a.starts[i] >= time - ROUNDED * (1.0 + time):
         i -= 1
     return a.profiles[i].position(time - a.starts[i])

@@ -40,15 +40,15 @@ class Ends:
     entry has to state them.
     """
 
-    __slots__ = ("begun", "going", "last", "place", "said", "stood", "unsaid", "until")
+    __slots__ = ("begun", "going", "instant", "last", "next_index", "stated", "unsaid", "until")
 
     def __init__(self, begun: Iterable[float] = ()) -> None:
-        self.begun, self.stood = set(begun), set[float]()
+        self.begun, self.instant = set(begun), set[float]()
         self.going: list[Move] = []
         self.last: Move | None = None
         self.until = 0.0
-        self.place = 0
-        self.said: set[tuple[float, str]] = set()
+        self.next_index = 0
+        self.stated: set[tuple[float, str]] = set()
         self.unsaid: list[tuple[tuple[float, str], int, str]] = []
 
 
@@ -62,8 +62,8 @@ def take_entry(proof: Proof, ends: dict[int, Ends], run: Run, move: Move) -> Non
         return
     found = ends.get(move.axis)
     if found is None:
-        found = ends[move.axis] = Ends(run.orders.begun[move.axis])
-    if not run.orders.was_cut:
+        found = ends[move.axis] = Ends(run.expected_motion.begun[move.axis])
+    if not run.expected_motion.was_cut:
         _check_entry(proof, run, found, move, profile)
     found.last, found.until = move, max(found.until, move.start_time + profile.duration)
     if move.start_time + profile.duration > run.until * (1.0 + ROUNDED):
@@ -73,12 +73,12 @@ def take_entry(proof: Proof, ends: dict[int, Ends], run: Run, move: Move) -> Non
 def _check_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profile) -> None:
     a, start, before = run.axes[move.axis], move.start_time, found.last
     where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + start)
-    order, scale = run.order_of(move), run.orders.scale(move.axis, start)
+    order, scale = run.order_of(move), run.expected_motion.scale(move.axis, start)
     first = run.rest_of(move) is None
     if first and order.kind != "rest" and move.line not in _lines(run, a, start):
         proof.breaks(move.line, f"{where}: it is commanded by line {order.line}")
     if profile.duration <= late:
-        found.stood.add(start)
+        found.instant.add(start)
     elif start in found.begun:
         found.begun.remove(start)
     elif first:  # a path that is blended onto continues unseen
@@ -100,7 +100,7 @@ def _check_entry(proof: Proof, run: Run, found: Ends, move: Move, profile: Profi
 
 def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
     """Return the lines of motion that begins on an axis at a time."""
-    i, records = a.place(start), run.orders.of[a.index]
+    i, records = a.index_at(start), run.expected_motion.of[a.index]
     found = {records[i].line}
     while i > 0 and a.starts[i] == start:
         i -= 1
@@ -110,9 +110,9 @@ def _lines(run: Run, a: WholeTrack, start: float) -> set[int]:
 
 def _check_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float) -> None:
     """Check that the axis was at rest between the entries so far and a time."""
-    records = run.orders.of[a.index]
-    while found.place < len(a.starts) and a.starts[found.place] < until:
-        i = found.place
+    records = run.expected_motion.of[a.index]
+    while found.next_index < len(a.starts) and a.starts[found.next_index] < until:
+        i = found.next_index
         begin, over = run.span(a, i)
         begin, end = max(begin, found.until), min(over, until)
         if end - begin > LATE * (1.0 + begin) and records[i].kind != "rest":
@@ -124,7 +124,7 @@ def _check_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float)
                 return
         if over > until:
             return
-        found.place += 1
+        found.next_index += 1
 
 
 def _check_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move, where: str) -> None:
@@ -133,30 +133,30 @@ def _check_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
     The reasons are a commanded stop, another entry, or its own end.
     """
     assert move.profile is not None
-    orders, start = run.orders, move.start_time
+    expected_motion, start = run.expected_motion, move.start_time
     end = start + move.profile.duration
     late = LATE * (1.0 + end)
-    stops = orders.stopped(a.index, start - late, end + late)
+    stops = expected_motion.stopped(a.index, start - late, end + late)
     i = _last(a, start, end)
-    last, over = orders.of[a.index][i], run.span(a, i)[1]
+    last, over = expected_motion.of[a.index][i], run.span(a, i)[1]
     if move.profile.duration > late and last.kind != "path" and abs(over - end) > late:
         proof.breaks(move.line, f"{where}: it ends at {end:.6f} s, its motion at {over:.6f} s")
     if move.ended == CONTINUED and len(move.profile.knots) <= MAX_PIECES:
         proof.breaks(move.line, f"{where}: it is logged as continued, but its entry is not full")
     elif move.ended == "retarget" and _is_at_end(run, a, i, end, late):
         proof.breaks(move.line, f"{where}: it is logged as replaced, but reaches its end")
-    found.said.update(stop for stop in stops if stop[1] == move.ended)
+    found.stated.update(stop for stop in stops if stop[1] == move.ended)
     if move.ended in ("stop", "cancel", "fault"):
         # A stop may lead through the end of one path into the next.
-        earlier = last.path is not None and last.path.rests
-        ordered = orders.was_stopped(a.index, move.ended, end + late) if earlier else False
+        earlier = last.path is not None and last.path.comes_to_rest
+        ordered = expected_motion.was_stopped(a.index, move.ended, end + late) if earlier else False
         if not ordered and all(word != move.ended for _, word in stops):
             proof.breaks(
                 move.line, f"{where}: it is logged as ended by a {move.ended} that was not commanded"
             )
     elif not move.ended and move.profile.duration:
-        rests = last.kind in RESTING or last.slopes is not None
-        if rests and abs(move.profile.end_velocity) > SLACK * max(1.0, move.profile.peak_speed):
+        is_resting = last.kind in RESTING or last.slopes is not None
+        if is_resting and abs(move.profile.end_velocity) > SLACK * max(1.0, move.profile.peak_speed):
             proof.breaks(move.line, f"{where}: it is logged as complete, but is still moving")
         points = None if last.points is None or move.offset else last.points[0]
         if points is not None and abs(move.profile.end - points[-1]) > SLACK * max(1.0, abs(points[-1])):
@@ -179,11 +179,11 @@ def _is_at_end(run: Run, a: WholeTrack, i: int, end: float, late: float) -> bool
 
     An endless or stopped profile has no end of its own.
     """
-    order = run.orders.of[a.index][i]
+    order = run.expected_motion.of[a.index][i]
     if order.tie is not None and order.tie.table is not None and order.tie.table[2] == "even":
-        gone = position(run.track(order.tie.master), end) - order.tie.origin
+        travelled = position(run.track(order.tie.master), end) - order.tie.origin
         length = order.tie.table[0][-1]
-        return abs(gone * order.tie.direction - length) <= SLACK * max(1.0, length)
+        return abs(travelled * order.tie.direction - length) <= SLACK * max(1.0, length)
     if order.kind in ("jog", "stop", "Gear"):
         return False
     # The clock does not round: a profile that begins one digit before the end has replaced it.
@@ -192,15 +192,15 @@ def _is_at_end(run: Run, a: WholeTrack, i: int, end: float, late: float) -> bool
 
 
 def _order_before(run: Run, a: WholeTrack, time: float) -> Order:
-    i = a.place(time)
+    i = a.index_at(time)
     while i > 0 and a.starts[i] >= time:
         i -= 1
-    return run.orders.of[a.index][i]
+    return run.expected_motion.of[a.index][i]
 
 
 def _last(a: WholeTrack, start: float, end: float) -> int:
     """Return the index of the last profile of an entry."""
-    i = a.place(end)
+    i = a.index_at(end)
     while i > 0 and a.starts[i] >= end - LATE * (1.0 + end) and a.starts[i] > start:
         i -= 1
     return i
@@ -214,18 +214,18 @@ def check_ends(proof: Proof, run: Run, ends: dict[int, Ends]) -> None:
     for number, a in run.axes.items():
         found = ends.get(number)
         if found is None:
-            found = Ends(run.orders.begun[number])
-        if run.orders.was_cut:
+            found = Ends(run.expected_motion.begun[number])
+        if run.expected_motion.was_cut:
             found.begun.clear()
         else:
             _check_gap(proof, run, a, found, run.until)
-        for time in sorted(found.begun - found.stood):
-            line = run.orders.of[number][a.place(time)].line
+        for time in sorted(found.begun - found.instant):
+            line = run.expected_motion.of[number][a.index_at(time)].line
             proof.breaks(line, f"axis {number} from {time:.6f} s: it has no entry in the log")
         for stop, line, words in found.unsaid:
-            if stop not in found.said:
+            if stop not in found.stated:
                 proof.breaks(line, words)
-        if found.last is not None and found.last.ended in FOLLOWED and not run.orders.was_cut:
+        if found.last is not None and found.last.ended in FOLLOWED and not run.expected_motion.was_cut:
             where = f"axis {number} from {found.last.start_time:.6f} s"
             proof.breaks(found.last.line, f"{where}: nothing follows the replaced move")
         _check_waiting(proof, run, a)
@@ -241,7 +241,7 @@ def _check_waiting(proof: Proof, run: Run, a: WholeTrack) -> None:
     The reasons are another move in progress, and an error that ends the run.
     """
     offsets = run.offsets.get(a.index)
-    follows = run.orders.of[a.index][-1].tie is not None
+    follows = run.expected_motion.of[a.index][-1].tie is not None
     found = [move for move in a.waiting[:1] if move.action is None and a.move is None]
     if follows and (offsets is None or not offsets.is_active_at(run.until)):
         found += [move for move in a.waiting if move.action is not None and move.action.lies_on_top]
@@ -258,9 +258,9 @@ def _is_refused(run: Run, a: WholeTrack) -> bool:
 
     Also true if it was due at the instant at which another axis's move was rejected.
     """
-    times = [run.orders.refused.get(a.index, -1.0)]
+    times = [run.expected_motion.refused.get(a.index, -1.0)]
     if a.starts[-1] == run.until:
-        times += run.orders.refused.values()
+        times += run.expected_motion.refused.values()
     return run.until in times
 
 
@@ -275,7 +275,7 @@ def _check_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> No
         return
     if a.index in run.offsets:
         return
-    k = a.place(run.until)
+    k = a.index_at(run.until)
     done = a.profiles[k].velocity(run.until - a.starts[k])
     # A step at the end of the run is later, in the time of an entry, by rounding.
     for late in (0.0, ROUNDED * (1.0 + run.until)):
@@ -290,11 +290,16 @@ def _check_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> No
 def _check_last(proof: Proof, run: Run, a: WholeTrack, last: Move) -> None:
     profile = last.profile
     assert profile is not None
-    if a.feedback is not None or a.index in run.offsets or not isfinite(profile.end) or run.orders.was_cut:
+    if (
+        a.feedback is not None
+        or a.index in run.offsets
+        or not isfinite(profile.end)
+        or run.expected_motion.was_cut
+    ):
         return
-    data, done = run.orders.data[a.index], position(a, run.until)
+    data, done = run.expected_motion.data[a.index], position(a, run.until)
     # Its shift since it began: another zero may have been set at that time.
-    i = a.place(last.start_time)
+    i = a.index_at(last.start_time)
     shifts = [data[-1] - data[i]]
     while i > 0 and a.starts[i] >= last.start_time - ROUNDED * (1.0 + last.start_time):
         i -= 1

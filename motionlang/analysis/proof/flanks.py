@@ -32,9 +32,9 @@ class Begin(NamedTuple):
     velocity: float
     acceleration: float
     time: float
-    way: float
+    distance: float
     came: float
-    bent: float
+    acceleration_before: float
     left: float | None
     planned: float = inf
 
@@ -46,28 +46,31 @@ def begin(a: WholeTrack, i: int, order: Order, earlier: Order, shifted: bool) ->
     """
     profile = a.profiles[i]
     entry = profile.at(0.0)
-    v, bent = entry.velocity, entry.acceleration
+    v, acceleration = entry.velocity, entry.acceleration
     left, planned = None, inf
-    stops = order.kind == "stop" and bent * v < 0.0
-    if i and a.profiles[i - 1].pieced and (v or bent):
-        gone_on = max(0.0, last_change(a.profiles[i - 1]) - (a.starts[i] - a.starts[i - 1]))
+    stops = order.kind == "stop" and acceleration * v < 0.0
+    if i and a.profiles[i - 1].pieced and (v or acceleration):
+        before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
+        remaining = max(0.0, last_change(before) - elapsed)
         if shifted or stops:
-            left = gone_on
-        if bent * v < 0.0 and abs(v) <= order.speed and _ramps(order) == _ramps(earlier):
-            planned = gone_on
+            left = remaining
+        if stops and (rest := before.velocity_crossing(0.0, elapsed)) is not None:
+            left = min(remaining, rest - elapsed)  # it may reverse, but a stop ends at its rest
+        if acceleration * v < 0.0 and abs(v) <= order.speed and _ramps(order) == _ramps(earlier):
+            planned = remaining
     own = left if shifted else None  # the rest of a plan is rounded like the complete plan
     if order.jerks[0] < inf:
-        return Begin(v, bent, 0.0, 0.0, abs(v), bent, own, planned)
-    if order.shape == "trapezoid" or not bent or not i or not a.profiles[i - 1].pieced:
+        return Begin(v, acceleration, 0.0, 0.0, abs(v), acceleration, own, planned)
+    if order.shape == "trapezoid" or not acceleration or not i or not a.profiles[i - 1].pieced:
         return Begin(v, 0.0, 0.0, 0.0, abs(v), 0.0, own, planned)
     before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
     flank = _flank(before, elapsed) if order.shape != "parabolic" else None
     if flank is None:
-        return Begin(v, 0.0, 0.0, 0.0, abs(v), bent, left)
+        return Begin(v, 0.0, 0.0, 0.0, abs(v), acceleration, left)
     falling, x, time = flank
     p0, v0, _, _ = derivatives(falling, x)
     p1, v1, _, _ = derivatives(falling, x + time)
-    return Begin(v + v1 - v0, 0.0, time, p1 - p0 + (v - v0) * time, abs(v), bent, left)
+    return Begin(v + v1 - v0, 0.0, time, p1 - p0 + (v - v0) * time, abs(v), acceleration, left)
 
 
 def _ramps(order: Order) -> tuple[object, ...]:
@@ -103,12 +106,12 @@ def _flank(profile: Profile, elapsed: float) -> tuple[Piece, float, float] | Non
             return None
         falls = max(angle, pi - angle)
         return piece, (falls - phase) / omega, (pi - falls) / omega
-    position, v, bent, _ = derivatives(piece, x)
+    position, v, acceleration, _ = derivatives(piece, x)
     slope = c3
     if not slope and k + 1 < len(profile.pieces):
         following = profile.pieces[k + 1]
-        slope = 0.0 if following[4] or following[3] * bent >= 0.0 else following[3]
+        slope = 0.0 if following[4] or following[3] * acceleration >= 0.0 else following[3]
     if not slope:
         return None
-    slope = -abs(slope) if bent > 0.0 else abs(slope)
-    return (position, v, 0.5 * bent, slope, 0.0, 0.0, 0.0), 0.0, -bent / (6.0 * slope)
+    slope = -abs(slope) if acceleration > 0.0 else abs(slope)
+    return (position, v, 0.5 * acceleration, slope, 0.0, 0.0, 0.0), 0.0, -acceleration / (6.0 * slope)

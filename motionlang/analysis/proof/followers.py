@@ -36,7 +36,7 @@ def check_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: 
     track, begin = run.track(tie.master), a.starts[i]
     where = f"axis {a.index} from {begin:.6f} s"
     if tie.curve is None and tie.locked > begin:
-        earlier = run.orders.of[a.index][i - 1]
+        earlier = run.expected_motion.of[a.index][i - 1]
         if not tie.ramp and earlier.kind != "stop" and tie.takes_up(earlier.tie):
             proof.breaks(order.line, f"{where}: it ramps to its ratio, commanded to engage at once")
         _check_chase(proof, run, a, i, order, end)
@@ -84,7 +84,7 @@ def _check_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, en
             where = f"axis {a.index} at {time:.6f} s"
             proof.breaks(order.line, f"{where}: {words}, commanded {order.rates[side]:g}")
             return
-    uses.tell(order.line, f"axis {a.index} from {a.starts[i]:.6f} s", " counts")
+    uses.report(order.line, f"axis {a.index} from {a.starts[i]:.6f} s", " counts")
 
 
 def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> list[float]:
@@ -94,7 +94,7 @@ def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> lis
     """
     knots = {begin, end}
     for track in (a, master):
-        k = track.place(begin)
+        k = track.index_at(begin)
         while k < len(track.starts) and track.starts[k] < end:
             knots.update(t for t in (track.starts[k] + x for x in track.profiles[k].knots) if begin < t < end)
             k += 1
@@ -111,30 +111,32 @@ def _check_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, cu
     tie = order.tie
     assert tie is not None
     assert tie.table is not None
-    places, values, kind = tie.table
+    positions, values, kind = tie.table
     where = f"axis {a.index} from {a.starts[i]:.6f} s"
     first = _on(curve, 0.0)
     size = SLACK * max(1.0, *(abs(value) for value in values))
-    for place, value in zip(places, values, strict=True):
-        gone, wanted = _on(curve, place) - first, value - values[0]
-        if abs(gone - wanted) > size:
+    for along, value in zip(positions, values, strict=True):
+        travelled, wanted = _on(curve, along) - first, value - values[0]
+        if abs(travelled - wanted) > size:
             proof.breaks(
                 order.line,
-                f"{where}: its curve has {gone:g} at {place:g} of its master, commanded {wanted:g}",
+                f"{where}: its curve has {travelled:g} at {along:g} of its master, commanded {wanted:g}",
             )
             return
     if abs(curve.end - curve.start - values[-1] + values[0]) > size:
         words = f"its curve rises by {curve.end - curve.start:g}, commanded {values[-1] - values[0]:g}"
         proof.breaks(order.line, f"{where}: {words}")
-    if curve.duration != places[-1]:
-        proof.breaks(order.line, f"{where}: its curve is {curve.duration:g} long, commanded {places[-1]:g}")
+    if curve.duration != positions[-1]:
+        proof.breaks(
+            order.line, f"{where}: its curve is {curve.duration:g} long, commanded {positions[-1]:g}"
+        )
     slopes = [derivatives(curve.pieces[0], 0.0)[1]]
     slopes.append(derivatives(curve.pieces[-1], curve.knots[-1] - curve.knots[-2])[1])
     for stated, slope in zip((curve.start_velocity, curve.end_velocity), slopes, strict=True):
-        if abs(stated - slope) * places[-1] > size:
+        if abs(stated - slope) * positions[-1] > size:
             words = f"its curve has a slope of {slope:g} at one end, and is run on at {stated:g}"
             proof.breaks(order.line, f"{where}: {words}")
-    for (left, right), (low, high) in zip(pairwise(places), pairwise(values), strict=True):
+    for (left, right), (low, high) in zip(pairwise(positions), pairwise(values), strict=True):
         if (
             kind == "linear"
             and abs(_on(curve, 0.5 * (left + right)) - first - 0.5 * (low + high) + values[0]) > size
@@ -147,7 +149,7 @@ def _check_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, cu
         curve.pieces, curve.pieces[1:], (y - x for x, y in pairwise(curve.knots)), strict=False
     ):
         gap = derivatives(right_piece, 0.0)[1] - derivatives(left_piece, width)[1]
-        if kind == "cubic" and abs(gap) * places[-1] > size:
+        if kind == "cubic" and abs(gap) * positions[-1] > size:
             proof.breaks(order.line, f"{where}: the slope of its curve jumps by {gap:g}")
             return
     if kind == "even":
@@ -158,7 +160,7 @@ def _check_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, 
     """Check a flying shear's ratio: linear, from the previous ratio or 0."""
     tie = order.tie
     assert tie is not None
-    before = run.orders.of[a.index][i - 1].tie if i else None
+    before = run.expected_motion.of[a.index][i - 1].tie if i else None
     begins, bends = derivatives(curve.pieces[0], 0.0)[1], curve.pieces[0][3]
     wanted = 0.0
     if before is not None and before.curve is not None and before.table is not None:
@@ -177,10 +179,10 @@ def _wanted(tie: Tie, curve: Profile, along: float) -> float:
     """Return the slave's position on its curve; linear tables use the table's numbers."""
     if tie.table is None or tie.table[2] != "linear":
         return _on(curve, along)
-    places, values, _ = tie.table
-    k = min(max(bisect_right(places, along) - 1, 0), len(places) - 2)
-    slope = (values[k + 1] - values[k]) / (places[k + 1] - places[k])
-    return values[k] + slope * (along - places[k])
+    positions, values, _ = tie.table
+    k = min(max(bisect_right(positions, along) - 1, 0), len(positions) - 2)
+    slope = (values[k + 1] - values[k]) / (positions[k + 1] - positions[k])
+    return values[k] + slope * (along - positions[k])
 
 
 def check_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
@@ -203,10 +205,10 @@ def check_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     fast = max(1.0, *(abs(velocity) for velocity in velocities))
     for k, (piece, time) in enumerate(zip(profile.pieces, times, strict=True)):
         for at, n in ((0.0, k), (time, k + 1)):
-            place, speed, _, _ = derivatives(piece, at)
-            if abs(place - points[n]) > SLACK * size or abs(speed - velocities[n]) > SLACK * fast:
+            reached, speed, _, _ = derivatives(piece, at)
+            if abs(reached - points[n]) > SLACK * size or abs(speed - velocities[n]) > SLACK * fast:
                 words = f"point {n} is {points[n]:g} at {velocities[n]:g} counts/s"
-                proof.breaks(order.line, f"{where}: {words}, it is at {place:g} at {speed:g} counts/s")
+                proof.breaks(order.line, f"{where}: {words}, it is at {reached:g} at {speed:g} counts/s")
                 return
 
 
@@ -226,23 +228,23 @@ def check_reference(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order,
     if endless and not order.goal:
         proof.breaks(order.line, f"{where}: it never reaches its end")
     uses = Uses(proof)
-    bent = _carried(run, a, i, order)
-    fading = _fading(entry.velocity, bent, order.slopes)
-    eased = abs(bent) if fading else 0.0
-    came = max(abs(entry.velocity), abs(entry.velocity + 0.5 * bent * fading))
+    a0 = _carried(run, a, i, order)
+    fading = _fading(entry.velocity, a0, order.slopes)
+    eased = abs(a0) if fading else 0.0
+    came = max(abs(entry.velocity), abs(entry.velocity + 0.5 * a0 * fading))
     for piece, begin, finish in zip(profile.pieces, profile.knots, profile.knots[1:], strict=False):
         span = Span(begin, finish - begin if isfinite(finish) else 1.0, piece)
         uses.compare("speed", span.peak(1), max(order.speed, came))
         for power, left, right in span.sides():
             rate = order.rates[0 if power > 0.0 else 1] if abs(power) > SLACK else max(order.rates)
             uses.compare("rate of a reference", max(abs(left[2]), abs(right[2])), max(rate, eased))
-    uses.tell(order.line, where, " counts")
+    uses.report(order.line, where, " counts")
     took = profile.knots[-2] if endless else profile.knots[-1]
-    if shifted and order == run.orders.of[a.index][i - 1]:
+    if shifted and order == run.expected_motion.of[a.index][i - 1]:
         before = a.profiles[i - 1]
         wanted = max(0.0, last_change(before) - (a.starts[i] - a.starts[i - 1]))
     else:
-        wanted = _reference_time(entry.velocity, bent, order.goal, order.slopes)
+        wanted = _reference_time(entry.velocity, a0, order.goal, order.slopes)
     if abs(took - wanted) > wanted * SLACK + 1e-9:
         proof.breaks(order.line, f"{where}: it takes {took:g} s, expected {wanted:g} s")
     if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
@@ -259,8 +261,8 @@ def _carried(run: Run, a: WholeTrack, i: int, order: Order) -> float:
     before, elapsed = a.profiles[i - 1], a.starts[i] - a.starts[i - 1]
     if not i or elapsed >= last_change(before):
         return 0.0
-    state, kind = before.at(elapsed), run.orders.of[a.index][i - 1].kind
-    if kind in (*PLANNED, "rest", "path") or a.starts[i] not in run.orders.begun[a.index]:
+    state, kind = before.at(elapsed), run.expected_motion.of[a.index][i - 1].kind
+    if kind in (*PLANNED, "rest", "path") or a.starts[i] not in run.expected_motion.begun[a.index]:
         return state.acceleration
     rate = order.rates[0 if state.acceleration * state.velocity >= 0.0 else 1]
     return max(-rate, min(state.acceleration, rate))
@@ -305,7 +307,7 @@ def _on(curve: Profile, along: float) -> float:
 def _offset(run: Run, a: WholeTrack, time: float) -> float:
     """Return the total of superposed offsets at a time."""
     offsets = run.offsets.get(a.index)
-    return 0.0 if offsets is None else offsets.gone(time)
+    return 0.0 if offsets is None else offsets.travelled(time)
 
 
 def _offset_moves(run: Run, a: WholeTrack, time: float) -> bool:

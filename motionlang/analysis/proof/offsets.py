@@ -24,16 +24,16 @@ def _left(run: Run, move: Move) -> float:
     if before is None or before.profile is None or before.ended != "retarget":
         return 0.0
     start, end = move.start_time, before.start_time + before.profile.duration
-    if abs(start - end) > LATE * (1.0 + start) or start in run.orders.begun[move.axis]:
+    if abs(start - end) > LATE * (1.0 + start) or start in run.expected_motion.begun[move.axis]:
         return 0.0  # other following begins then, and no offset continues
     return wanted - before.profile.end
 
 
 def check_missing(proof: Proof, run: Run) -> None:
     """Check that every OFFSET that adds a distance has an entry."""
-    if run.orders.was_cut:
+    if run.expected_motion.was_cut:
         return
-    for (axis, time), (line, distance) in run.orders.offsets.items():
+    for (axis, time), (line, distance) in run.expected_motion.offsets.items():
         offsets = run.offsets.get(axis)
         if distance and (offsets is None or not offsets.begin_at(time)):
             proof.breaks(
@@ -50,11 +50,11 @@ def check_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
     where, late = f"axis {move.axis} from {start:.6f} s", LATE * (1.0 + end)
     if abs(profile.start) > SLACK:
         proof.breaks(move.line, f"{where}: it is superposed on other motion but begins at {profile.start:g}")
-    orders = run.orders
-    scale = {counts for counts, _ in orders.scale(move.axis, start)}
+    expected_motion = run.expected_motion
+    scale = {counts for counts, _ in expected_motion.scale(move.axis, start)}
     if (scale and move.scale not in scale) or move.zero:
         proof.breaks(move.line, f"{where}: it has {move.scale:g} counts per unit, unlike its axis")
-    ordered = orders.offsets.get((move.axis, start))
+    ordered = expected_motion.offsets.get((move.axis, start))
     if ordered is None:
         return
     line, distance = ordered
@@ -66,7 +66,7 @@ def check_offset(proof: Proof, run: Run, move: Move, profile: Profile) -> None:
         if end <= run.until and abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted)):
             proof.breaks(move.line, f"{where}: it moves {profile.end:g} counts, commanded {wanted:g}")
     elif end <= run.until:
-        words = {word for _, word in orders.stopped(move.axis, end - late, end + late)}
+        words = {word for _, word in expected_motion.stopped(move.axis, end - late, end + late)}
         followed = any(abs(time - end) <= late for time in run.begins_near(move.axis, end))
         # A suspension and the end of a cam stop it, too.
         short = abs(profile.end - wanted) > SLACK * max(1.0, abs(wanted))

@@ -24,14 +24,14 @@ ROWS = 40
 def check_report(proof: Proof, run: Run, rows: Iterable[Mapping[str, object]]) -> None:
     """Check each move of a report against the track: ends, duration and peak speed."""
     moves = (move for move in run.moves if move.profile is not None)
-    told, logged, before = 0, 0, len(proof.violations)
+    reported, logged, before = 0, 0, len(proof.violations)
     for row, move in zip_longest(rows, moves):
-        told, logged = told + (row is not None), logged + (move is not None)
+        reported, logged = reported + (row is not None), logged + (move is not None)
         if row is not None and move is not None:
             _check_row(proof, run, row, move)
-    if told != logged:
+    if reported != logged:
         del proof.violations[before:]
-        proof.breaks(0, f"the report has {told} moves, the log {logged}")
+        proof.breaks(0, f"the report has {reported} moves, the log {logged}")
 
 
 def _check_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) -> None:
@@ -50,12 +50,12 @@ def _check_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) ->
         return
     if move.overlaid or move.offset or run.is_blended(a, move.start_time) or not isfinite(profile.start):
         return
-    places = [(move.start_time, start)]
+    points = [(move.start_time, start)]
     finish = move.start_time + duration
     if isfinite(end) and finish <= run.until and not run.is_blended(a, finish):
-        places.append((finish, end))
-    for time, place in places:
-        counts = place * move.scale + move.zero
+        points.append((finish, end))
+    for time, reported in points:
+        counts = reported * move.scale + move.zero
         done = run.logged(a, move, time, time == finish and duration > 0.0)
         if abs(counts - done) > SLACK * max(1.0, abs(done)) + 8e-16 * (1.0 + time) * _speed(a, time):
             proof.breaks(
@@ -66,16 +66,16 @@ def _check_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) ->
 
 
 def _check_peak(
-    proof: Proof, run: Run, a: WholeTrack, told: float, time: tuple[float, float], line: int
+    proof: Proof, run: Run, a: WholeTrack, reported: float, time: tuple[float, float], line: int
 ) -> None:
     """Check the reported peak speed of a move against the speeds on its track."""
     begin, finish = time[0], min(time[1], run.until)
-    k, seen, exact = max(a.place(begin), 0), 0.0, True
+    k, seen, exact = max(a.index_at(begin), 0), 0.0, True
     late = finish - ROUNDED * (1.0 + finish)  # an end is the sum of a beginning and a time
     while k < len(a.starts) and a.starts[k] < late:
         profile, first = a.profiles[k], max(begin - a.starts[k], 0.0)
         last = min(finish, a.starts[k + 1] if k + 1 < len(a.starts) else finish) - a.starts[k]
-        if profile.shape == "blend" or run.orders.of[a.index][k].kind == "rest":
+        if profile.shape == "blend" or run.expected_motion.of[a.index][k].kind == "rest":
             return
         if profile.pieced:
             seen = max([seen, *(span.peak(1) for span in spans(profile, first, last - first))])
@@ -88,9 +88,10 @@ def _check_peak(
             seen = max([seen, *(abs(profile.velocity(step)) for step in steps)])
         k += 1
     slack = 1e-9 + SLACK * seen
-    if told < seen - slack or (exact and finish == time[1] and told > seen + slack):
+    if reported < seen - slack or (exact and finish == time[1] and reported > seen + slack):
         proof.breaks(
-            line, f"axis {a.index} from {begin:.6f} s: the report has a peak of {told:g}, the track {seen:g}"
+            line,
+            f"axis {a.index} from {begin:.6f} s: the report has a peak of {reported:g}, the track {seen:g}",
         )
 
 
@@ -104,16 +105,16 @@ def check_trace(proof: Proof, run: Run, samples: Samples) -> None:
             counts = value * a.scale.counts + a.scale.zero
             # The time of a row is rounded: a profile that begins then may have begun.
             late = time + 4e-15 * (1.0 + time)
-            places = position(a, late), position(a, time, ending=True)
-            slack = SLACK * max(1.0, *map(abs, places)) + 8e-16 * (1.0 + time) * _speed(a, time)
-            if min(abs(counts - place) for place in places) > slack:
+            expected = position(a, late), position(a, time, ending=True)
+            slack = SLACK * max(1.0, *map(abs, expected)) + 8e-16 * (1.0 + time) * _speed(a, time)
+            if min(abs(counts - counts_then) for counts_then in expected) > slack:
                 proof.breaks(
                     0,
-                    f"axis {a.index} at {time:.6f} s: the trace has it at {counts:g}, the track at {places[0]:g}",
+                    f"axis {a.index} at {time:.6f} s: the trace has it at {counts:g}, the track at {expected[0]:g}",
                 )
                 break
 
 
 def _speed(a: WholeTrack, time: float) -> float:
-    i = a.place(time)
+    i = a.index_at(time)
     return abs(a.profiles[i].velocity(time - a.starts[i]))

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from math import atan2, ceil, copysign, cos, fsum, hypot, inf, isfinite, nextafter, pi, sin, sqrt
+from math import fsum, inf, isfinite, nextafter, sqrt
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import SLACK, Uses
-from motionlang.analysis.proof.segments import combined, rotation, spans
+from motionlang.analysis.proof.path_layout import PathLayout, end_positions
+from motionlang.analysis.proof.segments import combined, spans
 from motionlang.analysis.proof.slowing import slowing
 from motionlang.analysis.proof.time_bounds import law, lead, move_time, move_times, ramp, rounding, top_speed
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from motionlang.analysis.proof.checker import Proof, Run
     from motionlang.analysis.proof.segments import Span
@@ -28,121 +29,6 @@ if TYPE_CHECKING:
 ROUNDED = 1e-12
 
 
-class PathLayout:
-    """A commanded path, laid out from where it began, in user units.
-
-    `unit` is the direction of a line, None for an arc, whose `turn` is the angle of the radius per distance
-    along the path and `begin` its initial direction; `flat` is the fraction of the distance in its plane,
-    `climbs` those of the further axes. `stretch` is the distance in space per unit of the nominal length. `origin` is
-    the distance of a line's start from the point where all axes are at 0, along its direction.
-    """
-
-    def __init__(self, path: PathOrder, starts: Sequence[float]) -> None:
-        self.path, self.starts = path, starts
-        self.first = [start / k for start, k in zip(starts, path.scales, strict=True)]
-        self.ends = _ends(path, starts)
-        ways = [(end - start) / k for start, end, k in zip(starts, self.ends, path.scales, strict=True)]
-        self.turn = 0.0
-        self.unit: list[float] | None = None
-        if path.line or not path.angle:
-            space = hypot(*ways)
-            self.length = space if path.length is None else path.length
-            self.unit = [way / space for way in ways] if space else ways
-            self.stretch = space / self.length if self.length else 1.0
-            along = fsum(u * place for u, place in zip(self.unit, self.first, strict=True))
-            self.origin = along / self.stretch if space else 0.0
-            return
-        i, j = path.plane
-        self.centre = _centre(path, starts)
-        x, y = self.first[i] - self.centre[0], self.first[j] - self.centre[1]
-        self.radius = hypot(x, y)
-        climbs = [0.0 if k in path.plane else way for k, way in enumerate(ways)]
-        round_ = self.radius * abs(path.angle) * pi / 180.0
-        self.length = hypot(round_, *climbs) if path.length is None else path.length
-        size = self.length or 1.0
-        self.stretch = 1.0
-        self.flat, self.turn = round_ / size, abs(path.angle) * pi / 180.0 / size
-        self.begin = atan2(y, x)
-        self.climbs = [abs(climb) / size for climb in climbs]
-
-    def slopes(self, first: float, last: float) -> list[float]:
-        """Return each axis's largest fraction of the path speed between two distances."""
-        if self.unit is not None:
-            return [abs(each) * self.stretch for each in self.unit]
-        angles = self._angles(first, last, 0.0)
-        found = list(self.climbs)
-        found[self.path.plane[0]] = self.flat * max(abs(sin(angle)) for angle in angles)
-        found[self.path.plane[1]] = self.flat * max(abs(cos(angle)) for angle in angles)
-        return found
-
-    def rates(self, first: float, last: float, rate: float, speed: float) -> list[float]:
-        """Each axis's largest acceleration there at a rate and a speed along the path."""
-        if self.unit is not None:
-            return [abs(each) * self.stretch * rate for each in self.unit]
-        across = self.turn * speed * speed
-        both = atan2(across, rate)
-        x = max(abs(sin(a)) * rate + abs(cos(a)) * across for a in self._angles(first, last, 0.5 * pi - both))
-        y = max(abs(cos(a)) * rate + abs(sin(a)) * across for a in self._angles(first, last, both))
-        found = [climb * rate for climb in self.climbs]
-        found[self.path.plane[0]], found[self.path.plane[1]] = self.flat * x, self.flat * y
-        return found
-
-    def _angles(self, first: float, last: float, summit: float) -> list[float]:
-        """Return the directions of the radius at two distances and at extrema in between.
-
-        The extrema are all quarters, and a maximum counted from these.
-        """
-        way = copysign(self.turn, self.path.angle)
-        low, high = sorted((self.begin + way * first, self.begin + way * last))
-        found = [low, high]
-        high = min(high, low + 2.0 * pi)
-        for angle in (0.0, summit, -summit):
-            k = ceil((low - angle) / (0.5 * pi))
-            while angle + k * 0.5 * pi < high and len(found) < 16:
-                found.append(angle + k * 0.5 * pi)
-                k += 1
-        return found
-
-    def turning(self) -> Iterator[tuple[int, float, float]]:
-        """The axes of an arc with their turning acceleration and share of the limits.
-
-        They are the indices of the axes, the acceleration of each at a speed of one along the arc, counts,
-        and the share of its limits for this and a change of the speed each.
-        """
-        if self.unit is not None:
-            return
-        x, y = self.path.plane
-        angles = self._angles(0.0, self.length, 0.0)
-        for place, along, across in ((x, sin, cos), (y, cos, sin)):
-            most, least = (max(abs(each(angle)) for angle in angles) for each in (along, across))
-            if not most or not least:
-                continue
-            summit = atan2(least, most) if place == x else atan2(most, least)
-            met = self._angles(0.0, self.length, summit)
-            share = 1.0 / max(abs(along(a)) / most + abs(across(a)) / least for a in met)
-            yield place, self.flat * self.turn * abs(self.path.scales[place]) * least, share
-
-    def at(self, gone: float) -> list[float]:
-        """Return the position, counts, at a distance along an arc."""
-        angle = self.begin + copysign(self.turn, self.path.angle) * gone
-        part = gone / self.length
-        found = [start + part * (end - start) for start, end in zip(self.starts, self.ends, strict=True)]
-        (i, j), scales = self.path.plane, self.path.scales
-        found[i] = (self.centre[0] + self.radius * cos(angle)) * scales[i]
-        found[j] = (self.centre[1] + self.radius * sin(angle)) * scales[j]
-        return found
-
-    def off(self, places: Sequence[float]) -> float:
-        """Return how far a point, counts, is off the path, user units."""
-        point = [place / k for place, k in zip(places, self.path.scales, strict=True)]
-        if self.unit is not None:
-            gone = [p - f for p, f in zip(point, self.first, strict=True)]
-            along = fsum(g * u for g, u in zip(gone, self.unit, strict=True))
-            return max(abs(g - along * u) for g, u in zip(gone, self.unit, strict=True))
-        i, j = self.path.plane
-        return abs(hypot(point[i] - self.centre[0], point[j] - self.centre[1]) - self.radius)
-
-
 def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
     """Check geometry, speed, acceleration and axis limits of a path for one profile."""
     path = order.path
@@ -154,68 +40,75 @@ def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         proof.breaks(order.line, f"path from {begin:.6f} s: the log lacks some of its axes")
         return
     profiles = [entry.profile for entry in moves if entry.profile is not None]
-    way = PathLayout(path, run.origins(path))
+    layout = PathLayout(path, run.origins(path))
     blended = run.is_blended(master, begin)
     where = f"path from {begin:.6f} s"
     tracks: list[tuple[Profile, float]] = []
     if blended:
         proof.excuses("paths blended into each other")
-        along = spans_along([(profile, begin - path.begun) for profile in profiles], way, end - begin)
+        along = spans_along([(profile, begin - path.begun) for profile in profiles], layout, end - begin)
     else:
         axes = [run.axes[number] for number in path.members]
-        places = [a.place(begin) for a in axes]
-        tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, places, strict=True)]
-        along = spans_along(tracks, way, end - begin)
-    _check_path(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
+        indices = [a.index_at(begin) for a in axes]
+        tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, indices, strict=True)]
+        along = spans_along(tracks, layout, end - begin)
+    _check_path(proof, order, layout, profiles, along, (begin - path.begun, end - begin), where)
     if along:
         first = i > 0 and begin == path.begun and run.rest_of(moves[0]) is None
         fresh = first and not blended and _speeds_up(run, order, path, master, i)
         beyond, rest = _beyond(run, moves[0]), along
-        before = run.orders.of[master.index][i - 1] if i else order
+        before = run.expected_motion.of[master.index][i - 1] if i else order
         plan = plan_in_force(run, master, i, order)
         if plan is not order:
-            _check_along(proof, plan, way, along, where, beyond=beyond)
+            _check_along(proof, plan, layout, along, where, beyond=beyond)
             rest = []
-        keeps_stop = plan is order and _keeps_stop(before, order, way, along, beyond)
-        if keeps_stop:
+        follows_stop = plan is order and _follows_stop(before, order, layout, along, beyond)
+        if follows_stop:
             stop, rest = _until_rest(along)
-            _check_along(proof, before, way, stop, where)
+            _check_along(proof, before, layout, stop, where)
         if rest:
             gentlest = _gentlest_before(run, master, i, order)
-            _check_along(proof, order, way, rest, where, fresh, beyond, gentlest)
+            _check_along(proof, order, layout, rest, where, fresh, beyond, gentlest)
         reached = [profile.position(end - path.begun) for profile in profiles]
         if not blended:  # the plan applies, even if something else has preceded its end
             planned = min(profile.duration - time for profile, time in tracks)
-            if planned == inf and order.speed and min(order.rates) and way.length and not path.rests:
+            if (
+                planned == inf
+                and order.speed
+                and min(order.rates)
+                and layout.length
+                and not path.comes_to_rest
+            ):
                 proof.breaks(order.line, f"{where}: it never reaches its end")
             if end - begin < planned < inf:
-                along = spans_along(tracks, way, planned)
+                along = spans_along(tracks, layout, planned)
                 reached = [profile.position(time + planned) for profile, time in tracks]
         if not along:
             return
         # A full circle ends where it begins.
-        gone = way.length if way.unit is not None else along[-1].at(along[-1].length)[0]
-        if gone >= way.length * (1.0 - SLACK) and all(
-            abs(at - last) <= SLACK * max(1.0, abs(last)) for at, last in zip(reached, way.ends, strict=True)
+        travelled = layout.length if layout.unit is not None else along[-1].at(along[-1].length)[0]
+        if travelled >= layout.length * (1.0 - SLACK) and all(
+            abs(at - last) <= SLACK * max(1.0, abs(last))
+            for at, last in zip(reached, layout.ends, strict=True)
         ):
             timed = (
-                _until_rest(along)[1] if keeps_stop else along
+                _until_rest(along)[1] if follows_stop else along
             )  # a stop by earlier rates takes its own time
             if timed:
-                _check_path_time(proof, order, way, timed, where)
+                _check_path_time(proof, order, layout, timed, where)
 
 
 def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
     """True if the previous path was not slowing down for one that begins too fast."""
-    earlier = run.orders.of[master.index][i - 1].path
-    if earlier is None or earlier.rests or earlier.members != path.members:
+    earlier = run.expected_motion.of[master.index][i - 1].path
+    if earlier is None or earlier.comes_to_rest or earlier.members != path.members:
         return False
     begin, end = master.starts[i - 1], master.starts[i]
     entries = [(run.axes[number], k) for number, k in zip(path.members, path.scales, strict=True)]
     first, last = 0.0, 0.0
     power = 0.0
     for a, k in entries:
-        n = a.place(begin)
+        n = a.index_at(begin)
         profile, length = a.profiles[n], end - a.starts[n]
         state = profile.at(min(length, nextafter(profile.duration, 0.0)))
         first += (profile.velocity(begin - a.starts[n]) / k) ** 2
@@ -232,18 +125,20 @@ def stops_within(run: Run, wanted: Order, time: float) -> bool:
     path = wanted.path
     assert path is not None
     profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
-    way, gone = PathLayout(path, run.origins(path)), time - path.begun
-    along = spans_along([(profile, gone) for profile in profiles], way, max(0.0, profiles[0].duration - gone))
+    layout, elapsed = PathLayout(path, run.origins(path)), time - path.begun
+    along = spans_along(
+        [(profile, elapsed) for profile in profiles], layout, max(0.0, profiles[0].duration - elapsed)
+    )
     if not along:
         return True
     first, last = along[0].at(0.0), along[-1].at(along[-1].length)
-    left, before = last[0] - first[0], way
+    left, before = last[0] - first[0], layout
     for each in path.ahead:
         assert each.path is not None
         before = PathLayout(each.path, before.ends)
         left += before.length
-    by = _least(wanted, way)[1]
-    by = by._replace(rates=(by.rates[0], _gentlest(wanted, way, by.rates[1])))
+    by = _least(wanted, layout)[1]
+    by = by._replace(rates=(by.rates[0], _gentlest(wanted, layout, by.rates[1])))
     # A path that does stop has just the distance left that it needs.
     return lead(first[1], first[2] if by.smooth else 0.0, 0.0, by)[1] <= left * (1.0 + SLACK)
 
@@ -258,20 +153,20 @@ def check_tail(
     path = order.path
     assert path is not None
     profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
-    way = PathLayout(path, run.origins(path))
-    along = spans_along([(profile, begin - path.begun) for profile in profiles], way, length)
+    layout = PathLayout(path, run.origins(path))
+    along = spans_along([(profile, begin - path.begun) for profile in profiles], layout, length)
     where = f"path from {path.begun:.6f} s at {begin:.6f} s"
-    if along and suspended is not None and _cannot_stop(order, way, along, 0.0):
+    if along and suspended is not None and _cannot_stop(order, layout, along, 0.0):
         stop, along = _until_rest(along)
-        _check_along(proof, suspended, way, stop, where)
+        _check_along(proof, suspended, layout, stop, where)
     if along:
-        _check_along(proof, order, way, along, where)
+        _check_along(proof, order, layout, along, where)
 
 
 def _check_path(
     proof: Proof,
     order: Order,
-    way: PathLayout,
+    layout: PathLayout,
     profiles: Sequence[Profile],
     along: list[Span],
     time: tuple[float, float],
@@ -284,40 +179,40 @@ def _check_path(
     """
     first, length = time
     slack = SLACK * max(
-        1.0, way.length, *(abs(s / k) for s, k in zip(way.starts, way.path.scales, strict=True))
+        1.0, layout.length, *(abs(s / k) for s, k in zip(layout.starts, layout.path.scales, strict=True))
     )
     for share in (0.0, 0.3, 0.7, 1.0):
-        places = [profile.position(first + share * length) for profile in profiles]
-        off = way.off(places)
+        positions = [profile.position(first + share * length) for profile in profiles]
+        off = layout.off(positions)
         if off > slack:
             proof.breaks(order.line, f"{where}: it is {off:g} off the commanded path")
             return
-        if along and way.unit is None:
+        if along and layout.unit is None:
             span = next((each for each in reversed(along) if each.begin <= share * length), along[0])
-            gone = span.at(min(share * length - span.begin, span.length))[0]
-            beside = max(abs(p - w) for p, w in zip(places, way.at(gone), strict=True))
-            if beside > slack * max(map(abs, way.path.scales)):
-                proof.breaks(order.line, f"{where}: {gone:g} along it is {beside:g} counts off")
+            along_it = span.at(min(share * length - span.begin, span.length))[0]
+            apart = max(abs(p - w) for p, w in zip(positions, layout.at(along_it), strict=True))
+            if apart > slack * max(map(abs, layout.path.scales)):
+                proof.breaks(order.line, f"{where}: {along_it:g} along it is {apart:g} counts off")
                 return
 
 
-def _keeps_stop(before: Order, order: Order, way: PathLayout, along: list[Span], beyond: float) -> bool:
-    """True if a resumed path comes to rest first."""
+def _follows_stop(before: Order, order: Order, layout: PathLayout, along: list[Span], beyond: float) -> bool:
+    """True if a resumed path has to come to rest first."""
     path, earlier = order.path, before.path
     assert path is not None
-    if earlier is None or earlier.entry != path.entry or not earlier.rests or path.rests:
+    if earlier is None or earlier.entry != path.entry or not earlier.comes_to_rest or path.comes_to_rest:
         return False
-    return _cannot_stop(order, way, along, beyond)
+    return _cannot_stop(order, layout, along, beyond)
 
 
-def _cannot_stop(order: Order, way: PathLayout, along: list[Span], beyond: float) -> bool:
+def _cannot_stop(order: Order, layout: PathLayout, along: list[Span], beyond: float) -> bool:
     """True if a path could not stop before its end by its rates.
 
     Also true if its deceleration could not be reduced to zero before it comes to rest.
     """
-    gone, v0, a0, _ = along[0].at(0.0)
-    by = _least(order, way)[1]
-    left = way.length - gone + beyond
+    travelled, v0, a0, _ = along[0].at(0.0)
+    by = _least(order, layout)[1]
+    left = layout.length - travelled + beyond
     if by.smooth and a0 < 0.0 and 0.5 * a0 * a0 / by.jerks[1] >= v0 * (1.0 - SLACK):
         return True
     return by.rates[1] > 0.0 and lead(v0, a0 if by.smooth else 0.0, 0.0, by)[1] > left * (1.0 + SLACK)
@@ -330,18 +225,18 @@ def plan_in_force(run: Run, a: WholeTrack, i: int, order: Order) -> Order:
     plan remains in force.
     """
     path = order.path
-    if path is None or not path.rests:
+    if path is None or not path.comes_to_rest:
         return order
     master = run.axes[path.members[0]]
-    i = master.place(a.starts[i])
+    i = master.index_at(a.starts[i])
     plan = _plan_before(run, master, i, order)
     moves = run.members(path)
     if plan is None or len(moves) != len(path.members):
         return order
     rows = [(move.profile, master.starts[i] - path.begun) for move in moves if move.profile is not None]
-    way = PathLayout(path, run.origins(path))
-    along = spans_along(rows, way, run.span(master, i)[1] - master.starts[i])
-    return plan if along and _enters_too_fast(order, way, along) else order
+    layout = PathLayout(path, run.origins(path))
+    along = spans_along(rows, layout, run.span(master, i)[1] - master.starts[i])
+    return plan if along and _enters_too_fast(order, layout, along) else order
 
 
 def _plan_before(run: Run, master: WholeTrack, i: int, order: Order) -> Order | None:
@@ -349,14 +244,14 @@ def _plan_before(run: Run, master: WholeTrack, i: int, order: Order) -> Order | 
 
     Also None if its rates have not changed.
     """
-    path, records = order.path, run.orders.of[master.index]
+    path, records = order.path, run.expected_motion.of[master.index]
     assert path is not None
-    while path.rests and i:
+    while path.comes_to_rest and i:
         i -= 1
         earlier = records[i].path
         if earlier is None or earlier.entry != path.entry:
             break
-        if not earlier.rests:
+        if not earlier.comes_to_rest:
             return None if same_law(records[i], order) else records[i]
     return None
 
@@ -371,22 +266,22 @@ def same_law(one: Order, other: Order) -> bool:
     return laws[0] == laws[1]
 
 
-def _enters_too_fast(order: Order, way: PathLayout, along: list[Span]) -> bool:
+def _enters_too_fast(order: Order, layout: PathLayout, along: list[Span]) -> bool:
     """True if a stop by the present rates would enter the next path above its speed.
 
     In that case the path continues as planned, and the stop begins on the next path.
     """
     assert order.path is not None
-    gone, v0, a0, _ = along[0].at(0.0)
-    by, left, before = _least(order, way)[1], way.length - gone, way
-    bent = a0 if by.smooth else 0.0
+    travelled, v0, a0, _ = along[0].at(0.0)
+    by, left, before = _least(order, layout)[1], layout.length - travelled, layout
+    a = a0 if by.smooth else 0.0
     for each in order.path.ahead:
         assert each.path is not None
         before = PathLayout(each.path, before.ends)
         most, own = _least(each, before)
         by = by._replace(rates=(by.rates[0], min(by.rates[1], own.rates[1])))
-        peak = v0 + 0.5 * bent * abs(bent) / by.jerks[0] if bent > 0.0 else v0
-        if peak > most and lead(v0, bent, most, by)[1] > left * (1.0 - SLACK):
+        peak = v0 + 0.5 * a * abs(a) / by.jerks[0] if a > 0.0 else v0
+        if peak > most and lead(v0, a, most, by)[1] > left * (1.0 - SLACK):
             return True
         left += before.length
     return False
@@ -394,17 +289,17 @@ def _enters_too_fast(order: Order, way: PathLayout, along: list[Span]) -> bool:
 
 def _gentlest_before(run: Run, master: WholeTrack, i: int, order: Order) -> float:
     """Return the lowest deceleration of a stop begun earlier; infinite without one."""
-    records, rate = run.orders.of[master.index], inf
-    while i and order.path is not None and order.path.rests:
+    records, rate = run.expected_motion.of[master.index], inf
+    while i and order.path is not None and order.path.comes_to_rest:
         i -= 1
         earlier, path = records[i], order.path
-        if earlier.path is None or not earlier.path.rests or earlier.path.members != path.members:
+        if earlier.path is None or not earlier.path.comes_to_rest or earlier.path.members != path.members:
             break
         origins = run.origins(earlier.path)
         if len(origins) != len(path.members):
             break
-        way = PathLayout(earlier.path, origins)
-        rate = min(rate, _gentlest(earlier, way, _least(earlier, way)[1].rates[1]))
+        layout = PathLayout(earlier.path, origins)
+        rate = min(rate, _gentlest(earlier, layout, _least(earlier, layout)[1].rates[1]))
         order = earlier
     return rate
 
@@ -461,7 +356,7 @@ def _leads_to(run: Run, move: Move) -> tuple[Move | None, float]:
 def _check_along(
     proof: Proof,
     order: Order,
-    way: PathLayout,
+    layout: PathLayout,
     along: list[Span],
     where: str,
     fresh: bool = False,
@@ -476,33 +371,35 @@ def _check_along(
     path = order.path
     assert path is not None
     smooth = order.jerks[0] < inf
-    gone, v0, a0, _ = along[0].at(0.0)
-    slow = _slowing(order, way, v0, a0, way.length - gone + beyond, gentlest)
+    travelled, v0, a0, _ = along[0].at(0.0)
+    slow = _slowing(order, layout, v0, a0, layout.length - travelled + beyond, gentlest)
     speed, rates = order.speed, order.rates
-    least, by = _least(order, way)
-    if way.unit is None:
+    least, by = _least(order, layout)
+    if layout.unit is None:
         speed, rates = least, by.rates
-    held = slow.speed if slow.speed > least and not fresh else 0.0  # without room to brake twice
+    carried = slow.speed if slow.speed > least and not fresh else 0.0  # without room to brake twice
     if fresh:
         slow = slow._replace(speed=speed, came=0.0, until=0.0, eased=0.0, stretches=())
     # A stop that would pass its rest, because the jerk was lowered, reduces its deceleration to zero there.
-    least_jerk = 0.5 * a0 * a0 / v0 if smooth and path.rests and a0 < 0.0 < v0 else 0.0
+    least_jerk = 0.5 * a0 * a0 / v0 if smooth and path.comes_to_rest and a0 < 0.0 < v0 else 0.0
     uses = Uses(proof)
     axes = list(zip(path.members, [abs(k) for k in path.scales], strict=True))
     late = ROUNDED * (1.0 + path.begun)
     # An axis that exceeds its limit in a curve has to brake for that, and both accelerations add up until it
     # has.
-    braking = min(order.rates[1], _hardest(path, way)) if way.unit is None else 0.0
+    braking = min(order.rates[1], _hardest(path, layout)) if layout.unit is None else 0.0
     for span in slow.cuts(along):
         if span.length <= late:  # the time of a join is rounded
             continue
         # A path that begins too fast, because a limit was lowered, is excused until it has slowed down.
         middle = span.begin + 0.5 * span.length
         excused = middle < max(slow.until, slow.eased)
-        came, bent = (max(slow.came, held), abs(a0) if smooth else 0.0) if excused else (held, 0.0)
-        eased = bent if middle < slow.eased else 0.0
-        fastest, peak = 0.0 if path.rests else max(speed, slow.speed), span.peak(1)
-        if peak > SLACK or not path.rests:  # at rest within rounding
+        came, excused_rate = (
+            (max(slow.came, carried), abs(a0) if smooth else 0.0) if excused else (carried, 0.0)
+        )
+        eased = excused_rate if middle < slow.eased else 0.0
+        fastest, peak = 0.0 if path.comes_to_rest else max(speed, slow.speed), span.peak(1)
+        if peak > SLACK or not path.comes_to_rest:  # at rest within rounding
             uses.compare("path speed", peak, max(fastest, came if middle < slow.until else 0.0))
         for power, left, right in span.sides():
             back = min(left[1], right[1])
@@ -520,21 +417,26 @@ def _check_along(
                 jerk = order.jerks[side] if rate > SLACK * max(order.rates) else max(order.jerks)
                 jerk = max(jerk, least_jerk)
                 uses.compare("path jerk", max(abs(left[3]), abs(right[3])), jerk)
-            came_with = max(bent, braking) if side and excused else bent
-            _check_axes(uses, path, way, axes, (left[0], right[0]), side, (fast, rate), (came, came_with))
-    uses.tell(order.line, where, "")
-    took = along[-1].begin + along[-1].length
-    reached, due = along[-1].at(along[-1].length)[1], slow.due(took)
-    if reached > due + SLACK * max(1.0, slow.came) + 4.0 * late * max(order.rates):
-        words = f"it does not slow down: {reached:g} after {took:g} s, expected {due:g}"
+            came_with = max(excused_rate, braking) if side and excused else excused_rate
+            _check_axes(uses, path, layout, axes, (left[0], right[0]), side, (fast, rate), (came, came_with))
+    uses.report(order.line, where, "")
+    _check_end(proof, order, along[-1], slow, late, where)
+    _check_joins(proof, order, along, slow.came, where)
+
+
+def _check_end(proof: Proof, order: Order, last: Span, slow: Slowing, late: float, where: str) -> None:
+    """Check that a path that began too fast has slowed down by its end."""
+    took = last.begin + last.length
+    reached, expected = last.at(last.length)[1], slow.expected(took)
+    if reached > expected + SLACK * max(1.0, slow.came) + 4.0 * late * max(order.rates):
+        words = f"it does not slow down: {reached:g} after {took:g} s, expected {expected:g}"
         proof.breaks(order.line, f"{where}: {words}")
-    _judge_joins(proof, order, along, slow.came, where)
 
 
 def _check_axes(
     uses: Uses,
     path: PathOrder,
-    way: PathLayout,
+    layout: PathLayout,
     axes: list[tuple[int, float]],
     ends: tuple[float, float],
     side: int,
@@ -546,18 +448,18 @@ def _check_axes(
     `own` are the speed and the acceleration along the path, `excused` those with which it began. `side` is 1
     where it slows down. `axes` have their counts per unit.
     """
-    (fast, rate), (came, bent) = own, excused
-    slopes = way.slopes(*ends)
+    (fast, rate), (came, excused_rate) = own, excused
+    slopes = layout.slopes(*ends)
     slowed = [max(x, came * s) for x, s in zip(path.most, _counts(slopes, axes), strict=True)]
     for (number, k), slope, most in zip(axes, slopes, slowed, strict=True):
         uses.compare(f"speed on paths of axis {number}", fast * slope * k, most)
     limits = path.most_decel if side else path.most_accel
-    rates, came_with = way.rates(*ends, rate, fast), way.rates(*ends, bent, came)
+    rates, came_with = layout.rates(*ends, rate, fast), layout.rates(*ends, excused_rate, came)
     for (number, k), figure, most, other in zip(axes, rates, limits, came_with, strict=True):
         uses.compare(f"rate on paths of axis {number}", figure * k, max(most, other * k))
 
 
-def _judge_joins(proof: Proof, order: Order, along: list[Span], came: float, where: str) -> None:
+def _check_joins(proof: Proof, order: Order, along: list[Span], came: float, where: str) -> None:
     """Check that the speed along a path is continuous.
 
     Its acceleration is checked too if its jerk is limited.
@@ -570,47 +472,47 @@ def _judge_joins(proof: Proof, order: Order, along: list[Span], came: float, whe
                 proof.breaks(order.line, f"{where}: the {name} along it jumps by {gap:g}")
 
 
-def _slowing(order: Order, way: PathLayout, v0: float, a0: float, left: float, gentlest: float) -> Slowing:
+def _slowing(order: Order, layout: PathLayout, v0: float, a0: float, left: float, gentlest: float) -> Slowing:
     """Return how a path that begins too fast slows down to its speed.
 
     It may be too fast for the path or for one of its axes. If the distance `left` does not suffice for this
     and a stop, the speed is higher, since two S-ramps need more distance than one.
     """
     assert order.path is not None
-    speed, by = _least(order, way)
+    speed, by = _least(order, layout)
     extra = 0.0
     if a0 and order.shape != "trapezoid" and not by.smooth:
         # The flank of the ramp of PMC's S-curve, at most as long as a complete ramp to its speed.
         v0 *= 2.0
         extra = ramp(0.0, max(speed, v0), by)[0]
-    if order.path.rests:
-        rate = min(gentlest, _gentlest(order, way, by.rates[1]))
+    if order.path.comes_to_rest:
+        rate = min(gentlest, _gentlest(order, layout, by.rates[1]))
         speed, by = 0.0, by._replace(rates=(by.rates[0], rate))
     elif by.smooth:
         speed = max(speed, top_speed(v0, a0, left, speed, by))
     return slowing(v0, a0, speed, by, extra)
 
 
-def _hardest(path: PathOrder, way: PathLayout) -> float:
+def _hardest(path: PathOrder, layout: PathLayout) -> float:
     """Return the highest deceleration along a path within its axes' limits.
 
     Centripetal acceleration does not count.
     """
-    slopes = zip(way.slopes(0.0, way.length), path.scales, path.most_decel, strict=True)
+    slopes = zip(layout.slopes(0.0, layout.length), path.scales, path.most_decel, strict=True)
     return min((limit / (slope * abs(k)) for slope, k, limit in slopes if slope), default=inf)
 
 
-def _gentlest(order: Order, way: PathLayout, rate: float) -> float:
+def _gentlest(order: Order, layout: PathLayout, rate: float) -> float:
     """Return the lowest deceleration of a stop on a path and its possible successors."""
     assert order.path is not None
     for each in order.path.ahead:
         assert each.path is not None
-        way = PathLayout(each.path, way.ends)
-        rate = min(rate, _least(each, way)[1].rates[1])
+        layout = PathLayout(each.path, layout.ends)
+        rate = min(rate, _least(each, layout)[1].rates[1])
     return rate
 
 
-def _check_path_time(proof: Proof, order: Order, way: PathLayout, along: list[Span], where: str) -> None:
+def _check_path_time(proof: Proof, order: Order, layout: PathLayout, along: list[Span], where: str) -> None:
     """Check that the last path takes no longer than a stop and a move from rest.
 
     That motion observes all bounds whatever follows, so a plan may only be faster.
@@ -618,28 +520,28 @@ def _check_path_time(proof: Proof, order: Order, way: PathLayout, along: list[Sp
     if not order.speed or not min(order.rates) > 0.0:
         return
     first, last = along[0].at(0.0), along[-1].at(along[-1].length)
-    speed, by = _least(order, way)
-    bent = first[2] if by.smooth else 0.0
+    speed, by = _least(order, layout)
+    a = first[2] if by.smooth else 0.0
     # The time of the gentlest stop and the distance of the hardest one: a path that begins too fast gains by
     # braking gently.
     hard = by._replace(rates=order.rates)
-    time, gone = lead(first[1], bent, 0.0, by)[0], lead(first[1], bent, 0.0, hard)[1]
+    time, travelled = lead(first[1], a, 0.0, by)[0], lead(first[1], a, 0.0, hard)[1]
     shaped = order.shape != "trapezoid" and not by.smooth and abs(first[2]) > SLACK * max(by.rates)
     if shaped:
         # The flank of the ramp of PMC's S-curve, which is no longer than a complete ramp to its speed.
         time += lead(2.0 * first[1], 0.0, 0.0, by)[0] + ramp(0.0, max(speed, first[1]), by)[0]
-        gone = 0.0
-    due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
-    if way.unit is not None and not last[1] > SLACK * speed and not shaped:
+        travelled = 0.0
+    limit = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - travelled), speed, by)
+    if layout.unit is not None and not last[1] > SLACK * speed and not shaped:
         left = last[0] - first[0]
-        rounded = rounding(left, way.origin + first[0], way.origin + last[0])
-        due = min(due, move_times(first[1], bent, left, speed, by, rounded)[1])
+        rounded = rounding(left, layout.origin + first[0], layout.origin + last[0])
+        limit = min(limit, move_times(first[1], a, left, speed, by, rounded)[1])
     took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
-    if took > due * (1.0 + SLACK) + 1e-9:
-        proof.breaks(order.line, f"{where}: it takes {took:g} s, expected at most {due:g} s")
+    if took > limit * (1.0 + SLACK) + 1e-9:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s, expected at most {limit:g} s")
 
 
-def _least(order: Order, way: PathLayout) -> tuple[float, Law]:
+def _least(order: Order, layout: PathLayout) -> tuple[float, Law]:
     """Return the speed and law that are always allowed on a path by its axes' limits.
 
     On arcs the limits of an axis are shared equally between the change of direction and the change of speed.
@@ -648,10 +550,10 @@ def _least(order: Order, way: PathLayout) -> tuple[float, Law]:
     assert path is not None
     speed, rates = order.speed, list(order.rates)
     shares = [1.0] * len(path.members)
-    for place, figure, share in way.turning():
-        shares[place] = share
-        speed = min(speed, sqrt(share * min(path.most_accel[place], path.most_decel[place]) / figure))
-    slopes = way.slopes(0.0, way.length)
+    for index, figure, share in layout.turning():
+        shares[index] = share
+        speed = min(speed, sqrt(share * min(path.most_accel[index], path.most_decel[index]) / figure))
+    slopes = layout.slopes(0.0, layout.length)
     for slope, k, share, most, up, down in zip(
         slopes, path.scales, shares, path.most, path.most_accel, path.most_decel, strict=True
     ):
@@ -662,67 +564,69 @@ def _least(order: Order, way: PathLayout) -> tuple[float, Law]:
     return speed, law(order.shape, (rates[0], rates[1]), order.jerks, order.ramp)
 
 
-def _counts(parts: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[float]:
-    return [part * k for part, (_, k) in zip(parts, axes, strict=True)]
+def _counts(components: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[float]:
+    return [component * k for component, (_, k) in zip(components, axes, strict=True)]
 
 
-def spans_along(rows: Sequence[tuple[Profile, float]], way: PathLayout, length: float) -> list[Span]:
+def spans_along(rows: Sequence[tuple[Profile, float]], layout: PathLayout, length: float) -> list[Span]:
     """Return the distance along the path over time, from the profiles in force.
 
     Empty if it cannot be determined.
     """
     found: list[Span] = []
-    gone = 0.0
+    covered = 0.0
     while length > 0.0:
-        parts = [_part(profile, begin + gone) for profile, begin in rows]
-        span = min(length, *(left for _, _, left in parts))
-        some = _spans_along([(profile, at) for profile, at, _ in parts], way, span)
+        profiles = [_profile_at(profile, begin + covered) for profile, begin in rows]
+        span = min(length, *(left for _, _, left in profiles))
+        some = _spans_along([(profile, at) for profile, at, _ in profiles], layout, span)
         if some is None:
             return []
         offset = found[-1].begin + found[-1].length if found else 0.0
         for each in some:
             each.begin += offset
         found += some
-        gone, length = gone + span, length - span
+        covered, length = covered + span, length - span
         if span <= 0.0 or not isfinite(length):
             break
     return found
 
 
-def _part(profile: Profile, time: float) -> tuple[Profile, float, float]:
+def _profile_at(profile: Profile, time: float) -> tuple[Profile, float, float]:
     """Return the profile of a sequence that is in force at a time.
 
-    Also return how long it has been, and how long it still is.
+    Also return for how long it has been in force, and for how long it will be, s.
     """
-    parts = getattr(profile, "parts", None)
-    if parts is None:
+    profiles = getattr(profile, "segments", None)
+    if profiles is None:
         left = profile.duration - time
         return profile, time, left if left > 0.0 else inf
-    for begin, part in zip(profile.begins, parts, strict=True):  # type: ignore[attr-defined]
-        if time < begin + part.duration:
-            return _part(part, time - begin)
-    return parts[-1], time - profile.begins[-1], inf  # type: ignore[attr-defined]
+    for begin, each in zip(profile.begins, profiles, strict=True):  # type: ignore[attr-defined]
+        if time < begin + each.duration:
+            return _profile_at(each, time - begin)
+    return profiles[-1], time - profile.begins[-1], inf  # type: ignore[attr-defined]
 
 
-def _spans_along(parts: Sequence[tuple[Profile, float]], way: PathLayout, length: float) -> list[Span] | None:
-    for profile, begin in parts:
+def _spans_along(
+    profiles: Sequence[tuple[Profile, float]], layout: PathLayout, length: float
+) -> list[Span] | None:
+    for profile, begin in profiles:
         travelled = getattr(profile, "along", None)
         if travelled is not None:
             return spans(travelled, begin, length) if travelled.pieced else None
-    if not all(profile.pieced for profile, _ in parts):
+    if not all(profile.pieced for profile, _ in profiles):
         return None
-    if way.unit is None:  # an arc whose axes are all linear is none, or at rest
+    if layout.unit is None:  # an arc whose axes are all linear is none, or at rest
         return []
     # Axes that the path moves: a path with a length and no distance (user defined) moves none.
     moving = [
-        (spans(profile, begin, length), u / k / way.stretch)
-        for (profile, begin), u, k in zip(parts, way.unit, way.path.scales, strict=True)
+        (spans(profile, begin, length), u / k / layout.stretch)
+        for (profile, begin), u, k in zip(profiles, layout.unit, layout.path.scales, strict=True)
         if u
     ]
     if not moving or len({len(row) for row, _ in moving}) != 1:
         return None
     weights = [w for _, w in moving]
-    return [combined([row[n] for row, _ in moving], weights, way.origin) for n in range(len(moving[0][0]))]
+    return [combined([row[n] for row, _ in moving], weights, layout.origin) for n in range(len(moving[0][0]))]
 
 
 # --------------------------------------------------------------------------------------------------- the end
@@ -739,35 +643,10 @@ def check_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
     if len(starts) != len(path.members) or any(entry.offset for entry in entries):
         return
     which = path.members.index(move.axis)
-    end = _ends(path, starts)[which]
+    end = end_positions(path, starts)[which]
     where = f"axis {move.axis} from {move.start_time:.6f} s"
     size = max(1.0, abs(end), abs(profile.start))
     if over and abs(profile.end - end) > SLACK * size:
         proof.breaks(move.line, f"{where}: its path ends at {profile.end:g}, commanded {end:g}")
     if which == 0 and over and not profile.duration and PathLayout(path, starts).length > SLACK:
         proof.breaks(move.line, f"{where}: a path in no time")
-
-
-def _centre(path: PathOrder, starts: Sequence[float]) -> tuple[float, float]:
-    """Return the centre of an arc, user units."""
-    x, y = (
-        (c + (starts[k] if path.relative else 0.0)) / path.scales[k]
-        for c, k in zip(path.centre, path.plane, strict=True)
-    )
-    return x, y
-
-
-def _ends(path: PathOrder, starts: Sequence[float]) -> list[float]:
-    """Return the end of a path that begins at `starts`, counts."""
-    if path.line:
-        return [s + t for s, t in zip(starts, path.line, strict=True)] if path.relative else list(path.line)
-    rest = iter(path.rest)
-    ends = [
-        s if k in path.plane else next(rest) + (s if path.relative else 0.0) for k, s in enumerate(starts)
-    ]
-    centre, (i, j) = _centre(path, starts), path.plane
-    x, y = rotation(
-        starts[i] / path.scales[i] - centre[0], starts[j] / path.scales[j] - centre[1], path.angle
-    )
-    ends[i], ends[j] = (centre[0] + x) * path.scales[i], (centre[1] + y) * path.scales[j]
-    return ends

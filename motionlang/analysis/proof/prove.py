@@ -74,7 +74,7 @@ SAMPLE_FRACTIONS = (0.0, 0.21, 0.5, 0.83, 1.0)
 
 def prove(
     controller: Recorded,
-    orders: ExpectedMotion,
+    expected_motion: ExpectedMotion,
     until: float,
     report: Iterable[Mapping[str, object]] | None = None,
     samples: Samples | None = None,
@@ -85,24 +85,24 @@ def prove(
     recorded, nothing is proved, and that is a violation.
     """
     proof = Proof()
-    if orders.is_full:
+    if expected_motion.is_full:
         message = f"nothing was verified: the run has more than {MAX_PROFILES} profiles of motion, the limit of --prove"
         proof.violations.append(Diagnostic("proof", message, hint="end the run sooner with --until"))
         return proof
-    run = Run(controller.axes, controller.moves, orders, until)
+    run = Run(controller.axes, controller.moves, expected_motion, until)
     if report is not None:
         check_report(proof, run, report)
     if samples is not None:
         check_trace(proof, run, samples)
     for number, a in controller.axes.items():
-        records = orders.of[number]
-        assert orders.was_cut or len(records) == len(a.starts), (
+        records = expected_motion.of[number]
+        assert expected_motion.was_cut or len(records) == len(a.starts), (
             f"axis {number} has a profile that was not recorded"
         )
         for i, order in enumerate(records):
             begin, end = run.span(a, i)
             if end > begin:
-                shifted = orders.data[number][i] != orders.data[number][max(i - 1, 0)]
+                shifted = expected_motion.data[number][i] != expected_motion.data[number][max(i - 1, 0)]
                 plan = plan_in_force(run, a, i, order)
                 check_profile(proof, a, i, plan, records[max(i - 1, 0)], shifted, end - begin)
                 if order.path is not None and order.path.members[0] == number:
@@ -132,11 +132,11 @@ def prove(
 def _check_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
     """Check continuity of position, velocity and S-ramp acceleration between profiles."""
     proof.counts["joins"] += 1
-    orders = run.orders
-    time, order, earlier = a.starts[i], orders.of[a.index][i], orders.of[a.index][i - 1]
+    expected_motion = run.expected_motion
+    time, order, earlier = a.starts[i], expected_motion.of[a.index][i], expected_motion.of[a.index][i - 1]
     before = a.profiles[i - 1].at(time - a.starts[i - 1])
     after = a.profiles[i].at(0.0)
-    shift = orders.data[a.index][i] - orders.data[a.index][i - 1]
+    shift = expected_motion.data[a.index][i] - expected_motion.data[a.index][i - 1]
     where = f"axis {a.index} at {time:.6f} s"
     line = order.line or earlier.line
     # The time of a join is rounded to the clock, and the axis has moved on accordingly.
@@ -181,9 +181,9 @@ def _check_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
 
 def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     """Return the command that makes the velocity jump; "" if there is none."""
-    if (a.index, a.starts[i]) in run.orders.standstills:
+    if (a.index, a.starts[i]) in run.expected_motion.standstills:
         return "an immediate stop: cancelled, disabled, or at a limit"
-    order, earlier = run.orders.of[a.index][i], run.orders.of[a.index][i - 1]
+    order, earlier = run.expected_motion.of[a.index][i], run.expected_motion.of[a.index][i - 1]
     if order.tie is not None and order.tie.ramp and order.tie.takes_up(earlier.tie):
         return ""
     named = [kind for kind in kinds if kind not in (*PLANNED, "rest", "path")]
@@ -196,18 +196,18 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     alone = _alone(run, a, i)
     if alone is not None:
         k = order.path.members.index(a.index)
-        jump, part = new[k].velocity - old[k].velocity, alone[1][k].velocity - alone[0][k].velocity
-        if abs(jump - part) > SLACK * max(1.0, abs(jump)):
+        jump, paths_jump = new[k].velocity - old[k].velocity, alone[1][k].velocity - alone[0][k].velocity
+        if abs(jump - paths_jump) > SLACK * max(1.0, abs(jump)):
             return ""  # a path that is blended with both continues unchanged
         old, new = alone
     before, after = _speed(scales, old), _speed(scales, new)
     if abs(before - after) > SLACK * max(1.0, before) or not before:
         return ""
-    ways = [
+    speeds = [
         (o.velocity / k / before, n.velocity / k / after) for k, o, n in zip(scales, old, new, strict=True)
     ]
-    dot = fsum(o * n for o, n in ways)
-    chord = sqrt(fsum((o - n) ** 2 for o, n in ways))
+    dot = fsum(o * n for o, n in speeds)
+    chord = sqrt(fsum((o - n) ** 2 for o, n in speeds))
     angle = half_angle(chord) if dot > 0.5 else degrees(acos(max(-1.0, min(1.0, dot))))
     return "a kink within CONTOURANGLE" if angle <= order.path.angle_into + 1e-6 else ""
 
@@ -242,7 +242,7 @@ def _alone(run: Run, a: WholeTrack, i: int) -> tuple[list[State], list[State]] |
 
     None if no path continues into another one, or none is blended with it.
     """
-    earlier, path = (run.orders.of[a.index][k].path for k in (i - 1, i))
+    earlier, path = (run.expected_motion.of[a.index][k].path for k in (i - 1, i))
     if earlier is None or path is None or a.profiles[i - 1].shape != "blend":
         return None
     ended = [entry.profile for entry in run.members(earlier) if entry.profile is not None]
@@ -257,12 +257,12 @@ def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]
     """Return the states of a path's axes just before and just after a time."""
     assert order.path is not None
     axes = [run.axes[number] for number in order.path.members]
-    places = [a.place(time) for a in axes]
+    indices = [a.index_at(time) for a in axes]
     # An axis that was given another zero has a profile of its own from then on, the other axes of the path do
     # not.
-    before = [k - (a.starts[k] == time) for a, k in zip(axes, places, strict=True)]
+    before = [k - (a.starts[k] == time) for a, k in zip(axes, indices, strict=True)]
     old = [_at_last(a.profiles[k], time - a.starts[k]) for a, k in zip(axes, before, strict=True)]
-    return old, [a.profiles[k].at(time - a.starts[k]) for a, k in zip(axes, places, strict=True)]
+    return old, [a.profiles[k].at(time - a.starts[k]) for a, k in zip(axes, indices, strict=True)]
 
 
 # ---------------------------------------------------------------------------------------------------- the log
@@ -279,12 +279,12 @@ def _check_move(proof: Proof, run: Run, move: Move) -> None:
         proof.breaks(move.line, f"{where}: {profile.distance:g} counts in no time")
     if isfinite(profile.duration):
         phases = profile.phases
-        time, way = fsum(each.duration for each in phases), fsum(each.distance for each in phases)
+        time, distance = fsum(each.duration for each in phases), fsum(each.distance for each in phases)
         if abs(time - profile.duration) > SLACK * max(1.0, profile.duration):
             proof.breaks(move.line, f"{where}: the phases take {time:g} s, the move {profile.duration:g} s")
-        if abs(way - profile.distance) > SLACK * size:
+        if abs(distance - profile.distance) > SLACK * size:
             proof.breaks(
-                move.line, f"{where}: the phases cover {way:g} counts, the move {profile.distance:g}"
+                move.line, f"{where}: the phases cover {distance:g} counts, the move {profile.distance:g}"
             )
     kind = run.order_of(move).kind
     over = move.start_time + profile.duration <= run.until and a.move is not move and not move.ended
@@ -308,19 +308,19 @@ def _check_move(proof: Proof, run: Run, move: Move) -> None:
             continue
         if not a.starts or time < move.start_time:
             continue
-        told, done = (
+        stated, done = (
             profile.position(time - move.start_time),
             run.logged(a, move, time, share == 1.0 and length > 0.0),
         )
         speed = abs(profile.velocity(time - move.start_time))
-        if abs(told - done) > SLACK * size + 8e-16 * (1.0 + time) * speed:
+        if abs(stated - done) > SLACK * size + 8e-16 * (1.0 + time) * speed:
             proof.breaks(
-                move.line, f"{where}: the log has it at {told:g} at {time:.6f} s, the track at {done:g}"
+                move.line, f"{where}: the log has it at {stated:g} at {time:.6f} s, the track at {done:g}"
             )
             return
 
 
 def _zero(run: Run, a: WholeTrack, time: float) -> float:
     """Return the zero of an axis at a time, or the last one before an interrupt."""
-    data = run.orders.data[a.index]
-    return data[min(a.place(time), len(data) - 1)] if data and a.starts else 0.0
+    data = run.expected_motion.data[a.index]
+    return data[min(a.index_at(time), len(data) - 1)] if data and a.starts else 0.0

@@ -30,8 +30,8 @@ class Span:
         """Return position, velocity, acceleration and jerk `x` seconds after its start."""
         return derivatives(self.piece, x)
 
-    def part(self, first: float, last: float) -> Span:
-        """Return the segment from `first` to `last` seconds after it began."""
+    def section(self, first: float, last: float) -> Span:
+        """Return the segment from `first` to `last` seconds after its start."""
         return Span(self.begin + first, last - first, _from(self.piece, first))
 
     def cuts(self) -> list[float]:
@@ -87,15 +87,15 @@ def spans(profile: Profile, begin: float, length: float) -> list[Span]:
     return found
 
 
-def combined(parts: Sequence[Span], weights: Sequence[float], origin: float) -> Span:
+def combined(spans: Sequence[Span], weights: Sequence[float], origin: float) -> Span:
     """Return the weighted sum of simultaneous segments with equal waves.
 
     Its positions are relative to an origin.
     """
-    sums = [fsum(w * s.piece[k] for w, s in zip(weights, parts, strict=True)) for k in range(5)]
+    sums = [fsum(w * s.piece[k] for w, s in zip(weights, spans, strict=True)) for k in range(5)]
     sums[0] -= origin
-    waving = next((s for s in parts if s.piece[4]), parts[0])
-    return Span(parts[0].begin, parts[0].length, (*sums, *waving.piece[5:]))  # type: ignore[arg-type]
+    waving = next((s for s in spans if s.piece[4]), spans[0])
+    return Span(spans[0].begin, spans[0].length, (*sums, *waving.piece[5:]))  # type: ignore[arg-type]
 
 
 def _from(piece: Piece, x: float) -> Piece:
@@ -126,8 +126,8 @@ def _quarters(omega: float, phase: float, length: float) -> list[float]:
 
 def _angles(angle: float, omega: float, phase: float, length: float) -> list[float]:
     """Return the times at which the cosine of a wave equals that of an angle."""
-    turns = range(floor(phase / (2.0 * pi)) - 1, ceil((omega * length + phase) / (2.0 * pi)) + 2)
-    return [(sign * angle + 2.0 * pi * k - phase) / omega for k in turns for sign in (1.0, -1.0)]
+    wraps = range(floor(phase / (2.0 * pi)) - 1, ceil((omega * length + phase) / (2.0 * pi)) + 2)
+    return [(sign * angle + 2.0 * pi * k - phase) / omega for k in wraps for sign in (1.0, -1.0)]
 
 
 def rotation(x: float, y: float, degrees: float) -> tuple[float, float]:

@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
 def check_settings(proof: Proof, run: Run) -> None:
     """Check every setting that did not lead to a new profile of its axis."""
-    for (number, time), wanted in run.orders.unheeded.items():
+    for (number, time), wanted in run.expected_motion.unheeded.items():
         a = run.axes[number]
-        i = a.place(time)
-        order = run.orders.of[number][i]
+        i = a.index_at(time)
+        order = run.expected_motion.of[number][i]
         end = run.span(a, i)[1]
-        if end - time > SLACK * SLACK * (1.0 + time) and order.asks != wanted.asks:
+        if end - time > SLACK * SLACK * (1.0 + time) and order.settings != wanted.settings:
             _check_setting(proof, run, a, i, order, wanted, (time, end))
 
 
@@ -35,7 +35,7 @@ def _check_setting(
     time, end = span
     where = f"axis {a.index} at {time:.6f} s"
     if order.path is not None and wanted.path is not None:
-        if order.path.rests or order.path.entry != wanted.path.entry:
+        if order.path.comes_to_rest or order.path.entry != wanted.path.entry:
             return
         if not same_law(order, wanted) and not stops_within(run, wanted, time):
             return  # by the present settings it would stop after its end, where it comes to rest as planned
@@ -44,7 +44,7 @@ def _check_setting(
             most=tuple(map(min, order.path.most, wanted.path.most)),
             most_accel=tuple(map(min, order.path.most_accel, wanted.path.most_accel)),
             most_decel=tuple(map(min, order.path.most_decel, wanted.path.most_decel)),
-            rests=wanted.path.rests,
+            comes_to_rest=wanted.path.comes_to_rest,
         )
         rates = min(order.rates[0], wanted.rates[0]), min(order.rates[1], wanted.rates[1])
         lower = order._replace(speed=min(order.speed, wanted.speed), rates=rates, path=path)
@@ -66,11 +66,11 @@ def _check_setting(
     elif kinds == ("move", "move") and order.rates != wanted.rates:
         profile, state = a.profiles[i], a.profiles[i].at(time - a.starts[i])
         by, left = law(wanted.shape, wanted.rates, wanted.jerks, wanted.ramp), profile.end - state.position
-        bent = state.acceleration if by.smooth else 0.0
+        acceleration = state.acceleration if by.smooth else 0.0
         shaped = state.acceleration and not by.smooth and order.shape != "trapezoid"
         if state.velocity * left <= 0.0 or shaped:
             return
-        if abs(lead(state.velocity, bent, 0.0, by)[1]) < abs(left) * (1.0 - SLACK):
+        if abs(lead(state.velocity, acceleration, 0.0, by)[1]) < abs(left) * (1.0 - SLACK):
             words = f"it keeps the rates {order.rates[0]:g} and {order.rates[1]:g}"
             proof.breaks(
                 order.line, f"{where}: {words}, commanded {wanted.rates[0]:g} and {wanted.rates[1]:g}"

@@ -49,12 +49,12 @@ class Slowing(NamedTuple):
             for end in sorted((self.until, self.eased)):
                 x = end - span.begin
                 if first < x < span.length:
-                    yield span.part(first, x)
+                    yield span.section(first, x)
                     first = x
-            yield span.part(first, span.length) if first else span
+            yield span.section(first, span.length) if first else span
 
-    def due(self, time: float) -> float:
-        """Return the highest speed `time` seconds after the entry."""
+    def expected(self, time: float) -> float:
+        """Return the highest expected speed `time` seconds after the entry."""
         if time >= self.until:
             return self.speed
         if not self.stretches:
@@ -108,7 +108,7 @@ def _stretches(
     peak = rate if size > rate else min(rate, sqrt(jerk * (gain + eased)))
     fall = peak / jerk
     if size > rate:
-        held = (gain - eased) / rate
+        hold = (gain - eased) / rate
     else:
-        held = max(0.0, (gain + eased) / peak - fall) if peak else 0.0
-    return ((a0, size - peak, abs(size - peak) / jerk), (-peak, 0.0, held), (-peak, peak, fall))
+        hold = max(0.0, (gain + eased) / peak - fall) if peak else 0.0
+    return ((a0, size - peak, abs(size - peak) / jerk), (-peak, 0.0, hold), (-peak, peak, fall))

@@ -69,10 +69,10 @@ def ramp(u: float, v: float, by: Law) -> Leg:
 def lead(v0: float, a0: float, v1: float, by: Law) -> Leg:
     """Return a ramp from velocity v0, acceleration a0 to velocity v1, acceleration 0."""
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and v1 < 0.0))):
-        time, way = lead(-v0, -a0, -v1, by)
-        return time, -way
+        time, covered = lead(-v0, -a0, -v1, by)
+        return time, -covered
     if v1 < 0.0:
-        if _turns(v0, a0, by):  # it is already accelerating that way when its acceleration is ramped down
+        if _reverses(v0, a0, by):  # it is already accelerating that way when its acceleration is ramped down
             back = _steps(v0, a0, [(-a0, -a0 / by.jerks[1])])
             return _both(back, lead(v0 - 0.5 * a0 * a0 / by.jerks[1], 0.0, v1, by))
         return _both(lead(v0, a0, 0.0, by), lead(0.0, 0.0, v1, by))
@@ -88,14 +88,14 @@ def lead(v0: float, a0: float, v1: float, by: Law) -> Leg:
         )
     sign = 1.0 if side == 0 else -1.0
     if size > rate:  # above the present limit: it is ramped down to that first
-        held = (gain - eased) / rate
+        hold = (gain - eased) / rate
         return _steps(
-            v0, a0, [(-sign * (size - rate), (size - rate) / jerk), (0.0, held), (-sign * rate, rate / jerk)]
+            v0, a0, [(-sign * (size - rate), (size - rate) / jerk), (0.0, hold), (-sign * rate, rate / jerk)]
         )
     peak = min(rate, sqrt(jerk * (gain + eased)))
-    held = max(0.0, (gain + eased) / peak - peak / jerk) if peak else 0.0
+    hold = max(0.0, (gain + eased) / peak - peak / jerk) if peak else 0.0
     return _steps(
-        v0, a0, [(sign * (peak - size), (peak - size) / jerk), (0.0, held), (-sign * peak, peak / jerk)]
+        v0, a0, [(sign * (peak - size), (peak - size) / jerk), (0.0, hold), (-sign * peak, peak / jerk)]
     )
 
 
@@ -104,12 +104,12 @@ def _steps(v: float, a: float, steps: list[tuple[float, float]]) -> Leg:
 
     Each step is a change and its duration.
     """
-    way = 0.0
+    covered = 0.0
     for change, time in steps:
-        way += time * (v + time * (0.5 * a + change / 6.0))
+        covered += time * (v + time * (0.5 * a + change / 6.0))
         v += time * (a + 0.5 * change)
         a += change
-    return fsum(time for _, time in steps), way
+    return fsum(time for _, time in steps), covered
 
 
 def _both(first: Leg, second: Leg) -> Leg:
@@ -124,21 +124,21 @@ def move_time(v0: float, a0: float, distance: float, speed: float, by: Law, roun
     """
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and distance < 0.0))):
         v0, a0, distance = -v0, -a0, -distance
-    if _turns(
+    if _reverses(
         v0, a0, by
     ):  # it moves the other way when its acceleration is ramped down, possibly towards the target
         change = -a0 / by.jerks[1]
-        time, way = _steps(v0, a0, [(-a0, change)])
-        return time + move_time(v0 + 0.5 * a0 * change, 0.0, distance - way, speed, by, rounding)
-    time, way = lead(v0, a0, 0.0, by)
-    if way > distance:
-        return time + _travel(0.0, 0.0, abs(distance - way), speed, by, rounding)
+        time, covered = _steps(v0, a0, [(-a0, change)])
+        return time + move_time(v0 + 0.5 * a0 * change, 0.0, distance - covered, speed, by, rounding)
+    time, covered = lead(v0, a0, 0.0, by)
+    if covered > distance:
+        return time + _travel(0.0, 0.0, abs(distance - covered), speed, by, rounding)
     return _travel(v0, a0, distance, speed, by, rounding)
 
 
-def rounding(distance: float, *places: float) -> float:
+def rounding(distance: float, *positions: float) -> float:
     """Return the possible rounding error of a distance between positions."""
-    return _ROUNDING * abs(distance) + _EPSILON * max(map(abs, places))
+    return _ROUNDING * abs(distance) + _EPSILON * max(map(abs, positions))
 
 
 def move_times(
@@ -154,14 +154,14 @@ def move_times(
         return min(whole, move_time(v0, a0, distance, speed, by, rounded)), whole
     times = [move_time(v0, a0, distance + d, speed, by) for d in (-rounded, 0.0, rounded)]
     least = min(*times, move_time(v0, a0, distance, speed, by, rounded))
-    time, way = lead(v0, a0, 0.0, by)
-    if abs(way - distance) <= rounded:
+    time, covered = lead(v0, a0, 0.0, by)
+    if abs(covered - distance) <= rounded:
         least = min(least, time)
     return least, max(times)
 
 
-def _turns(v0: float, a0: float, by: Law) -> bool:
-    """True if a velocity passes zero before its acceleration can be ramped down."""
+def _reverses(v0: float, a0: float, by: Law) -> bool:
+    """True if a velocity changes sign before its acceleration can be ramped down."""
     return by.smooth and a0 < 0.0 and 0.5 * a0 * a0 / by.jerks[1] > v0 * (1.0 + 1e-9)
 
 
@@ -169,7 +169,7 @@ def top_speed(v0: float, a0: float, distance: float, speed: float, by: Law) -> f
     """Return the top speed of a move to rest after `distance`, at most `speed`."""
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and distance < 0.0))):
         v0, a0, distance = -v0, -a0, -distance
-    if lead(v0, a0, 0.0, by)[1] > distance or _turns(v0, a0, by):
+    if lead(v0, a0, 0.0, by)[1] > distance or _reverses(v0, a0, by):
         return speed
     return _top(v0, a0, distance, speed, by)[0]
 
@@ -177,8 +177,8 @@ def top_speed(v0: float, a0: float, distance: float, speed: float, by: Law) -> f
 def _travel(v0: float, a0: float, distance: float, speed: float, by: Law, rounding: float) -> float:
     """Return the time of a move whose distance suffices for a stop."""
     top, left = _top(v0, a0, distance, speed, by)
-    held = max(0.0, left - rounding) / top if top > 0.0 else 0.0
-    return lead(v0, a0, top, by)[0] + ramp(top, 0.0, by)[0] + held
+    hold = max(0.0, left - rounding) / top if top > 0.0 else 0.0
+    return lead(v0, a0, top, by)[0] + ramp(top, 0.0, by)[0] + hold
 
 
 def _top(v0: float, a0: float, distance: float, speed: float, by: Law) -> Leg:

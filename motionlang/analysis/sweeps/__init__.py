@@ -50,8 +50,8 @@ class Row:
         return self.kept[name] if name in self.kept else self.values[name]
 
     def __repr__(self) -> str:
-        told = f", problem={self.problem['message']!r}" if self.problem else ""
-        return f"Row({self.index}, {self.values}, {self.kept}{told})"
+        problem_text = f", problem={self.problem['message']!r}" if self.problem else ""
+        return f"Row({self.index}, {self.values}, {self.kept}{problem_text})"
 
     @property
     def ok(self) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import ast
 import operator
 import re
+from math import inf
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,17 +47,17 @@ class Expression:
     def __init__(self, text: str) -> None:
         self.text = text
         # Names with dots are not Python identifiers: each gets one that is.
-        places: dict[str, str] = {}
+        aliases: dict[str, str] = {}
 
         def plain(found: re.Match[str]) -> str:
             name = found[2]
             if name is None or name in _WORDS or name in _FUNCTIONS:
                 return found[0]
-            return places.setdefault(name, f"n{len(places)}_")
+            return aliases.setdefault(name, f"n{len(aliases)}_")
 
         try:
             self._tree = ast.parse(_NAME.sub(plain, text).strip(), mode="eval").body
-            self._places = {place: name for name, place in places.items()}
+            self._names = {alias: name for name, alias in aliases.items()}
             nodes = list(ast.walk(self._tree))
             if len(nodes) > _MAX_NODES:
                 raise ValueError("it is too long")
@@ -66,7 +67,7 @@ class Expression:
             raise ValueError(
                 f"{text!r} is not an expression such as time + 0.1 * peak.0, or peak.0 < 400"
             ) from error
-        self.names = tuple(places)
+        self.names = tuple(aliases)
 
     def _check(self, node: ast.AST) -> None:
         known = (
@@ -92,14 +93,14 @@ class Expression:
     def number(self, values: Mapping[str, object]) -> float | None:
         """Return its value if that is a finite number; None if it is not."""
         found = self(values)
-        finite = isinstance(found, (int, float)) and abs(found) < float("inf")
+        finite = isinstance(found, (int, float)) and abs(found) < inf
         return float(found) if finite else None  # type: ignore[arg-type]
 
     def _value(self, node: ast.expr, values: Mapping[str, object]) -> object:
         if isinstance(node, ast.Constant):
             return node.value
         if isinstance(node, ast.Name):
-            found = values[self._places[node.id]]
+            found = values[self._names[node.id]]
             if found is None:
                 raise LookupError(node.id)
             return found
@@ -132,7 +133,7 @@ def pareto(costs: list[tuple[float, ...]]) -> list[int]:
     """Return the indices of the Pareto front, in order of the first cost."""
     order = sorted(range(len(costs)), key=lambda n: (costs[n], n))
     if costs and len(costs[0]) == 2:
-        front, least = [], float("inf")
+        front, least = [], inf
         for n in order:
             if costs[n][1] < least:
                 front.append(n)

@@ -64,8 +64,8 @@ class Job:
     def digest(self) -> str:
         """A digest of the sweep without its variants, the same in all processes."""
         if not self._digest:
-            parts = [repr(value) for name, value in sorted(vars(self).items()) if name != "_digest"]
-            self._digest = sha256("\n".join(parts).encode("utf-8", "surrogatepass")).hexdigest()
+            fields = [repr(value) for name, value in sorted(vars(self).items()) if name != "_digest"]
+            self._digest = sha256("\n".join(fields).encode("utf-8", "surrogatepass")).hexdigest()
         return self._digest
 
     def of(self, values: Sequence[Value]) -> tuple[dict[str, object], dict[str, float | str]]:
@@ -114,12 +114,12 @@ class Worker:
                 found = self._run(self.source, settings, given, program)
                 if given and found.status == "fault":  # run again, since a run by itself reports the error
                     found = self._run(self.source, settings, given, None)
-            kept = tuple(self._read(found, *reader) for reader in self._readers)
-            return index, kept, self._problem(found)
+            results = tuple(self._read(found, *reader) for reader in self._readers)
+            return index, results, self._problem(found)
         except ProgramError as error:
-            return index, (None,) * len(self._readers), told(error.diagnostics)
+            return index, (None,) * len(self._readers), problem_of(error.diagnostics)
         except (ValueError, KeyError) as error:
-            return index, (None,) * len(self._readers), told([Diagnostic("machine-file", str(error))])
+            return index, (None,) * len(self._readers), problem_of([Diagnostic("machine-file", str(error))])
 
     def _run_literals(self, settings: dict[str, object], given: dict[str, float | str]) -> Run | None:
         """Run a variant that gives values to literals.
@@ -186,10 +186,10 @@ class Worker:
     @staticmethod
     def _read(found: Run, row: Any, number: int) -> ResultValue:
         try:
-            kept: ResultValue = row.read(found, number)
+            results: ResultValue = row.read(found, number)
         except KeyError:  # no such axis
             return None
-        return kept
+        return results
 
     def _problem(self, found: Run) -> Problem | None:
         """Return the first error of a run, or None."""
@@ -203,7 +203,7 @@ class Worker:
 
             lines = certificate(found.controller, found.machine.settings, found.time)
             diagnostics += violations(found.controller, lines, found.time)
-        return told(diagnostics) if diagnostics else None
+        return problem_of(diagnostics) if diagnostics else None
 
 
 def _failed(error: Exception) -> Diagnostic:
@@ -214,8 +214,8 @@ def _failed(error: Exception) -> Diagnostic:
     return Diagnostic("crash", f"internal error: {type(error).__name__}: {error}")
 
 
-def told(diagnostics: Sequence[Diagnostic]) -> Problem:
-    """Return the first diagnostic as plain data, with the number of `more`."""
+def problem_of(diagnostics: Sequence[Diagnostic]) -> Problem:
+    """Return the first diagnostic as plain data, with the number of `more` of them."""
     first = diagnostics[0]
     return {**first.as_dict(), "length": first.length, "more": len(diagnostics) - 1}
 

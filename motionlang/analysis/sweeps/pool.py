@@ -10,7 +10,7 @@ from collections import deque
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 from time import perf_counter
 
-from motionlang.analysis.sweeps.job import told, work, worker_of
+from motionlang.analysis.sweeps.job import problem_of, work, worker_of
 from motionlang.errors import Diagnostic
 from motionlang.record import record
 
@@ -86,7 +86,7 @@ class Hand:
             result = worker.result(next(self._variants))
             self._left -= 1
             done += 1
-            # The first one has compiled the program, which does not predict the others.
+            # The first variant compiles the program, so its time does not predict the others.
             if done == 1:
                 first = perf_counter()
             else:
@@ -164,7 +164,7 @@ class Hand:
                 raise error
             lost = Diagnostic("crash", f"the worker was lost {tries} times: {type(error).__name__}: {error}")
             for index, _ in chunk.variants:
-                yield index, (None,) * len(self._job.keep), told([lost])
+                yield index, (None,) * len(self._job.keep), problem_of([lost])
         elif len(chunk.variants) > 1 and (self._given is None or tries >= WHOLE_TRIES):
             self._again.extend(_Chunk([variant], tries) for variant in chunk.variants)
         else:

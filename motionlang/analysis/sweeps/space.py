@@ -6,6 +6,7 @@ Variants are created one by one on demand.
 from __future__ import annotations
 
 import re
+from math import inf
 from random import Random
 
 from motionlang.errors import ProgramError
@@ -43,19 +44,19 @@ class Dimension:
     def __len__(self) -> int:
         return len(self.values) if self.values else self.count or 0
 
-    def __getitem__(self, place: int) -> Value:
+    def __getitem__(self, index: int) -> Value:
         """Return the value at a grid index.
 
         It is an integer if the value and both ends of the range are integers.
         """
         if self.values:
-            return self.values[place]
+            return self.values[index]
         assert self.count is not None
-        if place == 0 or self.count == 1:
+        if index == 0 or self.count == 1:
             return self.first
-        if place == self.count - 1:
+        if index == self.count - 1:
             return self.last
-        value = self.first + (self.last - self.first) * place / (self.count - 1)
+        value = self.first + (self.last - self.first) * index / (self.count - 1)
         return int(value) if self.is_whole and value == int(value) else value
 
     @property
@@ -63,11 +64,11 @@ class Dimension:
         """True if both ends are written as integers."""
         return isinstance(self.first, int) and isinstance(self.last, int)
 
-    def at(self, part: float) -> Value:
+    def at(self, fraction: float) -> Value:
         """Return the value at a fraction of the range, 0 to 1."""
         if self.values:
-            return self.values[min(int(part * len(self.values)), len(self.values) - 1)]
-        return self.first + (self.last - self.first) * part
+            return self.values[min(int(fraction * len(self.values)), len(self.values) - 1)]
+        return self.first + (self.last - self.first) * fraction
 
 
 def dimension(text: str) -> Dimension:
@@ -75,7 +76,7 @@ def dimension(text: str) -> Dimension:
 
     Raises ValueError for any other text.
     """
-    name, equals, given = (part.strip() for part in text.partition("="))
+    name, equals, given = (item.strip() for item in text.partition("="))
     if not equals or not name or not given:
         raise ValueError(f"{text!r} is not NAME=FIRST:LAST:COUNT or NAME=VALUE,VALUE")
     name = canonical(name) or name
@@ -91,8 +92,8 @@ def dimension(text: str) -> Dimension:
 
 def _split(text: str) -> list[str]:
     """Return the values of a list; a comma in brackets or quotes belongs to its value."""
-    parts = re.findall(r"""(?:\[[^\]]*\]|"[^"]*"|'[^']*'|[^,])+""", text)
-    return [part.strip() for part in parts if part.strip()]
+    items = re.findall(r"""(?:\[[^\]]*\]|"[^"]*"|'[^']*'|[^,])+""", text)
+    return [item.strip() for item in items if item.strip()]
 
 
 def _number(text: str) -> float | None:
@@ -104,7 +105,7 @@ def _number(text: str) -> float | None:
         value = float(text)
     except ValueError:
         return None
-    return value if abs(value) < float("inf") else None
+    return value if abs(value) < inf else None
 
 
 def read_value(text: str) -> Value:
@@ -155,8 +156,8 @@ class Grid(Space):
     def __getitem__(self, index: int) -> tuple[Value, ...]:
         values = []
         for each in reversed(self.dimensions):
-            index, place = divmod(index, len(each))
-            values.append(each[place])
+            index, digit = divmod(index, len(each))
+            values.append(each[digit])
         return tuple(reversed(values))
 
 
@@ -172,22 +173,22 @@ class Drawn(Space):
         if not 1 <= count <= MAX_VARIANTS:
             raise ValueError(f"a sweep has 1 to {MAX_VARIANTS} variants, not {count}")
         self.dimensions, self._count, self._seed = tuple(dimensions), count, seed
-        self._orders: list[list[int]] = []
+        self._permutations: list[list[int]] = []
         for each in dimensions if latin else ():
             order = list(range(count))
             Random(f"{seed} {each.name}").shuffle(order)
-            self._orders.append(order)
+            self._permutations.append(order)
 
     def __len__(self) -> int:
         return self._count
 
     def __getitem__(self, index: int) -> tuple[Value, ...]:
         draw = Random(f"{self._seed} variant {index}").random
-        if not self._orders:
+        if not self._permutations:
             return tuple(each.at(draw()) for each in self.dimensions)
         return tuple(
             each.at((order[index] + draw()) / self._count)
-            for each, order in zip(self.dimensions, self._orders, strict=True)
+            for each, order in zip(self.dimensions, self._permutations, strict=True)
         )
 
 

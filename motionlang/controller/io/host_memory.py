@@ -8,6 +8,8 @@ a zero byte (AN00200 p. 8).
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.controller.faults import Rejected
 
 TYPE_CHECKING = False
@@ -35,8 +37,6 @@ class HostMemory:
     that a Modbus client sees.
     """
 
-    __slots__ = ("_floats", "_words", "listeners", "mapping")
-
     def __init__(self, mapping: str = "netdata") -> None:
         self._words = {
             area: memoryview(bytearray(4 * (last + 1))).cast("i") for area, (_, last) in AREAS.items()
@@ -58,7 +58,7 @@ class HostMemory:
 
     def set_real(self, area: str, element: int, value: float) -> None:
         if not abs(value) < _LARGEST_FLOAT:
-            value = float("inf") if value > 0 else float("-inf") if value < 0 else value
+            value = inf if value > 0 else -inf if value < 0 else value
         self._floats[area][_checked(area, element)] = value
 
     def text(self, area: str, element: int, length: int) -> str:

@@ -12,6 +12,8 @@ record dependencies, or the axis has a simulated motor.
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -20,13 +22,29 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.planners import Profile
 
+    Row = tuple[float, int, float]
+
 # The period of the profiler, seconds.
 PERIOD = 1e-3
+# `until` searches FIRST_TICKS ahead, then twice as far, and so on, up to MAX_TICKS. It searches again from there.
+MAX_TICKS, FIRST_TICKS = 1 << 20, 1 << 10
 
 
 def next_tick(now: float) -> float:
     """Return the next tick of the profiler; all functions run at ticks share it."""
-    return (int(now / PERIOD + 1e-6) + 1) * PERIOD
+    return _next(now) * PERIOD
+
+
+def _next(now: float) -> int:
+    return int(now / PERIOD + 1e-6) + 1
+
+
+def _last(now: float) -> int:
+    """Return the number of the last tick up to a time."""
+    number = int(now / PERIOD) + 1
+    while number * PERIOD > now:
+        number -= 1
+    return number
 
 
 class Sensor:
@@ -35,21 +53,20 @@ class Sensor:
     The value is `value` plus `per_unit` for each user unit beyond `origin`, a machine position.
     """
 
-    __slots__ = ("_controller", "_event", "active", "axis", "origin", "per_unit", "put", "value")
-
     def __init__(
-        self,
-        controller: Controller,
-        axis: int,
-        origin: float,
-        value: float,
-        per_unit: float,
-        put: Callable[[float], None],
+        self, controller: Controller, axis: int, origin: float, value: float, per_unit: float, channel: int
     ) -> None:
-        self._controller, self.axis = controller, axis
-        self.origin, self.value, self.per_unit, self.put = origin, value, per_unit, put
+        self._controller, self.axis, self.channel = controller, axis, channel
+        self._inputs = controller.analogue_inputs
+        self.origin, self.value, self.per_unit = origin, value, per_unit
         self.active = False
         self._event: Event | None = None
+        # The first tick that is not logged, and the motion sampled there: profile, its start, the machine's
+        # zero, and the conversion of lengths to user units.
+        self._next = 0
+        self._profile: Profile
+        self._start = self._datum = 0.0
+        self._to_user = controller.axes[axis].scale.length_conversion()
         controller.axes[axis].followers.append(self._moved)
 
     def switch(self, active: bool) -> None:
@@ -59,7 +76,95 @@ class Sensor:
             self._sample()
         else:
             self._cancel()
-            self.put(0.0)
+            self._inputs[self.channel] = 0.0
+
+    def rescale(self) -> None:
+        """Use the new scale of the axis for further samples."""
+        if self._inputs.computed.get(self.channel) is self:
+            self._inputs.settle()
+            self._to_user = self._controller.axes[self.axis].scale.length_conversion()
+
+    def tick(self) -> None:
+        """Turn the ticks into events from now on."""
+        self._cancel()
+        clock = self._controller.clock
+        self._event = clock.at(next_tick(clock.now), self._sample)
+
+    def level(self) -> float | None:
+        """Return the latest sample, or None if the log already has it."""
+        number = _last(self._controller.clock.now)
+        return None if number < self._next else self._sample_at(number)
+
+    def samples(self, last: float) -> list[Row]:
+        """Return the samples not yet logged, up to now, as (time, channel, value).
+
+        A sample equal to the one before it is omitted; `last` is the latest logged value.
+        """
+        first, past = self._next, _last(self._controller.clock.now) + 1
+        if past <= first:
+            return []
+        self._next = past
+        start, channel, value_at = self._start, self.channel, self._value_at
+        times = [number * PERIOD for number in range(first, past)]
+        positions = self._profile.positions([time - start for time in times])
+        rows = []
+        for time, position in zip(times, positions, strict=True):
+            value = value_at(position)
+            if value != last:
+                last = value
+                rows.append((time, channel, value))
+        return rows
+
+    def until(self, shown: Callable[[float], float], level: float | tuple[float, float] | None) -> float:
+        """Return the first tick at which a sample may have passed a level.
+
+        `shown` converts a sample into the unit of the level. A level `(distance, centre)` is passed at `distance` on
+        either side of `centre`. The result is infinite if the present profile ends before: its end is an event of its
+        own.
+        """
+        if isinstance(level, tuple):
+            distance, centre = level
+            return min(self.until(shown, centre + distance), self.until(shown, centre - distance))
+        now = self._controller.clock.now
+        last = _last(now)
+        found = self.level()
+        value = shown(self._inputs[self.channel] if found is None else found)
+        if level is None or abs(level) == INFINITY:
+            return (last + 1) * PERIOD
+        elapsed = now - self._start
+        reversal = (
+            self._profile.velocity_crossing(0.0, elapsed) if self._profile.velocity(elapsed) else elapsed
+        )
+        ends = self._start + self._profile.duration
+        monotonic_until = ends if reversal is None else min(self._start + reversal, ends)
+        farthest = last + MAX_TICKS
+        if monotonic_until < INFINITY:
+            farthest = min(_last(monotonic_until), farthest)
+
+        def differs(number: int) -> bool:
+            sample = shown(self._sample_at(number))
+            return (sample > level) is not (value > level) or (sample < level) is not (value < level)
+
+        low, high = last, min(last + FIRST_TICKS, farthest)
+        while high > low and not differs(high):
+            low, high = high, min(2 * high - last, farthest)
+        if high <= low:
+            return INFINITY if farthest * PERIOD + PERIOD > ends else (max(farthest, last) + 1) * PERIOD
+        while high - low > 1:
+            middle = (low + high) // 2
+            if differs(middle):
+                high = middle
+            else:
+                low = middle
+        return high * PERIOD
+
+    def _sample_at(self, number: int) -> float:
+        """Return the sample at a tick, given by its number."""
+        return self._value_at(self._profile.position(number * PERIOD - self._start))
+
+    def _value_at(self, position: float) -> float:
+        """Return the value at a position of the axis, in counts."""
+        return self.value + self.per_unit * (self._to_user(position - self._datum) - self.origin)
 
     def _moved(self, profile: Profile) -> None:
         if self.active:
@@ -68,12 +173,21 @@ class Sensor:
     def _sample(self) -> None:
         self._cancel()
         controller, a = self._controller, self._controller.axes[self.axis]
-        place = a.scale.to_user(controller.position(self.axis) - a.datum)
-        self.put(self.value + self.per_unit * (place - self.origin))
-        if not controller.is_still(self.axis):
-            self._event = controller.clock.at(next_tick(controller.clock.now), self._sample)
+        self._datum, self._to_user = a.datum, a.scale.length_conversion()
+        self._inputs[self.channel] = self._value_at(controller.position(self.axis))
+        if controller.is_still(self.axis):
+            return
+        if a.feedback is not None or not self._inputs.may_compute(self.channel):
+            self.tick()
+            return
+        self._next = _next(controller.clock.now)
+        self._profile, self._start = a.profiles[-1], a.starts[-1]
+        self._inputs.computed[self.channel] = self
 
     def _cancel(self) -> None:
+        if self._inputs.computed.get(self.channel) is self:
+            self._inputs.settle()
+            del self._inputs.computed[self.channel]
         if self._event is not None:
             self._event.cancel()
             self._event = None

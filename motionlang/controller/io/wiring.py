@@ -6,6 +6,7 @@ become counts with the scale that the program sets, and are converted again when
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import DRIVE, ERROR_INPUT, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.io.sensor import Sensor
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     Settings = Mapping[str, object]
     Pair = Sequence[float]
 
-INFINITY = float("inf")
 # The faults that a machine file may inject, with their fault bit and action.
 FAULTS: dict[str, tuple[int, str]] = {
     "following-error": (FOLLOWING_ERROR, "off"),
@@ -50,6 +50,7 @@ class World:
         # Regions in user units: (region, low, high), converted again whenever the scale changes.
         self._regions: list[tuple[Region, float, float]] = []
         self._limits: list[tuple[Limit, float]] = []
+        self._sensors: list[Sensor] = []
         self.driven: set[int] = set()
         self.actions: dict[tuple[int, int], str] = {}
         self.lines: dict[int, list[Callable[[], None]]] = {}
@@ -64,7 +65,7 @@ class World:
             self._wire_encoder(entry)
         for axis in controller.axes:
             self._wire_interlock(axis)
-        controller.listeners.append(self._heard, "cleared", "switched", "scale")
+        controller.listeners.append(self._on_change, "cleared", "switched", "scale")
 
     def wire_inputs(self, settings: Settings) -> None:
         """Wire the `[[input]]` and `[[analogue]]` entries of some settings.
@@ -145,7 +146,7 @@ class World:
         self._controller.axes[axis].limits.append(limit)
         position -= self._start(axis)
         self._limits.append((limit, position))
-        limit.place(position * self._scale(axis))
+        limit.set_position(position * self._scale(axis))
         if channel is not None:
             position += self._start(axis)
             low, high = (position, INFINITY) if sign > 0 else (-INFINITY, position)
@@ -171,14 +172,9 @@ class World:
             if "per_unit" in entry:
                 origin = (low if low > -INFINITY else high) - self._start(axis)
                 rise = _number(entry, "per_unit")
-                change = Sensor(
-                    self._controller,
-                    axis,
-                    origin,
-                    float(value),  # type: ignore[arg-type]
-                    rise,
-                    lambda now: put(int(channel), now),
-                ).switch
+                sensor = Sensor(self._controller, axis, origin, float(value), rise, int(channel))  # type: ignore[arg-type]
+                self._sensors.append(sensor)
+                change = sensor.switch
             self._wire_region(axis, low, high, change)
             return
         at = self._controller.clock.now + _number(entry, "at", 0.0)
@@ -253,7 +249,7 @@ class World:
                 new = value & ~self.misc  # a pending error is not new
                 self.misc |= value
                 if new:
-                    self._controller.tell("misc", new)
+                    self._controller.notify("misc", new)
                 return
             if bit == DRIVE:
                 self.drive_errors[axis] = self.drive_errors.get(axis, 0) | value
@@ -292,11 +288,11 @@ class World:
     def _scale(self, axis: int) -> float:
         return self._controller.axes[axis].scale.counts
 
-    def _heard(self, what: str, axis: int) -> None:
+    def _on_change(self, what: str, axis: int) -> None:
         """Follow changes of an axis.
 
-        A new scale moves every switch of the axis to its new count; a drive whose fault is cleared has no
-        error.
+        A new scale moves every switch of the axis to its new count. Once the fault of a drive is cleared, the drive has
+        no error.
         """
         if what in ("cleared", "switched") and not self._controller.faults(axis) & DRIVE:
             self.drive_errors.pop(axis, None)
@@ -307,9 +303,12 @@ class World:
         for region, low, high in self._regions:
             if region.axis == axis:
                 region.place(low * scale, high * scale)
+        for sensor in self._sensors:
+            if sensor.axis == axis:
+                sensor.rescale()
         for limit, position in self._limits:
             if limit.axis == axis:
-                limit.place(position * scale)
+                limit.set_position(position * scale)
 
 
 def _entries(settings: Settings, name: str) -> Sequence[Entry]:
@@ -321,7 +320,7 @@ def _again(entry: Entry) -> Iterator[Entry]:
     for n in range(int(_number(entry, "times"))):
         later = n * _number(entry, "every")
         if "between" in entry:
-            yield {**entry, "between": [place + later for place in _span(entry)]}
+            yield {**entry, "between": [bound + later for bound in _span(entry)]}
         else:
             yield {**entry, "at": _number(entry, "at", 0.0) + later}
 

@@ -71,45 +71,45 @@ MAX_FOLLOWED = 10_000
 class FollowMove(Move):
     """The log entry of a slave, whose profile is joined from its history on demand."""
 
-    __slots__ = ("parts", "shape", "size")
+    __slots__ = ("segments", "shape", "size")
 
     def __init__(self, axis: int, command: str, line: int, shape: str, target: float = INFINITY) -> None:
-        self.parts: list[tuple[float, Profile]] = []
+        self.segments: list[tuple[float, Profile]] = []
         self.shape = shape
         self.size = 0  # the number of profiles; a long curve counts as several
         super().__init__(axis, command, line, target)
 
     def add(self, time: float, profile: Profile) -> None:
         """Append `profile`, which begins at `time`."""
-        if self.parts and self.parts[-1][0] == time:
-            self.parts.pop()
-        self.parts.append((time, profile.shifted(-self.offset) if self.offset else profile))
+        if self.segments and self.segments[-1][0] == time:
+            self.segments.pop()
+        self.segments.append((time, profile.shifted(-self.offset) if self.offset else profile))
         self.size += 1
 
     def begin_new_entry(self, controller: Core, now: float) -> None:
         """Split the log entry if it has become long: this one continues as a new entry."""
         if self.size > MAX_FOLLOWED and self.profile is not None:
             controller.log.moves.split(self, self.until(now), now, self.size)
-            self.parts, self.size = [], 0
+            self.segments, self.size = [], 0
 
     @property
     def profile(self) -> Profile | None:
         """All profiles of the entry, joined in sequence."""
-        return self._sequence(self.parts) if self.parts else None
+        return self._sequence(self.segments) if self.segments else None
 
     @profile.setter
     def profile(self, profile: Profile | None) -> None:
-        self.parts = [] if profile is None else [(self.start_time, profile)]
+        self.segments = [] if profile is None else [(self.start_time, profile)]
 
     def until(self, time: float) -> Profile:
-        # A profile that begins then has not moved it, although rounding may leave a moment of it.
-        is_late = len(self.parts) > 1 and self.parts[-1][0] >= time
-        begun = self.parts[:-1] if is_late else self.parts
+        # A profile that begins at `time` has not moved the axis, although rounding may leave a moment of it.
+        is_late = len(self.segments) > 1 and self.segments[-1][0] >= time
+        begun = self.segments[:-1] if is_late else self.segments
         return self._sequence(begun).cut(time - self.start_time)
 
-    def _sequence(self, parts: list[tuple[float, Profile]]) -> Profile:
-        cuts = [profile.cut(finish - start) for (start, profile), (finish, _) in pairwise(parts)]
-        return ProfileSequence(self.shape, [*cuts, parts[-1][1]], self.shape)
+    def _sequence(self, segments: list[tuple[float, Profile]]) -> Profile:
+        cuts = [profile.cut(finish - start) for (start, profile), (finish, _) in pairwise(segments)]
+        return ProfileSequence(self.shape, [*cuts, segments[-1][1]], self.shape)
 
 
 class Follow(Action):
@@ -148,7 +148,7 @@ class Follow(Action):
         if self.a.arrival is not None:
             self.a.arrival.cancel()
             self.a.arrival = None
-        self.move.parts.clear()
+        self.move.segments.clear()
         self.master.followers.append(self._callback)
         self.renew()
         self.more(self.controller, self.a)
@@ -284,8 +284,8 @@ class Gear(Follow):
         self._locks_at = INFINITY if ramp else 0.0
         # True once a suspension has planned its rest, at its own rates.
         self.keeps_rates = False
-        # The remaining distance of the offset for the end of the suspension, and the offsets that wait for
-        # it.
+        # The remaining distance of the suspended offset, and the offsets that wait for the end of the
+        # suspension.
         self._paused = 0.0
         # The ramp of the offset to rest in a suspension, and its start time.
         self._halt: tuple[Profile, float] | None = None

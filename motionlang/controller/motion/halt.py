@@ -32,6 +32,9 @@ class Stopping(Action):
         controller.empty(a, ended)
         return True
 
+    def is_stopping(self, hard: bool) -> bool:
+        return self.hard or not hard
+
     def suspend(self, controller: Core, a: Axis) -> bool:
         return True
 
@@ -98,21 +101,21 @@ def suspend(controller: Core, a: Axis, reason: int) -> None:
     move, sharing = a.move, _sharing(a)
     fresh = not any(each.suspended for each in sharing)
     for each in sharing if reason == BY_WORD else (a,):
-        each.held |= reason
+        each.suspend_reasons |= reason
         if reason == BY_WORD:
             before = controller.suspended_with.get(each.index, ())
             controller.suspended_with[each.index] = tuple(dict.fromkeys((*before, *sharing)))
     if not fresh or move is None:
         return
     try:
-        held = move.action is not None and move.action.suspend(controller, a)
+        is_handled = move.action is not None and move.action.suspend(controller, a)
     except Rejected as rejected:
         if reason == BY_WORD:
             release(controller, a)
             raise
         controller.run_time_fault(rejected)
         return
-    if not held:
+    if not is_handled:
         controller.replan_move(a)
 
 
@@ -120,16 +123,16 @@ def resume(controller: Core, a: Axis, reason: int) -> None:
     """Remove a reason for suspension; if none remains, continue to the target."""
     sharing = _sharing(a)
     if reason == BY_WORD:
-        if not any(each.held & reason for each in sharing):
+        if not any(each.suspend_reasons & reason for each in sharing):
             return
         freed = [other for each in sharing for other in release(controller, each)]
         for each in dict.fromkeys(freed):
             if each not in sharing and not each.suspended and each.move is None:
                 controller.start_next(each)
-    elif not a.held & reason:
+    elif not a.suspend_reasons & reason:
         return
     else:
-        a.held &= ~reason
+        a.suspend_reasons &= ~reason
     if a.move is None or any(each.suspended for each in sharing):
         return
     if a.move.action is None:

@@ -50,13 +50,13 @@ class Jog(Action):
 
     def planned(self, controller: Core, a: Axis, own: Rates | None) -> Profile:
         """Return the motion from the state of the axis to the velocity."""
-        self._ramp_settings = way = _ramp_settings(controller, a, own)
-        accel, decel = way[0], way[1]
-        eased, position, velocity, bent = onset(
+        self._ramp_settings = settings = _ramp_settings(controller, a, own)
+        accel, decel = settings[0], settings[1]
+        eased, position, velocity, acceleration = onset(
             a.profiles[-1], controller.clock.now - a.starts[-1], a.shape, a.accel_jerk
         )
         if not keeps_rates(a.move):
-            bent = admitted(bent, velocity, accel, decel)
+            acceleration = admitted(acceleration, velocity, accel, decel)
         wanted = _wanted(a, self.velocity)
         if eased is not None and isclose(velocity, wanted, rel_tol=_ROUNDING):
             velocity = wanted  # the flank leads to it, and no ramp remains
@@ -71,7 +71,7 @@ class Jog(Action):
                 a.ramp,
                 a.accel_jerk,
                 a.decel_jerk,
-                bent,
+                acceleration,
             )
             if eased is not None:
                 made = relabelled(eased.then(made), made.shape)
@@ -108,9 +108,9 @@ def jog(
     move = Move(a.index, command, line, INFINITY)
     move.rates = own
     action = move.action = Jog(velocity, ends)
-    move.asked = abs(velocity)
-    if move.asked > a.max_speed:
-        clamped(controller, a, line, move.asked)
+    move.commanded_speed = abs(velocity)
+    if move.commanded_speed > a.max_speed:
+        clamped(controller, a, line, move.commanded_speed)
     profile = action.planned(controller, a, own)
     controller.end_move(a, "retarget")
     controller.run_profile(a, move, profile)

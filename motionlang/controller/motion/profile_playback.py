@@ -61,17 +61,17 @@ class Playback(Action):
 
         With `on_path` the rest of the segment comes first, in the axis's `suspend_time`.
         """
-        path, place, rate = self.state(controller, a)
-        if self.on_path and a.suspend_time > 0.0 and rate < 1.0 and place < path.knots[-1]:
+        path, along, rate = self.state(controller, a)
+        if self.on_path and a.suspend_time > 0.0 and rate < 1.0 and along < path.knots[-1]:
             self._aim(a, path)
-            return self._segment_in_time(controller, a, path, place)
+            return self._segment_in_time(controller, a, path, along)
         if a.suspend_time > 0.0 and rate < 1.0:
             change = 1.0 / a.suspend_time
-            pace = plan_velocity("trapezoid", place, rate, 1.0, change, change)
+            pace = plan_velocity("trapezoid", along, rate, 1.0, change, change)
             path = self._long_enough(a, path, pace.position(pace.knots[-2]))
             self._aim(a, path)
         else:
-            pace = running(place, 1.0)
+            pace = running(along, 1.0)
         return self._made(controller, path, _to_the_end(path, pace), path.shape)
 
     def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
@@ -112,21 +112,21 @@ class Playback(Action):
 
     # -- inside
 
-    def _segment_in_time(self, controller: Core, a: Axis, path: Profile, place: float) -> Profile:
+    def _segment_in_time(self, controller: Core, a: Axis, path: Profile, along: float) -> Profile:
         """Return the rest of the present segment as one cubic, then the path unchanged.
 
         The segment is the one that contains `along`; the cubic takes `suspend_time`.
         """
         state = a.at(controller.clock.now)
-        self._count_from_here(controller, a, path, place, a.suspend_time)
-        end = path.knots[bisect_right(path.knots, place)]
+        self._count_from_here(controller, a, path, along, a.suspend_time)
+        end = path.knots[bisect_right(path.knots, along)]
         goal = path.at(end)
         first = pvt_segment(state.position, state.velocity, goal.position, goal.velocity, a.suspend_time)
         self._is_paced = False
         return relabelled(first, path.shape, "segment").then(path.after(end))
 
     def _count_from_here(
-        self, controller: Core, a: Axis, path: Profile, place: float, time: float = 0.0
+        self, controller: Core, a: Axis, path: Profile, along: float, time: float = 0.0
     ) -> None:
         """Let the points begin at the axis, followed by those of the path after `along`.
 
@@ -135,12 +135,12 @@ class Playback(Action):
         if self.ordered is None:
             return
         points, velocities, times = self.ordered
-        state, following = a.at(controller.clock.now), bisect_right(path.knots, place)
+        state, following = a.at(controller.clock.now), bisect_right(path.knots, along)
         left = len(path.knots) - following
         self.ordered = (
             [state.position, *points[-left:]],
             [state.velocity, *velocities[-left:]],
-            [time or path.knots[following] - place, *times[len(times) - left + 1 :]],
+            [time or path.knots[following] - along, *times[len(times) - left + 1 :]],
         )
 
     def _with_continuation(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
@@ -148,8 +148,8 @@ class Playback(Action):
 
         The playback comes to rest, or runs to the end of the profile if that comes first.
         """
-        path, place, rate = self.state(controller, a)
-        pace = self._slowing(a, place, rate)
+        path, along, rate = self.state(controller, a)
+        pace = self._slowing(a, along, rate)
         path = self._long_enough(a, path, pace.end)
         return path, _to_the_end(path, pace) if pace.end > path.duration else pace
 
@@ -168,11 +168,11 @@ class Playback(Action):
         if a.move is not None:
             a.target = a.move.target = path.end
 
-    def _slowing(self, a: Axis, place: float, rate: float) -> Profile:
+    def _slowing(self, a: Axis, along: float, rate: float) -> Profile:
         """Return a playback time, over machine time, that slows down to a standstill."""
         if a.suspend_time <= 0.0 or rate <= 0.0:
-            return hold(place).cut(0.0)
-        return plan_stop("trapezoid", place, rate, 1.0 / a.suspend_time)
+            return hold(along).cut(0.0)
+        return plan_stop("trapezoid", along, rate, 1.0 / a.suspend_time)
 
     def _follow(
         self, controller: Core, a: Axis, path: Profile, pace: Profile, shape: str, ended: str

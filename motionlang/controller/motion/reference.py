@@ -42,7 +42,7 @@ class Reference(Action):
         if a.move is not self.move:
             controller.end_move(a, "retarget")
             controller.log_move(a, self.move, profile)
-            self.move.parts.clear()
+            self.move.segments.clear()
         self.move.begin_new_entry(controller, controller.clock.now)
         self.move.add(controller.clock.now, profile)
         a.target = self.move.target = profile.end
@@ -72,10 +72,10 @@ class SpeedReference(Reference):
         wanted = max(-a.max_speed, min(self.velocity, a.max_speed))
         s = a.at(controller.clock.now)
         try:
-            bent, (up, down) = s.acceleration, self.slopes
+            acceleration, (up, down) = s.acceleration, self.slopes
             if a.move is not self.move and not keeps_rates(a.move):
-                bent = admitted(bent, s.velocity, up.rate, down.rate)
-            made = plan_reference(s.position, s.velocity, wanted, up, down, bent)
+                acceleration = admitted(acceleration, s.velocity, up.rate, down.rate)
+            made = plan_reference(s.position, s.velocity, wanted, up, down, acceleration)
         except ValueError as problem:
             raise Rejected("range", f"axis {a.index} cannot follow its reference: {problem}") from None
         return made if wanted else relabelled(made.cut(made.knots[-2]), made.shape)
@@ -129,42 +129,42 @@ def _steady(controller: Core, a: Axis) -> bool:
 class PositionReference(Reference):
     """A position, counts, reached in a straight line within a period of the profiler."""
 
-    __slots__ = ("place",)
+    __slots__ = ("position",)
 
-    def __init__(self, move: FollowMove, place: float) -> None:
+    def __init__(self, move: FollowMove, position: float) -> None:
         super().__init__(move)
-        self.place = place
+        self.position = position
 
     def plan(self, controller: Core, a: Axis) -> Profile:
         if a.suspended:
             return halt.with_standstill(controller, a)
         here = a.position(controller.clock.now)
-        velocity = (self.place - here) / PERIOD
-        return Profile("reference", here, self.place, PERIOD, (velocity, PERIOD, 0.0, velocity))
+        velocity = (self.position - here) / PERIOD
+        return Profile("reference", here, self.position, PERIOD, (velocity, PERIOD, 0.0, velocity))
 
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
-        self.place += shift
+        self.position += shift
 
 
-def refer_position(controller: Core, a: Axis, place: float, command: str, line: int) -> None:
+def refer_position(controller: Core, a: Axis, position: float, command: str, line: int) -> None:
     """Move an axis to a position within a period; a no-op if it is there already."""
-    if not abs(place) < INFINITY:
-        raise Rejected("range", f"axis {a.index} cannot go to {place:g}")
+    if not abs(position) < INFINITY:
+        raise Rejected("range", f"axis {a.index} cannot go to {position:g}")
     action = a.move.action if a.move is not None else None
     if isinstance(action, PositionReference):
-        if place != action.place:
-            action.place = place
+        if position != action.position:
+            action.position = position
             action.replan(controller, a)
         return
-    if a.move is None and place == a.position(controller.clock.now):
+    if a.move is None and position == a.position(controller.clock.now):
         return
     move = _last(controller, a, command)
     if move is None:
-        made = PositionReference(FollowMove(a.index, command, line, "reference"), place)
+        made = PositionReference(FollowMove(a.index, command, line, "reference"), position)
         made.engage(controller, a, made.plan(controller, a))
         return
-    made = PositionReference(move, place)
-    begin, done = move.parts[-1]
+    made = PositionReference(move, position)
+    begin, done = move.segments[-1]
     move.add(begin + done.duration, hold(done.end))
     a.move = move
     made.engage(controller, a, made.plan(controller, a))

@@ -58,12 +58,12 @@ class Takeup:
         end = min(now, self._axis.next_start(begin))
         if start > begin:  # a long session has dropped the profile that was in force
             return min(start, end), 0
-        turn, after = None, begin - start + _MOMENT
+        reversal, after = None, begin - start + _MOMENT
         if profile.peak_speed:
-            rests = not profile.velocity(after)
-            turn = _next_knot(profile, after) if rests else profile.velocity_crossing(0.0, after)
-        if turn is not None and begin < start + turn < end:
-            end = start + turn
+            is_at_rest = not profile.velocity(after)
+            reversal = _next_knot(profile, after) if is_at_rest else profile.velocity_crossing(0.0, after)
+        if reversal is not None and begin < start + reversal < end:
+            end = start + reversal
         velocity = profile.velocity(0.5 * (begin + end) - start)
         return end, (velocity > 0.0) - (velocity < 0.0)
 

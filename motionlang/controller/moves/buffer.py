@@ -92,7 +92,7 @@ def known_end(a: Axis) -> float:
 def taken(controller: Core, a: Axis) -> None:
     """Notify if removing an entry makes the number of free ones exceed the level set."""
     if a.buffer_size - len(a.buffer) == a.buffer_low + 1:
-        controller.tell("buffer-low", a.index)
+        controller.notify("buffer-low", a.index)
 
 
 def motions(a: Axis) -> list[Move]:

@@ -6,6 +6,7 @@ Cycles or segments follow one another.
 from __future__ import annotations
 
 from bisect import bisect_right
+from math import ulp
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
@@ -30,8 +31,10 @@ if TYPE_CHECKING:
 
     Ordered = tuple[tuple[float, ...], tuple[float, ...], str]
 
-# Fraction of a cycle by which the master must reverse to leave it, and may fall short of its end.
-_NEAR = 1e-9
+# Fraction of a cycle by which the master must at least reverse to leave it, and may fall short of its end.
+# The reversal is larger if the rounding of the clock is, and `_UNKNOWN` if the speed has no bound.
+_NEAR = 1e-11
+_UNKNOWN = 1e-9
 _AT_END = 1e-13
 # Pieces of a curve that take as much memory as a profile of an axis.
 _PIECES = 8
@@ -76,7 +79,7 @@ class CurveFollow(Follow):
             return rest(self.move.shape, self._at(along.start), INFINITY)
         return travelled(along, self.curve, self.move.shape, self.lift)
 
-    def place(self) -> float:
+    def table_position(self) -> float:
         """Return the master's distance along the curve, counts."""
         return self._along(self.coming()).start
 
@@ -89,11 +92,11 @@ class CurveFollow(Follow):
         if along.start < length * (1.0 - _AT_END):
             time = along.crossing(length)
         else:
-            back = _runs_back(along, length, _NEAR * length) if self.goes_back else None
+            back = _runs_back(along, length, self._reversal(along)) if self.goes_back else None
             time = 0.0 if back is None else along.crossing(length, back)
         if time is not None:
             times.append((time, True))
-        if self.goes_back and (time := _beginning(along, 2.0 * _NEAR * length)) is not None:
+        if self.goes_back and (time := _beginning(along, 2.0 * self._reversal(along))) is not None:
             times.append((time, False))
         if times:
             time, forward = min(times)
@@ -168,6 +171,14 @@ class CurveFollow(Follow):
         else:
             self.finish()
 
+    def _reversal(self, along: Profile) -> float:
+        """Return how far the master must reverse to re-enter the previous cycle.
+
+        The distance exceeds rounding errors. Up to it the slave is on the straight continuation of this cycle.
+        """
+        length, late = self.curve.duration, 4.0 * along.speed_bound * ulp(self.controller.clock.now)
+        return max(late, _NEAR * length) if late < INFINITY else _UNKNOWN * length
+
     def _along(self, coming: Profile) -> Profile:
         """Return the master's motion as a distance along the curve."""
         datum = _datum(self.master)
@@ -175,11 +186,11 @@ class CurveFollow(Follow):
         self.datum = datum
         return coming.scaled((coming.start - self.origin) * self.direction, float(self.direction))
 
-    def _at(self, place: float) -> float:
+    def _at(self, along: float) -> float:
         curve = self.curve
-        if place < 0.0:
-            return curve.start + curve.start_velocity * place + self.lift
-        return curve.position(place) + self.lift
+        if along < 0.0:
+            return curve.start + curve.start_velocity * along + self.lift
+        return curve.position(along) + self.lift
 
 
 def _datum(master: Axis) -> float:
@@ -218,7 +229,7 @@ class Cam(CurveFollow):
     def index(self) -> int:
         """The segment of the table at the master's position."""
         inner = self.curve.knots[1:-1]
-        return self.first + bisect_right(inner, self.place())
+        return self.first + bisect_right(inner, self.table_position())
 
 
 class Fly(Action):
@@ -347,7 +358,7 @@ def start_cam(
     controller: Core,
     a: Axis,
     master: Axis,
-    places: Sequence[float],
+    positions: Sequence[float],
     values: Sequence[float],
     *,
     kind: str,
@@ -360,13 +371,13 @@ def start_cam(
 ) -> None:
     """Follow a table from segment `first` to `last`, starting at both axes' positions."""
     check_chain(a, master)
-    end = len(places) if last is None else last + 2
-    if not 0 <= first < end - 1 < len(places):
-        raise Rejected("range", f"the table has segments 0 to {len(places) - 2}, not {first} to {end - 2}")
+    end = len(positions) if last is None else last + 2
+    if not 0 <= first < end - 1 < len(positions):
+        raise Rejected("range", f"the table has segments 0 to {len(positions) - 2}, not {first} to {end - 2}")
     here = a.position(controller.clock.now)
-    used, wanted = places[first:end], values[first:end]
+    used, wanted = positions[first:end], values[first:end]
     try:
-        along = [place - used[0] for place in used]
+        along = [position - used[0] for position in used]
         reached = [(value - wanted[0]) * amplitude for value in wanted]
         curve = table_curve(along, reached, kind, cyclic)
     except ValueError as problem:

@@ -47,24 +47,6 @@ class Course:
     or after a course that it is blended with.
     """
 
-    __slots__ = (
-        "_controller",
-        "ahead",
-        "axes",
-        "began",
-        "begins",
-        "entered",
-        "goal",
-        "here",
-        "is_over",
-        "is_stopping",
-        "part",
-        "planned_at",
-        "profile",
-        "segment",
-        "starts",
-    )
-
     def __init__(self, controller: Core, here: PathMove, starts: Sequence[float]) -> None:
         self._controller, self.here, self.axes = controller, here, here.axes
         self.segment = here.lay(starts)
@@ -72,7 +54,7 @@ class Course:
         self.ahead: list[tuple[PathMove, Segment]] = []
         self.entered: list[PathMove] = [here]
         self.profile: Profile = hold(0.0)
-        self.part = self.profile
+        self.present = self.profile
         self.goal: PathMove | None = here
         self.began = self.planned_at = 0.0
         self.is_stopping = self.is_over = False
@@ -85,9 +67,9 @@ class Course:
         return self._controller.clock.now - self.began
 
     @property
-    def due(self) -> float:
-        """The end time of the present path if undisturbed; infinite in suspension."""
-        return self.began + self.part.duration
+    def end_time(self) -> float:
+        """The end time of the present path if nothing changes; infinite while suspended."""
+        return self.began + self.present.duration
 
     @property
     def speed(self) -> float:
@@ -134,36 +116,36 @@ class Course:
     def of(self, k: int) -> Profile:
         """Return the motion of axis index k on this path, from the time `began`."""
         end = self._at(k, self.segment.ends[k])
-        part = self.part
+        present = self.present
         if not self.segment.length:  # it takes no time, unless it is suspended
-            return hold(end).cut(part.duration)
-        made = travelled(part, self.segment.curves[k])
+            return hold(end).cut(present.duration)
+        made = travelled(present, self.segment.curves[k])
         if self.begins[k] != self.starts[k]:
             made = made.scaled(self._at(k, made.start), 1.0)
-        if self.segment.starts is not None and part.start == 0.0:
+        if self.segment.starts is not None and present.start == 0.0:
             made.start = self._at(k, self.segment.starts[k])
-        arrives = self.goal is not None or part.end >= self.segment.length * (1.0 - 1e-12)
-        if arrives and part.duration < INFINITY:
+        arrives = self.goal is not None or present.end >= self.segment.length * (1.0 - 1e-12)
+        if arrives and present.duration < INFINITY:
             made.end = end
         return made
 
     def positions_at_rest(self) -> list[float]:
         """Return the positions of its axes once it is at rest."""
-        place = self.profile.end
+        distance = self.profile.end
         for segment in (self.segment, *(each for _, each in self.ahead)):
-            if place <= segment.length * (1.0 + SLACK):
+            if distance <= segment.length * (1.0 + SLACK):
                 break
-            place -= segment.length
-        if not segment.length or place >= segment.length * (1.0 - 1e-12):
-            places = segment.ends
+            distance -= segment.length
+        if not segment.length or distance >= segment.length * (1.0 - 1e-12):
+            positions = segment.ends
         else:
-            places = [curve.position(place) for curve in segment.curves]
-        return [self._at(k, each) for k, each in enumerate(places)]
+            positions = [curve.position(distance) for curve in segment.curves]
+        return [self._at(k, each) for k, each in enumerate(positions)]
 
-    def _at(self, k: int, place: float) -> float:
+    def _at(self, k: int, position: float) -> float:
         """Convert a laid-out position of axis index k for the actual start of the course."""
         begin, start = self.begins[k], self.starts[k]
-        return place if begin == start else begin + (place - start)
+        return position if begin == start else begin + (position - start)
 
     # -------------------------------------------------------------------------------------------- execution
 
@@ -175,10 +157,10 @@ class Course:
     def follow(self, profile: Profile, goal: PathMove | None) -> None:
         """Adopt another profile, or the rest of the present one, from now on."""
         self.profile, self.goal, self.began = profile, goal, self._controller.clock.now
-        self.part = self.profile
+        self.present = self.profile
         if self.leads_on:
             time = profile.crossing(self.segment.length)
-            self.part = profile if time is None else profile.cut(time)
+            self.present = profile if time is None else profile.cut(time)
 
     def leave(self, whole: bool) -> None:
         """Leave the path; `whole` is true if its end has been reached."""
@@ -214,18 +196,18 @@ class Course:
         for segment in (self.segment, *(each for _, each in self.ahead)):
             segment.shift(k, by)
 
-    def begin_at(self, places: Sequence[float]) -> None:
+    def begin_at(self, positions: Sequence[float]) -> None:
         """Begin at `positions`, the changed end of the course before; adjust the log."""
-        if list(places) == self.begins:
+        if list(positions) == self.begins:
             return
-        self.begins = list(places)
-        for k, place in enumerate(places):
+        self.begins = list(positions)
+        for k, position in enumerate(positions):
             for path in self.entered:
                 move = path.moves[k]
                 if move.profile is not None:
-                    move.profile = move.profile.scaled(place, 1.0)
-                    place = move.profile.end
-        by = [place - start for place, start in zip(places, self.starts, strict=True)]
+                    move.profile = move.profile.scaled(position, 1.0)
+                    position = move.profile.end
+        by = [position - start for position, start in zip(positions, self.starts, strict=True)]
         for path in (*self.entered, *(path for path, _ in self.ahead)):
             path.displace(self._controller, by)
 
@@ -240,9 +222,9 @@ class Course:
             return
         before = self.ahead[-1] if self.ahead else (self.here, self.segment)
         entries = motions(self.axes[0])
-        while len(entries) > (place := len(self.ahead) + begins):
-            action = entries[place].action
-            if not _continues(action, self.axes, place):
+        while len(entries) > (index := len(self.ahead) + begins):
+            action = entries[index].action
+            if not _continues(action, self.axes, index):
                 return
             segment = action.lay(before[1].ends)  # type: ignore[union-attr]
             if not before[0].joins(before[1], action, segment):  # type: ignore[arg-type]
@@ -270,9 +252,9 @@ class Course:
         if not self.segment.length:
             return hold(0.0).cut(0.0), self.here
         stretches, goal = self._stretches(pace)
-        eased, place, speed, bent = onset(self.profile, time, pace.shape, pace.accel_jerk)
+        eased, distance, speed, acceleration = onset(self.profile, time, pace.shape, pace.accel_jerk)
         try:
-            profile = plan_course(stretches, place, max(speed, 0.0), bent)
+            profile = plan_course(stretches, distance, max(speed, 0.0), acceleration)
         except ValueError as problem:
             raise Rejected("range", f"axis {self.axes[0].index} cannot move: {problem}") from None
         if profile is None:
@@ -341,18 +323,20 @@ class Course:
         for k, (action, segment) in enumerate(paths[first:], first):
             pace = action.pace(self._controller, segment)
             limit = pace.decel if decel is None else INFINITY if beyond else action.max_decel(segment)
-            place, room, most = room, room + segment.length, min(most, limit)
+            distance, room, most = room, room + segment.length, min(most, limit)
             jerk = max(pace.decel_jerk, _least_jerk(self.profile.at(time)))
             rates = min(decel or most, most), pace.ramp, pace.accel_jerk, jerk
             try:
                 stop = stop_in_motion(self.profile, time, pace.shape, *rates)
             except ValueError as problem:
                 raise Rejected("range", f"axis {self.axes[0].index} cannot stop: {problem}") from None
-            if k > first and _speed_at(stop, place) > pace.speed * (1.0 + SLACK):
-                due = self.profile.crossing(place, time)
-                if due is not None and _speed_at(stop, place) > self.profile.velocity(due) * (1.0 + SLACK):
-                    later = self.braking(due, decel, beyond, k)
-                    return None if later is None else self.profile.cut(due).after(time).then(later)
+            if k > first and _speed_at(stop, distance) > pace.speed * (1.0 + SLACK):
+                time_at = self.profile.crossing(distance, time)
+                if time_at is not None and _speed_at(stop, distance) > self.profile.velocity(time_at) * (
+                    1.0 + SLACK
+                ):
+                    later = self.braking(time_at, decel, beyond, k)
+                    return None if later is None else self.profile.cut(time_at).after(time).then(later)
             if stop.extrema()[1] <= room:
                 return stop
         return None
@@ -368,12 +352,12 @@ def _least_jerk(state: State) -> float:
     return 0.5 * state.acceleration * state.acceleration / state.velocity
 
 
-def _speed_at(profile: Profile, place: float) -> float:
+def _speed_at(profile: Profile, distance: float) -> float:
     """Return a profile's speed at a position; 0 if it does not reach it."""
-    time = profile.crossing(place)
+    time = profile.crossing(distance)
     return 0.0 if time is None else profile.velocity(time)
 
 
-def _continues(action: object, axes: tuple[Axis, ...], place: int) -> bool:
+def _continues(action: object, axes: tuple[Axis, ...], index: int) -> bool:
     """True if a buffer entry is a released path of the same axes, next on all of them."""
-    return getattr(action, "axes", None) == axes and action.is_next_at(place)  # type: ignore[attr-defined]
+    return getattr(action, "axes", None) == axes and action.is_next_at(index)  # type: ignore[attr-defined]

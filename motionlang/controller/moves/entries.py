@@ -97,9 +97,9 @@ class CamEntry(Action):
 
 def curve_of(a: Axis, points: Points) -> Profile:
     """Return the curve through a table, which begins at 0."""
-    places, values = points
+    positions, values = points
     try:
-        curve = table_curve(places, [value - values[0] for value in values])
+        curve = table_curve(positions, [value - values[0] for value in values])
     except ValueError as problem:
         raise Rejected("range", f"axis {a.index} cannot follow the table: {problem}") from None
     if curve.duration < _MIN_CYCLE:
@@ -195,10 +195,10 @@ class PointsEntry(Action):
             following.action = PointsEntry(self.again, self.again)
             following.id, following.released = move.id, True
             a.buffer.insert(0, following)
-        played = Playback(on_path=True)
-        played.ordered = points
-        move.target, move.action = profile.end, played
-        controller.run_profile(a, move, played.waiting(controller, profile) if a.suspended else profile)
+        playback = Playback(on_path=True)
+        playback.ordered = points
+        move.target, move.action = profile.end, playback
+        controller.run_profile(a, move, playback.waiting(controller, profile) if a.suspended else profile)
 
 
 def through(a: Axis, points: Timed) -> Profile:

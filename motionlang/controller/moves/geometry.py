@@ -9,6 +9,7 @@ from math import acos, atan2, cos, degrees, hypot, inf, pi, radians, sin, sqrt
 
 from motionlang.planners.arc import arc_over, direction, line_over, rotated
 from motionlang.planners.total import total
+from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ class Segment:
     (1/radius) of the path. `starts` are the exact start positions of an arc whose end a language gives.
     """
 
-    __slots__ = ("curves", "ends", "entry", "leaving", "length", "starts", "turn")
+    __slots__ = ("curvature", "curves", "ends", "entry", "leaving", "length", "starts")
 
     def __init__(
         self,
@@ -36,10 +37,10 @@ class Segment:
         ends: Sequence[float],
         entry: Sequence[float],
         leaving: Sequence[float],
-        turn: float = 0.0,
+        curvature: float = 0.0,
     ) -> None:
         self.length, self.curves, self.ends = length, curves, ends
-        self.entry, self.leaving, self.turn = entry, leaving, turn
+        self.entry, self.leaving, self.curvature = entry, leaving, curvature
         self.starts: Sequence[float] | None = None
 
     @property
@@ -82,15 +83,16 @@ class Line:
 
     def lay(self, starts: Sequence[float], scales: Sequence[float]) -> Segment:
         """Return the segment from `starts`."""
-        way = [(end - start) / k for start, end, k in zip(starts, self.targets, scales, strict=True)]
-        length = hypot(*way) if self.length is None else self.length
+        deltas = [(end - start) / k for start, end, k in zip(starts, self.targets, scales, strict=True)]
+        length = hypot(*deltas) if self.length is None else self.length
         if length == 0.0:
             return Segment(0.0, (), self.targets, (), ())
         curves = [line_over(length, a, b) for a, b in zip(starts, self.targets, strict=True)]
-        tangent = [x / length for x in way]
+        tangent = [x / length for x in deltas]
         return Segment(length, curves, self.targets, tangent, tangent)
 
 
+@record
 class Arc:
     """An arc about `centre` (counts of two axes) by `angle` degrees.
 
@@ -99,19 +101,12 @@ class Arc:
     `arrives` is their end, if a language gives it.
     """
 
-    __slots__ = ("angle", "arrives", "centre", "length", "plane", "rest")
-
-    def __init__(
-        self,
-        centre: Sequence[float],
-        angle: float,
-        rest: Sequence[float] = (),
-        length: float | None = None,
-        plane: tuple[int, int] = (0, 1),
-        arrives: Sequence[float] | None = None,
-    ) -> None:
-        self.centre, self.angle, self.rest = centre, angle, rest
-        self.length, self.plane, self.arrives = length, plane, arrives
+    centre: Sequence[float]
+    angle: float
+    rest: Sequence[float] = ()
+    length: float | None = None
+    plane: tuple[int, int] = (0, 1)
+    arrives: Sequence[float] | None = None
 
     def moved(self, starts: Sequence[float]) -> Arc:
         """Return the geometry with its coordinates counted from `starts`."""
@@ -124,13 +119,13 @@ class Arc:
     def shift(self, k: int, by: float) -> None:
         """Add `by` counts to the positions of axis index k."""
         if k not in self.plane:
-            place = [i for i in range(len(self.rest) + 2) if i not in self.plane].index(k)
-            self.rest = [each + by if i == place else each for i, each in enumerate(self.rest)]
+            index = [i for i in range(len(self.rest) + 2) if i not in self.plane].index(k)
+            self.rest = [each + by if i == index else each for i, each in enumerate(self.rest)]
             return
-        ways = [by if each == k else 0.0 for each in self.plane]
-        self.centre = self.centre[0] + ways[0], self.centre[1] + ways[1]
+        shifts = [by if each == k else 0.0 for each in self.plane]
+        self.centre = self.centre[0] + shifts[0], self.centre[1] + shifts[1]
         if self.arrives is not None:
-            self.arrives = self.arrives[0] + ways[0], self.arrives[1] + ways[1]
+            self.arrives = self.arrives[0] + shifts[0], self.arrives[1] + shifts[1]
 
     def ends(self, starts: Sequence[float], scales: Sequence[float]) -> Sequence[float]:
         """Return the end positions, counts."""

@@ -124,23 +124,23 @@ class PathMove(Action):
         if not isinstance(self.geometry, Line) or move.base is None:
             return False
         move.base += shift
-        ways = zip(self.axes, self.geometry.targets, strict=True)
-        self.geometry = Line([way - shift if each is a else way for each, way in ways])
+        targets = zip(self.axes, self.geometry.targets, strict=True)
+        self.geometry = Line([target - shift if each is a else target for each, target in targets])
         return True
 
     def purge(self, a: Axis) -> list[Move]:
         """Remove the path from the buffers of its other axes once one has discarded it."""
-        gone = []
+        dropped = []
         for other, move in zip(self.axes, self.moves, strict=True):
             if move in other.buffer:
                 other.buffer.remove(move)
-                gone.append(move)
-        return gone
+                dropped.append(move)
+        return dropped
 
-    def is_next_at(self, place: int) -> bool:
+    def is_next_at(self, index: int) -> bool:
         """True if it is released and has `index` in every buffer, not counting outputs."""
         return all(
-            move.released and buffer.motions(a)[place : place + 1] == [move]
+            move.released and buffer.motions(a)[index : index + 1] == [move]
             for a, move in zip(self.axes, self.moves, strict=True)
         )
 
@@ -162,8 +162,8 @@ class PathMove(Action):
     def displace(self, controller: Core, by: Sequence[float]) -> None:
         """Displace the path because the one that it is blended with was cut short."""
         self.displaced = by
-        if controller.orders is not None:
-            controller.orders.displace(self)
+        if controller.expected_motion is not None:
+            controller.expected_motion.displace(self)
 
     def replan(self, controller: Core, a: Axis) -> None:
         if self.run is not None and (a is self.axes[0] or a.limited):
@@ -178,6 +178,9 @@ class PathMove(Action):
             return False
         self.run.stop(a, ended, hard)
         return True
+
+    def is_stopping(self, hard: bool) -> bool:
+        return self.run is not None and self.run.ended != "" and (self.run.hard or not hard)
 
     def together_with(self, a: Axis) -> tuple[Axis, ...]:
         return self.axes

@@ -80,20 +80,6 @@ class PathRun:
     `ended` is the cause of an early end; `hard` is true if a hard stop ended it.
     """
 
-    __slots__ = (
-        "_asked",
-        "_blend_event",
-        "_controller",
-        "_event",
-        "_is_late",
-        "_over",
-        "_wanted",
-        "axes",
-        "courses",
-        "ended",
-        "hard",
-    )
-
     def __init__(self, controller: Core, first: PathMove, starts: Sequence[float]) -> None:
         self._controller, self.axes = controller, first.axes
         self.courses = [Course(controller, first, starts)]
@@ -102,11 +88,12 @@ class PathRun:
         self._over = False
         self._event: Event | None = None
         self._blend_event: Event | None = None
-        # The remaining distance of the path when `blend` was given, if that has to wait. For the next blend:
-        # true if it comes later than at its distance, and the distance that the path allows, if it is less.
+        # The remaining distance of the path when `blend` was called, if the blend has to wait. For the next
+        # blend: true if it begins later than its distance requires, and the commanded distance if it will be
+        # shorter.
         self._wanted: float | None = None
         self._is_late = False
-        self._asked: float | None = None
+        self._commanded_blend: float | None = None
 
     # -------------------------------------------------------------------------------------------- commands
 
@@ -294,8 +281,8 @@ class PathRun:
         """Set the targets to the positions at rest, from which later moves count."""
         if self._over:
             return
-        for a, place in zip(self.axes, self.courses[-1].positions_at_rest(), strict=True):
-            a.target = place
+        for a, position in zip(self.axes, self.courses[-1].positions_at_rest(), strict=True):
+            a.target = position
 
     def _total(self, k: int, made: Profile) -> Profile:
         """Return the motion of axis index k.
@@ -317,8 +304,8 @@ class PathRun:
         """Schedule the next end of a course and the next blend."""
         if self._event is not None:
             self._event.cancel()
-        due = min(course.due for course in self._live)
-        self._event = self._controller.clock.at(due, self._reached) if due < INFINITY else None
+        end = min(course.end_time for course in self._live)
+        self._event = self._controller.clock.at(end, self._reached) if end < INFINITY else None
         self._plan_blend()
 
     def _reached(self) -> None:
@@ -328,9 +315,9 @@ class PathRun:
         """
         self._event = None
         now, newest = self._controller.clock.now, self.courses[-1]
-        due = [course for course in self._live if course.due <= now]
-        onward = newest in due and newest.leads_on
-        for course in due[: len(due) - onward]:
+        ended = [course for course in self._live if course.end_time <= now]
+        onward = newest in ended and newest.leads_on
+        for course in ended[: len(ended) - onward]:
             course.is_over = True
             course.leave(course.profile.end >= course.segment.length * (1.0 - SLACK))
         while len(self.courses) > 1 and self.courses[0].is_over:
@@ -344,8 +331,8 @@ class PathRun:
             return
         for a, move in zip(self.axes, self.present.here.moves, strict=True):
             a.move = move
-        if newest.is_over and self._asked is not None:
-            self._limited(self._asked, 0.0)
+        if newest.is_over and self._commanded_blend is not None:
+            self._limited(self._commanded_blend, 0.0)
         self._await()
 
     def _go_on(self, course: Course) -> None:
@@ -377,7 +364,7 @@ class PathRun:
             controller.start_waiting(a)
         for a in self.axes:
             if a.move is None:
-                controller.tell("idle", a.index)
+                controller.notify("idle", a.index)
 
     def _cancel(self) -> None:
         if self._event is not None:
@@ -403,15 +390,15 @@ class PathRun:
         wanted, most = master.blend_distance, MAX_SHARE * length
         if self._wanted is not None:
             wanted = most = self._wanted
-        place = max(length - min(wanted, most), profile.start)
-        is_passed = profile.position(elapsed) >= place
-        time = elapsed if is_passed else profile.crossing(place, elapsed)
+        begins_at = max(length - min(wanted, most), profile.start)
+        is_passed = profile.position(elapsed) >= begins_at
+        time = elapsed if is_passed else profile.crossing(begins_at, elapsed)
         if time is None:
             return
         due = max(newest.began + time, clock.now)
-        free = self.courses[0].due if len(self.courses) > 1 else due
+        free = self.courses[0].end_time if len(self.courses) > 1 else due
         self._is_late = free > due + SLACK or (self._is_late and is_passed)
-        self._asked = wanted if self._is_late or wanted > most * (1.0 + SLACK) else None
+        self._commanded_blend = wanted if self._is_late or wanted > most * (1.0 + SLACK) else None
         if max(due, free) < INFINITY:
             self._blend_event = clock.at(max(due, free), self._blend)
 
@@ -421,8 +408,8 @@ class PathRun:
         following = newest.following()
         if following is None or len(self.courses) > 1:
             return
-        if self._asked is not None:
-            self._limited(self._asked, newest.remaining)
+        if self._commanded_blend is not None:
+            self._limited(self._commanded_blend, newest.remaining)
         self._cancel_blend()
         self._wanted, self._is_late = None, False
         course = Course(controller, following, newest.segment.ends)
@@ -441,14 +428,14 @@ class PathRun:
         self._join()
         self._enter(course)
 
-    def _limited(self, asked: float, got: float) -> None:
+    def _limited(self, commanded: float, got: float) -> None:
         """Report a blend over `got` user units, less than `commanded`."""
-        if got < asked * (1.0 - SLACK):
+        if got < commanded * (1.0 - SLACK):
             line = self.courses[-1].here.moves[0].line
-            clamped_blend(self._controller, self.axes[0], line, asked, got)
+            clamped_blend(self._controller, self.axes[0], line, commanded, got)
 
     def _cancel_blend(self) -> None:
-        self._asked = None
+        self._commanded_blend = None
         if self._blend_event is not None:
             self._blend_event.cancel()
             self._blend_event = None

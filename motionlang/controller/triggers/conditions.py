@@ -168,7 +168,7 @@ def release(controller: Core, a: Axis) -> tuple[Axis, ...]:
     """
     freed = (a, *(each for each in controller.suspended_with.get(a.index, ()) if each is not a))
     for each in freed:
-        each.held &= ~BY_WORD
+        each.suspend_reasons &= ~BY_WORD
         controller.suspended_with.pop(each.index, None)
     return freed
 

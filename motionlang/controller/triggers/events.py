@@ -53,8 +53,8 @@ def raised(controller: Core, a: Axis, bit: int, action: str) -> None:
     kind, value, limit = KINDS.get(bit, "fault"), None, None
     if kind in ("limit", "soft limit"):
         value = a.scale.position_to_user(a.here(controller.clock.now))
-        places = [each.watch.position for each in a.limits if each.bit == bit and each.watch is not None]
-        limit = a.scale.position_to_user(places[0]) if places else None
+        positions = [each.watch.position for each in a.limits if each.bit == bit and each.watch is not None]
+        limit = a.scale.position_to_user(positions[0]) if positions else None
     elif a.feedback is not None and bit == FOLLOWING_ERROR:
         size = abs(a.scale.counts or 1.0)
         value, limit = abs(a.feedback.error) / size, a.feedback.error_limit / size
@@ -75,12 +75,15 @@ def jumped(controller: Core, a: Axis, ended: str) -> None:
         note(controller, "velocity jump", a, _speed(a, velocity), 0.0, f"{ended}, an infinite acceleration")
 
 
-def stopped(controller: Core, a: Axis, kind: str) -> None:
+def stopped(controller: Core, a: Axis, kind: str, hard: bool = False) -> None:
     """Log a stop by a keyword: "stop" decelerates, "cancel" is immediate.
 
     A stop that changes nothing, because the axis is stopping already, is no event.
     """
-    if a.move is not None:
+    if a.move is None:
+        return
+    action = a.move.action
+    if kind == "cancel" or a.buffer or action is None or not action.is_stopping(hard):
         note(controller, kind, a, _speed(a, a.velocity(controller.clock.now)))
 
 
@@ -89,19 +92,19 @@ def clamped(controller: Core, a: Axis, line: int, speed: float) -> None:
     _clamped(controller, a, "speed", line, _speed(a, speed), _speed(a, a.max_speed))
 
 
-def clamped_blend(controller: Core, a: Axis, line: int, asked: float, got: float) -> None:
+def clamped_blend(controller: Core, a: Axis, line: int, commanded: float, got: float) -> None:
     """Log, once, a path of master `a` blended over `got` instead of `commanded`.
 
     Both are user units.
     """
-    _clamped(controller, a, "blend distance", line, asked, got)
+    _clamped(controller, a, "blend distance", line, commanded, got)
 
 
-def _clamped(controller: Core, a: Axis, what: str, line: int, asked: float, got: float) -> None:
-    about = line, asked, got
+def _clamped(controller: Core, a: Axis, what: str, line: int, commanded: float, got: float) -> None:
+    about = line, commanded, got
     if controller.log.clamped.get((a.index, what)) != about:
         controller.log.clamped[a.index, what] = about
-        controller.log.note(controller.clock.now, "clamp", a.index, asked, got, line, what)
+        controller.log.note(controller.clock.now, "clamp", a.index, commanded, got, line, what)
 
 
 def _speed(a: Axis, speed: float) -> float:

@@ -17,7 +17,7 @@ from motionlang.controller.faults import (
     SOFT_LIMIT_REVERSE,
     Rejected,
 )
-from motionlang.controller.triggers.watch import place
+from motionlang.controller.triggers.watch import watched_position
 from motionlang.planners import plan
 
 TYPE_CHECKING = False
@@ -36,7 +36,7 @@ HOME, LIMIT, INDEX = "home", "limit", "index"
 STATES = ("done", "search", "on-switch", "back-off", "index", "stopping", "offset")
 
 # The endless motion of an axis that has nothing ahead of it.
-_IN_VAIN = {
+_ENDLESS = {
     "search": "homes away from its {0} and never reaches it",
     "back-off": "backs off its {0} and never leaves it",
     "index": "homes and never reaches an index mark",
@@ -52,28 +52,6 @@ class Homing:
     then; `line` is the program line that began the homing. `provided` is true if the machine has the switch or mark
     that the homing searches for. `ended` is called at the end, whatever its cause.
     """
-
-    __slots__ = (
-        "_command",
-        "_controller",
-        "_creep_speed",
-        "_datum",
-        "_direction",
-        "_ended",
-        "_index",
-        "_move",
-        "_offset",
-        "_switch",
-        "_watch",
-        "axis",
-        "back_off_speed",
-        "before",
-        "found",
-        "line",
-        "provided",
-        "speed",
-        "state",
-    )
 
     def __init__(
         self,
@@ -105,7 +83,7 @@ class Homing:
         self.state = "done"
         # Called first when the axis comes to rest, so that no other subscriber sees it at rest in between.
         controller.homings[axis] = self
-        controller.listeners.put_first(self._heard)
+        controller.listeners.put_first(self._on_change)
         self._allow_limit(False)
         try:
             if switch == INDEX:
@@ -123,7 +101,7 @@ class Homing:
     def cancel(self) -> None:
         """End the homing, complete or not; the cause of its end then controls the axis."""
         self.state = "done"
-        if self._heard not in self._controller.listeners:
+        if self._on_change not in self._controller.listeners:
             return
         self._release()
         if self._ended is not None:
@@ -131,29 +109,31 @@ class Homing:
 
     def _release(self) -> None:
         """Return the control of the axis and of its limits."""
-        self._controller.listeners.remove(self._heard)
+        self._controller.listeners.remove(self._on_change)
         self._controller.homings.pop(self.axis, None)
         self._allow_limit(True)
         self._unwatch()
 
     @property
-    def in_vain(self) -> str:
-        """The reason for endless motion; "" if something lies ahead, or it will stop."""
+    def endless_motion(self) -> str:
+        """The reason why the motion never ends; "" if it will reach a watch or stop."""
         a = self._axis
         velocity = a.profiles[-1].end_velocity
-        if self.state not in _IN_VAIN or not velocity:
+        if self.state not in _ENDLESS or not velocity:
             return ""
         here = self._controller.position(self.axis)
         deaf = {limit.watch for limit in a.limits if not limit.enabled and limit.bit in _SOFT}
         ahead = any(
-            0.0 < (place(a, watch) - here) * velocity < math.inf for watch in a.watches if watch not in deaf
+            0.0 < (watched_position(a, watch) - here) * velocity < math.inf
+            for watch in a.watches
+            if watch not in deaf
         )
         if ahead:
             return ""
         what = "limit switch" if self._switch == LIMIT else "switch"
         if not self.provided and self.state == "search":
             return f"axis {self.axis} homes towards a {what} that does not exist"
-        return f"axis {self.axis} {_IN_VAIN[self.state].format(what)}"
+        return f"axis {self.axis} {_ENDLESS[self.state].format(what)}"
 
     def _unwatch(self) -> None:
         if self._watch is not None:
@@ -219,11 +199,11 @@ class Homing:
 
     def _allow_limit(self, allowed: bool) -> None:
         """Enable or disable the software limits, and a limit switch used for homing."""
-        looked_for = self._limits() if self._switch == LIMIT else []
-        for limit in [*looked_for, *(each for each in self._axis.limits if each.bit in _SOFT)]:
+        searched = self._limits() if self._switch == LIMIT else []
+        for limit in [*searched, *(each for each in self._axis.limits if each.bit in _SOFT)]:
             limit.enabled = allowed
 
-    def _heard(self, what: str, axis: int) -> None:
+    def _on_change(self, what: str, axis: int) -> None:
         if axis != self.axis:
             return
         if what == "fault" or (self._axis.move is not self._move and self._axis.move is not None):

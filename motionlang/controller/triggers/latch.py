@@ -27,22 +27,6 @@ class Latch:
     resets it.
     """
 
-    __slots__ = (
-        "_channel",
-        "_controller",
-        "_edge",
-        "_marks",
-        "_track",
-        "automatic",
-        "enabled",
-        "fired",
-        "inhibit_distance",
-        "inhibit_time",
-        "number",
-        "time",
-        "value",
-    )
-
     def __init__(self, controller: Controller, number: int) -> None:
         self._controller, self.number = controller, number
         self._track: Axis | None = None
@@ -91,7 +75,7 @@ class Latch:
         self.value, self.time, self.fired = here, now, True
         if not self.automatic:
             self.enabled = False
-        self._controller.tell("latch", self.number)
+        self._controller.notify("latch", self.number)
 
     def _changed(self, channel: int, value: float) -> None:
         if channel == self._channel and self._edge in (BOTH, RISING if value else FALLING):
@@ -101,17 +85,15 @@ class Latch:
 class IndexMarks:
     """Watches of the index marks next to the axis, which move with it."""
 
-    __slots__ = ("_controller", "_latch", "_watches", "axis")
-
     def __init__(self, controller: Controller, axis: int, latch: Latch) -> None:
         self._controller, self.axis, self._latch = controller, axis, latch
         self._watches: dict[float, Watch] = {}
-        controller.listeners.append(self._heard, "scale")
-        self._place()
+        controller.listeners.append(self._on_change, "scale")
+        self._set_region()
 
     def remove(self) -> None:
         """Stop watching."""
-        self._controller.listeners.remove(self._heard)
+        self._controller.listeners.remove(self._on_change)
         self._clear()
 
     def _clear(self) -> None:
@@ -119,7 +101,7 @@ class IndexMarks:
             self._controller.unwatch(self.axis, watch)
         self._watches.clear()
 
-    def _place(self) -> None:
+    def _set_region(self) -> None:
         marks = [next_index(self._controller, self.axis, direction) for direction in (-1, 1)]
         self._window([mark for mark in marks if abs(mark) < inf])
 
@@ -140,16 +122,14 @@ class IndexMarks:
 
         return passed
 
-    def _heard(self, what: str, axis: int) -> None:
+    def _on_change(self, what: str, axis: int) -> None:
         if what == "scale" and axis == self.axis:
             self._clear()
-            self._place()
+            self._set_region()
 
 
 class Compare:
     """A digital output that is on between two positions, switched at the exact times."""
-
-    __slots__ = ("_cells", "_controller", "_inside", "axis", "enabled", "high", "low", "output")
 
     def __init__(self, controller: Controller, axis: int, output: int, low: float, high: float) -> None:
         self._controller, self.axis, self.output = controller, axis, output

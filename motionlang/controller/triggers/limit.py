@@ -44,7 +44,7 @@ class Limit(Condition):
         """True if the axis is at the limit or beyond it."""
         return self.watch is not None and self.watch.side in (self.sign, 0)
 
-    def place(self, position: float | None) -> None:
+    def set_position(self, position: float | None) -> None:
         """Set the position of the limit; None removes it."""
         controller = self.controller
         if self.watch is not None:
@@ -59,8 +59,8 @@ class Limit(Condition):
         changed, self._switch = self._switch is not active, active
         self.check()
         if changed:
-            self.controller.tell("limit", self.axis)
+            self.controller.notify("limit", self.axis)
 
     def _pass(self, direction: int) -> None:
         self.check(direction)
-        self.controller.tell("limit", self.axis)
+        self.controller.notify("limit", self.axis)

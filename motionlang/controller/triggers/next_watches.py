@@ -7,8 +7,9 @@ ones after the near ones, and each has its order number from the start of the pr
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from math import inf
 
-from motionlang.controller.triggers.watch import arm, place, side_of, solve_reserved, take_side
+from motionlang.controller.triggers.watch import arm, side_of, solve_reserved, take_side, watched_position
 from motionlang.planners import Profile
 
 TYPE_CHECKING = False
@@ -18,13 +19,13 @@ if TYPE_CHECKING:
     from motionlang.controller.triggers.watch import Watch
     from motionlang.controller.watches import Key
 
-# Shapes that run through every position between two. Others (tables, points, sums) may jump, so all watches
-# are solved on them.
+# Shapes without jumps of the position. Others (tables, points, sums) may jump, so all watches are solved on
+# them.
 _UNBROKEN = {"trapezoid", "sinusoidal", "scurve", "parabolic", "jog", "hold", "reference"}
 # Counts and seconds, far above rounding, within which two watches may be passed in either order.
 _NEAR, _SOON = 1e-3, 1e-9
 _RELATIVE = 1e-9
-# Up to this many watches are solved sooner than the next of them are found.
+# Solving all of up to this many watches is faster than finding the next ones.
 _MAX_SOLVED = 6
 
 
@@ -47,7 +48,7 @@ class NextWatches:
         self._over = False
         # The last one checked, or the next one the other way; the first one to check follows it.
         before = begin - direction
-        self._last = keys[before][:2] if 0 <= before < len(keys) else (-direction * float("inf"), -direction)
+        self._last = keys[before][:2] if 0 <= before < len(keys) else (-direction * inf, -direction)
 
     def leave(self, watch: Watch) -> None:
         """Remove a watch that is passed, ended or solved elsewhere; the next ones move up."""
@@ -114,10 +115,10 @@ def free_interval(axis: Axis, here: float) -> tuple[float, float]:
 
     It is empty if a limit has to be checked.
     """
-    low, high = -float("inf"), float("inf")
+    low, high = -inf, inf
     if all(limit.is_quiet for limit in axis.limits):
         for watch in axis.watches:
-            at = place(axis, watch)
+            at = watched_position(axis, watch)
             gap = _NEAR + _RELATIVE * (abs(at) + abs(axis.datum))
             if at < here:
                 low = max(low, at + gap)
@@ -158,22 +159,22 @@ def follow(axis: Axis, clock: Clock) -> None:
         at, before = here - offset, watches.seen[k]
         watches.seen[k] = at
         reach = band + 1e-10 * abs(before)
-        low, high = bisect_left(keys, (at - band,)), bisect_right(keys, (at + band, float("inf")))
+        low, high = bisect_left(keys, (at - band,)), bisect_right(keys, (at + band, inf))
         first = bisect_left(keys, (min(at, before) - reach,))
-        last = bisect_right(keys, (max(at, before) + reach, float("inf")))
+        last = bisect_right(keys, (max(at, before) + reach, inf))
         for _, _, watch in keys[first:last]:
             if watch not in loose:
                 take_side(axis, watch, here)
         spans.append((keys, offset, low, high))
     if profile.shape == "hold":
         return
-    base = clock.keep(watches.count)
+    base = clock.reserve(watches.count)
     whole = type(profile) is not Profile or profile.shape not in _UNBROKEN
     waits = False
     for keys, offset, low, high in spans:
         for _, _, watch in keys if whole else keys[low:high]:
             watches.loose[watch] = None
-            at = place(axis, watch)
+            at = watched_position(axis, watch)
             solve_reserved(axis, watch, clock, start, profile, at, side_of(here - at, at), base + watch.order)
             waits = waits or watch.event is not None
         if not whole:

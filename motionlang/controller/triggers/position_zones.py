@@ -29,9 +29,6 @@ class Cells:
     position further on, or to a velocity.
     """
 
-    __slots__ = ("_controller", "_follow", "_source", "_track", "_watches", "change", "edges", "index", "period",
-                 "physical")  # fmt: skip
-
     def __init__(
         self,
         controller: Core,
@@ -63,8 +60,8 @@ class Cells:
     def edge(self, k: int) -> float | None:
         """Return the position of edge k; None if there is none."""
         if self.period:
-            turn, place = divmod(k, len(self.edges))
-            return self.edges[place] + turn * self.period
+            periods, index = divmod(k, len(self.edges))
+            return self.edges[index] + periods * self.period
         return self.edges[k] if 0 <= k < len(self.edges) else None
 
     # ------------------------------------------------------------------------------------------------- inside
@@ -87,8 +84,8 @@ class Cells:
     def _here(self) -> float:
         track = self._track
         now = self._controller.clock.now
-        place = track.position(now) if track.feedback is None else track.feedback.position
-        return place - track.datum if self.physical else place
+        position = track.position(now) if track.feedback is None else track.feedback.position
+        return position - track.datum if self.physical else position
 
     def _count(self) -> int:
         """Return the number of edges below or at the track's position."""
@@ -96,8 +93,8 @@ class Cells:
         here += margin(here)
         if not self.period:
             return bisect_right(self.edges, here)
-        turn = floor((here - self.edges[0]) / self.period)
-        return turn * len(self.edges) + bisect_right(self.edges, here - turn * self.period)
+        periods = floor((here - self.edges[0]) / self.period)
+        return periods * len(self.edges) + bisect_right(self.edges, here - periods * self.period)
 
     def _window(self) -> None:
         """Watch only the edges next to the track; present watches of them remain."""

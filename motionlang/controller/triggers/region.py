@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.controller import Controller
     from motionlang.controller.triggers.watch import Watch
-
-INFINITY = float("inf")
 
 
 class Region:
@@ -18,8 +18,6 @@ class Region:
     Either end may be infinite. The region stays at its position on the machine when the program gives the axis a new
     zero.
     """
-
-    __slots__ = ("_controller", "_watches", "axis", "change", "high", "inside", "low")
 
     def __init__(
         self,

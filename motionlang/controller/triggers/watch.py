@@ -49,10 +49,10 @@ def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
     if axis.feedback is not None:
         axis.feedback.arm(watch)
         return
-    due = watch.event
-    if due is not None and due.call is not None and due.time <= now:
-        pass_now = due.call
-        due.cancel()
+    pending = watch.event
+    if pending is not None and pending.call is not None and pending.time <= now:
+        pass_now = pending.call
+        pending.cancel()
         pass_now()
         if watch not in axis.watches.all:  # it has ended in its own call
             return
@@ -68,7 +68,7 @@ def take_side(axis: Axis, watch: Watch, here: float) -> int:
 
     If the axis is at the position, the side stays and the result is 0.
     """
-    position = place(axis, watch)
+    position = watched_position(axis, watch)
     side = side_of(here - position, position)
     if side:
         watch.side = side
@@ -96,7 +96,7 @@ def _solve(axis: Axis, watch: Watch, clock: Clock, now: float, side: int) -> Non
     start, profile = axis.starts[-1], axis.profiles[-1]
     if profile.shape == "hold":
         return
-    found, after = _next(profile, place(axis, watch), now - start, side)
+    found, after = _next(profile, watched_position(axis, watch), now - start, side)
     if found is not None:
         watch.event = clock.at(start + found, lambda: _changed(axis, watch, clock, after, reached=side != 0))
 
@@ -135,13 +135,13 @@ def _changed(axis: Axis, watch: Watch, clock: Clock, side: int, reached: bool) -
         watch.front.leave(watch)
     before, watch.side = watch.side, side
     if reached:
-        axis.cross(clock.now, place(axis, watch))
+        axis.cross(clock.now, watched_position(axis, watch))
     _solve(axis, watch, clock, clock.now, 0 if reached else side)
     if before and before != side:
         watch.call(side)
 
 
-def place(axis: Axis, watch: Watch) -> float:
+def watched_position(axis: Axis, watch: Watch) -> float:
     """Return the present position of a watch, counts of the program."""
     return watch.position + axis.datum if watch.physical else watch.position
 

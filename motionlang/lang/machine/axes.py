@@ -25,9 +25,9 @@ def missing_axes(settings: Mapping[str, object], axes: int, first: int) -> list[
 def _named(settings: Mapping[str, object]) -> Iterator[tuple[str, int]]:
     """Yield the axes that the settings name, each with its key or table."""
     for key, value in settings.items():
-        parts = key.split(".")
-        if parts[0] == "axis" and len(parts) > 2:
-            yield f"axis.{parts[1]}", int(parts[1])
+        components = key.split(".")
+        if components[0] == "axis" and len(components) > 2:
+            yield f"axis.{components[1]}", int(components[1])
         elif isinstance(value, list):
             for entry in value:
                 if isinstance(entry, dict) and isinstance(entry.get("axis"), int):

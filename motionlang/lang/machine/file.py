@@ -5,7 +5,7 @@ An unknown key, or a value of the wrong kind, is a diagnostic with its line.
 
 from __future__ import annotations
 
-from motionlang.errors import Diagnostic, ProgramError, nearest, renamed, shown
+from motionlang.errors import Diagnostic, ProgramError, as_hint, nearest, renamed, shown
 from motionlang.lang.dialect import dialect, unknown_model
 from motionlang.lang.machine.keys import (
     BUS_EVENTS,
@@ -47,8 +47,8 @@ _MAX_COMPONENTS = 1000
 # No valid machine file has more brackets open at once.
 _MAX_OPEN = 100
 _QUOTED = r'''"""[\s\S]*?"""|\'\'\'[\s\S]*?\'\'\'|"(?:\\.|[^"\\\n])*"|'[^'\n]*'|#[^\n]*'''
-_PART = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
-_LONG_KEY = rf"(?<![\w-]){_PART}(?:[ \t]*\.[ \t]*{_PART}){{{_MAX_COMPONENTS}}}"
+_COMPONENT = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
+_LONG_KEY = rf"(?<![\w-]){_COMPONENT}(?:[ \t]*\.[ \t]*{_COMPONENT}){{{_MAX_COMPONENTS}}}"
 
 
 def read_machine(source: Source, *, is_layer: bool = False) -> dict[str, object]:
@@ -69,8 +69,8 @@ def read_machine(source: Source, *, is_layer: bool = False) -> dict[str, object]
     if any(".plant." in key or ".servo." in key for key in settings):
         from motionlang.servo.settings import mistakes as servo_mistakes
 
-        for place, message, hint in servo_mistakes(settings):
-            mistakes.append(_located(source, f"{place}.", message, hint, f"[{place}]"))
+        for section, message, hint in servo_mistakes(settings):
+            mistakes.append(_located(source, f"{section}.", message, hint, f"[{section}]"))
     if mistakes:
         raise ProgramError(mistakes)
     return settings
@@ -120,6 +120,15 @@ def current_key(key: str) -> str:
     return key
 
 
+def _keys_below(key: str) -> str:
+    """Return a hint for an unknown key: some keys of its section, or the sections."""
+    section = key.partition(".")[0]
+    below = [each for each in KEYS if each.startswith(f"{section}.")]
+    begins = ", ".join(below[:3] or dict.fromkeys(each.partition(".")[0] for each in KEYS))
+    known = f"a key of {section} is {begins} …" if below else f"a key begins with {begins}"
+    return f"{known}; docs/machine-file.md lists all"
+
+
 def check_setting(key: str, value: object) -> tuple[str, str] | None:
     """Return the problem of one plain setting and a hint, or None if it is valid."""
     row = KEYS.get(generic(key))
@@ -131,7 +140,7 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
         from motionlang.servo.settings import KEYS as SERVO_KEYS
 
         near = nearest(generic(key), (*KEYS, *TABLES, *SERVO_KEYS))
-        words = f"did you mean {near}?" if near else f"the keys are {', '.join((*KEYS, *TABLES))}"
+        words = f"did you mean {near}?" if near else _keys_below(key)
         return f"there is no key {key}", words
     if key.startswith(ASSUMPTIONS):
         return reading_problem(key, value)
@@ -144,7 +153,7 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
         return unknown_model(str(value))
     if problem is None and key.startswith(OF_DIALECTS):
         return dialect(key.partition(".")[0]).setting_problem(key, value)
-    return None if problem is None else (f"{key} {problem}, not {shown(value)}", row[1])
+    return None if problem is None else (f"{key} {problem}, not {shown(value)}", as_hint(row[1]))
 
 
 def first_mistake(settings: Mapping[str, object]) -> str:
@@ -186,13 +195,13 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
             continue
         problem = _kind_problem(rows[name][0], value)
         if problem is not None:
-            yield f"{name} of [[{table}]] {problem}, not {shown(value)}", rows[name][1], name
+            yield f"{name} of [[{table}]] {problem}, not {shown(value)}", as_hint(rows[name][1]), name
     for name in REQUIRED[table]:
         if name not in entry:
-            yield f"[[{table}]] needs {name}", rows[name][1], f"[[{table}]]"
+            yield f"[[{table}]] needs {name}", as_hint(rows[name][1]), f"[[{table}]]"
     yield from _when_problems(table, entry)
     if table == "fault" and "axis" not in entry and entry.get("kind") != "controller":
-        yield "[[fault]] needs axis", rows["axis"][1], "[[fault]]"
+        yield "[[fault]] needs axis", as_hint(rows["axis"][1]), "[[fault]]"
     if table == "input" and ("every" in entry or "times" in entry):
         yield from _again_problems(entry)
     if table == "remote":
@@ -214,11 +223,11 @@ def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[st
     """Check that an entry has one trigger: a time, a position, a line or an output."""
     where = [name for name in ("above", "below", "between", "line", "output") if name in entry]
     if len(where) > 1 or (where and "at" in entry):
-        ways = (
+        triggers = (
             "line, or one of above, below" if table == "fault" else "output, or one of above, below, between"
         )
         what = "occurs" if table == "fault" else "is active"
-        yield f"[[{table}]] {what} by one trigger only", f"give at, {ways}", where[0]
+        yield f"[[{table}]] {what} by one trigger only", f"give at, {triggers}", where[0]
     if where and where[0] not in ("line", "output") and table != "fault" and "axis" not in entry:
         yield f"[[{table}]] needs an axis", "add axis = N", where[0]
     if "axis" in entry and table in ("input", "analogue") and where in ([], ["output"]):
@@ -235,7 +244,9 @@ def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str
     if between is not None and "times" not in entry:
         yield "[[input]] with between needs times", "times = 50 is how many there are", "every"
         return
-    if between is None and (length is None or any(way in entry for way in ("above", "below", "output"))):
+    if between is None and (
+        length is None or any(trigger in entry for trigger in ("above", "below", "output"))
+    ):
         words = "give for (a duration) or between (two positions of an axis)"
         yield "[[input]] needs a duration to repeat", words, "every"
         return
@@ -365,16 +376,16 @@ def generic(key: str) -> str:
 
     For example, `axis.3.travel` is `axis.N.travel`.
     """
-    parts = key.split(".")
-    if parts[0] == "axis" and len(parts) > 2 and _is_number(parts[1]):
-        parts[1] = "N"
-    if parts[:2] == ["mint", "values"] and len(parts) > 2:
-        parts[2:] = ["KEYWORD"]
-    if parts[:2] == ["mccl", "codes"] and len(parts) > 2:
-        parts[2:] = ["COMMAND"]
-    if parts[0] == "assumptions" and len(parts) > 1:
-        parts[1:] = ["NAME"]
-    return ".".join(parts)
+    components = key.split(".")
+    if components[0] == "axis" and len(components) > 2 and _is_number(components[1]):
+        components[1] = "N"
+    if components[:2] == ["mint", "values"] and len(components) > 2:
+        components[2:] = ["KEYWORD"]
+    if components[:2] == ["mccl", "codes"] and len(components) > 2:
+        components[2:] = ["COMMAND"]
+    if components[0] == "assumptions" and len(components) > 1:
+        components[1:] = ["NAME"]
+    return ".".join(components)
 
 
 def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str, object]]:
@@ -394,7 +405,7 @@ def _located(source: Source, key: str, message: str, hint: str, name: str, entry
     the section.
     """
     here, seen = "", -1
-    place = 0, 0, 1
+    location = 0, 0, 1
     inside = f"{key.removesuffix('.')}."
     for number, line in enumerate(source.text.split("\n"), 1):
         text = line.strip()
@@ -404,7 +415,7 @@ def _located(source: Source, key: str, message: str, hint: str, name: str, entry
             here = header.strip("[]").replace('"', "").replace("'", "")
             seen += header == f"[[{key}]]"
             if (header == f"[[{key}]]" and seen == entry) or (header == name and seen < 0):
-                place = number, column, len(text.partition("#")[0].strip())
+                location = number, column, len(text.partition("#")[0].strip())
             continue
         if "=" not in text or text.startswith("#"):
             continue
@@ -413,9 +424,9 @@ def _located(source: Source, key: str, message: str, hint: str, name: str, entry
         within = "{" in text and key.startswith(f"{full}.")  # a table in one line
         if full == key or within or (here == key and word == name and seen == entry):
             return Diagnostic("machine-file", message, number, column, length=len(word), hint=hint)
-        if full.startswith(inside) and not place[0]:
-            place = number, column, len(word)
-    return Diagnostic("machine-file", message, *place[:2], length=place[2], hint=hint)
+        if full.startswith(inside) and not location[0]:
+            location = number, column, len(word)
+    return Diagnostic("machine-file", message, *location[:2], length=location[2], hint=hint)
 
 
 def _refuse_long_keys(source: Source) -> None:
@@ -423,18 +434,18 @@ def _refuse_long_keys(source: Source) -> None:
 
     found = re.search(_LONG_KEY, source.text)
     if found is not None:
-        place, hint = source.place(found.start()), f"no key has more than {_MAX_DEPTH + 1}"
-        raise ProgramError([Diagnostic("machine-file", "a key has too many parts", *place, hint=hint)])
+        location, hint = source.location(found.start()), f"no key has more than {_MAX_DEPTH + 1}"
+        raise ProgramError([Diagnostic("machine-file", "a key has too many parts", *location, hint=hint)])
 
 
 def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
     import re
 
     text = str(error)
-    place = re.search(r"\(at line (\d+), column (\d+)\)", text)
-    line, column = (int(place[1]), int(place[2])) if place else source.place(len(source.text.rstrip()))
+    found = re.search(r"\(at line (\d+), column (\d+)\)", text)
+    line, column = (int(found[1]), int(found[2])) if found else source.location(len(source.text.rstrip()))
     return Diagnostic(
-        "machine-file", text.split(" (at ")[0], line, column, hint="the machine file must be TOML"
+        "machine-file", as_hint(text.split(" (at ")[0]), line, column, hint="the machine file must be TOML"
     )
 
 
@@ -443,7 +454,7 @@ def _too_many_digits(source: Source) -> Diagnostic:
     import re
 
     digits = re.search("[0-9_]{1000,}", source.text)
-    line, column = source.place(digits.start()) if digits else (0, 0)
+    line, column = source.location(digits.start()) if digits else (0, 0)
     return Diagnostic("machine-file", "a number has too many digits", line, column, hint="1e6 is a million")
 
 
@@ -455,19 +466,19 @@ def _refuse_nesting(source: Source) -> None:
     import re
 
     plain = re.sub(_QUOTED, lambda found: " " * len(found[0]), source.text)
-    most, place = _deepest(plain)
+    most, deepest = _deepest(plain)
     if most > _MAX_OPEN:
         hint = "the values of a machine file are at most lists of numbers"
         raise ProgramError(
-            [Diagnostic("machine-file", "values are nested too deeply", *source.place(place), hint=hint)]
+            [Diagnostic("machine-file", "values are nested too deeply", *source.location(deepest), hint=hint)]
         )
 
 
 def _deepest(text: str) -> tuple[int, int]:
     """Return the largest number of open brackets and the offset at which it occurs."""
-    open_now, most, place = 0, 0, 0
+    open_now, most, deepest = 0, 0, 0
     for offset, letter in enumerate(text):
         open_now += (letter in "[{") - (letter in "]}")
         if open_now > most:
-            most, place = open_now, offset
-    return most, place
+            most, deepest = open_now, offset
+    return most, deepest

@@ -93,7 +93,7 @@ OLD_SECTIONS = {"readings.": "assumptions.", "mint.readings.": "mint.values."}
 OF_DIALECTS = ("mint.values.",)
 # Tables of events: table -> key -> (kind, help).
 _WHEN = {
-    "at": ("time", "When this happens, in seconds of machine time."),
+    "at": ("time", "Time of the event, in seconds of machine time."),
     "axis": ("channel", "The axis whose position triggers the entry."),
     "above": ("number", "Active from this position upwards, in user units."),
     "below": ("number", "Active from this position downwards, in user units."),
@@ -114,11 +114,11 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "channel": ("channel", "The digital input."),
         "name": ("text", "A name for the input, for `run --input NAME=1@0.5`."),
         "value": ("number", "The value while active. Default 1."),
-        "for": ("positive", "How long this lasts, in seconds. Default: forever."),
+        "for": ("positive", "Duration in seconds. Default: forever."),
         "every": ("positive", "The period of repetition: seconds, or with between user units."),
         "times": (
             "times",
-            "How many times it happens in total, 1 to 10000. Default: until the end of the run; "
+            "Number of times that it happens in total, 1 to 10000. Default: until the end of the run; "
             "with between it is required.",
         ),
         "output": ("channel", "The digital output whose level the input follows."),
@@ -135,7 +135,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
             "With an axis: the rise per user unit, counted from above, below or the first position of between; "
             "sampled at 1 kHz.",
         ),
-        "for": ("positive", "How long this lasts, in seconds. Default: forever."),
+        "for": ("positive", "Duration in seconds. Default: forever."),
         **_WHEN,
         "guess": _GUESS,
     },
@@ -154,7 +154,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
             "The value: a level (default 1), a percentage, counts, or the code of the emergency.",
         ),
         "at": _WHEN["at"],
-        "for": ("positive", "How long an input keeps the value, in seconds. Default: forever."),
+        "for": ("positive", "Time that an input keeps the value, in seconds. Default: forever."),
     },
     "bus": {
         "bus": ("bus", "The bus. Default 1."),
@@ -176,8 +176,8 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "first": ("register", "Its first register. Default 0."),
         "last": ("register", "Its last register; any beyond it are rejected. Default 65535."),
         "registers": ("registers", "The initial values of registers. Default 0."),
-        "at": ("time", "When the server begins to answer, in seconds. Default 0."),
-        "for": ("positive", "How long the server answers, in seconds. Default: forever."),
+        "at": ("time", "Time at which the server begins to answer, in seconds. Default 0."),
+        "for": ("positive", "Time that the server answers, in seconds. Default: forever."),
     },
     "modbus.register": {
         "server": ("channel", "The server."),
@@ -193,7 +193,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "coil": ("register", "The coil of the controller that a Modbus client writes."),
         "value": ("number", "The value. Default 1."),
         "at": _WHEN["at"],
-        "for": ("positive", "How long this lasts, in seconds. Default: forever."),
+        "for": ("positive", "Duration in seconds. Default: forever."),
     },
     "fault": {
         "axis": ("channel", "The axis with the fault; none for controller."),
@@ -211,7 +211,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
     "key": {
         "at": _WHEN["at"],
         "text": ("text", "The keys that the operator presses, for INKEY."),
-        "for": ("positive", "How long the last key is held, in seconds, for READKEY. Default 0.1."),
+        "for": ("positive", "Time that the last key is held, in seconds, for READKEY. Default 0.1."),
         "terminal": _TERMINAL,
         "guess": _GUESS,
     },
@@ -270,7 +270,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "at": ("time", "Instead: the position of the axis at this time, in seconds."),
         "time": ("time", "The time at which the run ends, in seconds."),
         "within": ("positive", "The tolerance of the position or the time. Default 1e-6."),
-        "status": ("outcome", "How the run ends: ended, until or fault."),
+        "status": ("outcome", "Status at the end of the run: ended, until or fault."),
         "diagnostic": ("text", "The code of an error that the run ends with, such as never."),
     },
 }

@@ -6,7 +6,7 @@ The machine file describes the world.
 from __future__ import annotations
 
 from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
-from motionlang.controller.clock import Clock
+from motionlang.controller.clock import Clock, WatchedClock
 from motionlang.lang.machine.terminal import Terminal, labelled
 from motionlang.lang.statement_time import StatementTime
 from motionlang.log.log import Log
@@ -49,7 +49,7 @@ class Machine:
         "_host",
         "_operators",
         "_power_up",
-        "_told",
+        "_reported",
         "_world",
         "accelerators",
         "ask",
@@ -83,12 +83,13 @@ class Machine:
         show: Callable[[str], object] | None = None,
         overrides: Mapping[str, float | str] | None = None,
         accelerators: Accelerators = NO_ACCELERATORS,
+        hook: Hook | None = None,
     ) -> None:
         self.accelerators = accelerators
         self.settings = dict(settings or {})
         get = self.settings.get
         # Called before statements of a debug build.
-        self.hook: Hook | None = None
+        self.hook = hook
         self.model = str(get("controller.model", ""))
         self.instruction_time = float(get("controller.instruction_time", INSTRUCTION_TIME))  # type: ignore[arg-type]
         # The assumptions that this controller settles differently from the default, by name.
@@ -97,7 +98,7 @@ class Machine:
             for key, value in self.settings.items()
             if key.startswith(ASSUMPTIONS)
         }
-        self.clock = Clock()
+        self.clock = Clock() if hook is None else WatchedClock(hook.advancing)
         self.statements = StatementTime(self.instruction_time)
         self._first_axis = first_axis
         self._controller: Controller | None = None
@@ -126,7 +127,7 @@ class Machine:
         self.nv: NonVolatile | None = None
         # Mistakes of the program that did not end it: MCCL answers with a code and continues.
         self.diagnostics: list[Diagnostic] = []
-        self._told: dict[tuple[object, ...], Diagnostic] = {}
+        self._reported: dict[tuple[object, ...], Diagnostic] = {}
         # Called with a diagnostic that a person would want before the run is over; all of these are in
         # `warned`.
         self.warn: Callable[[Diagnostic], object] | None = None
@@ -194,15 +195,15 @@ class Machine:
     def complain(self, diagnostic: Diagnostic) -> None:
         """Report a mistake that does not end the program; repeated ones are counted."""
         if not self.diagnostics:
-            self._told.clear()  # the caller that cleared the list has reported them
-        before = self._told.setdefault(diagnostic.key, diagnostic)
+            self._reported.clear()  # the caller that cleared the list has reported them
+        before = self._reported.setdefault(diagnostic.key, diagnostic)
         if before is not diagnostic:
             before.again(self.clock.now)
-        elif len(self._told) <= MAX_DIAGNOSTICS:
+        elif len(self._reported) <= MAX_DIAGNOSTICS:
             diagnostic.first = diagnostic.last = self.clock.now
             self.diagnostics.append(diagnostic)
         else:
-            del self._told[diagnostic.key]
+            del self._reported[diagnostic.key]
 
     def _hurried(self, move: Move, count: int, span: float) -> None:
         """Warn about a line that starts one move after another without waiting."""
@@ -273,8 +274,8 @@ class Machine:
         return self._host
 
     @property
-    def kept(self) -> NonVolatile:
-        """Data that outlives the run; without a file it lasts as long as the run."""
+    def nonvolatile(self) -> NonVolatile:
+        """Data that outlives the run; without a file it lasts only as long as the run."""
         if self.nv is None:
             from motionlang.lang.machine.nonvolatile import NonVolatile
 

@@ -6,6 +6,7 @@ file, they last only as long as the run.
 
 from __future__ import annotations
 
+from math import inf
 from struct import pack, unpack
 
 TYPE_CHECKING = False
@@ -25,8 +26,6 @@ _LARGEST_FLOAT = 3.4028235677973366e38  # from here on a number rounds to infini
 
 class NonVolatile:
     """The stored values, and the live variables of the running program."""
-
-    __slots__ = ("_live", "_lock", "_values", "_words", "path")
 
     def __init__(self, path: str | None = None) -> None:
         """Lock the file against other runs, and read it if it exists.
@@ -71,17 +70,17 @@ class NonVolatile:
             if isinstance(word, int) and _LOW <= word <= _HIGH and address in addresses:
                 self._words[addresses[address]] = word
 
-    def keep(self, key: str, place: list[object]) -> None:
-        """Load a variable with the value stored under its name; save it after the run.
+    def restore(self, key: str, variable: list[object]) -> None:
+        """Load a variable with the value stored under its name, and save it after the run.
 
         A stored value that no longer fits the variable's type or size is dropped.
         """
         before = self._live.get(key)
         stored = self._values.get(key) if before is None else list(before)
-        fitting = _fitted(stored, place)
+        fitting = _fitted(stored, variable)
         if fitting is not None:
-            place[:] = fitting
-        self._live[key] = place
+            variable[:] = fitting
+        self._live[key] = variable
 
     @property
     def names(self) -> list[str]:
@@ -101,7 +100,7 @@ class NonVolatile:
 
     def set_real(self, address: int, value: float) -> None:
         if not abs(value) < _LARGEST_FLOAT:
-            value = float("inf") if value > 0 else float("-inf") if value < 0 else value
+            value = inf if value > 0 else -inf if value < 0 else value
         self.set_word(address, unpack("<i", pack("<f", value))[0])
 
     def save(self) -> None:
@@ -124,12 +123,12 @@ class NonVolatile:
             self._lock.release()
 
 
-def _fitted(stored: object, place: list[object]) -> list[object] | None:
+def _fitted(stored: object, variable: list[object]) -> list[object] | None:
     """Return the stored value as values of a variable, or None if it does not fit."""
-    if not isinstance(stored, list) or len(stored) != len(place):
+    if not isinstance(stored, list) or len(stored) != len(variable):
         return None
     found: list[object] = []
-    for value, present in zip(stored, place, strict=True):
+    for value, present in zip(stored, variable, strict=True):
         fitting = _fitted(value, present) if isinstance(present, list) else _plain(value, present)
         if fitting is None and present is not None:
             return None

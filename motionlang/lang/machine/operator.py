@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     Entry = Mapping[str, object]
 
 # How long a key is held by default, in seconds.
-HELD = 0.1
+PRESS_TIME = 0.1
 # More than anyone types ahead.
 MAX_KEYS = 10_000
 _ENTER, _BACK = "\r\n", "\b\x7f"
@@ -39,7 +39,7 @@ class Operator:
         self.listeners: list[Callable[[], None]] = []  # called when keys have been pressed
         self.asking = False
         self._typed = ""
-        self._held, self._until = 0, -1.0
+        self._held_key, self._until = 0, -1.0
         # The lines typed ahead: the text, and the prompt that it answers ("" for any).
         self.lines: list[tuple[str, str]] = []
         self._number = number
@@ -61,17 +61,17 @@ class Operator:
             if entry.get("terminal", 1) != self._number:
                 continue
             time: float = entry.get("at", 0.0)  # type: ignore[assignment]
-            held: float = entry.get("for", HELD)  # type: ignore[assignment]
+            duration: float = entry.get("for", PRESS_TIME)  # type: ignore[assignment]
             moment = max(since + time, self._clock.now)
-            self._clock.at(moment, partial(self.press, str(entry["text"]), held))
+            self._clock.at(moment, partial(self.press, str(entry["text"]), duration))
 
-    def press(self, text: str, held: float = HELD) -> None:
+    def press(self, text: str, duration: float = PRESS_TIME) -> None:
         """Press keys one after another and hold the last one for `duration` seconds."""
         codes = [ord(each) & 0xFF for each in text]
         if not codes or len(self.keys) + len(codes) > MAX_KEYS:
             return
         self.keys += codes
-        self._held, self._until = codes[-1], self._clock.now + held
+        self._held_key, self._until = codes[-1], self._clock.now + duration
         self._clock.at(self._until, _nothing)  # a wait for the release of the key must check again
         for listener in self.listeners:
             listener()
@@ -82,7 +82,7 @@ class Operator:
 
     def held_key(self) -> int:
         """Return the key that is held down now, or 0."""
-        return self._held if self._clock.now < self._until else 0
+        return self._held_key if self._clock.now < self._until else 0
 
     @property
     def question(self) -> str:

@@ -23,8 +23,6 @@ class Switch:
     The first choice is the default. A number lies from `low` to `high`, and is an integer if `whole` is set.
     """
 
-    __slots__ = ("choices", "high", "low", "whole")
-
     def __init__(
         self, *choices: object, low: float | None = None, high: float | None = None, whole: bool = False
     ) -> None:

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from motionlang.log.stream import Stream
 
 MAX_CHARACTERS = 50_000_000
+# The smallest screen; a text beyond it may scroll, or continue on the next row.
+ROWS, COLUMNS = 24, 80
 
 
 class LineBuffer:
@@ -51,7 +53,7 @@ class Terminal:
     a row of the screen is written even if the row already shows it, because hosts see every character.
     """
 
-    __slots__ = ("_clock", "_open", "_size", "prints", "show")
+    __slots__ = ("_clock", "_expected_row", "_open", "_row", "_rows", "_size", "prints", "repeats", "show")
 
     def __init__(
         self, clock: Clock, prints: Stream[Printed], show: Callable[[str], object] | None = None
@@ -59,6 +61,11 @@ class Terminal:
         self._clock, self.prints, self.show = clock, prints, show
         self._open = LineBuffer()
         self._size = 0
+        self.repeats = False
+        # The texts that `write_on_row` wrote, by row, the row of the cursor, and the row on which the program
+        # expects it, which differs after a text that was not written.
+        self._rows: dict[int, str] = {}
+        self._row = self._expected_row = 0
 
     @property
     def lines(self) -> list[str]:
@@ -67,6 +74,27 @@ class Terminal:
 
     def write(self, text: str) -> None:
         """Write text; `\\n` ends a line."""
+        if self._rows:
+            if self._expected_row != self._row:
+                text = _on_row(self._expected_row, self._rows[self._expected_row]) + text
+            self._rows.clear()  # the text may be on any row
+        self._write(text)
+
+    def write_on_row(self, row: int, text: str) -> bool:
+        """Write text at the beginning of a row unless the row shows it; True if written."""
+        row, rows = max(row, 1), self._rows
+        if rows.get(row) == text and not self.repeats:
+            self._expected_row = row
+            return False
+        if row > ROWS or len(text) > COLUMNS or not text.isprintable():
+            rows.clear()
+        else:
+            rows[row] = text
+            self._row = self._expected_row = row
+        self._write(_on_row(row, text))
+        return True
+
+    def _write(self, text: str) -> None:
         self._size += len(text)
         if self._size > MAX_CHARACTERS:
             raise Rejected(
@@ -84,6 +112,7 @@ class Terminal:
 
     def aside(self, text: str) -> None:
         """Show whole lines from elsewhere, such as another terminal's with its label."""
+        self._rows.clear()
         if self.show is not None:
             self.show(f"\n{text}" if self._open else text)
 
@@ -97,8 +126,14 @@ class Terminal:
 
     def close(self) -> None:
         """End an unfinished line."""
+        self._rows.clear()
         if self._open:
             self.write("\n")
+
+
+def _on_row(row: int, text: str) -> str:
+    """Return a text preceded by the ANSI code for the beginning of a row."""
+    return f"\x1b[{row};1H{text}"
 
 
 def labelled(label: str, console: Terminal, clock: Clock, prints: Stream[Printed]) -> Terminal:

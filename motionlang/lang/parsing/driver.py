@@ -57,7 +57,7 @@ def popped(length: int, used: set[int]) -> list[str]:
     """
     if length < 2:
         return []
-    names = [f"v{place}" if place in used else "_" for place in range(length - 1)]
+    names = [f"v{index}" if index in used else "_" for index in range(length - 1)]
     target = f"S, _, {names[0]}"
     for name in names[1:]:
         target = f"({target}), _, {name}"
@@ -79,8 +79,8 @@ def loop(reductions: Iterable[list[str]], leaves: Iterable[list[str]]) -> str:
 
 def _choice(branches: list[tuple[str, int, list[str]]]) -> list[str]:
     lines = []
-    for place, (name, number, inside) in enumerate(branches):
-        lines += [f"{'elif' if place or name == 'code' else 'if'} {name} == {number}:", *_within(inside)]
+    for index, (name, number, inside) in enumerate(branches):
+        lines += [f"{'elif' if index or name == 'code' else 'if'} {name} == {number}:", *_within(inside)]
     return lines
 
 

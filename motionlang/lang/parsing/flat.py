@@ -102,18 +102,18 @@ class Flat:
             self._open.remove(name)
         return f"({found})" if name in self._kept else found
 
-    def _choice(self, ways: Sequence[tuple[str, ...]]) -> str:
+    def _choice(self, alternatives: Sequence[tuple[str, ...]]) -> str:
         """Return the pattern of alternatives, with common prefixes merged.
 
         Merging ensures that each group occurs in the pattern only once.
         """
-        firsts = dict.fromkeys(way[0] for way in ways if way)
+        firsts = dict.fromkeys(alternative[0] for alternative in alternatives if alternative)
         found = []
         for first in firsts:
-            rests = [way[1:] for way in ways if way[:1] == (first,)]
+            rests = [alternative[1:] for alternative in alternatives if alternative[:1] == (first,)]
             rest = self._choice(rests) if any(rests) else ""
             found.append(self._symbol(first) + rest)
         text = "|".join(found)
-        if () in ways:
+        if () in alternatives:
             return f"(?:{text})?"
         return text if len(found) == 1 else f"(?:{text})"

@@ -83,7 +83,7 @@ def _with_pattern(name: str, rule: str, kept: tuple[str, ...], quoted: str) -> s
     cut = f"(?:{between})*+(?:({chunk})|$)"
     before_comment = f"^(?:(?!{comments})(?:{separators}|{chunk}))*+(?=({comments}))"
     terminals = {str(each.name): each.pattern.to_regexp() for each in lark.terminals}
-    parts = [
+    sections = [
         *_heading(name),
         "import re\n",
         "from motionlang.lang.parsing.parser import Automaton\n",
@@ -97,7 +97,7 @@ def _with_pattern(name: str, rule: str, kept: tuple[str, ...], quoted: str) -> s
         "ROWS = (\n" + "".join(f"    {each!r},\n" for each in states.rows) + ")\n",
         f"AUTOMATON = Automaton(TERMINALS, RULES, ROWS, {states.finish})",
     ]
-    return "\n".join(parts) + "\n"
+    return "\n".join(sections) + "\n"
 
 
 def _with_reducers(name: str, package: str, actions: ModuleType) -> str:
@@ -118,7 +118,7 @@ def _with_reducers(name: str, package: str, actions: ModuleType) -> str:
     leaves = "".join(
         "    {!r}: ({}, {}),\n".format(kind, *numbers[action]) for kind, action in actions.LEAVES.items()
     )
-    parts = [
+    sections = [
         *_heading(name),
         "from motionlang.lang.parsing.parser import SHIFT, Tables, goto, leaf, move, new",
         f"from motionlang.{package}.syntax.build import *",
@@ -135,7 +135,7 @@ def _with_reducers(name: str, package: str, actions: ModuleType) -> str:
         "LEAVES = {\n" + leaves + "}\n",
         f"TABLES = Tables(TOKEN, CONTINUED, LITERALS, CLASSES, RULES, ROWS, {states.finish}, LEAVES, _run)",
     ]
-    return "\n".join(parts) + "\n"
+    return "\n".join(sections) + "\n"
 
 
 def _wrapped(mapping: dict[str, str]) -> str:

@@ -233,17 +233,17 @@ class Tables(Automaton):
         self._token: re.Pattern[str] | None = None
         self._continued: re.Pattern[str] | None = None
         self.kind_of = Kinds(literals, classes)
-        self._asked = "", False  # the last argument of `continues`, and its result
+        self._continues = "", False  # the last argument of `continues`, and its result
 
     def continues(self, text: str) -> bool:
         """True if lines of the text may continue on the next line.
 
         The pattern for continued lines is slower.
         """
-        if text is not self._asked[0]:
+        if text is not self._continues[0]:
             found = "\\" in text or text.endswith("_") or any(sign in text for sign in CONTINUING)
-            self._asked = text, found
-        return self._asked[1]
+            self._continues = text, found
+        return self._continues[1]
 
     def pattern(self, text: str) -> re.Pattern[str]:
         """Return the pattern that splits a text into tokens."""

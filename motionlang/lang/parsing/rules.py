@@ -87,15 +87,15 @@ class Rules:
     def _expression(self, rule: Any, alias: str) -> str:
         """Return the action; its `v…` count only the symbols that are present."""
         present = rule.options.empty_indices or (False,) * len(rule.expansion)
-        places: list[str] = []
+        values: list[str] = []
         symbols = iter(range(len(rule.expansion)))
         for missing in present:
-            places.append("None" if missing else f"v{next(symbols)}")
+            values.append("None" if missing else f"v{next(symbols)}")
         if alias == "more":
             last = max(i for i, symbol in enumerate(rule.expansion) if not symbol.is_term)
             return f"+ v{last}"
         assert self.actions is not None
-        return re.sub(r"\bv(\d+)", lambda found: places[int(found[1])], self.actions[alias])
+        return re.sub(r"\bv(\d+)", lambda found: values[int(found[1])], self.actions[alias])
 
     def _body(self, expression: str, length: int) -> list[str]:
         """Return the lines that compute `top` from `length` values.
@@ -139,8 +139,8 @@ def _fields(cls: type) -> list[tuple[str, Any]]:
     marks = [object() for _ in fields]
     made = cls(*marks)
     slots = [slot for base in cls.__mro__ for slot in getattr(base, "__slots__", ()) if hasattr(made, slot)]
-    kept = all(getattr(made, name, None) is mark for (name, _), mark in zip(fields, marks, strict=True))
-    return fields if kept and len(slots) == len(fields) else []
+    stores_all = all(getattr(made, name, None) is mark for (name, _), mark in zip(fields, marks, strict=True))
+    return fields if stores_all and len(slots) == len(fields) else []
 
 
 def _used(lines: list[str]) -> set[int]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from motionlang.mcapi import constants as mc
 from motionlang.mcapi.command import command
 from motionlang.mcapi.errors import Refused
-from motionlang.mcapi.registry import commands, reading
+from motionlang.mcapi.registry import commands, query
 from motionlang.mccl.axis.volts import volts
 from motionlang.mccl.keywords.io import is_on
 
@@ -59,12 +59,12 @@ def set_analog(interface: Interface, channel: int, value: int) -> list[Command]:
     return [command("AL", value=level), command("OA", value=channel)]
 
 
-@reading("MCGetDigitalIO", "MCGetDigitalIOEx")
+@query("MCGetDigitalIO", "MCGetDigitalIOEx")
 def state(interface: Interface, channel: int) -> int:
     return int(is_on(interface.board, _checked(channel)))
 
 
-@reading("MCGetDigitalIOConfig")
+@query("MCGetDigitalIOConfig")
 def configuration(interface: Interface, channel: int) -> int:
     _checked(channel)
     board = interface.board
@@ -72,7 +72,7 @@ def configuration(interface: Interface, channel: int) -> int:
     return direction | (mc.MC_DIO_LOW if channel in board.low_true else mc.MC_DIO_HIGH)
 
 
-@reading("MCGetAnalog", "MCGetAnalogEx")
+@query("MCGetAnalog", "MCGetAnalogEx")
 def analog(interface: Interface, channel: int) -> int:
     level = volts(interface.board.controller.analogue_input(_checked(channel)))
     return round((max(-1.0, min(1.0, level / FULL_SCALE)) + 1.0) / 2.0 * LARGEST)

@@ -9,7 +9,7 @@ from motionlang.mcapi import constants as mc
 from motionlang.mcapi.calls.channels import BITS, FULL_SCALE, MAX_CHANNEL
 from motionlang.mcapi.command import lacks
 from motionlang.mcapi.errors import Refused
-from motionlang.mcapi.registry import reading
+from motionlang.mcapi.registry import query
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ def _has(board: Board, name: str) -> int:
     return int(not lacks(board.model, name))
 
 
-@reading("MCGetConfigurationEx")
+@query("MCGetConfigurationEx")
 def configuration(interface: Interface) -> tuple[float, ...]:
     """Return the capabilities of the model, in the order of MCPARAMEX."""
     board = interface.board
@@ -59,7 +59,7 @@ def configuration(interface: Interface) -> tuple[float, ...]:
     )
 
 
-@reading("MCGetConfiguration")
+@query("MCGetConfiguration")
 def old_configuration(interface: Interface) -> tuple[int, ...]:
     """Return the capabilities of the model, in the order of MCPARAM."""
     board = interface.board
@@ -72,7 +72,7 @@ def old_configuration(interface: Interface) -> tuple[int, ...]:
     )
 
 
-@reading("MCGetAxisConfiguration")
+@query("MCGetAxisConfiguration")
 def axis_configuration(interface: Interface, axis: int) -> tuple[float, ...]:
     """Return the module of an axis.
 
@@ -91,7 +91,7 @@ def axis_configuration(interface: Interface, axis: int) -> tuple[float, ...]:
     )
 
 
-@reading("MCGetInstalledModules")
+@query("MCGetInstalledModules")
 def modules(interface: Interface, size: int) -> tuple[int, ...]:
     """Return the module of each site; 15 is an empty site."""
     board = interface.board

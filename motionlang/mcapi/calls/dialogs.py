@@ -20,7 +20,7 @@ from motionlang.mcapi.calls.settings import (
 )
 from motionlang.mcapi.command import command, lacks
 from motionlang.mcapi.errors import Refused
-from motionlang.mcapi.registry import at_once, commands, reading
+from motionlang.mcapi.registry import at_once, commands, query
 from motionlang.mcapi.table import STRUCTURES
 from motionlang.mccl.resolve.line import Line, lines_of
 
@@ -42,7 +42,7 @@ _FILTER = [
 ]
 
 
-@reading("MCDLG_SaveAxis")
+@query("MCDLG_SaveAxis")
 def save(interface: Interface, axis: int, iFlags: int) -> str:  # noqa: N803
     """Return the settings of an axis, or of all, as a text."""
     board = interface.board
@@ -65,7 +65,7 @@ def _section(interface: Interface, axis: int, flags: int) -> str:
     if not flags & NO_PROFILE:
         found["Profile"] = profile(interface, axis)
     if not flags & NO_POSITION:
-        found["Position"] = state.told(board.controller.position(axis) + state.shift)
+        found["Position"] = state.reported(board.controller.position(axis) + state.shift)
     return f"[Axis {axis}]\n" + "".join(f"{name} = {value!r}\n" for name, value in found.items())
 
 
@@ -118,7 +118,7 @@ def _sections(text: str) -> dict[int, dict[str, float]]:
     found: dict[int, dict[str, float]] = {}
     section: dict[str, float] = {}
     for line in text.splitlines():
-        name, equals, value = (part.strip() for part in line.partition("="))
+        name, equals, value = (item.strip() for item in line.partition("="))
         if name.startswith("[Axis ") and name.endswith("]") and name[6:-1].isdecimal():
             section = found.setdefault(int(name[6:-1]), {})
         elif equals:

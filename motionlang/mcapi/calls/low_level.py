@@ -10,7 +10,7 @@ from math import inf
 from motionlang.mcapi import constants as mc
 from motionlang.mcapi.command import command, line, own
 from motionlang.mcapi.errors import Refused
-from motionlang.mcapi.registry import at_once, commands, poll, reading
+from motionlang.mcapi.registry import at_once, commands, poll, query
 from motionlang.mccl.axis.variables import NAMES
 from motionlang.mccl.keywords import table
 from motionlang.mccl.keywords.registers import wrapped
@@ -46,14 +46,14 @@ def set_register(interface: Interface, reg: int, value: Value, type: int) -> lis
     return found if reg == 0 else [*found, command("AR", value=reg)]
 
 
-@reading("MCGetRegister")
+@query("MCGetRegister")
 def register(interface: Interface, reg: int, type: int) -> float | int:
     if type not in NUMBERS or reg < 0:
         raise Refused(mc.MCERR_CONSTANT if type not in NUMBERS else mc.MCERR_RANGE)
     return _typed(interface.register(reg), type)
 
 
-@reading("pmclookupvar")
+@query("pmclookupvar")
 def variable(interface: Interface, varname: str) -> int:
     address = NAMES.get(varname.upper())
     if address is None:

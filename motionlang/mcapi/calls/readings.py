@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mcapi import constants as mc
 from motionlang.mcapi.errors import Refused
-from motionlang.mcapi.registry import at_once, reading
+from motionlang.mcapi.registry import at_once, query
 from motionlang.mccl.axis import status
 from motionlang.mccl.axis.launch import aim
 
@@ -43,40 +43,45 @@ FLAGS: dict[int, tuple[int, int]] = {
 
 
 def _of_axis(name: str, value: Callable[[Board, AxisState], float]) -> None:
-    reading(name)(lambda interface, axis: float(value(interface.board, interface.board.axis(axis))))
+    query(name)(lambda interface, axis: float(value(interface.board, interface.board.axis(axis))))
 
 
 _of_axis(
-    "MCGetPositionEx", lambda board, axis: axis.told(board.controller.position(axis.number) + axis.shift)
+    "MCGetPositionEx", lambda board, axis: axis.reported(board.controller.position(axis.number) + axis.shift)
 )
-_of_axis("MCGetOptimalEx", lambda board, axis: axis.told(board.controller.demand(axis.number) + axis.shift))
-_of_axis("MCGetTargetEx", lambda board, axis: axis.told(aim(board.controller, axis)))
 _of_axis(
-    "MCGetFollowingError", lambda board, axis: axis.told(board.controller.following_error(axis.number), "uu")
+    "MCGetOptimalEx", lambda board, axis: axis.reported(board.controller.demand(axis.number) + axis.shift)
 )
-_of_axis("MCGetVelocityActual", lambda board, axis: axis.told(board.controller.velocity(axis.number), "uu/s"))
-_of_axis("MCGetIndexEx", lambda board, axis: axis.told(axis.index_position))
-_of_axis("MCGetBreakpointEx", lambda board, axis: axis.told(axis.breakpoint or 0.0))
-_of_axis("MCGetAuxEncIdxEx", lambda board, axis: axis.told(axis.aux_index, "uu"))
+_of_axis("MCGetTargetEx", lambda board, axis: axis.reported(aim(board.controller, axis)))
+_of_axis(
+    "MCGetFollowingError",
+    lambda board, axis: axis.reported(board.controller.following_error(axis.number), "uu"),
+)
+_of_axis(
+    "MCGetVelocityActual", lambda board, axis: axis.reported(board.controller.velocity(axis.number), "uu/s")
+)
+_of_axis("MCGetIndexEx", lambda board, axis: axis.reported(axis.index_position))
+_of_axis("MCGetBreakpointEx", lambda board, axis: axis.reported(axis.breakpoint or 0.0))
+_of_axis("MCGetAuxEncIdxEx", lambda board, axis: axis.reported(axis.aux_index, "uu"))
 _of_axis(
     "MCGetAuxEncPosEx",
-    lambda board, axis: axis.told(
+    lambda board, axis: axis.reported(
         board.controller.encoder_position(AUXILIARY + axis.number) - axis.aux_zero, "uu"
     ),
 )
 
 
-@reading("MCGetContouringCount")
+@query("MCGetContouringCount")
 def contouring_count(interface: Interface, axis: int) -> int:
     return interface.board.axis(axis).segments
 
 
-@reading("MCGetStatus")
+@query("MCGetStatus")
 def primary(interface: Interface, axis: int) -> int:
     return status.word(interface.board, interface.board.axis(axis), 0)[0]
 
 
-@reading("MCGetStatusEx")
+@query("MCGetStatusEx")
 def all_words(interface: Interface, axis: int) -> tuple[int, ...]:
     board = interface.board
     words = range(4) if board.model.words else range(1)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.mcapi import constants as mc
 from motionlang.mcapi.command import command
 from motionlang.mcapi.errors import Refused
-from motionlang.mcapi.registry import commands, reading
+from motionlang.mcapi.registry import commands, query
 from motionlang.mccl.keywords.motion_record import PERIOD, recorded_times
 
 TYPE_CHECKING = False
@@ -27,7 +27,7 @@ def capture(interface: Interface, axis: int, points: int, period: float, delay: 
     return [command("PR", axis, points)]
 
 
-@reading("MCGetCaptureData")
+@query("MCGetCaptureData")
 def captured(interface: Interface, axis: int, type: int, start: int, points: int) -> tuple[float, ...]:
     """Return points of a recording; raise Refused unless all of them are recorded."""
     board = interface.board
@@ -39,23 +39,23 @@ def captured(interface: Interface, axis: int, type: int, start: int, points: int
     if type in TORQUE:
         return tuple(controller.recall(axis, "output", times))
     if type in ACTUAL:
-        return tuple(state.told(each) for each in controller.recall(axis, "actual", times))
+        return tuple(state.reported(each) for each in controller.recall(axis, "actual", times))
     optimal = [controller.axes[axis].position(time) for time in times]
     if type in OPTIMAL:
-        return tuple(state.told(each) for each in optimal)
+        return tuple(state.reported(each) for each in optimal)
     if type in ERROR:
         actual = controller.recall(axis, "actual", times)
-        return tuple(state.told(a - b, "uu") for a, b in zip(optimal, actual, strict=True))
+        return tuple(state.reported(a - b, "uu") for a, b in zip(optimal, actual, strict=True))
     raise Refused(mc.MCERR_CONSTANT)
 
 
-@reading("MCGetCaptureSettings")
+@query("MCGetCaptureSettings")
 def capture_settings(interface: Interface, axis: int) -> tuple[int, float, float, int]:
     _, points = interface.board.records.get(axis, (0.0, 0))
     return points, PERIOD, 0.0, len(recorded_times(interface.board, axis))
 
 
-@reading("MCGetCount")
+@query("MCGetCount")
 def count(interface: Interface, axis: int, type: int) -> int:
     """Return the number of contour paths, or of recorded points."""
     if type == mc.MC_COUNT_CONTOUR:

@@ -10,13 +10,13 @@ from motionlang.mcapi import constants as mc
 from motionlang.mcapi.calls.motion import DIRECTIONS, PROFILES, of
 from motionlang.mcapi.command import command, lacks
 from motionlang.mcapi.errors import Refused
-from motionlang.mcapi.registry import commands, reading
+from motionlang.mcapi.registry import commands, query
 from motionlang.mcapi.table import STRUCTURES
 from motionlang.mccl.axis import flags
 from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
 from motionlang.mccl.axis.limits import ALL, HARD_MINUS, HARD_PLUS, SOFT_HIGH, SOFT_LOW
 from motionlang.mccl.axis.status import SHAPES
-from motionlang.mccl.keywords.reports import KEPT_DEFAULTS
+from motionlang.mccl.keywords.reports import STORED_DEFAULTS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,11 +46,11 @@ MODES = {
 
 
 def _motion(name: str, unit: str) -> Get:
-    return lambda board, axis: axis.told(float(board.controller.setting(axis.number, name) or 0.0), unit)
+    return lambda board, axis: axis.reported(float(board.controller.setting(axis.number, name) or 0.0), unit)
 
 
-def _kept(name: str) -> Get:
-    return lambda board, axis: axis.kept.get(name, KEPT_DEFAULTS.get(name, 0.0))
+def _stored_value(name: str) -> Get:
+    return lambda board, axis: axis.stored.get(name, STORED_DEFAULTS.get(name, 0.0))
 
 
 def _by(name: str) -> Put:
@@ -68,7 +68,7 @@ def _derivative_period(board: Board, axis: AxisState) -> float:
 
     FR stores it in servo periods, minus one.
     """
-    return (axis.kept.get("kept_derivative_period", 0.0) + 1.0) * board.model.update
+    return (axis.stored.get("kept_derivative_period", 0.0) + 1.0) * board.model.update
 
 
 def _put_derivative_period(board: Board, axis: int, value: float) -> list[Command]:
@@ -76,7 +76,7 @@ def _put_derivative_period(board: Board, axis: int, value: float) -> list[Comman
 
 
 def _rate(board: Board, axis: AxisState) -> int:
-    hertz = axis.kept.get("kept_rate", 4000.0)
+    hertz = axis.stored.get("kept_rate", 4000.0)
     return next((constant for constant, each in RATES.items() if each == hertz), mc.MC_RATE_UNKNOWN)
 
 
@@ -101,46 +101,48 @@ SETTINGS: dict[str, tuple[Get, Put]] = {
     "Acceleration": (_motion("accel", "uu/s2"), _by("SA")),
     "Deceleration": (_motion("decel", "uu/s2"), _by("DS")),
     "Velocity": (_motion("speed", "uu/s"), _by("SV")),
-    "MinVelocity": (lambda board, axis: axis.told(axis.minimum, "uu/s"), _by("MV")),
+    "MinVelocity": (lambda board, axis: axis.reported(axis.minimum, "uu/s"), _by("MV")),
     "Direction": (_direction, _put_direction),
-    "Torque": (_kept("kept_torque"), _by("SQ")),
-    "Deadband": (lambda board, axis: axis.told(axis.deadband, "uu"), _by("DB")),
+    "Torque": (_stored_value("kept_torque"), _by("SQ")),
+    "Deadband": (lambda board, axis: axis.reported(axis.deadband, "uu"), _by("DB")),
     "DeadbandDelay": (lambda board, axis: axis.deadband_delay, _by("DT")),
     "StepSize": (lambda board, axis: mc.MC_STEP_HALF if axis.half_steps else mc.MC_STEP_FULL, _chosen(STEPS)),
     "Current": (
-        lambda board, axis: mc.MC_CURRENT_HALF if axis.kept.get("current", 1.0) < 1.0 else mc.MC_CURRENT_FULL,
+        lambda board, axis: (
+            mc.MC_CURRENT_HALF if axis.stored.get("current", 1.0) < 1.0 else mc.MC_CURRENT_FULL
+        ),
         _chosen(CURRENTS),
     ),
     "EnableAmpFault": (_watches_amplifier, _put_amplifier),
-    "Gain": (_kept("kept_gain"), _by("SG")),
-    "IntegralGain": (_kept("kept_integral"), _by("SI")),
-    "IntegrationLimit": (_kept("kept_integral_limit"), _by("IL")),
+    "Gain": (_stored_value("kept_gain"), _by("SG")),
+    "IntegralGain": (_stored_value("kept_integral"), _by("SI")),
+    "IntegrationLimit": (_stored_value("kept_integral_limit"), _by("IL")),
     # No command is known for it.
     "IntegralOption": (lambda board, axis: mc.MC_INT_NORMAL, lambda board, axis, value: []),
-    "DerivativeGain": (_kept("kept_derivative"), _by("SD")),
+    "DerivativeGain": (_stored_value("kept_derivative"), _by("SD")),
     "DerSamplePeriod": (_derivative_period, _put_derivative_period),
-    "FollowingError": (_kept("kept_error_limit"), _by("SE")),
-    "VelocityGain": (_kept("kept_velocity_gain"), _by("VG")),
-    "AccelGain": (_kept("kept_accel_gain"), _by("AG")),
-    "DecelGain": (_kept("kept_decel_gain"), _by("DG")),
-    "EncoderScaling": (lambda board, axis: axis.kept.get("encoder_scaling", 1.0), _by("ES")),
+    "FollowingError": (_stored_value("kept_error_limit"), _by("SE")),
+    "VelocityGain": (_stored_value("kept_velocity_gain"), _by("VG")),
+    "AccelGain": (_stored_value("kept_accel_gain"), _by("AG")),
+    "DecelGain": (_stored_value("kept_decel_gain"), _by("DG")),
+    "EncoderScaling": (lambda board, axis: axis.stored.get("encoder_scaling", 1.0), _by("ES")),
     "UpdateRate": (_rate, _chosen(RATE_COMMANDS)),
     "Rate": (_rate, _chosen(RATE_COMMANDS)),
-    "OutputOffset": (_kept("kept_output_offset"), _by("OO")),
-    "OutputDeadband": (_kept("kept_output_deadband"), _by("OB")),
-    "VectorAccel": (lambda board, axis: axis.told(axis.vector.accel, "uu/s2"), _by("VA")),
-    "VectorDecel": (lambda board, axis: axis.told(axis.vector.decel, "uu/s2"), _by("VD")),
-    "VectorVelocity": (lambda board, axis: axis.told(axis.vector.velocity, "uu/s"), _by("VV")),
+    "OutputOffset": (_stored_value("kept_output_offset"), _by("OO")),
+    "OutputDeadband": (_stored_value("kept_output_deadband"), _by("OB")),
+    "VectorAccel": (lambda board, axis: axis.reported(axis.vector.accel, "uu/s2"), _by("VA")),
+    "VectorDecel": (lambda board, axis: axis.reported(axis.vector.decel, "uu/s2"), _by("VD")),
+    "VectorVelocity": (lambda board, axis: axis.reported(axis.vector.velocity, "uu/s"), _by("VV")),
     "VelocityOverride": (lambda board, axis: axis.vector.override, _by("VO")),
 }
 SETTINGS["PositionDeadband"] = SETTINGS["Deadband"]
 SETTINGS["DelayAtTarget"] = SETTINGS["DeadbandDelay"]
 # The joystick has fields of the same names as the motion.
 JOG: dict[str, tuple[Get, Put]] = {
-    "Acceleration": (lambda board, axis: axis.told(axis.jog.accel, "uu/s2"), _by("JA")),
-    "MinVelocity": (lambda board, axis: axis.told(axis.jog.minimum, "uu/s"), _by("JV")),
+    "Acceleration": (lambda board, axis: axis.reported(axis.jog.accel, "uu/s2"), _by("JA")),
+    "MinVelocity": (lambda board, axis: axis.reported(axis.jog.minimum, "uu/s"), _by("JV")),
     "Deadband": (lambda board, axis: axis.jog.deadband, _by("JB")),
-    "Gain": (lambda board, axis: axis.told(axis.jog.gain, "uu/s"), _by("JG")),
+    "Gain": (lambda board, axis: axis.reported(axis.jog.gain, "uu/s"), _by("JG")),
     "Offset": (lambda board, axis: axis.jog.offset, _by("JO")),
     "Channel": (lambda board, axis: axis.number, lambda board, axis, value: []),
 }
@@ -150,7 +152,7 @@ LIMITS = ("HardLimitMode", "SoftLimitMode", "SoftLimitLow", "SoftLimitHigh")
 
 def _read_one(name: str, setting: str) -> None:
     get = SETTINGS[setting][0]
-    reading(name)(lambda interface, axis: get(interface.board, interface.board.axis(axis)))
+    query(name)(lambda interface, axis: get(interface.board, interface.board.axis(axis)))
 
 
 for _name, _setting in (
@@ -176,7 +178,7 @@ def _reader(function: str, structure: str, settings: dict[str, tuple[Get, Put]])
         limits = dict(zip(LIMITS, get_limits(board, state), strict=True))
         return tuple(limits[name] if name in limits else settings[name][0](board, state) for name in names)
 
-    reading(function)(read)
+    query(function)(read)
 
 
 def _writer(function: str, structure: str, argument: str, settings: dict[str, tuple[Get, Put]]) -> None:
@@ -228,7 +230,7 @@ def get_limits(board: Board, axis: AxisState) -> tuple[int, int, float, float]:
     soft = mode & _ABRUPT_OR_SMOOTH
     soft |= mc.MC_LIMIT_PLUS if shown & flags.SOFT_HIGH_ENABLED else 0
     soft |= mc.MC_LIMIT_MINUS if shown & flags.SOFT_LOW_ENABLED else 0
-    return hard, soft, axis.told(axis.soft_low), axis.told(axis.soft_high)
+    return hard, soft, axis.reported(axis.soft_low), axis.reported(axis.soft_high)
 
 
 def put_limits(axis: int, hard: float, soft: float, low: float, high: float) -> list[Command]:
@@ -259,7 +261,7 @@ def put_limits(axis: int, hard: float, soft: float, low: float, high: float) -> 
     return found
 
 
-@reading("MCGetLimits")
+@query("MCGetLimits")
 def limits(interface: Interface, axis: int) -> tuple[int, int, float, float]:
     return get_limits(interface.board, interface.board.axis(axis))
 
@@ -280,7 +282,7 @@ def set_limits(
 # --------------------------------------------------------------------------------------------- units, modes
 
 
-@reading("MCGetScale")
+@query("MCGetScale")
 def scale(interface: Interface, axis: int) -> tuple[float, ...]:
     board = interface.board
     units = board.axis(axis).units
@@ -297,28 +299,28 @@ def set_scale(interface: Interface, axis: int, scale: tuple[float, ...]) -> list
     return [*(command(name, axis, value) for name, value in pairs), command("UT", value=time)]
 
 
-@reading("MCGetOperatingMode")
+@query("MCGetOperatingMode")
 def operating_mode(interface: Interface, axis: int) -> int:
     return MODES[interface.board.axis(axis).mode]
 
 
-@reading("MCGetProfile")
+@query("MCGetProfile")
 def profile(interface: Interface, axis: int) -> int:
     found = SHAPES[str(interface.board.controller.setting(axis, "shape"))]
     assert found in PROFILES
     return found
 
 
-@reading("MCGetServoOutputPhase")
+@query("MCGetServoOutputPhase")
 def phase(interface: Interface, axis: int) -> int:
     return int(interface.board.axis(axis).reversed_phase)
 
 
-@reading("MCGetModuleInputMode")
+@query("MCGetModuleInputMode")
 def input_mode(interface: Interface, axis: int) -> int:
-    return int(interface.board.axis(axis).kept.get("input_mode", 0.0))
+    return int(interface.board.axis(axis).stored.get("input_mode", 0.0))
 
 
-@reading("MCGetModuleOutputMode")
+@query("MCGetModuleOutputMode")
 def output_mode(interface: Interface, axis: int) -> int:
-    return int(interface.board.axis(axis).kept.get("output_mode", 0.0))
+    return int(interface.board.axis(axis).stored.get("output_mode", 0.0))

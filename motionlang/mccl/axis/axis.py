@@ -91,7 +91,6 @@ class AxisState:
         "index_position",
         "jog",
         "jogging",
-        "kept",
         "limit_mode",
         "minimum",
         "mode",
@@ -110,6 +109,7 @@ class AxisState:
         "slave_ratio",
         "soft_high",
         "soft_low",
+        "stored",
         "synchronised",
         "units",
         "vector",
@@ -150,7 +150,7 @@ class AxisState:
         # The counts of the auxiliary encoder at its zero and at its last index.
         self.aux_zero = self.aux_index = 0.0
         # Settings of the servo loop and the output stage, by the verb of their row.
-        self.kept: dict[str, float] = {}
+        self.stored: dict[str, float] = {}
 
     @property
     def shift(self) -> float:
@@ -193,7 +193,7 @@ class AxisState:
         value = self.scale.to_counts(value_uu, unit)
         return nearest_whole(value) if self.model.rounds and not self.scaled else value
 
-    def told(self, counts: float, unit: str = "position") -> float:
+    def reported(self, counts: float, unit: str = "position") -> float:
         """Return a quantity as the board reports it: integer counts, or user units.
 
         Positions and distances are rounded to counts before they are scaled, because an encoder resolves only
@@ -207,7 +207,7 @@ class AxisState:
 
     def say(self, counts: float, unit: str = "position") -> str:
         """Format a quantity as the board does: integer counts, or user units, 6 decimals."""
-        value = self.told(counts, unit)
+        value = self.reported(counts, unit)
         return real(value) if self.scaled else str(int(value))
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE
 
 TYPE_CHECKING = False
@@ -26,7 +27,6 @@ SINGLE = {"auxiliary": 200, "user_1": 216, "user_2": 232}
 SWITCHES = {"limit_plus": LIMIT_FORWARD, "limit_minus": LIMIT_REVERSE}
 # Half the width of an index mark, counts.
 MARK = 0.5
-INFINITY = float("inf")
 # The bit of LM that makes the limit switches normally closed.
 INVERTED = 128
 
@@ -53,9 +53,12 @@ def active_bits(board: Board, axis: AxisState, bits: dict[str, int]) -> int:
     a = board.controller.axes[axis.number]
     closed = [each.bit for each in a.limits if each.physical and each.passed]
     at_home = board.controller.is_on_home_switch(axis.number)
+    drives = board.drives_inputs
+    if not (drives or at_home or closed):
+        return 0
     found = 0
     for name, bit in bits.items():
-        if is_channel_active(board, axis, name) or (
+        if (drives and is_channel_active(board, axis, name)) or (
             (name == "home" and at_home) or (closed and SWITCHES.get(name) in closed)
         ):
             found |= bit

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import copysign, sqrt
 
+from motionlang.controller.clock import INFINITY
 from motionlang.planners import Profile
 
 TYPE_CHECKING = False
@@ -11,8 +12,6 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
-
-INFINITY = float("inf")
 
 
 def aim(controller: Controller, axis: AxisState) -> float:
@@ -77,8 +76,8 @@ def _going_on(
 
     beyond = target + copysign(low * low / (2.0 * decel), velocity)
     whole = plan_trapezoid(start, beyond, speed, accel, decel, velocity)
-    kept = whole.cut(whole.duration - low / decel)
-    return from_curve("trapezoid", start, target, kept.curve, velocity, 0.0)
+    until_braking = whole.cut(whole.duration - low / decel)
+    return from_curve("trapezoid", start, target, until_braking.curve, velocity, 0.0)
 
 
 def _stepped(start: float, target: float, low: float, speed: float, accel: float, decel: float) -> Profile:

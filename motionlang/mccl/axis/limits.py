@@ -93,7 +93,7 @@ class Limits:
         axis = self._axis
         for bit, position in ((SOFT_HIGH, axis.soft_high), (SOFT_LOW, axis.soft_low)):
             limit = self._soft[bit]
-            limit.place(position if limit.enabled else None)
+            limit.set_position(position if limit.enabled else None)
 
     @property
     def watches_amplifier(self) -> bool:

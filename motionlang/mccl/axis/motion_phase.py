@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.mccl.axis.axis import AxisState
-
-INFINITY = float("inf")
 
 
 def phase(controller: Controller, axis: int) -> tuple[str, float]:

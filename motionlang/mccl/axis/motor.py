@@ -5,7 +5,10 @@ Only axes with a motor in the machine file have a simulated one.
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
+from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import GAIN, TORQUE
+from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import tuning
 
 TYPE_CHECKING = False
@@ -13,7 +16,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
-INFINITY = float("inf")
 # The setting of the loop's rate, which three commands set.
 _RATE = "kept_rate"
 # The settings of an output stage without its loop.
@@ -23,6 +25,14 @@ ERROR_LIMIT = 1024.0
 # A deadband below this, counts, is taken as the one count that an encoder resolves.
 _COUNT = 0.5
 FULL_OUTPUT = 10.0
+
+
+def check_on(board: Board, axis: AxisState) -> None:
+    """Raise Fault if the axis is switched off."""
+    if not board.controller.is_enabled(axis.number):
+        raise Fault(
+            codes.INVALID, f"axis {axis.number} is off", f"{axis.number}MN switches it on", "disabled-axis"
+        )
 
 
 def power_up(board: Board, axis: AxisState) -> None:
@@ -41,14 +51,14 @@ def tune(board: Board, axis: AxisState) -> None:
     controller, number = board.controller, axis.number
     if controller.axes[number].feedback is None:
         return
-    kept = {**axis.kept, "kept_torque": _largest_output(axis)}
+    stored = {**axis.stored, "kept_torque": _largest_output(axis)}
     if axis.reversed_phase:
-        kept["output_phase"] = 1.0
-    gains = {row.tunes: (kept[row.verb], row.name) for row in tuning() if row.verb in kept}
+        stored["output_phase"] = 1.0
+    gains = {row.tunes: (stored[row.verb], row.name) for row in tuning() if row.verb in stored}
     if axis.mode == GAIN:
         gains = {quantity: gain for quantity, gain in gains.items() if quantity in _STAGE}
-    if _RATE in kept:
-        gains["rate"] = kept[_RATE], "the rate"
+    if _RATE in stored:
+        gains["rate"] = stored[_RATE], "the rate"
     controller.set_gains(number, gains)
     if axis.mode == TORQUE:
         drive(board, axis)
@@ -56,7 +66,7 @@ def tune(board: Board, axis: AxisState) -> None:
 
 def limit_error(board: Board, axis: AxisState) -> None:
     """Set the following error, counts, that switches the motor off; 0 for none (SE)."""
-    limit = axis.kept.get("kept_error_limit", ERROR_LIMIT)
+    limit = axis.stored.get("kept_error_limit", ERROR_LIMIT)
     board.controller.set_error_limit(axis.number, limit or INFINITY)
 
 
@@ -75,7 +85,7 @@ def drive(board: Board, axis: AxisState) -> None:
 
 def _largest_output(axis: AxisState) -> float:
     """Return SQ in volts, limited to the full output."""
-    return min(axis.kept.get("kept_torque", FULL_OUTPUT), FULL_OUTPUT)
+    return min(axis.stored.get("kept_torque", FULL_OUTPUT), FULL_OUTPUT)
 
 
 def changed_mode(board: Board, axis: AxisState, before: str) -> None:

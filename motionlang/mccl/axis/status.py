@@ -6,6 +6,7 @@ auxiliary, profile and mode words of a MultiFlex. Their bits there are our choic
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
 from motionlang.mccl.axis.flags import (
@@ -29,8 +30,9 @@ if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
-INFINITY = float("inf")
 
+# The bits of the primary word that may change without an event or a command. An axis comes to rest by an event.
+VOLATILE = AT_TARGET | DIRECTION | INDEX_INPUT
 # Bits of the mode word.
 MODES = {POSITION: 1, VELOCITY: 2, TORQUE: 4, GAIN: 8, CONTOUR: 16}
 ARC, LINE, SLAVE = 32, 64, 128
@@ -59,13 +61,14 @@ def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
     controller, number = board.controller, axis.number
     bits = axis.flags
     until = INFINITY
+    standing = controller.is_at_standstill(number)
     if controller.is_enabled(number):
         bits |= MOTOR_ON | AMPLIFIER_ON
     if axis.reversed_phase:
         bits |= PHASE
     if axis.breakpoint_reached:
         bits |= REACHED
-    if controller.is_at_standstill(number):
+    if standing:
         bits |= TRAJECTORY_COMPLETE
     else:
         until = next_reversal(controller, number)

@@ -6,29 +6,29 @@ address of one board is not valid on another, so programs look them up.
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.launch import aim
-from motionlang.mccl.axis.status import word
+from motionlang.mccl.axis.status import VOLATILE, word
 from motionlang.mccl.codes import Fault
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
 
     # The value, and the time until which it is valid without a notifying event.
-    Reading = Callable[[Board, AxisState], tuple[float | int, float]]
+    Reader = Callable[[Board, AxisState], tuple[float | int, float]]
     Writing = Callable[[Board, AxisState, float], None]
 
-INFINITY = float("inf")
 FIRST, STEP = 0x100, 4
 
 
-def _word(which: int) -> Reading:
+def _word(which: int) -> Reader:
     return lambda board, axis: word(board, axis, which)
 
 
@@ -68,7 +68,7 @@ def _moving(board: Board, axis: AxisState, value: float) -> tuple[float, float]:
     return value, INFINITY if controller.is_still(axis.number) else controller.clock.now
 
 
-_READINGS: dict[str, Reading] = {
+_READERS: dict[str, Reader] = {
     "STATUS": _word(0),
     "AUXSTATUS": _word(1),
     "PROFILE": _word(2),
@@ -83,18 +83,18 @@ _READINGS: dict[str, Reading] = {
 }
 
 
-def _setting(name: str) -> Reading:
+def _setting(name: str) -> Reader:
     """Return the reader of a motion setting, in counts and seconds."""
     return lambda board, axis: (float(board.controller.setting(axis.number, name) or 0.0), INFINITY)
 
 
-def _of(name: str) -> Reading:
+def _of(name: str) -> Reader:
     """Return the reader of an attribute of the axis state."""
     return lambda board, axis: (float(getattr(axis, name)), INFINITY)
 
 
-def _kept(name: str, default: float) -> Reading:
-    return lambda board, axis: (axis.kept.get(name, default), INFINITY)
+def _stored_value(name: str, default: float) -> Reader:
+    return lambda board, axis: (axis.stored.get(name, default), INFINITY)
 
 
 def _auxiliary(board: Board, axis: AxisState) -> tuple[float, float]:
@@ -141,7 +141,7 @@ def _write_auxiliary(board: Board, axis: AxisState, value: float) -> None:
     axis.aux_zero = board.controller.encoder_position(AUXILIARY + axis.number) - value
 
 
-_READINGS |= {
+_READERS |= {
     "SPEED": _setting("speed"),
     "ACCEL": _setting("accel"),
     "DECEL": _setting("decel"),
@@ -152,20 +152,25 @@ _READINGS |= {
     "BACKLASH": _of("backlash"),
     "AUXPOSITION": _auxiliary,
     "AUXINDEX": _of("aux_index"),
-    "OUTPUTMODE": _kept("output_mode", 0.0),
-    "INPUTMODE": _kept("input_mode", 0.0),
-    "ENCODERSCALE": _kept("encoder_scaling", 1.0),
-    "CURRENT": _kept("current", 1.0),
-    "LOOPRATE": _kept("kept_rate", 4000.0),
+    "OUTPUTMODE": _stored_value("output_mode", 0.0),
+    "INPUTMODE": _stored_value("input_mode", 0.0),
+    "ENCODERSCALE": _stored_value("encoder_scaling", 1.0),
+    "CURRENT": _stored_value("current", 1.0),
+    "LOOPRATE": _stored_value("kept_rate", 4000.0),
 }
 
-NAMES: dict[str, int] = {name: FIRST + STEP * k for k, name in enumerate(_READINGS)}
-_BY_ADDRESS = {NAMES[name]: reading for name, reading in _READINGS.items()}
+NAMES: dict[str, int] = {name: FIRST + STEP * k for k, name in enumerate(_READERS)}
+_BY_ADDRESS = {NAMES[name]: reader for name, reader in _READERS.items()}
 
 
 def read_until(until: float, here: int, axis: AxisState, address: int) -> float:
     """Return until when a variable read by command `here` of a line stays valid."""
     return until
+
+
+def changes_by_event(board: Board, address: int, bits: Iterable[int]) -> bool:
+    """True if only events or commands change these bits of a variable."""
+    return address == NAMES["STATUS"] and not any(VOLATILE >> bit & 1 for bit in bits)
 
 
 def crossing_time(board: Board, axis: AxisState, address: int, level: float) -> float:
@@ -208,7 +213,7 @@ def write(board: Board, axis: AxisState, address: int, value: float) -> None:
 
     The effect is the same as that of the corresponding command.
     """
-    name = next((each for each, place in NAMES.items() if place == address), "")
+    name = next((each for each, base in NAMES.items() if base == address), "")
     writing = _WRITINGS.get(name)
     if writing is None:
         known = ", ".join(_WRITINGS)
@@ -224,12 +229,12 @@ def read(board: Board, axis: AxisState, address: int) -> tuple[float | int, floa
 
     Positions and speeds are in counts.
     """
-    reading = _BY_ADDRESS.get(address)
-    if reading is None:
+    reader = _BY_ADDRESS.get(address)
+    if reader is None:
         raise Fault(
             codes.PARAMETER,
             f"address {address} cannot be read",
             'find an address with LU"STATUS"',
             "range",
         )
-    return reading(board, axis)
+    return reader(board, axis)

@@ -13,12 +13,13 @@ from __future__ import annotations
 
 from traceback import walk_tb
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.lang.scheduler import Scheduler, Stuck
-from motionlang.lang.task import Task, Wait
+from motionlang.lang.task import Task
 from motionlang.mccl import codes
 from motionlang.mccl.hosts.download import Download
-from motionlang.mccl.hosts.port import Port
+from motionlang.mccl.hosts.port import HostWait, Port
 from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.task import CommandTask
 
@@ -27,11 +28,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.waits import Wait
     from motionlang.mccl.hosts.download import Complain, Write
     from motionlang.mccl.hosts.port import HostPort
     from motionlang.source import Source
 
-INFINITY = float("inf")
 # The number of moves, profiles and changes that a served board stores, because it may run for days.
 MEMORY = 1000
 # History is trimmed once in this many requests, because the search costs as much as a request.
@@ -47,7 +48,7 @@ class Console:
     """
 
     break_key = "ESC"
-    # What a host is sent when no more can connect: the board's code for an I/O error.
+    # The reply to a host if no more can connect: the board's code for an I/O error.
     no_room = b"?3\n"
 
     def __init__(self, machine: Machine) -> None:
@@ -56,7 +57,7 @@ class Console:
         self.ports: list[HostPort] = []
         self._downloads: list[Download] = []
         self._passes = 0
-        self._gate = _Gate(self)
+        self._gate = _Gate()
         self._scheduler = machine.scheduler = Scheduler(machine.controller, self._gate)
 
     @property
@@ -67,7 +68,10 @@ class Console:
     @property
     def working(self) -> bool:
         """True if a port is executing a line, or a file is being downloaded."""
-        return any(port.working for port in self.ports) or any(not each.done for each in self._downloads)
+        for port in self.ports:
+            if port.working:
+                return True
+        return any(not each.done for each in self._downloads) if self._downloads else False
 
     def start(self, task: Task) -> None:
         """Start a task that does not belong to a port, such as a call of MCAPI."""
@@ -175,15 +179,23 @@ class Console:
 class _Gate(Task):
     """The scheduler's parent task; it is done as soon as its condition holds."""
 
-    def __init__(self, console: Console) -> None:
+    def __init__(self) -> None:
+        self._is_open: Callable[[], bool] = lambda: False
         super().__init__("console")
-        self._console = console
+        self.wait = HostWait(0.0, lambda: False, lambda: INFINITY, "for the hosts", "host")
+        self.wait.ends = INFINITY
+
+    @property
+    def done(self) -> bool:
+        return self._is_open()
+
+    @done.setter
+    def done(self, done: bool) -> None:
+        """Ignore the value that `Task` sets: the condition decides."""
 
     def open_at(self, ready: Callable[[], bool]) -> None:
         """End the next run as soon as `ready` is true."""
-        self.done = False
-        self.wait = Wait(self._console.now, ready, lambda: INFINITY, "for the hosts", "host")
+        self._is_open = ready
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
-        self.done = True
-        return now, None
+        raise AssertionError("the gate never runs")

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from typing import TypeAlias
 
     from motionlang.errors import Diagnostic
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
     from motionlang.mccl.runtime.board import Board
     from motionlang.mccl.runtime.task import CommandTask
     from motionlang.source import Source
@@ -34,9 +34,9 @@ class Download(FileTask):
         board.tasks = [*others, self]
         self._source, self._complain = source, complain
         self.write = write
-        board.complain = self._told
+        board.complain = self._record_complaint
 
-    def _told(self, diagnostic: Diagnostic, task: CommandTask) -> None:
+    def _record_complaint(self, diagnostic: Diagnostic, task: CommandTask) -> None:
         if task is self:
             diagnostic.line, diagnostic.column, diagnostic.length = locate(self._source, self.at)
             self._complain(diagnostic)

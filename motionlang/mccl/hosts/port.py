@@ -8,8 +8,9 @@ with at least one line, then the prompt.
 
 from __future__ import annotations
 
-from motionlang.lang.task import Wait
+from motionlang.controller.clock import INFINITY
 from motionlang.lang.typed_line import BLANK, CR, LF, TypedLine
+from motionlang.lang.waits import Wait
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.resolve.line import line_of, too_long
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.board import Board
 
     class HostPort(Protocol):
-        """A port as a server sees it, in whatever language its host speaks."""
+        """The interface of a port to a server, whatever the language of its host."""
 
         @property
         def busy(self) -> bool: ...
@@ -37,17 +38,28 @@ if TYPE_CHECKING:
         def close(self) -> None: ...
 
 
-INFINITY = float("inf")
-CTRL_B, ESC = 2, 27
+CTRL_B, XON, XOFF, ESC = 2, 17, 19, 27
 # Characters that a port accepts while it carries out a line, in addition to ESC: Ctrl-B, XON, XOFF and the
 # blank.
-AT_ONCE = (CTRL_B, 17, 19, BLANK)
+AT_ONCE = (CTRL_B, XON, XOFF, BLANK)
 # Limits of the characters that wait while the port is busy, and of those that a host leaves unread.
 MAX_WAITING = 4096
 MAX_UNREAD = 65536
 # The limit of both with the output of one more command (TM-1 lists every macro). Beyond it answers are lost.
 # Only background tasks, which nothing suspends, and an echo that is never read reach it.
 MAX_STORED = 8 * MAX_UNREAD
+
+
+class HostWait(Wait):
+    """The wait of a task that has no line.
+
+    A task reuses one object for all of its waits of this kind and sets `since` each time. The location is
+    constant, so that recording the wait does not require a search of the task's lines.
+    """
+
+    __slots__ = ()
+
+    location = (0, ())
 
 
 class Port:
@@ -66,7 +78,7 @@ class Port:
         self._waiting = bytearray()
         self._typed = TypedLine(MAX_LINE)
         self._out = bytearray()
-        self._held = False
+        self._is_paused = False
         self._closed = False
         # True if the last entry of `next_entry` ended with CR.
         self._entered_cr = False
@@ -138,6 +150,8 @@ class Port:
 
         The rest must be sent again when the port is idle.
         """
+        if self._enters(data):
+            return len(data)
         for count, code in enumerate(data):
             if not self._take_in(code):
                 return count
@@ -145,7 +159,7 @@ class Port:
 
     def take(self) -> bytes:
         """Return the output since the last call; nothing while XOFF is in force."""
-        if self._held:
+        if self._is_paused:
             return b""
         sent = bytes(self._out)
         self._out.clear()
@@ -207,21 +221,35 @@ class Port:
             self._idle(code)
         return True
 
+    def _enters(self, data: bytes) -> bool:
+        """Accept a whole line on an idle port without echo.
+
+        Returns False if the characters must be examined one by one.
+        """
+        board, task = self.board, self.task
+        if task.occupied or self._waiting or task.stepping or (self._echoes and board.echo):
+            return False
+        if board.xon != XON or board.xoff != XOFF or not self._typed.enter(data):
+            return False
+        self._ended = False
+        task.enter_text(*self._typed.take())
+        return True
+
     def _flow(self, code: int) -> bool:
         """Process XON and XOFF."""
         board = self.board
         if code and code == board.xoff:
-            self._held = True
+            self._is_paused = True
             return True
         if code and code == board.xon:
-            self._held = False
+            self._is_paused = False
             return True
         return False
 
     def _escape(self) -> None:
         self._waiting.clear()
         self._typed.clear()
-        self._held = False
+        self._is_paused = False
         self.task.set_stepping(False)
         if self.busy:
             self.task.cancel()
@@ -259,6 +287,10 @@ class PortTask(CommandTask):
         self._answered = False
         self._line: Line | None = None
         self._fault: Fault | None = None
+        # The wait between two lines; `since` is set each time.
+        self._for_line = HostWait(
+            0.0, lambda: self.occupied, lambda: INFINITY, "for the host to send a line", "host"
+        )
 
     # ------------------------------------------------------------------------------------------ for the port
 
@@ -325,7 +357,8 @@ class PortTask(CommandTask):
             self._port.go_on()
         if self.occupied:
             return Wait(now, lambda: True, lambda: now, "")
-        return Wait(now, lambda: self.occupied, lambda: INFINITY, "for the host to send a line", "host")
+        self._for_line.since = now
+        return self._for_line
 
     gated = True
 

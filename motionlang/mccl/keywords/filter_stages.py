@@ -40,7 +40,7 @@ def output_mode(task: CommandTask, command: Command) -> None:
         raise Fault(codes.PARAMETER, f"there is no output mode {mode}", f"the modes are {modes}", "range")
     name, simulated = OUTPUT_MODES[mode]
     for axis in task.axes(command):
-        axis.kept["output_mode"] = float(mode)
+        axis.stored["output_mode"] = float(mode)
         if not simulated and task.board.controller.has_motor(axis.number):
             message = f"the simulated motor of axis {axis.number} has a bipolar amplifier, not {name}"
             task.board.warn(task, "not-simulated", message, "the mode is stored and reported")
@@ -49,7 +49,7 @@ def output_mode(task: CommandTask, command: Command) -> None:
 def _keep(name: str, value: float) -> Action:
     def keep(task: CommandTask, command: Command) -> None:
         for axis in task.axes(command):
-            axis.kept[name] = value
+            axis.stored[name] = value
 
     return keep
 
@@ -57,7 +57,7 @@ def _keep(name: str, value: float) -> Action:
 def _keep_parameter(name: str) -> Action:
     def keep(task: CommandTask, command: Command) -> None:
         for axis in task.axes(command):
-            axis.kept[name] = float(task.value(command))
+            axis.stored[name] = float(task.value(command))
 
     return keep
 
@@ -70,7 +70,7 @@ def _rate(hertz: float) -> Action:
 
     def switch(task: CommandTask, command: Command) -> None:
         for axis in task.axes(command):
-            axis.kept["kept_rate"] = hertz
+            axis.stored["kept_rate"] = hertz
             motor.tune(task.board, axis)
 
     return switch

@@ -15,7 +15,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import Action, CommandTask
 

@@ -5,7 +5,8 @@ Each wait ends at its exact time, without polling.
 
 from __future__ import annotations
 
-from motionlang.lang.task import Wait, wait_idle, wait_until
+from motionlang.controller.clock import INFINITY
+from motionlang.lang.waits import Wait, wait_idle, wait_until
 from motionlang.mccl.axis.motion_phase import at_target_time
 from motionlang.mccl.keywords.row import Group, pure
 
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.board import Board
     from motionlang.mccl.runtime.task import CommandTask
 
-INFINITY = float("inf")
 BEFORE_NEVER = 1e300
 # Counts within which a position counts as reached: far below one, far above rounding.
 _REACHED = 1e-6
@@ -103,21 +103,23 @@ def _next_target(task: CommandTask, command: Command, axes: list[AxisState], now
     board = task.board
     while axes:
         axis = axes[0]
-        due = at_target_time(board.controller, axis)
-        if due > now:
-            return _until_target(task, command, axes, now, due)
+        until = at_target_time(board.controller, axis)
+        if until > now:
+            return _until_target(task, command, axes, now, until)
         axes.pop(0)
     return _dwell(task, command, now)
 
 
-def _until_target(task: CommandTask, command: Command, axes: list[AxisState], now: float, due: float) -> Wait:
+def _until_target(
+    task: CommandTask, command: Command, axes: list[AxisState], now: float, until: float
+) -> Wait:
     board, axis = task.board, axes[0]
     clock = board.controller.clock
     task.then = lambda time: _next_target(task, command, axes, time)
     has_motor = board.controller.axes[axis.number].feedback is not None
-    if due < INFINITY and not has_motor:
+    if until < INFINITY and not has_motor:
         why = f"for axis {axis.number} to be at target"
-        return Wait(now, lambda: clock.now >= due, lambda: due, why, "axis", (axis.number,))
+        return Wait(now, lambda: clock.now >= until, lambda: until, why, "axis", (axis.number,))
     return Wait(
         now,
         lambda: at_target_time(board.controller, axis) <= (clock.now if has_motor else BEFORE_NEVER),

@@ -5,7 +5,8 @@ Digital levels are logical: a low-true channel is on if its level is low.
 
 from __future__ import annotations
 
-from motionlang.lang.task import Wait
+from motionlang.controller.clock import INFINITY
+from motionlang.lang.waits import Wait
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import real
 from motionlang.mccl.axis.volts import percent, volts
@@ -18,8 +19,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.board import Board
     from motionlang.mccl.runtime.task import CommandTask
-
-INFINITY = float("inf")
 
 
 def is_on(board: Board, channel: int) -> bool:

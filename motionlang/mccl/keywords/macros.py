@@ -8,7 +8,7 @@ from motionlang.mccl.keywords.row import Group, pure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.task import CommandTask

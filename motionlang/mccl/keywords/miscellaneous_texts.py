@@ -77,8 +77,8 @@ def _form(text: str, k: int, kinds: str) -> tuple[str, str, int]:
     while k < len(text) and (text[k] in _FLAGS or text[k].isdecimal() or text[k] == "."):
         k += 1
     form, kind = text[begin:k], text[k : k + 1]
-    width, _, places = form.lstrip(_FLAGS).partition(".")
-    if not kind or kind not in kinds or not (_is_small(width, WIDEST) and _is_small(places, FINEST)):
+    width, _, decimals = form.lstrip(_FLAGS).partition(".")
+    if not kind or kind not in kinds or not (_is_small(width, WIDEST) and _is_small(decimals, FINEST)):
         hint = "such as " + ("%d, %6d or %08X" if "d" in kinds else "%f, %8.3f or %g")
         raise Fault(codes.PARAMETER, f"%{form}{kind} is not a number format here", hint, "values")
     return form, kind, k + 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mccl import codes
+from motionlang.mccl.axis.motor import check_on
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
 
@@ -24,10 +25,7 @@ def slave(task: CommandTask, command: Command) -> None:
         controller.leave_master(axis.number)
         return
     master = board.axis(number)
-    if not controller.is_enabled(axis.number):
-        raise Fault(
-            codes.INVALID, f"axis {axis.number} is off", f"{axis.number}MN switches it on", "disabled-axis"
-        )
+    check_on(board, axis)
     axis.running = False
     controller.gear(axis.number, master.number, axis.slave_ratio, command=task.word, line=task.source_line)
 

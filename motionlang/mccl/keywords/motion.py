@@ -8,8 +8,9 @@ axis that runs continuously in velocity mode rejects the move.
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.lang.task import wait_idle
+from motionlang.lang.waits import wait_idle
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
@@ -21,13 +22,10 @@ from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
-
-
-INFINITY = float("inf")
 
 
 def motor_on(task: CommandTask, command: Command) -> None:

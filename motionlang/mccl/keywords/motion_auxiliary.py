@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from math import floor
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.io.encoder import AUXILIARY
-from motionlang.lang.task import Wait
+from motionlang.lang.waits import Wait
 from motionlang.mccl.axis.axis import nearest_whole
 from motionlang.mccl.keywords.row import Group
 
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
 
-INFINITY = float("inf")
-# A mark nearer than this, in counts, is the one that the encoder is on: the next one counts.
+# A mark nearer than this, in counts, is the mark that the encoder is on: the search is for the next one.
 _ON = 1e-6
 
 

@@ -5,7 +5,7 @@ FI and FE search at once; IA and EL arm the search, and a later WI or WE waits f
 
 from __future__ import annotations
 
-from motionlang.lang.task import Wait
+from motionlang.lang.waits import Wait
 from motionlang.mccl.axis.inputs import is_active
 from motionlang.mccl.keywords.flow_waits import passing_flag
 from motionlang.mccl.keywords.row import Group
@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
-
-INFINITY = float("inf")
 
 
 def find_index(task: CommandTask, command: Command) -> Wait | None:

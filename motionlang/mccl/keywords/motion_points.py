@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.mccl import codes
 from motionlang.mccl.axis.launch import aim
 from motionlang.mccl.codes import Fault
@@ -10,7 +12,7 @@ from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
 
@@ -24,7 +26,7 @@ def learn_position(task: CommandTask, command: Command) -> None:
 def learn_target(task: CommandTask, command: Command) -> None:
     point = task.whole(command)
     for axis in task.axes(command):
-        if abs(task.board.controller.target(axis.number)) == float("inf"):
+        if abs(task.board.controller.target(axis.number)) == inf:
             raise Fault(codes.PARAMETER, f"axis {axis.number} runs without a target", "LP learns where it is")
         task.board.points[point, axis.number] = aim(task.board.controller, axis)
 

@@ -36,7 +36,7 @@ def record(task: CommandTask, command: Command) -> None:
             task.board.records[axis.number] = (start, min(most, _taken(now - start, most)))
 
 
-def _tell(reading: Callable[[CommandTask, AxisState, list[float]], list[str]]) -> Action:
+def _teller(reader: Callable[[CommandTask, AxisState, list[float]], list[str]]) -> Action:
     def tell(task: CommandTask, command: Command) -> None:
         wanted = task.whole(command)
         for axis in task.axes(command):
@@ -49,7 +49,7 @@ def _tell(reading: Callable[[CommandTask, AxisState, list[float]], list[str]]) -
                     )
                 continue
             times = recorded_times(task.board, axis.number)
-            for text in reading(task, axis, times[:wanted] if wanted else times):
+            for text in reader(task, axis, times[:wanted] if wanted else times):
                 task.tell(axis.number, text)
 
     return tell
@@ -93,13 +93,13 @@ ROWS = (
     _row("PR", "command", "W", "axes", "number", record,
          "Record n points of the motion, one every millisecond, read out with DO, DR and DQ.", "1PR100",
          low=0, high=10000),
-    _reports_row("DO", "reading", "R", "axes", "uu", Actions("tell_recorded_optimal", do=_tell(_optimal)),
+    _reports_row("DO", "reading", "R", "axes", "uu", Actions("tell_recorded_optimal", do=_teller(_optimal)),
                  "Tell n recorded optimal positions, one a line; 0 for all of them.",
                  "1MN,1PR5,1MR50,1WS,1DO0", low=0),
-    _reports_row("DR", "reading", "R", "axes", "uu", Actions("tell_recorded_actual", do=_tell(_actual)),
+    _reports_row("DR", "reading", "R", "axes", "uu", Actions("tell_recorded_actual", do=_teller(_actual)),
                  "Tell n recorded actual positions, one a line; 0 for all of them.",
                  "1MN,1PR5,1MR50,1WS,1DR0", low=0),
-    _reports_row("DQ", "reading", "R", "axes", "number", Actions("tell_recorded_torque", do=_tell(_torque)),
+    _reports_row("DQ", "reading", "R", "axes", "number", Actions("tell_recorded_torque", do=_teller(_torque)),
                  "Tell n recorded outputs in volts, one a line; 0 V without a simulated motor.",
                  "1MN,1PR5,1MR50,1WS,1DQ0", low=0),
 )  # fmt: skip

@@ -16,15 +16,15 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import Action, CommandTask
 
-    Reading = Callable[[CommandTask, AxisState], str]
+    Reader = Callable[[CommandTask, AxisState], str]
 
 
-def _each(reading: Reading) -> Action:
+def _each(reader: Reader) -> Action:
     """Return an action that reports one quantity for each axis of the command."""
 
     def tell(task: CommandTask, command: Command) -> None:
         for axis in task.axes(command):
-            task.tell(axis.number, reading(task, axis))
+            task.tell(axis.number, reader(task, axis))
 
     return tell
 
@@ -59,16 +59,16 @@ def _index(task: CommandTask, axis: AxisState) -> str:
     return axis.say(axis.index_position)
 
 
-def _kept(name: str) -> Reading:
-    def reading(task: CommandTask, axis: AxisState) -> str:
-        value = axis.kept.get(name, KEPT_DEFAULTS.get(name, 0.0))
+def _stored_value(name: str) -> Reader:
+    def reader(task: CommandTask, axis: AxisState) -> str:
+        value = axis.stored.get(name, STORED_DEFAULTS.get(name, 0.0))
         return str(int(value)) if axis.model.whole_gains else real(value)
 
-    return reading
+    return reader
 
 
 # The power-up values of servo loop settings that are not 0.
-KEPT_DEFAULTS = {"kept_torque": 10.0, "kept_error_limit": 1024.0}
+STORED_DEFAULTS = {"kept_torque": 10.0, "kept_error_limit": 1024.0}
 
 
 def tell_status(task: CommandTask, command: Command) -> None:
@@ -111,19 +111,20 @@ ROWS = (
     _row("TS", "reading", "R", "axes", "bits", tell_status,
          "Tell a status word: 0 status, 1 auxiliary, 2 profile, 3 mode.", "1TS", low=0, high=3, meant="STATUS"),
     _row("TE", "reading", "R", "none", "number", tell_error, "Tell the last error of the interpreter.", "TE"),
-    _row("TG", "reading", "R", "axes", "number", Actions("tell_gain", do=_each(_kept("kept_gain"))),
+    _row("TG", "reading", "R", "axes", "number", Actions("tell_gain", do=_each(_stored_value("kept_gain"))),
          "Tell the proportional gain.", "1TG"),
-    _row("TI", "reading", "R", "axes", "number", Actions("tell_integral", do=_each(_kept("kept_integral"))),
+    _row("TI", "reading", "R", "axes", "number", Actions("tell_integral", do=_each(_stored_value("kept_integral"))),
          "Tell the integral gain.", "1TI"),
-    _row("TD", "reading", "R", "axes", "number", Actions("tell_derivative", do=_each(_kept("kept_derivative"))),
+    _row("TD", "reading", "R", "axes", "number", Actions("tell_derivative", do=_each(_stored_value("kept_derivative"))),
          "Tell the derivative gain.", "1TD"),
     _row("TL", "reading", "R", "axes", "number",
-         Actions("tell_integral_limit", do=_each(_kept("kept_integral_limit"))),
+         Actions("tell_integral_limit", do=_each(_stored_value("kept_integral_limit"))),
          "Tell the limit of the integral term.",
          "1TL"),
-    _row("TK", "reading", "R", "axes", "number", Actions("tell_velocity_gain", do=_each(_kept("kept_velocity_gain"))),
+    _row("TK", "reading", "R", "axes", "number",
+         Actions("tell_velocity_gain", do=_each(_stored_value("kept_velocity_gain"))),
          "Tell the velocity gain.", "1TK"),
-    _row("TQ", "reading", "R", "axes", "number", Actions("tell_torque", do=_each(_kept("kept_torque"))),
+    _row("TQ", "reading", "R", "axes", "number", Actions("tell_torque", do=_each(_stored_value("kept_torque"))),
          "Tell the torque limit.", "1TQ"),
     _row("TB", "reading", "R", "axes", "uu", Actions("tell_breakpoint", do=_each(_breakpoint)),
          "Tell the position of the breakpoint.", "1TB"),

@@ -34,7 +34,7 @@ SWITCHES = {
     "mccl.torque-default": Switch(low=0, high=1e6),
 }
 # Stored settings of an axis, by the assumption on their value at power-up.
-KEPT = {
+SWITCHED = {
     "mccl.gain-default": "kept_gain",
     "mccl.integral-default": "kept_integral",
     "mccl.derivative-default": "kept_derivative",

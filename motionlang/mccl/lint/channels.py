@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from motionlang.mccl.models import Model
-    from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.resolve.line import Line
 
     Add = Callable[[int, Fault], None]
@@ -27,24 +26,20 @@ _WAITS = {"wait_on": "on", "wait_off": "off"}
 def check_channels(lines: list[Line], settings: Mapping[str, object], model: Model, add: Add) -> None:
     """Run both checks, with one diagnostic per command."""
     commands = [each for line in lines for each in zip(line.commands, line.places, strict=True)]
-    made = {command.number for command, _ in commands if _verb(command) == "channel_output"}
+    made = {command.number for command, _ in commands if command.verb == "channel_output"}
     driven = driven_inputs(settings)
     word = next(row.name for row in table() if row.verb == "channel_output")
     for command, at in commands:
         channel = command.number
         if channel is None or None in made or channel in made or channel in model.outputs:
             continue
-        if _verb(command) in _SWITCHES:
+        if command.verb in _SWITCHES:
             message = f"channel {channel} is an input on this board: {command.text} is rejected"
             outputs = f"{model.outputs.start} to {model.outputs.stop - 1} are outputs at power-up"
             add(at, Fault(0, message, f"{word}{channel} makes it an output; {outputs}", "wrong-channel"))
-        elif _verb(command) in _WAITS and driven is not None and channel not in driven:
+        elif command.verb in _WAITS and driven is not None and channel not in driven:
             message = f"{command.text} waits for channel {channel}, which no entry of the machine file drives"
             add(
                 at,
                 Fault(0, message, "it continues at once or never; add an [[input]] entry", "endless-wait"),
             )
-
-
-def _verb(command: Command) -> str:
-    return command.row.verb if command.row is not None else ""

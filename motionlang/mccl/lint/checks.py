@@ -34,7 +34,7 @@ _SKIPS = frozenset(
 _DO_REST = frozenset({"do_if_on", "do_if_off"})
 # Commands after which a line does not continue, and those that jump within it.
 _LEAVES = frozenset({"jump_macro", "leave"})
-_TURNS = frozenset({"repeat", "jump", "jump_by"})
+_REPEATS = frozenset({"repeat", "jump", "jump_by"})
 # Verbs that need a defined macro.
 CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
 
@@ -62,11 +62,7 @@ def lint(lines: list[Line], add: Add) -> None:
 
 
 def _is_macro(line: Line) -> bool:
-    return _verb(line.commands[0]) == "define_macro"
-
-
-def _verb(command: Command) -> str:
-    return command.row.verb if command.row is not None else ""
+    return line.commands[0].verb == "define_macro"
 
 
 def _unreachable(why: str, what: str = "command") -> Fault:
@@ -96,7 +92,7 @@ def _reached(line: Line) -> set[int]:
 def _next(line: Line, k: int) -> list[int]:
     """Return the commands that may follow command k."""
     command, first, count = line.commands[k], int(_is_macro(line)), len(line.commands)
-    verb, number = _verb(command), command.number
+    verb, number = command.verb, command.number
     if verb in _SKIPS:
         return [k + 1, k + 3]
     if verb in _DO_REST:
@@ -115,18 +111,18 @@ def _next(line: Line, k: int) -> list[int]:
 
 
 def _unreached_commands(line: Line, reached: set[int], add: Add) -> None:
-    told = False
+    is_reported = False
     for k, (command, at) in enumerate(zip(line.commands, line.places, strict=True)):
-        if k in reached or _verb(command) == "nothing":
-            told = told and k not in reached
-        elif not told:
-            told = True
+        if k in reached or command.verb == "nothing":
+            is_reported = is_reported and k not in reached
+        elif not is_reported:
+            is_reported = True
             add(at, _unreachable(_reason(line, k)))
 
 
 def _reason(line: Line, k: int) -> str:
-    before = next((c for c in reversed(line.commands[:k]) if _verb(c) in _TURNS | _LEAVES), None)
-    if before is not None and _verb(before) == "repeat":
+    before = next((c for c in reversed(line.commands[:k]) if c.verb in _REPEATS | _LEAVES), None)
+    if before is not None and before.verb == "repeat":
         return f"{before.text} repeats the commands before it forever"
     return f"{before.text} always jumps elsewhere" if before is not None else "the line skips it"
 
@@ -136,13 +132,13 @@ def _reason(line: Line, k: int) -> str:
 
 def _motors(lines: list[Line], add: Add) -> None:
     """Warn, once per axis, of moves of an axis that the file never switches on."""
-    on = {command.axis for command, _ in _commands(lines) if _verb(command) == "motor_on"}
-    told: set[int] = set()
+    on = {command.axis for command, _ in _commands(lines) if command.verb == "motor_on"}
+    reported: set[int] = set()
     for command, at in _commands(lines):
-        if _verb(command) not in _MOVES or command.axis in told:
+        if command.verb not in _MOVES or command.axis in reported:
             continue
         if not on if command.axis == 0 else not on & {0, command.axis}:
-            told.add(command.axis)
+            reported.add(command.axis)
             which = "an axis" if command.axis == 0 else f"axis {command.axis}"
             number = command.axis or ""
             add(at, Fault(0, f"no line of this file switches {which} on", f"{number}MN does", "motor-off"))
@@ -150,9 +146,9 @@ def _motors(lines: list[Line], add: Add) -> None:
 
 def _starts(lines: list[Line], add: Add) -> None:
     """Warn of each GO of an axis for which the file never selects a mode that uses GO."""
-    modes = {command.axis for command, _ in _commands(lines) if _verb(command) in _STARTED}
+    modes = {command.axis for command, _ in _commands(lines) if command.verb in _STARTED}
     for command, at in _commands(lines):
-        if _verb(command) == "go" and not modes & {0, command.axis} and (command.axis or not modes):
+        if command.verb == "go" and not modes & {0, command.axis} and (command.axis or not modes):
             message = f"{command.text} starts nothing: no line of this file selects velocity mode"
             number = command.axis or ""
             add(at, Fault(0, message, f"{number}VM before it, or MA or MR for a move", "nothing-loaded"))
@@ -173,11 +169,11 @@ def _waits(lines: list[Line], add: Add) -> None:
     for line in lines:
         if _is_macro(line):
             continue
-        turns = any(_verb(command) in _TURNS for command in line.commands)
-        if turns:
+        repeats = any(command.verb in _REPEATS for command in line.commands)
+        if repeats:
             moved |= _moved(line, bodies, set())
         for command, at in zip(line.commands, line.places, strict=True):
-            if _verb(command) in _WAITS and 0 not in moved and not _has_moved(command, moved):
+            if command.verb in _WAITS and 0 not in moved and not _has_moved(command, moved):
                 message = f"{command.text} waits for the end of a move, and nothing has moved yet"
                 add(at, Fault(0, message, "move first, as in 1MR1000,1WS", "nothing-to-wait-for"))
             moved |= _moved_by(command, bodies, set())
@@ -193,7 +189,7 @@ def _moved(line: Line, bodies: dict[int | None, Line], seen: set[int]) -> set[in
 
 
 def _moved_by(command: Command, bodies: dict[int | None, Line], seen: set[int]) -> set[int]:
-    verb = _verb(command)
+    verb = command.verb
     if verb in _MOVES:
         return {command.axis}
     if verb not in CALLS:

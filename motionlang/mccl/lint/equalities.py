@@ -31,10 +31,10 @@ def exact_positions(lines: Iterable[Line], add: Add) -> None:
     # What the registers hold: the name of a variable whose address LU has looked up. Register 0 is the accumulator.
     names: dict[int, str] = {}
     for line in lines:
-        polls = any(_verb(command) in _REPEATS for command in line.commands)
+        polls = any(command.verb in _REPEATS for command in line.commands)
         position = False
         for command, at in zip(line.commands, line.places, strict=True):
-            verb = _verb(command)
+            verb = command.verb
             if verb in _EQUALITIES:
                 if position and polls:
                     add(at, _exact(command, verb))
@@ -55,7 +55,3 @@ def exact_positions(lines: Iterable[Line], add: Add) -> None:
 def _exact(command: Command, verb: str) -> Fault:
     message = f"{command.text} compares a moving position for equality, which is rarely true"
     return Fault(0, message, _EQUALITIES[verb].format(f"{command.value:g}"), "exact-position")
-
-
-def _verb(command: Command) -> str:
-    return command.row.verb if command.row is not None else ""

@@ -37,8 +37,8 @@ def _repeats_from(line: Line, k: int, command: Command) -> int | None:
 
     An `MJ` to the macro that contains it repeats the macro.
     """
-    verb, number = _verb(command), command.number
-    is_macro = _verb(line.commands[0]) == "define_macro"
+    verb, number = command.verb, command.number
+    is_macro = line.commands[0].verb == "define_macro"
     first = int(is_macro)
     if verb == "repeat" and number == 0:
         return first
@@ -51,15 +51,15 @@ def _repeats_from(line: Line, k: int, command: Command) -> int | None:
 
 
 def _check(line: Line, begin: int, k: int, add: Add) -> None:
-    first = int(_verb(line.commands[0]) == "define_macro")
+    first = int(line.commands[0].verb == "define_macro")
     body = line.commands[first:k]
-    if any(_verb(each).startswith(_LEAVES) for each in body):
+    if any(each.verb.startswith(_LEAVES) for each in body):
         return
     word = line.commands[k].name
     moves = [
         (each, at)
         for each, at in zip(line.commands[begin:k], line.places[begin:k], strict=True)
-        if _verb(each) in _MOVES
+        if each.verb in _MOVES
     ]
     if moves:
         command, at = moves[-1]
@@ -69,10 +69,6 @@ def _check(line: Line, begin: int, k: int, add: Add) -> None:
     else:
         message = f"{word} repeats the line forever, without a wait or an exit"
         hint = "add WA0.1 before it"
-        if _verb(line.commands[k]) == "repeat":
+        if line.commands[k].verb == "repeat":
             hint += f", or end after ten repetitions with {word}10"
         add(line.places[k], Fault(0, message, hint, "endless-loop"))
-
-
-def _verb(command: Command) -> str:
-    return command.row.verb if command.row is not None else ""

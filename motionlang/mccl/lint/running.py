@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _SHAPES = {"shape_trapezoid": "", "shape_scurve": "S-curve", "shape_parabolic": "parabola"}
 _MOVES = frozenset({"move_to", "move_by", "go_home", "move_to_point"})
 _WAITS = frozenset({"wait_stop", "wait_target"})
-_RESTS = frozenset({"stop", "abort", "motor_off", "reset"})
+_STOPS = frozenset({"stop", "abort", "motor_off", "reset"})
 # Commands that change neither the target nor the position of an axis.
 _HARMLESS = frozenset({"motor_on", "position_mode", *_SHAPES})
 # A line with one of these may continue anywhere, and macros are not followed, so the state after it is
@@ -52,7 +52,7 @@ def running_axes(lines: Iterable[Line], add: Add) -> None:
     """
     axes: dict[int, _Axis] = {}
     for line in lines:
-        if any(_verb(command) in _ELSEWHERE for command in line.commands):
+        if any(command.verb in _ELSEWHERE for command in line.commands):
             for axis in axes.values():
                 axis.running, axis.distance = False, None
             continue
@@ -64,17 +64,13 @@ def running_axes(lines: Iterable[Line], add: Add) -> None:
                     add(at, fault)
 
 
-def _verb(command: Command) -> str:
-    return command.row.verb if command.row is not None else ""
-
-
 def _named(command: Command, axes: dict[int, _Axis]) -> list[int]:
     return list(axes) if command.axis == 0 else [command.axis]
 
 
 def _after(axis: _Axis, number: int, command: Command) -> Fault | None:
     """Apply a command to the known state of an axis; return the command's fault."""
-    verb = _verb(command)
+    verb = command.verb
     if verb in _SHAPES:
         axis.shape = _SHAPES[verb]
     elif verb == "velocity_mode":
@@ -83,7 +79,7 @@ def _after(axis: _Axis, number: int, command: Command) -> Fault | None:
         axis.velocity_mode = False
     elif verb == "go":
         axis.running = axis.running or axis.velocity_mode
-    elif verb in _RESTS:
+    elif verb in _STOPS:
         axis.running = False
     elif axis.running and verb in _WAITS:
         axis.running = False
@@ -101,7 +97,7 @@ def _after(axis: _Axis, number: int, command: Command) -> Fault | None:
 
 def _waits_too_far(axis: _Axis, number: int, command: Command) -> Fault | None:
     """Track the distance of a move, and return the fault of a WR for a longer one."""
-    verb = _verb(command)
+    verb = command.verb
     if verb == "move_by":
         known = axis.distance == 0.0 and command.kind == NUMBER
         axis.distance = abs(float(command.value)) if known else None

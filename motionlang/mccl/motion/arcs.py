@@ -28,7 +28,7 @@ def radius_of(start: Point, centre: Point) -> float:
     return radius
 
 
-def centre_between(start: Point, end: Point, centre: Point, turn: int) -> Point:
+def centre_between(start: Point, end: Point, centre: Point, sense: int) -> Point:
     """Return the point nearest to `centre` at equal distances from start and end.
 
     One circle then passes through both. Raises ValueError if the end misses the circle about the centre by
@@ -43,21 +43,21 @@ def centre_between(start: Point, end: Point, centre: Point, turn: int) -> Point:
     if abs(reach - radius) <= _EVEN * radius:
         return centre
     share = 0.5 * (reach - radius) * (reach + radius) / (dx * dx + dy * dy)
-    if abs(angle_to(start, end, centre, turn)) > 180.0 and abs(share) * hypot(dx, dy) > _MISS * radius:
+    if abs(angle_to(start, end, centre, sense)) > 180.0 and abs(share) * hypot(dx, dy) > _MISS * radius:
         raise ValueError(
             f"{distances}, too much for nearly a full circle; use EA or ER to end it at an angle"
         )
     return centre[0] + share * dx, centre[1] + share * dy
 
 
-def angle_to(start: Point, end: Point, centre: Point, turn: int) -> float:
+def angle_to(start: Point, end: Point, centre: Point, sense: int) -> float:
     """Return the angle to an end point; equal start and end give a full circle."""
-    return _round(_direction(end, centre) - _direction(start, centre), turn)
+    return _round(_direction(end, centre) - _direction(start, centre), sense)
 
 
-def angle_until(start: Point, centre: Point, direction: float, turn: int) -> float:
+def angle_until(start: Point, centre: Point, direction: float, sense: int) -> float:
     """Return the angle to an absolute direction, degrees."""
-    return _round(direction - _direction(start, centre), turn)
+    return _round(direction - _direction(start, centre), sense)
 
 
 def end_of(start: Point, centre: Point, angle: float) -> Point:
@@ -73,7 +73,7 @@ def end_of(start: Point, centre: Point, angle: float) -> Point:
     )
 
 
-def centre_by_radius(start: Point, end: Point, radius: float, turn: int) -> Point:
+def centre_by_radius(start: Point, end: Point, radius: float, sense: int) -> Point:
     """Return the centre of the arc of a given radius between two points.
 
     A positive radius gives the shorter arc, a negative one the longer.
@@ -85,7 +85,7 @@ def centre_by_radius(start: Point, end: Point, radius: float, turn: int) -> Poin
     if chord > 2.0 * abs(radius) * (1.0 + 1e-9):
         raise ValueError(f"a radius of {abs(radius):g} is too small for a chord of {chord:g}")
     height = sqrt(max(radius * radius - 0.25 * chord * chord, 0.0))
-    side = turn if radius > 0.0 else -turn
+    side = sense if radius > 0.0 else -sense
     mx, my = 0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])
     return mx - side * height * dy / chord, my + side * height * dx / chord
 
@@ -94,7 +94,7 @@ def _direction(point: Point, centre: Point) -> float:
     return degrees(atan2(point[1] - centre[1], point[0] - centre[0]))
 
 
-def _round(angle: float, turn: int) -> float:
+def _round(angle: float, sense: int) -> float:
     """Return an equal angle in the direction of `sense`; 0 becomes a full circle."""
-    found = angle * turn % 360.0
-    return turn * (360.0 if found < _NONE or found > 360.0 - _NONE else found)
+    found = angle * sense % 360.0
+    return sense * (360.0 if found < _NONE or found > 360.0 - _NONE else found)

@@ -51,8 +51,8 @@ class Vector(PathPolicy):
     def joins(self, own: Segment, following: PathPolicy, its: Segment) -> bool:
         if not isinstance(following, Vector) or following.contour is not self.contour:
             return False
-        alike = following.scales == self.scales and following.pace().key() == self.pace().key()
-        return alike and all(abs(a - b) <= _SAME for a, b in zip(own.leaving, its.entry, strict=True))
+        is_equal = following.scales == self.scales and following.pace().key() == self.pace().key()
+        return is_equal and all(abs(a - b) <= _SAME for a, b in zip(own.leaving, its.entry, strict=True))
 
     def starts(self) -> None:
         self.contour.take_override()
@@ -83,7 +83,7 @@ class Contour:
         # path.
         self._members: tuple[int, ...] = ()
         self._handed = 0
-        self._under_way: Vector | None = None
+        self._in_progress: Vector | None = None
         self._stopping = False
         # The factor on the vector velocity of the current path.
         self.override = 1.0
@@ -141,7 +141,7 @@ class Contour:
         """
         if self._stopping or axes != self._members or vector.length == 0.0:
             return False
-        return self._under_way is None or vector.shape == "trapezoid"
+        return self._in_progress is None or vector.shape == "trapezoid"
 
     def stop(self) -> None:
         """Come to rest along the paths and clear the queue."""
@@ -157,7 +157,7 @@ class Contour:
 
     def set_speed(self) -> None:
         """Apply a changed override, if the profile's shape allows a change in motion."""
-        if self._under_way is not None and not self._stopping and self._under_way.shape == "trapezoid":
+        if self._in_progress is not None and not self._stopping and self._in_progress.shape == "trapezoid":
             self.take_override()
             self._board.controller.replan_path(self._members[0])
 
@@ -179,7 +179,7 @@ class Contour:
 
     def rested(self, number: int) -> None:
         """Start the next paths when all axes have come to rest."""
-        if number not in self._members or self._under_way is not None:
+        if number not in self._members or self._in_progress is not None:
             return
         if all(self._board.controller.is_idle(each) for each in self._members):
             self._members, self._handed, self._stopping = (), 0, False
@@ -196,7 +196,7 @@ class Contour:
     def begun(self, vector: Vector) -> None:
         """Handle the start of a path."""
         self._handed -= 1
-        self._under_way, self._stopping = vector, False
+        self._in_progress, self._stopping = vector, False
         self._axis.on_arc, self._axis.on_line = vector.is_arc, not vector.is_arc
 
     def stopped(self) -> None:
@@ -206,7 +206,7 @@ class Contour:
 
     def ended(self, whole: bool) -> None:
         """Handle the end of a path; `whole` is true if it was completed."""
-        self._under_way = None
+        self._in_progress = None
         self._axis.segments += whole
         self._axis.on_arc = self._axis.on_line = False
 

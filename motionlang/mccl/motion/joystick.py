@@ -18,7 +18,7 @@ class Joysticks:
     def __init__(self, board: Board) -> None:
         self._board = board
         self._lines: dict[int, int] = {}
-        board.controller.analogue_inputs.listeners.append(self._moved)
+        board.controller.analogue_inputs.listen(self._moved)
 
     def switch_on(self, axis: AxisState, line: int) -> None:
         """Make the axis follow its joystick; raise Rejected if the axis is off."""
@@ -56,8 +56,8 @@ class Joysticks:
         velocity = self.velocity(axis)
         if velocity == 0.0 and controller.is_idle(number):
             return
-        kept = {name: controller.setting(number, name) for name in ("accel", "decel")}
-        for name in kept:
+        stored = {name: controller.setting(number, name) for name in ("accel", "decel")}
+        for name in stored:
             controller.configure(number, name, axis.jog.accel)
         try:
             if velocity:
@@ -65,5 +65,5 @@ class Joysticks:
             else:
                 controller.stop(number)
         finally:
-            for name, value in kept.items():
+            for name, value in stored.items():
                 controller.configure(number, name, value)

@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from math import hypot, radians
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.moves.geometry import Arc, Line
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import CONTOUR
+from motionlang.mccl.axis.motor import check_on
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
 from motionlang.mccl.motion.arcs import (
@@ -29,7 +31,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.motion.contour import Contour
     from motionlang.mccl.runtime.task import CommandTask
 
-INFINITY = float("inf")
 USER, LINE, CLOCKWISE, ANTICLOCKWISE = range(4)
 # The verbs that describe a path instead of ending its description.
 DESCRIBES = frozenset(
@@ -87,13 +88,7 @@ class Path:
                     "start each path with its own CP",
                     "axis",
                 )
-            if not task.board.controller.is_enabled(axis.number):
-                raise Fault(
-                    codes.INVALID,
-                    f"axis {axis.number} is off",
-                    f"{axis.number}MN switches it on",
-                    "disabled-axis",
-                )
+            check_on(task.board, axis)
             self.targets[axis.number] = target
 
     def close(self, task: CommandTask) -> None:
@@ -109,13 +104,7 @@ class Path:
             )
         for axis in axes:
             self.member(axis)
-            if not board.controller.is_enabled(axis.number):
-                raise Fault(
-                    codes.INVALID,
-                    f"axis {axis.number} is off",
-                    f"{axis.number}MN switches it on",
-                    "disabled-axis",
-                )
+            check_on(board, axis)
         start = [self._contour.end(axis) for axis in axes]
         for axis, here in zip(axes, start, strict=True):
             if abs(here) == INFINITY:
@@ -165,24 +154,24 @@ class Path:
                     raise ValueError("it has a distance, but a length of 0")
                 length = self.distance
             return Line(ends, length), length
-        turn = -1 if self._kind == CLOCKWISE else 1
+        sense = -1 if self._kind == CLOCKWISE else 1
         i, j = plane = self._plane([axis.number for axis in axes])
         first, last = (here[i], here[j]), (there[i], there[j])
         if self.center:
             centre = self.center[axes[i].number], self.center[axes[j].number]
         elif self.radius is not None:
-            centre = centre_by_radius(first, last, self.radius, turn)
+            centre = centre_by_radius(first, last, self.radius, sense)
         else:
             raise ValueError("an arc needs a centre (CA or CR) or a radius (RR)")
         if self.sweep is not None:
-            angle = turn * abs(self.sweep)
+            angle = sense * abs(self.sweep)
             last = end_of(first, centre, angle)
         elif self.end_angle is not None:
-            angle = angle_until(first, centre, self.end_angle, turn)
+            angle = angle_until(first, centre, self.end_angle, sense)
             last = end_of(first, centre, angle)
         else:
-            centre = centre_between(first, last, centre, turn)
-            angle = angle_to(first, last, centre, turn)
+            centre = centre_between(first, last, centre, sense)
+            angle = angle_to(first, last, centre, sense)
         length = radius_of(first, centre) * radians(abs(angle))
         x, y = (axes[k].scale.position_to_counts for k in plane)
         rest = [end for k, end in enumerate(ends) if k not in plane]

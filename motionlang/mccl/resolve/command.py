@@ -35,6 +35,11 @@ class Command:
         return f"Command({self.text!r})"
 
     @property
+    def verb(self) -> str:
+        """The verb of its keyword, "" for an invalid command."""
+        return self.row.verb if self.row is not None else ""
+
+    @property
     def number(self) -> int | None:
         """The parameter, if it is an integer known before the program runs."""
         if self.kind == NONE:

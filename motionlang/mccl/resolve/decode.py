@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from math import nextafter
 
+from motionlang.errors import as_hint
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
@@ -141,8 +142,15 @@ def _no_command(text: str) -> Command:
         name = text[:end].lstrip(_DIGITS)[:2].upper()
         return Command(text, name, None, 0, NONE, 0, _Wrong(Fault(codes.FORMAT, *misprint, "syntax")), False)
     if "MNEMONIC" in expected:
-        wrong = "a number alone is not a command" if not text.strip(_DIGITS) else f"{text} is not a command"
-        hint = "a command is [axis] two letters [parameter], such as 1MR1000"
+        wrong, hint = (
+            f"{text} is not a command",
+            "a command is [axis] two letters [parameter], such as 1MR1000",
+        )
+        if not text.strip(_DIGITS):
+            wrong, hint = (
+                "a number alone is not a command",
+                "no blank separates a command from its number: 1MR1000",
+            )
         fault = Fault(codes.FORMAT, wrong, hint, "syntax")
         digits = len(text) - len(text.lstrip(_DIGITS))
         name, axis = text[digits : digits + 2].upper(), int(text[:digits][:9] or 0)
@@ -172,6 +180,8 @@ def _no_parameter(rest: str, row: Keyword) -> Fault:
     if row.unit == "text" and row.access == "W":
         return _wants_text(row)
     hint = "commands are separated by commas" if any(c.isascii() and c.isalpha() for c in rest) else ""
+    if rest[0] == "=":
+        hint = f"write the number without =: {row.name}{rest[1:].strip()}"
     return Fault(codes.FORMAT, f"{rest} is not a number", hint, "syntax")
 
 
@@ -187,7 +197,7 @@ def _wants_text(row: Keyword) -> Fault:
 
 def _no_text(word: Word) -> Fault:
     assert word.row is not None
-    return Fault(codes.FORMAT, f"{word.name} takes no text", word.row.help, "values")
+    return Fault(codes.FORMAT, f"{word.name} takes no text", as_hint(word.row.help), "values")
 
 
 def checked(value: float | int, row: Keyword) -> float | int:
@@ -207,4 +217,4 @@ def out_of_range(value: float | int, row: Keyword) -> Fault:
     if abs(value) > _MAX_NUMBER and (row.low if value < 0 else row.high) is None:
         low = -_MAX_NUMBER if row.low is None else row.low
         accepted = f"{low:g} to {_MAX_NUMBER if row.high is None else row.high:g}"
-    return Fault(codes.PARAMETER, f"{row.name} accepts {accepted}, not {value:g}", row.help, "range")
+    return Fault(codes.PARAMETER, f"{row.name} accepts {accepted}, not {value:g}", as_hint(row.help), "range")

@@ -25,7 +25,7 @@ class Line:
     offsets of the commands in it. The commands of a macro are those of its line from index `first` on.
     """
 
-    __slots__ = ("_places", "commands", "first", "number", "origin", "start")
+    __slots__ = ("_offsets", "commands", "first", "number", "origin", "start")
 
     def __init__(
         self, commands: tuple[Command, ...], number: int, origin: str, start: int, first: int = 0
@@ -37,16 +37,16 @@ class Line:
             start,
             first,
         )
-        self._places: tuple[int, ...] | None = None
+        self._offsets: tuple[int, ...] | None = None
 
     @property
     def places(self) -> tuple[int, ...]:
         """The offsets of the commands in `origin`, computed on demand."""
-        if self._places is None:
+        if self._offsets is None:
             end = self.origin.find("\n", self.start)
             text = self.origin[self.start : end if end >= 0 else None]
-            self._places = tuple([self.start + at for at, _ in spans(text)][self.first :])
-        return self._places
+            self._offsets = tuple([self.start + at for at, _ in spans(text)][self.first :])
+        return self._offsets
 
     def rest(self, first: int) -> Line:
         """Return the line from command `first` on."""

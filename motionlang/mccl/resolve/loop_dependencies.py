@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 _DIGITAL = frozenset(("if_on", "if_off", "do_if_on", "do_if_off"))
 _BACK = frozenset(("repeat", "jump", "jump_by", "jump_macro"))
 
-# What a command does with a channel, and the level at which the program goes on or the test holds.
+# The use of a channel by a command, and the level at which the program continues or the test holds.
 _KINDS = {
     "wait_on": ("wait", 1),
     "wait_off": ("wait", 0),
@@ -36,13 +36,13 @@ def asked(source: Source) -> Callable[[int], LoopDependencies | None]:
     macros: dict[int, Line] = {}
     for line in lines:
         first = line.commands[0]
-        if _verb(first) == "define_macro" and first.number is not None:
+        if first.verb == "define_macro" and first.number is not None:
             macros[first.number] = line.rest(1)
     found: dict[int, LoopDependencies] = {}
     for line in lines:
-        own = line.rest(1) if _verb(line.commands[0]) == "define_macro" else line
+        own = line.rest(1) if line.commands[0].verb == "define_macro" else line
         for here, command in enumerate(own.commands):
-            if _verb(command) in _BACK:
+            if command.verb in _BACK:
                 body = own.commands[_target(command, here) : here + 1]
                 called = [macro for each in body if (macro := _called(each, macros)) is not None]
                 commands = [*body, *(each for macro in called for each in macro.commands)]
@@ -55,7 +55,7 @@ def asked(source: Source) -> Callable[[int], LoopDependencies | None]:
 
 def _target(command: Command, here: int) -> int:
     """Return the index of a jump's target; 0 if it is only known at run time."""
-    number, verb = command.number, _verb(command)
+    number, verb = command.number, command.verb
     if number is None or verb in ("repeat", "jump_macro"):
         return 0
     target = here + number if verb == "jump_by" else number
@@ -64,11 +64,11 @@ def _target(command: Command, here: int) -> int:
 
 def _called(command: Command, macros: dict[int, Line]) -> Line | None:
     number = command.number
-    return macros.get(number) if _verb(command) == "call_macro" and number is not None else None
+    return macros.get(number) if command.verb == "call_macro" and number is not None else None
 
 
 def _read(command: Command) -> Iterator[Read]:
-    verb, number = _verb(command), command.number
+    verb, number = command.verb, command.number
     if verb in _DIGITAL:
         yield "input", number
     elif verb == "get_analog":
@@ -81,10 +81,6 @@ def _read(command: Command) -> Iterator[Read]:
         yield "task", None
 
 
-def _verb(command: Command) -> str:
-    return command.row.verb if command.row is not None else ""
-
-
 def input_reads(source: Source) -> list[InputRead]:
     """Return where a program depends on inputs, in line order."""
     found = []
@@ -92,7 +88,7 @@ def input_reads(source: Source) -> list[InputRead]:
         if not isinstance(line, Line):
             continue
         for command in line.commands:
-            kind = _KINDS.get(command.row.verb if command.row is not None else "")
+            kind = _KINDS.get(command.verb)
             if kind is not None:
                 found.append(InputRead(kind[0], command.number, kind[1], line.number, line.number))
     return found

@@ -8,21 +8,21 @@ from motionlang.mccl.keywords import table
 def candidates(word: str) -> list[str]:
     """Return the commands that may have been meant by a word."""
     upper = word.upper()
-    meant = [row.name for row in table() if upper in row.meant.split()]
-    if meant or len(upper) > 2 or upper[0] == upper[-1]:
-        return meant
+    found = [row.name for row in table() if upper in row.meant.split()]
+    if found or len(upper) > 2 or upper[0] == upper[-1]:
+        return found
     swapped = table().get(upper[::-1])
     return [] if swapped is None else [swapped.name]
 
 
 def hint(word: str) -> str:
     """Return a hint for an unknown word, or an empty text."""
-    upper, meant = word.upper(), candidates(word)
-    if len(meant) > 1 or (meant and meant[0] != upper[::-1]):
-        return f"did you mean {' or '.join(filter(None, (', '.join(meant[:-1]), meant[-1])))}?"
+    upper, found = word.upper(), candidates(word)
+    if len(found) > 1 or (found and found[0] != upper[::-1]):
+        return f"did you mean {' or '.join(filter(None, (', '.join(found[:-1]), found[-1])))}?"
     if len(upper) > 2:
         return "a command is two letters and its parameter; commands are separated by commas"
-    if meant and (swapped := table().get(meant[0])) is not None:
+    if found and (swapped := table().get(found[0])) is not None:
         return f"did you mean {swapped.name}? {swapped.help}"
-    alike = [row.name for row in table() if row.name[0] == upper[0]]
-    return f"the commands that begin with {upper[0]} are {', '.join(sorted(alike))}" if alike else ""
+    similar = [row.name for row in table() if row.name[0] == upper[0]]
+    return f"the commands that begin with {upper[0]} are {', '.join(sorted(similar))}" if similar else ""

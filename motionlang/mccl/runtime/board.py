@@ -5,6 +5,7 @@ It consists of the axes' units and modes, registers, macros, tasks, and the last
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import MAX_DIAGNOSTICS
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.task import CommandTask
 
-INFINITY = float("inf")
 # Codes that are assumptions, by their names in the machine file.
 CODES = {
     codes.PARAMETER: "mccl.code-parameter",
@@ -70,7 +70,7 @@ class Board:
         self._last_task = 0
         # Counts of time slices that tasks take, and of their effects on anything but their accumulators.
         # `rewrites` counts commands that switch an output to its present level, `waited` waits for a time.
-        self.turns = self.effects = self.rewrites = self.waited = 0
+        self.slices = self.effects = self.rewrites = self.waited = 0
         self._rounds: Any = None
         self.at_work: CommandTask | None = None
         self.points: dict[tuple[int, int], float] = {}
@@ -126,9 +126,11 @@ class Board:
             for name, value in (("speed", speed), ("accel", accel), ("decel", accel)):
                 controller.configure(number, name, value)
         if self.assumptions:
-            from motionlang.mccl.keywords.switchable import KEPT
+            from motionlang.mccl.keywords.switchable import SWITCHED
 
-            axis.kept.update((KEPT[name], value) for name, value in self.assumptions.items() if name in KEPT)  # type: ignore[misc]
+            for key, choice in self.assumptions.items():
+                if key in SWITCHED:
+                    axis.stored[SWITCHED[key]] = choice  # type: ignore[assignment]
         axis.apply_units()
         controller.set_scale(number, 1.0)
         motor.power_up(self, axis)
@@ -225,6 +227,12 @@ class Board:
         world = self.machine.world
         return world is not None and channel in world.driven
 
+    @property
+    def drives_inputs(self) -> bool:
+        """True if the world or the program drives, or ever drove, some input."""
+        world = self.machine.world
+        return not self.controller.inputs.is_untouched or (world is not None and bool(world.driven))
+
     def seconds(self, value: float) -> float:
         """Convert a time in the unit of UT to seconds."""
         return value * self.time_unit
@@ -237,7 +245,7 @@ class Board:
         """Count a time slice if a task other than the last one begins to run."""
         if self.at_work is not task:
             self.at_work = task
-            self.turns += 1
+            self.slices += 1
 
     def jumped(self, task: CommandTask) -> None:
         """Skip whole rounds of commands when a task jumps back while another one can run."""

@@ -18,8 +18,6 @@ _LOW, _HIGH = -(2**31), 2**31 - 1
 class Inspection:
     """The registers of a board, and the current lines and macros of its tasks."""
 
-    __slots__ = ("_board", "_foreground")
-
     def __init__(self, board: Board, foreground: CommandTask) -> None:
         self._board, self._foreground = board, foreground
 
@@ -30,14 +28,14 @@ class Inspection:
             _register(self._foreground, number) for number in numbers if self._board.registers[number] != 0
         ]
 
-    def frames(self, task: Task, place: int | None) -> list[Frame]:
+    def frames(self, task: Task, offset: int | None) -> list[Frame]:
         """Return the macro calls of a task, the innermost first.
 
         `offset` is the source offset of a task that is stopped in the hook; None for one that waits.
         """
         assert isinstance(task, CommandTask)
         private = [_register(task, number) for number in range(PRIVATE)]
-        found = [Frame(self._title(task.line), task.place if place is None else place, private)]
+        found = [Frame(self._title(task.line), task.place if offset is None else offset, private)]
         for line, pc, _ in reversed(task.calls):
             at = line.places[pc - 1] if 0 < pc <= len(line.places) else 0
             found.append(Frame(self._title(line), at, private))

@@ -7,13 +7,13 @@ its last jump, or when its line ends. The innermost loop is last. The only cost 
 
 from __future__ import annotations
 
+from motionlang.lang.task import MIN_STATEMENTS
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.task import CommandTask
 
-# A loop shorter than this, in commands, leaves no record.
-MIN_STATEMENTS = 100.0
 # No command of a line has such a number.
 NEVER = 1 << 30
 

@@ -12,9 +12,12 @@ one by one.
 
 from __future__ import annotations
 
-from motionlang.lang.dependencies import Dependencies
-from motionlang.lang.task import CLOSE, INFINITY, Wait
-from motionlang.mccl.axis.variables import crossing_time, read_until
+from motionlang.controller.clock import INFINITY
+from motionlang.lang.dependencies import CLOSE, Dependencies
+from motionlang.lang.waits import Wait
+from motionlang.mccl.axis.variables import changes_by_event, crossing_time, read_until
+from motionlang.mccl.resolve.command import NUMBER
+from motionlang.mccl.runtime.loop_tests import BIT_TESTS, CHANNELS, COMPARES, JUMPS, tests_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,28 +25,17 @@ if TYPE_CHECKING:
 
     from motionlang.lang.dependencies import Note
     from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.resolve.line import Line
+    from motionlang.mccl.runtime.loop_tests import Tests
     from motionlang.mccl.runtime.task import CommandTask
 
-# Commands that compare the whole accumulator with a number, and commands without effect on it.
-COMPARES = frozenset(("if_below", "if_equal", "if_greater", "if_unequal"))
-JUMPS = frozenset(("jump", "jump_by", "repeat"))
-# Commands that read a channel, and commands that read nothing from the world.
-CHANNELS = frozenset(("do_if_on", "do_if_off", "if_on", "if_off"))
-# Commands that leave the accumulator alone, those that set it, and those that govern the next ones.
-NEUTRAL = JUMPS | CHANNELS | {"nothing", "channel_on", "channel_off"}
-SETS = frozenset(
-    ("load", "recall", "look_up", "get_analog", "read_byte", "read_word", "read_long", "read_real")
-)
-CONDITIONS = COMPARES | {"if_set", "if_clear", "if_on", "if_off"}
-# Commands that continue somewhere else or later.
-LEAVES = frozenset(("call_macro", "jump_macro", "leave", "wait"))
+# Commands that read nothing from the world.
 _READS_NOTHING = (
     COMPARES
     | JUMPS
+    | BIT_TESTS
     | {
         "nothing",
-        "if_set",
-        "if_clear",
         "wait",
         "call_macro",
         "jump_macro",
@@ -60,6 +52,8 @@ _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
 MAX_BACK_OFF = 1024
 # An iteration with more waits for a time is not skipped.
 MAX_WAITS = 100
+# The tests of so many loops of a task are cached.
+MAX_LOOPS = 100
 
 
 class Poll:
@@ -68,20 +62,6 @@ class Poll:
     `hopeless` is the time since which all iterations were equal, if only another task or an event can change
     that.
     """
-
-    __slots__ = (
-        "_alone",
-        "_before",
-        "_done",
-        "_left",
-        "_registers",
-        "_rewrites",
-        "_task",
-        "_waits",
-        "_writes",
-        "dependencies",
-        "hopeless",
-    )
 
     def __init__(self, task: CommandTask) -> None:
         self._task = task
@@ -107,6 +87,8 @@ class Poll:
         # The registers that its loops count, if there is an accelerator for them.
         make = task.board.machine.accelerators.registers
         self._registers = None if make is None else make(task)
+        # The tests of loops, by line, first and last command.
+        self._tests: dict[tuple[int, int, int], tuple[Line, Tests | None]] = {}
         # Back-off: iterations that still run unchecked, and those after the next failed check.
         self._alone = self._left = 0
 
@@ -122,46 +104,46 @@ class Poll:
                 self._alone -= 1
                 return None
         dependencies, clock, board = self.dependencies, self.dependencies.clock, task.board
-        (before, accumulator, base, count, event, ran), held = self._before, task.registers[0]
+        (before, accumulator, base, count, event, ran), accumulated = self._before, task.registers[0]
         wait, now = None, clock.now
-        place = task.line, task.pc, board.effects, len(task.calls)
+        position = task.line, task.pc, board.effects, len(task.calls)
         waits, self._waits = self._waits, []
-        goes_on = ran == board.turns and after(base, waits, task.cost) == task.base
+        goes_on = ran == board.slices and after(base, waits, task.cost) == task.base
         counters: Any = ()
         if self._registers is not None:
-            same = before[:2] == place[:2] and before[3:] == place[3:] and not waits
+            same = before[:2] == position[:2] and before[3:] == position[3:] and not waits
             counters = self._registers.advanced(board.effects - before[2] if same else -1)  # type: ignore[operator]
             if counters:
-                before = place
+                before = position
                 if self._registers.leaves_accumulator(counters):
-                    accumulator = held
-        repeats = goes_on and before == place and (task.count == count if waits else task.count > count)
+                    accumulator = accumulated
+        repeats = goes_on and before == position and (task.count == count if waits else task.count > count)
         self._writes, self._rewrites = board.rewrites != self._rewrites, board.rewrites
         notes, dependencies.notes = dependencies.notes, []
-        if before[:2] != place[:2] or now >= event or notes is None:
+        if before[:2] != position[:2] or now >= event or notes is None:
             self._alone = 0  # after an event, earlier reads are out of date
         elif not goes_on:
             self._alone = 0
-            alike = before == place and accumulator == held and not counters
-            if alike and dependencies.until(now, notes) == INFINITY:
+            is_constant = before == position and accumulator == accumulated and not counters
+            if is_constant and dependencies.until(now, notes) == INFINITY:
                 self._give_up()
         else:
             until = now
             if repeats:
-                until = dependencies.until(now, notes) if accumulator == held else now
+                until = dependencies.until(now, notes) if accumulator == accumulated else now
                 if until == INFINITY and not counters:
                     self._give_up()
-                elif until <= now:
+                elif until < clock.next_time():
                     began = base + count * task.cost
-                    until = dependencies.until(began - CLOSE, self._levels(notes, now))
+                    until = max(until, dependencies.until(began - CLOSE, self._tested(notes, now)))
             if until > now:
                 self._left, wait = 0, self._skip(until, task.count - count, waits, counters)
                 if counters:
-                    place, held = (*place[:2], board.effects, *place[3:]), task.registers[0]
+                    position, accumulated = (*position[:2], board.effects, *position[3:]), task.registers[0]
             else:
                 self._alone, self._left = self._left, min(2 * self._left or 1, MAX_BACK_OFF)
                 dependencies.notes = None if self._alone else []
-        self._before = place, held, task.base, task.count, clock.next_time(), board.turns
+        self._before = position, accumulated, task.base, task.count, clock.next_time(), board.slices
         if len(board.tasks) > 1 and board.is_shared(task):
             board.jumped(task)
         return wait
@@ -187,7 +169,7 @@ class Poll:
         macros, bodies = dict(self._task.board.macros), [self._done[2]]
         for commands in bodies:  # the list grows meanwhile
             for command in commands:
-                verb = command.row.verb if command.row is not None else ""
+                verb = command.verb
                 if verb == "call_macro" and command.value in macros:
                     bodies.append(macros.pop(command.value).commands)  # type: ignore[arg-type]
                 elif verb in CHANNELS:
@@ -216,7 +198,7 @@ class Poll:
         They are equal except for `counters`, which advance.
         """
         task, clock = self._task, self.dependencies.clock
-        board, now, turns = task.board, clock.now, task.board.turns
+        board, now, slices = task.board, clock.now, task.board.slices
         scheduler = board.machine.scheduler
         assert scheduler is not None
         until = min(until, clock.next_time(), board.next_wake(task))
@@ -226,7 +208,7 @@ class Poll:
                 return None  # the run may end before, if all tasks are hopeless
         if until == INFINITY:
             why = "in a loop that polls only values that never change"
-            return Wait(now, lambda: board.turns != turns, lambda: INFINITY, why)
+            return Wait(now, lambda: board.slices != slices, lambda: INFINITY, why)
         until = min(until, max(task.horizon, scheduler.reach()))
         if waits:
             self._skip_waits(until, waits)
@@ -254,43 +236,57 @@ class Poll:
                 before, last, base = last, base, after(base, waits, task.cost)
         task.base = before
 
-    def _levels(self, notes: list[Note], now: float) -> list[Note]:
-        """Return the dependencies of an iteration on the values that it compares.
+    def _tested(self, notes: list[Note], now: float) -> list[Note]:
+        """Replace dependencies on values by dependencies on the results of tests.
 
         `notes` are the dependencies that the iteration recorded, and `now` is the time at its end. If a value
-        that has changed by then is used for more than comparisons, the loop may change at once.
+        that has changed by then is used for more than tests, the loop may change at once.
         """
         task = self._task
         assert task.line is not None
-        commands = task.line.commands[task.pc : task.here + 1]
-        verbs = [each.row.verb if each.row is not None else "" for each in commands]
-        governs: int = task.board.assumptions.get("mccl.skipped", 2)  # type: ignore[assignment]
-        # Commands that set the accumulator in every iteration, unless a jump skips some of them.
-        certain = [
-            verb in SETS and not CONDITIONS.intersection(verbs[max(0, k - governs) : k])
-            for k, verb in enumerate(verbs)
-        ]
-        straight = not {"jump", "jump_by"}.intersection(verbs[:-1])
-        first = next((k for k, verb in enumerate(verbs) if verb not in NEUTRAL), len(verbs))
-        pure = all(each.pure for each in commands) and not LEAVES.intersection(verbs[:-1])
-        if not pure or first == len(verbs) or not certain[first]:
+        key = id(task.line), task.pc, task.here
+        known = self._tests.get(key)
+        if known is None:
+            if len(self._tests) >= MAX_LOOPS:
+                self._tests.clear()
+            governs: int = task.board.assumptions.get("mccl.skipped", 2)  # type: ignore[assignment]
+            known = task.line, tests_of(task.line.commands[task.pc : task.here + 1], governs)
+            self._tests[key] = known
+        tests = known[1]
+        if tests is None:
             return [(self.dependencies.at_once, ())]
         found: list[Note] = []
         for note in notes:
-            if note[0] is not read_until or note[1][0] > now:
+            if note[0] is read_until:
+                found += self._changes(note, tests.get(note[1][1] - task.pc), now)
+            else:
                 found.append(note)
-                continue
-            _, here, axis, address = note[1]
-            for k in range(here - task.pc + 1, len(verbs)):
-                if certain[k] and straight:
-                    break
-                if verbs[k] in COMPARES:
-                    level = task.value(commands[k])
-                    # A fraction is cut off, so a comparison with 5 may change at 4 and 6, too.
-                    found += [(crossing_time, (task.board, axis, address, level + j)) for j in (-1, 0, 1)]
-                elif verbs[k] not in NEUTRAL:
-                    return [(self.dependencies.at_once, ())]
         return found
+
+    def _changes(self, note: Note, tests: tuple[Command, ...] | None, now: float) -> list[Note]:
+        """Return the dependencies of the tests of a value that was read.
+
+        If `tests` is None, they are those of the value.
+        """
+        until, _, axis, address = note[1]
+        task = self._task
+        bits = [
+            int(each.value)
+            for each in tests or ()
+            if each.kind == NUMBER and each.row is not None and each.row.verb in BIT_TESTS
+        ]
+        if tests is not None and len(bits) == len(tests) and changes_by_event(task.board, address, bits):
+            return []
+        if until > now:
+            return [note]
+        if tests is None or any(each.row is None or each.row.verb not in COMPARES for each in tests):
+            return [(self.dependencies.at_once, ())]
+        # A fraction is cut off, so a comparison with 5 may change at 4 and 6, too.
+        return [
+            (crossing_time, (task.board, axis, address, task.value(each) + j))
+            for each in tests
+            for j in (-1, 0, 1)
+        ]
 
 
 def after(base: float, waits: list[tuple[int, float]], cost: float) -> float:

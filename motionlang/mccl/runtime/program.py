@@ -5,8 +5,9 @@ Each line is sent when the previous one has ended.
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.lang.program import Program
-from motionlang.lang.task import Wait
+from motionlang.lang.waits import Wait
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.models import written_for
 from motionlang.mccl.resolve.line import Line, lines_of
@@ -20,8 +21,6 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
     from motionlang.source import Source
 
-INFINITY = float("inf")
-
 
 class MacroFile(Program):
     """The lines of a file, as a program."""
@@ -33,7 +32,7 @@ class MacroFile(Program):
         self.lines = list(lines_of(source.text))
 
     @property
-    def places(self) -> list[int]:
+    def offsets(self) -> list[int]:
         return [at for line in self.lines if isinstance(line, Line) for at in line.places]
 
     @property
@@ -42,9 +41,7 @@ class MacroFile(Program):
         found = []
         for line in self.lines:
             if isinstance(line, Line):
-                defining = [
-                    each.row is not None and each.row.verb == "define_macro" for each in line.commands
-                ]
+                defining = [each.verb == "define_macro" for each in line.commands]
                 found += [at for at, defined in zip(line.places[1:], defining, strict=False) if defined]
         return found
 
@@ -60,8 +57,8 @@ class MacroFile(Program):
         """
 
         def complain(diagnostic: Diagnostic, task: CommandTask) -> None:
-            place = locate(self.source, task.at)
-            diagnostic.line, diagnostic.column, diagnostic.length = place
+            span = locate(self.source, task.at)
+            diagnostic.line, diagnostic.column, diagnostic.length = span
             machine.complain(diagnostic)
 
         machine.model = machine.model or written_for(self.source.name)
@@ -183,7 +180,7 @@ def override(task: CommandTask, values: dict[str, float | str]) -> None:
 
 def locate(source: Source, at: int) -> tuple[int, int, int]:
     """Return line, column and length of the command at an offset."""
-    line, column = source.place(at)
+    line, column = source.location(at)
     text = source.line(line)
     if column == 1 and len(text) > 255:
         return line, 1, min(len(text), 80)

@@ -6,8 +6,10 @@ cost`, so that it is the same number whether commands are run one by one or skip
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.lang.task import INFINITY, Task, until_idle
+from motionlang.lang.task import Task
+from motionlang.lang.waits import until_idle
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import of_families
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
     from typing import TypeAlias
 
     from motionlang.lang.scheduler import Scheduler
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.motion.path import Path
     from motionlang.mccl.resolve.command import Command
@@ -117,9 +119,9 @@ class CommandTask(Task):
         return (*called, self.place)
 
     @property
-    def standing(self) -> tuple[int, tuple[int, ...]]:
+    def stack_offsets(self) -> tuple[int, tuple[int, ...]]:
         if self.calls:
-            return super().standing
+            return super().stack_offsets
         return self.place, ()
 
     @property
@@ -156,8 +158,9 @@ class CommandTask(Task):
         if hook is not None:
             tally = hook.tally
         loop_log = self.loop_log
-        if len(board.tasks) > 1:
+        if shared := len(board.tasks) > 1:
             board.count_time_slice(self)
+            shared = board.is_shared(self)
         while left:
             line, pc = self.line, self.pc
             if line is None or pc >= len(line.commands):
@@ -189,7 +192,7 @@ class CommandTask(Task):
             if not command.pure:
                 board.effects += 1
             try:
-                if self.path_open is not None and (command.row is None or command.row.verb not in DESCRIBES):
+                if self.path_open is not None and command.verb not in DESCRIBES:
                     self.close_path()
                 if command.name in lacks and command.row is not None:
                     raise missing(board.model, command.row)
@@ -201,7 +204,9 @@ class CommandTask(Task):
                     if (wait := self._pass(wait)) is not None:
                         return now, wait
                     now = clock.now
-            if len(board.tasks) > 1 and board.is_shared(self):
+            if not command.pure:  # it may have started or ended a task
+                shared = board.is_shared(self)
+            if shared:
                 return self.base + self.count * cost, None
             left -= 1
         return now, None
@@ -329,7 +334,7 @@ class CommandTask(Task):
         since = scheduler.clock.now
         if not scheduler.comes_to_rest(since, self.board.controller.end_of_moves(axes)):
             return False
-        at, callers = self.standing
+        at, callers = self.stack_offsets
         now = self._continue(scheduler)
         scheduler.waited((self.name, at, since, now, "axis", axes, until_idle(axes), callers))
         return True

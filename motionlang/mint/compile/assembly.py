@@ -5,12 +5,12 @@ The source map gives the source offset of each generated line of Python.
 
 from __future__ import annotations
 
-from motionlang.mint.compile import jumps, stops
+from motionlang.mint.compile import stops
 from motionlang.mint.compile.calls import whole_stack
 from motionlang.mint.compile.expressions import counted
 from motionlang.mint.compile.first_values import fresh
-from motionlang.mint.compile.lines import ROOM, Line, names_in, text_of
-from motionlang.mint.compile.splitting import SIZE
+from motionlang.mint.compile.lines import DEPTH, Line, names_in, text_of
+from motionlang.mint.compile.splitting import SIZE, dispatcher
 from motionlang.mint.resolve.handlers import label_handlers
 from motionlang.mint.resolve.symbols import FLOAT, Function, Symbol
 from motionlang.mint.runtime.code_units import COUNTING, FILE, TIME, Code, Unit
@@ -40,13 +40,13 @@ class TypedLine:
     "event timer") to its name in the code.
     """
 
-    __slots__ = ("blocks", "first", "operations", "places", "specs", "unit")
+    __slots__ = ("blocks", "first", "offsets", "operations", "specs", "unit")
 
     def __init__(self, whole: SharedData, first: str, names: list[str], lines: list[Line], file: str) -> None:
         self.first = compile(first, file, "exec")
-        self.places = _places(lines, [0])
+        self.offsets = _offsets(lines, [0])
         self.unit = Unit(tuple(names), text_of(lines), 0, TIME)
-        _checked(lambda: self.unit.compile(file), self.places, 0, whole.problems)
+        _checked(lambda: self.unit.compile(file), self.offsets, 0, whole.problems)
         self.specs, self.operations = whole.described(), list(whole.spec_names.values())
         self.blocks = _blocks(whole)
 
@@ -57,14 +57,14 @@ def assemble(whole: SharedData, bodies: dict[Function, Body]) -> Code:
     units = _Units(shared)
     for function, b in bodies.items():
         units.add(function.python, _head(whole, b) + _dispatched(whole, b))
-        for part in b.parts:
-            if not part.inside:
-                units.add_chunk(part)
+        for chunk in b.chunks:
+            if not chunk.inside:
+                units.add_chunk(chunk)
     units.close()
     first = _first_values(whole)
     start = compile(first, FILE, "exec") if first else None
     blocks = {"main": "main", **_blocks(whole)}
-    code = Code(units.made, start, shared, whole.described(), blocks, units.places, first)
+    code = Code(units.made, start, shared, whole.described(), blocks, units.offsets, first)
     _compile_now(code, units.risky, whole.problems)
     return code
 
@@ -72,8 +72,8 @@ def assemble(whole: SharedData, bodies: dict[Function, Body]) -> Code:
 def _compile_now(code: Code, risky: set[Unit], problems: Problems) -> None:
     """Compile the units that run at once, and those that CPython may reject."""
     for number, unit in enumerate(code.units):
-        if number == 0 or len(code.places) <= SHORT or unit in risky:
-            _checked(unit.compile, code.places, unit.before, problems)
+        if number == 0 or len(code.offsets) <= SHORT or unit in risky:
+            _checked(unit.compile, code.offsets, unit.before, problems)
 
 
 def _blocks(whole: SharedData) -> dict[str, str]:
@@ -89,8 +89,10 @@ def _shared(whole: SharedData, bodies: dict[Function, Body]) -> list[str]:
     names = [symbol.python for symbol in _of_module(whole)]
     for function, b in bodies.items():
         if function.kind != "sub":
-            names += [s.python for s in _own(function) if s.home is not whole.names.main and not b.keeps(s)]
-            names += [s.python for s in _own(function) if b.parts and b.keeps(s)]
+            names += [
+                s.python for s in _own(function) if s.home is not whole.names.main and not b.is_local(s)
+            ]
+            names += [s.python for s in _own(function) if b.chunks and b.is_local(s)]
     return names
 
 
@@ -122,7 +124,7 @@ class _Units:
         self.shared = frozenset((*TIME, *COUNTING, *shared))
         self.made: list[Unit] = []
         self.risky: set[Unit] = set()
-        self.places = [0]
+        self.offsets = [0]
         self._names: list[str] = []
         self._lines: list[Line] = []
 
@@ -133,19 +135,19 @@ class _Units:
         self._names.append(name)
         self._lines += lines
 
-    def add_chunk(self, part: Chunk) -> None:
+    def add_chunk(self, chunk: Chunk) -> None:
         """Add a chunk of the preceding function."""
         self.close()
-        self._names = [part.name]
-        self._lines = part.written({*TIME, *(part.names & self.shared)}, 0)
+        self._names = [chunk.name]
+        self._lines = chunk.written({*TIME, *(chunk.names & self.shared)}, 0)
         self.close()
 
     def close(self) -> None:
         """End the unit; the next function starts a new one."""
         if not self._lines:
             return
-        lines, before = self._lines, len(self.places) - 1
-        _places(lines, self.places)
+        lines, before = self._lines, len(self.offsets) - 1
+        _offsets(lines, self.offsets)
         cells = tuple(sorted(names_in(lines) & self.shared))
         unit = Unit(tuple(self._names), text_of(lines), before, cells)
         if _DEEP in unit.text or max(map(len, unit.text.split("\n"))) > LONG:
@@ -154,14 +156,14 @@ class _Units:
         self._names, self._lines = [], []
 
 
-def _places(lines: list[Line], places: list[int]) -> list[int]:
+def _offsets(lines: list[Line], offsets: list[int]) -> list[int]:
     """Append the source offsets of a unit's lines, after those of its two head lines."""
-    places += [lines[0].at] * 2
-    places += [line.at for line in lines]
-    return places
+    offsets += [lines[0].at] * 2
+    offsets += [line.at for line in lines]
+    return offsets
 
 
-def _checked(work: Callable[[], Made], places: Sequence[int], before: int, problems: Problems) -> Made:
+def _checked(work: Callable[[], Made], offsets: Sequence[int], before: int, problems: Problems) -> Made:
     """Compile a unit; report blocks that are nested too deeply for Python.
 
     Python allows twenty nested loops, which limits how deeply a statement may be nested that leaves all of them.
@@ -171,9 +173,9 @@ def _checked(work: Callable[[], Made], places: Sequence[int], before: int, probl
     except SyntaxError as error:
         if not str(error.msg).startswith("too many"):
             raise
-        at = places[min(before + (error.lineno or 0), len(places) - 1)]
+        at = offsets[min(before + (error.lineno or 0), len(offsets) - 1)]
         message = "the blocks here are nested too deeply"
-        hint = "a Return, an Exit or a Gosub may leave at most twenty of them; move the inner ones into a sub"
+        hint = "a Return or an Exit may leave at most twenty of them; move the inner ones into a sub"
         problems.add("syntax", message, at, hint)
         problems.raise_errors()
         raise
@@ -202,10 +204,10 @@ def _dispatched(whole: SharedData, b: Body) -> list[Line]:
     if not b.function.jumps:
         return b.lines
     function = b.function
-    own = {symbol.python for symbol in _own(function) if b.keeps(symbol)} & b.outside
-    name = jumps.dispatcher(function)
+    own = {symbol.python for symbol in _own(function) if b.is_local(symbol)} & b.outside
+    name = dispatcher(function)
     counted = function.counted
-    texts = [f"def {name}(pc{f', {ROOM}' if counted else ''}):"]
+    texts = [f"def {name}(pc{f', {DEPTH}' if counted else ''}):"]
     texts += [f" {text}" for text in _shared_names(whole, {*TIME, *_count(whole), *own}, b.outside - own)]
     out = [Line(b.indent, text, function.at, names=[*b.outside, *_count(whole)]) for text in texts] + b.lines
     texts = []
@@ -213,7 +215,7 @@ def _dispatched(whole: SharedData, b: Body) -> list[Line]:
     for number, (label, _) in enumerate(b.stretches()):
         if label in handlers:
             texts += _label_handler(b, label, number)
-    begin = f", {ROOM if function.kind == 'sub' else whole_stack(b)}" if counted else ""
+    begin = f", {DEPTH if function.kind == 'sub' else whole_stack(b)}" if counted else ""
     last = function.result.python if function.result else ""
     texts += [f"yield from {name}(0{begin})", f"return {last}".rstrip()]
     return out + [Line(b.indent, text, function.at) for text in texts]
@@ -226,7 +228,7 @@ def _label_handler(b: Body, label: str, number: int) -> list[str]:
     """
     begin = f", {whole_stack(b)}" if b.function.counted else ""
     return [
-        f"def e_{label}(): yield from {jumps.dispatcher(b.function)}({number}{begin})",
+        f"def e_{label}(): yield from {dispatcher(b.function)}({number}{begin})",
         f"E.blocks['event {label}'] = e_{label}; E.listen()",
     ]
 
@@ -262,10 +264,10 @@ def _own(function: Function) -> list[Symbol]:
 def _head(whole: SharedData, b: Body) -> list[Line]:
     """Return the `def` line of a function and the statements on entry."""
     function = b.function
-    is_unit = bool(b.parts) and function.kind != "sub"
+    is_unit = bool(b.chunks) and function.kind != "sub"
     outside = set() if function.jumps else set(b.outside)
     if function.kind in ("task", "event") or is_unit:
-        outside.update(s.python for s in _own(function) if is_unit or not b.keeps(s))
+        outside.update(s.python for s in _own(function) if is_unit or not b.is_local(s))
     texts = _shared_names(whole, {*("t" if function.plain else TIME), *_count(whole)}, outside)
     out = [Line(b.indent - 1, f"def {function.python}({', '.join(_parameters(function))}):", function.at)]
     out += [Line(b.indent, text, function.at, names=[*outside, *TIME, *_count(whole)]) for text in texts]
@@ -276,11 +278,11 @@ def _head(whole: SharedData, b: Body) -> list[Line]:
         stops.describe(whole.debugging, function, own)
         names = [symbol.python for symbol in own]
         out += [Line(b.indent, text, function.at, names=names) for text in [stops.cells(b, own)] if text]
-    inside = [part for part in b.parts if part.inside]
+    inside = [chunk for chunk in b.chunks if chunk.inside]
     known = _known_in(function) if inside else set()
     time = {*(TIME if not function.plain else "t"), *_count(whole)}
-    for part in inside:
-        out += part.written(time | (known & part.names), b.indent - 1)
+    for chunk in inside:
+        out += chunk.written(time | (known & chunk.names), b.indent - 1)
     return out
 
 
@@ -296,7 +298,7 @@ def _known_in(function: Function) -> set[str]:
 
 def _parameters(function: Function) -> list[str]:
     names = [name for parameter in function.parameters for name in _spellings(parameter)]
-    return [*names, ROOM] if function.counted and function.kind == "sub" else names
+    return [*names, DEPTH] if function.counted and function.kind == "sub" else names
 
 
 def _spellings(symbol: Symbol) -> list[str]:

@@ -54,7 +54,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from motionlang.lang.dialect import Ranges
-    from motionlang.lang.keyword import Keyword, Table
+    from motionlang.lang.keyword import Keyword
+    from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mint.compile.loop_times import Region
     from motionlang.mint.compile.polling import Poll
     from motionlang.mint.compile.splitting import Chunk
@@ -151,36 +152,14 @@ class SharedData:
     (with a suffix at a prompt, because earlier lines have their own).
     """
 
-    __slots__ = (
-        "_operations",
-        "axes",
-        "axis_texts",
-        "checks",
-        "debugging",
-        "guarded",
-        "line",
-        "names",
-        "others",
-        "parts",
-        "problems",
-        "ranges",
-        "rewritten",
-        "spec_names",
-        "specs",
-        "suffix",
-        "table",
-        "told",
-        "typed",
-    )
-
     def __init__(
         self,
-        table: Table,
+        table: Vocabulary,
         problems: Problems,
         names: Names,
         axes: range,
         suffix: str,
-        told: frozenset[str] = frozenset(),
+        supplied: frozenset[str] = frozenset(),
     ) -> None:
         self.table, self.problems, self.names, self.axes = table, problems, names, axes
         self.typed, self.suffix = names.typed, suffix
@@ -188,18 +167,18 @@ class SharedData:
         self.ranges: Ranges | None = None
         # What a debugger may know of the program; None if it has no stops.
         self.debugging: Debugging | None = None
-        self.told = told  # keywords whose values the machine file gives
+        self.supplied = supplied  # keywords whose values the machine file gives
         self.axis_texts: dict[float, str] = {axis: str(axis) for axis in axes}
         self.specs: list[Spec] = []
         self.spec_names: dict[Spec, str] = {}
         self._operations: dict[tuple[str, Keyword, Where], str] = {}
         # Keywords that polling loops may write repeatedly.
         self.rewritten: set[Keyword] = set()
-        self.parts = 0  # the number of parts so far
+        self.chunk_count = 0  # the number of parts so far
         self.line = problems.line
         # True if an ONERROR handler catches failures, so that the program continues.
         self.guarded = handles(names, "onerror")
-        # True if others can change what a function reads while it gives way.
+        # True if others can change data that a function reads while it yields.
         self.others = self.typed or any(f.jumps or f.kind in ("task", "event") for f in names.functions)
         # True if the statement being written uses a run-time object, which may fail or exist only once.
         self.checks = False
@@ -227,7 +206,7 @@ class SharedData:
                 if how in ("write", "do") and row in self.rewritten:
                     number = numbers[name]
                     self.specs[number] = (f"re{how}", *self.specs[number][1:])
-        if self.parts:  # waits in parts have callers
+        if self.chunk_count:  # waits in parts have callers
             self.specs = [(*spec[:3], False) if spec[0] == "wait" else spec for spec in self.specs]
         return self.specs
 
@@ -275,6 +254,7 @@ class Body:
         "at",
         "callee",
         "calls",
+        "chunks",
         "copies",
         "deepest",
         "facts",
@@ -288,7 +268,6 @@ class Body:
         "noted",
         "observes",
         "outside",
-        "parts",
         "pending",
         "polls",
         "regions",
@@ -298,9 +277,9 @@ class Body:
         "temps",
         "thrown",
         "timed",
-        "turn",
         "values",
         "waits",
+        "watched_iteration",
         "watching",
         "whole",
     )
@@ -320,7 +299,7 @@ class Body:
         self._labels: dict[str, int] | None = None
         # The state that is compared for an iteration that ends with a Goto, None until it is known, () if the
         # loop is not watched.
-        self.turn: tuple[dict[str, Symbol], bool, bool, str] | tuple[()] | None = None
+        self.watched_iteration: tuple[dict[str, Symbol], bool, bool, str] | tuple[()] | None = None
         # The stretch between labels that is being written, and the watches on backward jumps, which begin
         # with the dispatcher.
         self.stretch = 0
@@ -331,14 +310,14 @@ class Body:
         self.levels: dict[int, str] = {}
         # Writes to host memory that decide nothing in their polling loop, by the identity of their nodes.
         self.copies: set[int] = set()
-        self.parts: list[Chunk] = []
+        self.chunks: list[Chunk] = []
         self.loops: list[tuple[str, str]] = []
         # The source offsets of the loops around the statement, and the loops made of Gotos.
         self.timed: list[int] = []
         self.regions: list[Region] = []
         # The loops that a jump leaves by an exception.
         self.thrown: set[int] = set()
-        # The maximum nesting of loops in what was written last.
+        # The maximum nesting of loops in the lines written last.
         self.deepest = 0
         self.facts: dict[int, intervals.Range] = {}
         self.analysed: set[Symbol] = set()
@@ -375,7 +354,7 @@ class Body:
         self.names.append(symbol.python)
         return symbol.python
 
-    def gives_way(self) -> None:
+    def note_yield(self) -> None:
         """Record that the next line contains a `yield`."""
         self.names.append(YIELDS)
         self.waits = True
@@ -400,8 +379,8 @@ class Body:
             self.emit(f"t += {self.pending}.0", cost=self.pending)
             self.pending = 0
 
-    def _give_way(self, text: str) -> None:
-        """Write a line in which other tasks run if they are due."""
+    def _emit_yield(self, text: str) -> None:
+        """Write a line at which the task yields to other tasks that are due."""
         self.waits = self.noted = True
         names = JUST_YIELDS
         if self.names:
@@ -413,17 +392,17 @@ class Body:
         now = "t"
         if self.pending:
             now, self.pending = f"(t := t + {self.pending}.0)", 0
-        give_way = "yield" if answer == "t" else f"yield {answer}"
-        self._give_way(f"if {now} >= H: {give_way}{then}")
+        statement = "yield" if answer == "t" else f"yield {answer}"
+        self._emit_yield(f"if {now} >= H: {statement}{then}")
 
-    def settle(self, tell: bool = True) -> None:
+    def settle(self, sets_clock: bool = True) -> None:
         """Write the check before a statement that observes time.
 
         Everything that is due before the statement happens first. With `sets_clock` the check also sets the clock,
         which the statement reads.
         """
-        if self.observes and tell:
-            self._give_way(f"if T({self.pending}.0): yield")
+        if self.observes and sets_clock:
+            self._emit_yield(f"if T({self.pending}.0): yield")
             self.pending = 0
         elif self.observes:
             self.horizon()
@@ -443,8 +422,8 @@ class Body:
             or self.whole.checks
             or (self.names and self.whole.others)
         ):
-            tell, self.observes = self.observes, True
-            self.settle(tell)
+            sets_clock, self.observes = self.observes, True
+            self.settle(sets_clock)
         for operation, arguments in calls:
             if self.calls and arguments:  # time passes in the sub, so its arguments are evaluated before
                 given = self.temp()
@@ -458,7 +437,7 @@ class Body:
 
         If the operation must wait for earlier events, the task yields.
         """
-        self._give_way(f"if {operation}({', '.join([f'{self.pending}.0', *arguments])}): yield")
+        self._emit_yield(f"if {operation}({', '.join([f'{self.pending}.0', *arguments])}): yield")
         self.pending = 0
 
     def act(self, text: str) -> None:
@@ -473,7 +452,7 @@ class Body:
         If nothing else can happen before the end of the wait, `at_once` returns its result without a yield.
         """
         self.flush()
-        self.gives_way()
+        self.note_yield()
         self.emit(f"t, H = {at_once}(yield {expression})" if at_once else f"t, H = yield {expression}")
         self.noted = True
 
@@ -513,13 +492,13 @@ class Body:
 
     def use_outside(self, symbol: Symbol) -> None:
         """Record an assignment to a variable outside the function or its dispatcher."""
-        if self.function.jumps or not self.keeps(symbol):
+        if self.function.jumps or not self.is_local(symbol):
             self.outside.add(symbol.python)
 
-    def keeps(self, symbol: Symbol) -> bool:
+    def is_local(self, symbol: Symbol) -> bool:
         """True if a variable lives in this Python function.
 
-        A shared variable does so only in subs, because these may recur.
+        Shared variables are local only in subs, because a sub may call itself.
         """
         function = self.function
         if symbol.home is not function:

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from motionlang.mint.compile import intervals
-from motionlang.mint.compile.body import Value
+from motionlang.mint.compile.body import Body, Value
 from motionlang.mint.compile.conversions import converted
-from motionlang.mint.compile.expressions import counted, member, place, unknown, value
-from motionlang.mint.compile.lines import ROOM
+from motionlang.mint.compile.expressions import counted, member, reference, unknown, value
+from motionlang.mint.compile.lines import DEPTH
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, RECORD, Function, Symbol, Type
 from motionlang.mint.syntax import nodes
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.compile.body import Body
 
 _NOTHING = Value("0", FLOAT, intervals.ANY)
 
@@ -30,23 +26,23 @@ def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
         return _NOTHING
     texts = [_argument(b, arg, parameter) for arg, parameter in zip(args, callee.parameters, strict=True)]
     if callee.counted:
-        texts.append(room_below(b))
+        texts.append(depth_below(b))
     text = f"{symbol.python}({', '.join(texts)})"
     b.calls = True
     b.callee = callee
     if not callee.plain:
-        b.gives_way()
+        b.note_yield()
         text = f"(yield from {text})"
     known = intervals.INTEGER if symbol.type.name == INTEGER else intervals.FLOAT
     return Value(text, str(symbol.type), known)
 
 
-def room_below(b: Body) -> str:
-    """Return the remaining stack depth for a call; none raises a recursion error."""
-    if not has_room(b.function):
+def depth_below(b: Body) -> str:
+    """Return the stack depth that a call leaves; at 0 it raises a recursion error."""
+    if not gets_depth(b.function):
         return f"{whole_stack(b)}[0]"
-    b.names.append(ROOM)
-    return f"{ROOM}[0] or {b.whole.use('env', 'too_deep')}()"
+    b.names.append(DEPTH)
+    return f"{DEPTH}[0] or {b.whole.use('env', 'too_deep')}()"
 
 
 def whole_stack(b: Body) -> str:
@@ -54,8 +50,11 @@ def whole_stack(b: Body) -> str:
     return b.whole.use("env", "stack")
 
 
-def has_room(function: Function) -> bool:
-    """True if a function receives the remaining stack depth; a task begins with all."""
+def gets_depth(function: Function) -> bool:
+    """True if a function receives the remaining stack depth as a parameter.
+
+    Other functions begin with the whole stack.
+    """
     return function.counted and (function.kind == "sub" or function.jumps)
 
 
@@ -106,7 +105,7 @@ def _reference(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
     if type(node) is nodes.Name or type(node) is nodes.Member:
         symbol = node.symbol if type(node) is nodes.Name else None
         if (symbol is not None and symbol.kind in ("variable", "parameter")) or type(node) is nodes.Member:
-            text, kind, _ = place(b, node)
+            text, kind, _ = reference(b, node)
             if str(kind) != str(parameter.type):
                 b.problem("type", f"{parameter.name} is by reference and needs a variable of type {parameter.type}, "
                           f"not {kind}", node)  # fmt: skip

@@ -87,7 +87,7 @@ def _new_bodies(whole: SharedData, recall: Recall | None) -> dict[Function, Body
     names, problems = whole.names, whole.problems
     interfaces, bank = recall.resolve(names), names.default_bank
     facts = (
-        whole.axes, whole.told, whole.guarded, whole.others, names.uses_axes, names.uses_terminal,
+        whole.axes, whole.supplied, whole.guarded, whole.others, names.uses_axes, names.uses_terminal,
         None if bank is None else bank.name, interfaces.types,
     )  # fmt: skip
     bodies: dict[Function, Body] = {}
@@ -220,7 +220,7 @@ def compile_text(
             override(module, overrides or {}, given)
         blocks = blocks_of(module)
         compiled = compile_module(module, settings, ranges, debug)
-        compiled.outline = dumps((blocks, module.places.lines(compiled.code.places)))
+        compiled.outline = dumps((blocks, module.offsets.lines(compiled.code.offsets)))
         return compiled
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import isnan
+from math import inf, isnan
 
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.body import Value
@@ -23,7 +23,7 @@ def literal(known: float | str) -> Value:
     if isinstance(known, str):
         return Value(repr(known), STRING, intervals.ANY, known)
     kind = INTEGER if type(known) is int and intervals.INT_LOW <= known <= intervals.INT_HIGH else FLOAT
-    if isnan(known) or known in (intervals.INFINITY, -intervals.INFINITY):
+    if isnan(known) or known in (inf, -inf):
         return Value(f"float('{known}')", FLOAT)
     if type(known) is int and abs(known) > intervals.EXACT:
         known = float(known)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.mint.compile import intervals, operators
 from motionlang.mint.compile.body import Answer, Reading, Value
 from motionlang.mint.compile.conversions import NOTHING, article, as_integer, converted, literal
@@ -54,13 +56,13 @@ def condition(b: Body, node: nodes.Expr) -> str:
     The text needs brackets next to another operator.
     """
     if type(node) is nodes.Binary and node.op in ("And", "Or"):
-        return f"{_part(b, node.left, node.op)} {node.op.lower()} {_part(b, node.right, node.op)}"
+        return f"{_operand(b, node.left, node.op)} {node.op.lower()} {_operand(b, node.right, node.op)}"
     if type(node) is nodes.Unary and node.op == "Not":
-        return f"not {_part(b, node.operand, node.op)}"
+        return f"not {_operand(b, node.operand, node.op)}"
     return number(b, node, "a condition").truth
 
 
-def _part(b: Body, node: nodes.Expr, op: str) -> str:
+def _operand(b: Body, node: nodes.Expr, op: str) -> str:
     """Return the text of an operand of And, Or or Not, in brackets if necessary."""
     if type(node) is nodes.Binary and node.op in ("And", "Or"):
         text = condition(b, node)
@@ -85,7 +87,7 @@ def _given(b: Body, node: nodes.Given) -> Value:
 
 def _number(b: Body, node: nodes.Number) -> Value:
     known = node.value
-    if known.__class__ is float and 0 <= known < intervals.INFINITY:
+    if known.__class__ is float and 0 <= known < inf:
         return Value(repr(known), FLOAT, intervals.FLOAT, known)
     found = _SEEN.get(known)
     if found is not None and found.const.__class__ is known.__class__:
@@ -95,7 +97,7 @@ def _number(b: Body, node: nodes.Number) -> Value:
         if len(_SEEN) < MAX_SEEN:
             _SEEN[known] = found
         return found
-    if known in (intervals.INFINITY, -intervals.INFINITY):
+    if known in (inf, -inf):
         b.problem("overflow", "the number is too large", node)
         return NOTHING
     if intervals.INT_HIGH < known < 1 << 32 and type(known) is int and b.whole.problems.is_pattern(node.at):
@@ -175,7 +177,7 @@ def unknown(b: Body, node: nodes.Name) -> None:
     b.whole.problems.unknown(f"{node.name} is unknown", node.name, words, node.at, otherwise, b.whole.table)
 
 
-def place(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol | None]:
+def reference(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol | None]:
     """Return the location of a variable, element or member.
 
     It is Python text that can be read and assigned to.
@@ -212,10 +214,10 @@ def element(
         b.problem("index", f"{name} has {_count(len(sizes), 'subscript')}, {given}", node)
         return f"{text}[1]"
     counts = counted(text, sizes)
-    parts = [_subscript(b, *each) for each in zip(args, sizes, counts, strict=True)]
-    flat = parts[0]
-    for part, count in zip(parts[1:], counts[1:], strict=True):
-        flat = f"({flat} - 1) * {count} + {part}"
+    subscripts = [_subscript(b, *each) for each in zip(args, sizes, counts, strict=True)]
+    flat = subscripts[0]
+    for subscript, count in zip(subscripts[1:], counts[1:], strict=True):
+        flat = f"({flat} - 1) * {count} + {subscript}"
     return f"{text}[{flat}]"
 
 
@@ -226,7 +228,7 @@ def counted(text: str, sizes: tuple[int, ...]) -> list[str]:
     """
     if sizes == (0,):
         return [f"len({text}) - 1"]
-    return [str(size) if size else f"{text}_N{place}" for place, size in enumerate(sizes)]
+    return [str(size) if size else f"{text}_N{index}" for index, size in enumerate(sizes)]
 
 
 def _subscript(b: Body, node: nodes.Expr, size: int, count: str) -> str:
@@ -252,7 +254,7 @@ def load(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
         b.problem("index", f"{symbol.name} is an array and needs a subscript", node)
         return NOTHING
     text, type, scalar = (
-        place(b, node) if symbol is not b.function.result else (b.spelt(symbol), symbol.type, symbol)
+        reference(b, node) if symbol is not b.function.result else (b.spelt(symbol), symbol.type, symbol)
     )
     return _loaded(b, text, type, b.range_of(scalar, node) if scalar is not None else None)
 
@@ -300,7 +302,7 @@ def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | N
     if type(node.value) not in (nodes.Name, nodes.Member):
         b.problem("type", "only a variable has members", node)
         return None
-    owner, kind, _ = place(b, node.value)  # type: ignore[arg-type]
+    owner, kind, _ = reference(b, node.value)  # type: ignore[arg-type]
     if kind.record is None:
         b.problem(
             "type", f"{article(str(kind))} has no members", node, "declare the variable with a Type of yours"
@@ -364,15 +366,15 @@ def _shifted(b: Body, op: str, left: Value, right: Value) -> Value:
     solved, unsigned = reading.solved, reading.unsigned
     assert solved is not None
 
-    def with_level(tell: Callable[[str], str], level: Callable[[str], str]) -> str:
+    def with_level(read_at: Callable[[str], str], level: Callable[[str], str]) -> str:
         again = first = other.text
         if other.const is None and not first.isidentifier():
             again = b.temp()
             first = f"({again} := {first})"
         if reading is left:  # the level is evaluated before the value to the right
-            read = Value(tell(level(first)), reading.type, reading.range)
+            read = Value(read_at(level(first)), reading.type, reading.range)
             return operators.arithmetic(b, op, read, Value(again, right.type, right.range, right.const)).text
-        read = Value(tell(level(again)), reading.type, reading.range)
+        read = Value(read_at(level(again)), reading.type, reading.range)
         return operators.arithmetic(b, op, Value(first, left.type, left.range, left.const), read).text
 
     # The level of the reading, from that of the sum and the value.
@@ -471,8 +473,8 @@ def _compared(b: Body, reading: Value, level: Value, level_first: bool = False) 
         name = b.temp()
         worked_out = f"({name} := {text})"
         given, text = (name, worked_out) if level_first else (worked_out, name)
-    told = Value(reading.solved(given), reading.type, reading.range)
-    return told, Value(text, level.type, level.range, level.const)
+    solved = Value(reading.solved(given), reading.type, reading.range)
+    return solved, Value(text, level.type, level.range, level.const)
 
 
 def _other_than_numbers(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:

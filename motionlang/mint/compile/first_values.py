@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.mint.resolve.symbols import FLOAT, INTEGER, RECORD, SEMAPHORE, STRING, TIME
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.resolve.symbols import Type
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, RECORD, SEMAPHORE, STRING, TIME, Type
 
 
 def zero(kind: Type) -> str:

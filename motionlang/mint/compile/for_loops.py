@@ -17,21 +17,16 @@ the cost is counted in whole statements, and the loop yields after exactly the s
 from __future__ import annotations
 
 from motionlang.mint.compile import intervals, loop_times
-from motionlang.mint.compile.body import Value
+from motionlang.mint.compile.body import Body, Value
 from motionlang.mint.compile.conversions import as_float, as_integer, converted, literal
-from motionlang.mint.compile.expressions import number, place
-from motionlang.mint.compile.lines import LOOP, moved
-from motionlang.mint.compile.loops import body_of, flag_for, go_on_leaving, turn
+from motionlang.mint.compile.expressions import number, reference
+from motionlang.mint.compile.lines import LOOP, Line, moved
+from motionlang.mint.compile.loops import body_of, end_iteration, flag_for, go_on_leaving
 from motionlang.mint.compile.operators import arithmetic
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, Symbol
 from motionlang.mint.runtime.code_units import SCRATCH
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.compile.body import Body
-    from motionlang.mint.compile.lines import Line
 
 
 class Counter:
@@ -41,7 +36,7 @@ class Counter:
 
     def __init__(self, b: Body, node: nodes.For, symbol: Symbol) -> None:
         self.symbol = symbol
-        self.text, type_, scalar = place(b, node.variable)
+        self.text, type_, scalar = reference(b, node.variable)
         self.kind = type_.name
         self.exact = scalar not in b.analysed
         self.start = number(b, node.start)
@@ -52,7 +47,7 @@ class Counter:
         b.settle()
         first = converted(b, self.start, type_, node.start, self.exact)
         # Limit and step are evaluated once, before the variable has its first value.
-        self.stop, self.step = _kept(b, self.stop), _kept(b, self.step)
+        self.stop, self.step = _stored(b, self.stop), _stored(b, self.step)
         b.emit(f"{self.text} = {first}")
 
 
@@ -74,14 +69,14 @@ def count(b: Body, node: nodes.For) -> None:
     flag = flag_for(b, "for", node.body)
     noted, b.noted = b.noted, False
     outer, b.lines = b.lines, []
-    parts = len(b.parts)
+    chunks = len(b.chunks)
     at = b.at
     b.indent += 1
     body_of(b, "for", node.body, flag)
     b.indent -= 1
     b.at = at
     body, b.lines = b.lines, outer
-    if b.noted or len(b.parts) > parts or not _can_be_cut(b, node, counter):
+    if b.noted or len(b.chunks) > chunks or not _can_be_cut(b, node, counter):
         _plain(b, node, counter, body)
     else:
         _chunks(b, counter, body)
@@ -90,7 +85,7 @@ def count(b: Body, node: nodes.For) -> None:
     go_on_leaving(b)
 
 
-def _kept(b: Body, found: Value) -> Value:
+def _stored(b: Body, found: Value) -> Value:
     """Store a limit, so that it does not change during the loop."""
     if found.const is not None:
         return found
@@ -108,7 +103,7 @@ def _plain(b: Body, node: nodes.For, counter: Counter, body: list[Line]) -> None
     b.lines += body
     b.indent += 1
     _next(b, counter, _known(b, node, counter))
-    turn(b)
+    end_iteration(b)
     b.indent -= 1
 
 
@@ -189,8 +184,8 @@ def _chunks(b: Body, counter: Counter, body: list[Line]) -> None:
     b.emit(f"{w} = (H - t) / {worst}.0")
     b.emit(f"if {n} > {w}: {n} = int({w}) if {w} > 1.0 else 1")
     b.emit(f"{c} = {n} * {each}")
-    turns = f"{n}" if step == 1 else f"{n} * {step}"
-    b.emit(f"for {text} in range({text}, {text} + {turns}{'' if step == 1 else f', {step}'}):", LOOP)
+    iterations = f"{n}" if step == 1 else f"{n} * {step}"
+    b.emit(f"for {text} in range({text}, {text} + {iterations}{'' if step == 1 else f', {step}'}):", LOOP)
     for line in moved(body, 1):
         if line.cost:
             line.text = f"{c} += {line.cost}"

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections import Counter
 
 from motionlang.mint.compile import operators
-from motionlang.mint.compile.polling import reached
+from motionlang.mint.compile.polling import may_poll, reached
 from motionlang.mint.resolve.symbols import NUMERIC
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from motionlang.mint.resolve.symbols import Symbol
 
 HANDLERS = ("timer",)
+_LOOPS = nodes.While, nodes.Repeat, nodes.Loop, nodes.For
 
 
 def describe(b: Body) -> None:
@@ -31,6 +33,7 @@ def describe(b: Body) -> None:
     uses: Counter[Symbol] = Counter()
     explained: Counter[Symbol] = Counter()
     steps: Counter[Symbol] = Counter()
+    is_set: set[Symbol] = set()
     constants: dict[Symbol, list[float]] = {}
     for node in reached(b, b.function.body):
         own = _variable(node)
@@ -46,6 +49,7 @@ def describe(b: Body) -> None:
             own, value = _variable(node.target), node.values[0]
             if own is not None and isinstance(value, nodes.Number):
                 explained[own] += 1
+                is_set.add(own)
             elif own is not None and _is_step(own, value):
                 explained[own] += 2
                 steps[own] += 1
@@ -53,7 +57,22 @@ def describe(b: Body) -> None:
     if found:
         names = tuple(own.python for own in found)
         levels = tuple(tuple(constants.get(own, ())) for own in found)
-        b.whole.use("counters", b.function.name.lower(), names, levels)
+        polled = _polled(b)
+        facts = tuple((own in polled, own in is_set) for own in found)
+        b.whole.use("counters", b.function.name.lower(), names, levels, facts)
+
+
+def _polled(b: Body) -> set[Symbol]:
+    """Return the variables that are used by possibly polling loops outside handlers."""
+    found: set[Symbol] = set()
+    for function in b.whole.names.functions:
+        if function is b.function:
+            continue
+        loops = [node for node in walk(function.body) if isinstance(node, _LOOPS) and may_poll(node.body)]
+        iterations = [function.body] if function.jumps else [[node] for node in loops]
+        for iteration in iterations:
+            found.update(own for node in reached(b, iteration) if (own := _variable(node)) is not None)
+    return found
 
 
 def _variable(node: object) -> Symbol | None:

@@ -8,16 +8,16 @@ bounds. A Float that is stored as an int never exceeds 2^53, up to which ints an
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from math import inf
 
-INFINITY = float("inf")
 INT_LOW, INT_HIGH = -(2**31), 2**31 - 1
 EXACT = 2**53
 
 Range = tuple[float, float, str]
 
 INTEGER: Range = (INT_LOW, INT_HIGH, "i")
-FLOAT: Range = (-INFINITY, INFINITY, "f")
-ANY: Range = (-INFINITY, INFINITY, "a")
+FLOAT: Range = (-inf, inf, "f")
+ANY: Range = (-inf, inf, "a")
 BOOL: Range = (0, 1, "i")
 
 # How the compiler writes an operation, depending on whether its result is certain to fit.

@@ -25,10 +25,10 @@ that contains `pc`. The group returns the number of the next stretch outside its
 from __future__ import annotations
 
 from motionlang.mint.compile import loop_times, polling
-from motionlang.mint.compile.calls import room_below
+from motionlang.mint.compile.calls import depth_below
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.compile.lines import LEAVES, Line
-from motionlang.mint.resolve.symbols import Function
+from motionlang.mint.compile.splitting import SIZE, dispatcher, split_off
 from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
@@ -37,37 +37,25 @@ if TYPE_CHECKING:
 
     from motionlang.mint.compile.body import Body
 
-# In a function with more stretches than this, no jump is watched.
+# In a function with more stretches than this, no jump is watched, no loop of jumps is logged, and the stretches are
+# divided into groups.
 MAX_STRETCHES = 200
-
-
-def dispatcher(function: Function) -> str:
-    """Return the name of a function's dispatcher."""
-    return f"j_{function.python}"
 
 
 def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
     """Write the lines of the dispatcher, without its head."""
     _check(b)
     first = len(b.lines)
-    b.regions = loop_times.regions(b)
+    is_short = len(b.stretches()) <= MAX_STRETCHES
+    b.regions = loop_times.regions(b) if is_short else []
     b.emit("while True:")
     b.emit(" try:")
     b.indent += 2
-    for number, (_, body) in enumerate(b.stretches()):
-        b.stretch = number
-        b.emit(f"if pc == {number}:")
-        b.indent += 1
-        loop_times.open_regions(b)
-        done = 0
-        for place in sorted({region.end for region in b.regions if region.last == number}):
-            block(b, body[done:place])
-            loop_times.close_regions(b, place)
-            done = place
-        block(b, body[done:])
-        b.flush()
-        b.emit(f"pc = {number + 1}")
-        b.indent -= 1
+    if is_short or b.whole.typed:
+        for number in range(len(b.stretches())):
+            _write_stretch(b, number, block)
+    else:
+        _write_groups(b, block)
     _end(b)
     b.indent -= 2
     b.emit(f" except {b.whole.use('env', 'Jump')} as jump:")
@@ -78,6 +66,63 @@ def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
     b.indent -= 2
     texts = [poll.first for poll in b.polls] + [f"r{region.at} = None" for region in b.regions]
     b.lines[first:first] = [Line(b.indent, text, b.function.at) for text in texts]
+
+
+def _write_stretch(b: Body, number: int, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
+    """Write the statements after a label, which run if `pc` is their stretch's number."""
+    body = b.stretches()[number][1]
+    b.stretch = number
+    b.emit(f"if pc == {number}:")
+    b.indent += 1
+    loop_times.open_regions(b)
+    done = 0
+    for end in sorted({region.end for region in b.regions if region.last == number}):
+        block(b, body[done:end])
+        loop_times.close_regions(b, end)
+        done = end
+    block(b, body[done:])
+    b.flush()
+    b.emit(f"pc = {number + 1}")
+    b.indent -= 1
+
+
+def _write_groups(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
+    """Write groups of stretches as chunks, and the dispatcher's calls of them."""
+    count, first, indent = len(b.stretches()), len(b.lines), b.indent
+    groups: list[tuple[int, Line]] = []
+    begin, b.indent = 0, 3  # in the loop of the part
+    for end in range(1, count + 1):
+        _write_stretch(b, end - 1, block)
+        if len(b.lines) - first < SIZE and end < count:
+            continue
+        at = b.lines[first].at
+        head = Line(2, f"while {begin} <= pc < {end}:", at)
+        lines = [head, *b.lines[first:], Line(2, "return pc", at)]
+        del b.lines[first:]
+        groups.append((end, split_off(b, lines, 2, ["pc"])))
+        begin = end
+    b.indent = indent
+    _write_choice(b, groups)
+    b.emit("if pc is None: return")
+    b.emit(f"if pc < {count}: continue")
+
+
+def _write_choice(b: Body, groups: list[tuple[int, Line]]) -> None:
+    """Write a binary search for the group of `pc`.
+
+    A group is given by its end and the line that calls it.
+    """
+    if len(groups) == 1:
+        call = groups[0][1]
+        call.text, call.indent = f"pc = {call.text}", b.indent
+        b.lines.append(call)
+        return
+    half = len(groups) // 2
+    for test, rest in ((f"if pc < {groups[half - 1][0]}:", groups[:half]), ("else:", groups[half:])):
+        b.emit(test)
+        b.indent += 1
+        _write_choice(b, rest)
+        b.indent -= 1
 
 
 def _end(b: Body) -> None:
@@ -113,7 +158,11 @@ def jump(b: Body, node: nodes.Jump) -> None:
             b.whole.problems.add("unknown-word", f"{symbol.name} is a sub, not a label", at, hint)
             return
         b.whole.problems.unknown(
-            f"there is no label {node.name}", node.name, lambda: filter(None, labels), at
+            f"there is no label {node.name}",
+            node.name,
+            lambda: filter(None, labels),
+            at,
+            f"a label has a line of its own: #{node.name}",
         )
         return
     number = labels[key]
@@ -123,9 +172,9 @@ def jump(b: Body, node: nodes.Jump) -> None:
     leaves_loops = any(kind for kind, _ in b.loops)
     poll = None
     if node.kind != "gosub" and number <= b.stretch and not leaves_loops:
-        if b.turn is None and len(labels) <= MAX_STRETCHES:
-            b.turn = polling.left_behind(b, list(polling.reached(b, b.function.body))) or ()
-        poll = polling.Poll(b, *b.turn) if b.turn else None
+        if b.watched_iteration is None and len(b.stretches()) <= MAX_STRETCHES:
+            b.watched_iteration = polling.left_behind(b, list(polling.reached(b, b.function.body))) or ()
+        poll = polling.Poll(b, *b.watched_iteration) if b.watched_iteration else None
     if poll is None:
         if node.kind != "exit":
             b.horizon()
@@ -144,9 +193,10 @@ def jump(b: Body, node: nodes.Jump) -> None:
         b.indent -= bool(unless)
         return
     if node.kind == "gosub":
-        b.gives_way()
-        room = f", {room_below(b)}" if b.function.counted else ""
-        b.emit(f"yield from {dispatcher(b.function)}({number}{room})", LEAVES)
+        b.note_yield()
+        b.names.append(dispatcher(b.function))
+        depth = f", {depth_below(b)}" if b.function.counted else ""
+        b.emit(f"yield from {dispatcher(b.function)}({number}{depth})")
     elif leaves_loops:
         b.emit(f"{unless}raise {b.whole.use('env', 'Jump')}({number})")
     else:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from math import isnan
 
+from motionlang.errors import as_hint
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.body import Reading, Value
 from motionlang.mint.compile.conversions import as_float, as_integer, literal
@@ -102,12 +103,12 @@ def answer(row: Keyword, text: str) -> Reading:
 
 def _each_of(node: nodes.Name, args: list[nodes.Expr]) -> nodes.Expr:
     """Expand `IDLE[0, 1]`, as written after a path, to `IDLE[0] And IDLE[1]`."""
-    parts: list[nodes.Expr] = [
+    conditions: list[nodes.Expr] = [
         nodes.Name(node.at, node.name, [arg], node.axes).resolve(None, node.row) for arg in args
     ]
-    whole = parts[0]
-    for part in parts[1:]:
-        whole = nodes.Binary(node.at, "And", whole, part)
+    whole = conditions[0]
+    for term in conditions[1:]:
+        whole = nodes.Binary(node.at, "And", whole, term)
     return whole
 
 
@@ -318,8 +319,8 @@ def _write_to_defaults(b: Body, node: nodes.Assign, row: Keyword, last: list[str
     The number of axes is known only at run time.
     """
     texts = _given(b, node, row)
-    tell, b.observes = b.observes, True
-    b.settle(tell)
+    observes, b.observes = b.observes, True
+    b.settle(observes)
     axis, text = b.temp(), b.temp()
     pairs = b.whole.use("env", "pairs")
     b.emit(f"for {axis}, {text} in {pairs}(({', '.join(texts)},), {node.repeat}):", LOOP)
@@ -362,7 +363,12 @@ def _values(b: Body, node: nodes.Assign, row: Keyword, count: int) -> list[str] 
         texts += texts[-1:] * (count - len(texts))
     if len(texts) != count:
         given = _many(len(node.values), "value")
-        hint = "end the list with ; to give the last value to all further axes" if len(texts) < count else ""
+        hint = ""
+        if len(texts) < count:
+            hint = "end the list with ; to give the last value to all further axes"
+        elif row.index in ("axis", "axes"):
+            axes = ", ".join(map(str, range(len(texts))))
+            hint = f"name an axis for each value: {row.name}({axes}) = …"
         b.problem("values", f"{row.name} needs {_many(count, 'value')} here, {given} given", node, hint)
         return None
     return texts
@@ -441,7 +447,7 @@ def not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
     """Report that a keyword is not a statement."""
     shown = row.name if target.args is None else f"{row.name}(…)"
     if row.kind == "statement":
-        b.problem("syntax", f"{row.name} cannot be used here", target, row.help)
+        b.problem("syntax", f"{row.name} cannot be used here", target, as_hint(row.help))
     elif "W" in row.access:
         b.problem("not-a-command", f"{row.name} needs a value", target, f"{shown} = value")
     else:

@@ -12,7 +12,7 @@ PLAIN, LOOP, BREAK, LEAVES, HORIZON = "", "loop", "break", "leaves", "horizon"
 # Among the names of a line: it contains a `yield`.
 YIELDS = "yield"
 # The name for the remaining stack depth in a call: a tuple with that of the next call, or () for none.
-ROOM = "r"
+DEPTH = "r"
 NONE: Sequence[str] = ()
 JUST_YIELDS: Sequence[str] = (YIELDS,)
 

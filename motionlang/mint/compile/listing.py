@@ -39,7 +39,7 @@ def listing(code: Code, line_of: Mapping[int, int]) -> Listing:
         # `Unit.compile` puts two lines before the text, and lines count from 1.
         for number, text in enumerate(unit.text.split("\n"), unit.before + 3):
             notes = ", ".join(_operations(text, code.specs))
-            found.append((line_of[code.places[number]], text, notes))
+            found.append((line_of[code.offsets[number]], text, notes))
     return Listing(HEAD, found, is_python=True)
 
 

@@ -20,17 +20,14 @@ loop.
 
 from __future__ import annotations
 
+from motionlang.lang.task import MIN_STATEMENTS
 from motionlang.mint.compile.lines import Line
-from motionlang.mint.runtime.loop_log import MIN_STATEMENTS
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
-
-# In a function with more labels than this, no loop of Gotos is logged.
-MAX_LABELS = 200
 
 
 class Region:
@@ -90,17 +87,15 @@ def regions(b: Body) -> list[Region]:
     """Return the loops formed by the Gotos of a function."""
     found: dict[int, Region] = {}
     labels = [node for node in b.function.body if type(node) is nodes.Label]
-    if len(labels) > MAX_LABELS:
-        return []
     for number, (_, body) in enumerate(b.stretches()):
-        for place, statement in enumerate(body):
+        for index, statement in enumerate(body):
             for node in walk([statement]):
                 if type(node) is not nodes.Jump or node.kind == "gosub":
                     continue
                 first = b.labels().get(node.name.lower(), number + 1)
                 if 0 < first <= number:
                     region = found.setdefault(first, Region(labels[first - 1].at, first))
-                    region.last, region.end = number, place + 1
+                    region.last, region.end = number, index + 1
     return list(found.values())
 
 
@@ -114,10 +109,10 @@ def open_regions(b: Body) -> None:
             b.emit(f"if r{region.at} is None: r{region.at} = t, E.statements.base")
 
 
-def close_regions(b: Body, place: int) -> None:
+def close_regions(b: Body, index: int) -> None:
     """Close the records of the loops whose last jump back is the preceding statement."""
     for region in b.regions:
-        if (region.last, region.end) == (b.stretch, place):
+        if (region.last, region.end) == (b.stretch, index):
             b.flush()
             _close_region(b, region)
 

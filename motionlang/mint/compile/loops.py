@@ -30,13 +30,13 @@ def body_of(b: Body, kind: str, body: list[nodes.Stmt], flag: str) -> None:
     b.loops.pop()
 
 
-def turn(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
+def end_iteration(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
     """Write the end of an iteration: pay for it, and let others run if they are due."""
     b.pending += cost
     if poll is None:
         b.horizon()
     else:
-        poll.turn(b)
+        poll.end_iteration(b)
         b.watching -= 1
 
 
@@ -71,7 +71,7 @@ def _forever(b: Body) -> None:
     b.indent += 1
 
 
-def _turns(b: Body, kind: str, body: list[nodes.Stmt], flag: str, poll: Poll | None) -> None:
+def _iteration(b: Body, kind: str, body: list[nodes.Stmt], flag: str, poll: Poll | None) -> None:
     """Write the statements of an iteration, and its end with the loop's source offset."""
     at = b.at
     body_of(b, kind, body, flag)
@@ -80,7 +80,7 @@ def _turns(b: Body, kind: str, body: list[nodes.Stmt], flag: str, poll: Poll | N
 
 
 def _closed(b: Body, poll: Poll | None, cost: int = 1) -> None:
-    turn(b, poll, cost)
+    end_iteration(b, poll, cost)
     b.indent -= 1
     loop_times.end(b)
     go_on_leaving(b)
@@ -99,7 +99,7 @@ def while_(b: Body, node: nodes.While) -> None:
     else:
         b.emit(f"while {test}:", LOOP)
         b.indent += 1
-    _turns(b, "while", node.body, flag, poll)
+    _iteration(b, "while", node.body, flag, poll)
 
 
 def repeat(b: Body, node: nodes.Repeat) -> None:
@@ -121,7 +121,7 @@ def endless(b: Body, node: nodes.Loop) -> None:
     """Compile `Loop … End Loop`."""
     flag, poll = _opened(b, "loop", node.body)
     _forever(b)
-    _turns(b, "loop", node.body, flag, poll)
+    _iteration(b, "loop", node.body, flag, poll)
 
 
 # ---------------------------------------------------------------------------------------------------- Exit

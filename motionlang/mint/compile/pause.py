@@ -21,7 +21,7 @@ def pause(b: Body, node: nodes.Pause) -> None:
     b.calls = False
     b.flush()
     b.settle()
-    b.gives_way()
+    b.note_yield()
     if calls:  # a condition that calls a sub is tested at every tick
         b.emit(f"while not ({test}): t, H = yield {b.whole.use('env', 'tick')}(t)")
     else:

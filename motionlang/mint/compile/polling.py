@@ -69,23 +69,23 @@ NO_IDLE = Idle({}, frozenset(), False)
 class Poll:
     """The watch on a loop: the line before its `first` iteration, and iteration ends."""
 
-    __slots__ = ("_asks", "_begin", "_compared", "_counted", "_look", "_named", "_next", "_site", "first")
+    __slots__ = ("_begin", "_compared", "_counted", "_named", "_next", "_reads", "_site", "_start", "first")
 
     def __init__(
-        self, b: Body, state: State, asks: bool, alters: bool, looks_at: str, idle: Idle = NO_IDLE
+        self, b: Body, state: State, reads: bool, alters: bool, read_names: str, idle: Idle = NO_IDLE
     ) -> None:
         counters, mere = idle.counters, idle.mere
-        self._asks = asks
+        self._reads = reads
         levels = tuple(map(tuple, counters.values()))
         carries, alters = bool(mere) or idle.copies, alters or idle.copies
-        self._site = b.whole.use("loop", asks, carries, alters, looks_at, levels, len(b.whole.specs))
-        self._look, self._next, self._named = b.temp(SCRATCH), b.temp(SCRATCH), state.values()
+        self._site = b.whole.use("loop", reads, carries, alters, read_names, levels, len(b.whole.specs))
+        self._start, self._next, self._named = b.temp(SCRATCH), b.temp(SCRATCH), state.values()
         self._counted = f"({', '.join(counters)},)" if counters else "()"
         self._compared = ", ".join(["E.acts", *sorted(state.keys() - mere)])
-        self.first = f"{self._look} = None; {self._next} = {self._site}.left"
+        self.first = f"{self._start} = None; {self._next} = {self._site}.left"
         self._begin = len(b.lines)
 
-    def turn(self, b: Body) -> None:
+    def end_iteration(self, b: Body) -> None:
         """Write the end of an iteration."""
         lines = b.lines[self._begin :]
         if b.whole.guarded or any(YIELDS in line.names and line.kind != HORIZON for line in lines):
@@ -99,43 +99,48 @@ class Poll:
         now = f"(t := t + {b.pending}.0)" if b.pending else "t"
         b.pending = 0
         self._spell(b)
-        b.emit(f"if {now} >= {self._next}: {self._looked('turn_at')}")
+        b.emit(f"if {now} >= {self._next}: {self._check_call('check_at')}")
         # A loop that only counts gives way nowhere else, so its iterations are compared across time slices.
-        b.horizon(then=f"{again}; {self._look} = None" if self._asks else again)
+        b.horizon(then=f"{again}; {self._start} = None" if self._reads else again)
 
     def counted(self, b: Body) -> None:
         """Write the end of an iteration in a loop that waits: count unchecked iterations."""
         b.flush()
         b.emit(f"if {self._next}: {self._next} -= 1.0")
         self._spell(b)
-        b.emit(f"else: {self._looked('turn')}")
-        b.horizon(then=f"; {self._look} = None")
+        b.emit(f"else: {self._check_call('check')}")
+        b.horizon(then=f"; {self._start} = None")
 
     def _spell(self, b: Body) -> None:
         for each in self._named:
             b.spelt(each)
 
-    def _looked(self, how: str) -> str:
-        given = f"(t, H, {self._look}, ({self._compared},), {self._counted})"
-        return f"t, H, {self._look}, {self._next}, {self._counted} = {self._site}.{how}{given}"
+    def _check_call(self, how: str) -> str:
+        given = f"(t, H, {self._start}, ({self._compared},), {self._counted})"
+        return f"t, H, {self._start}, {self._next}, {self._counted} = {self._site}.{how}{given}"
 
 
 def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | None:
     """Write the watch on a loop; return None if no iteration could ever be skipped."""
-    if any(map(_plainly_acts, body)):
+    if not may_poll(body):
         return None
-    turn = list(reached(b, [*body, *conditions]))
-    left = left_behind(b, turn, not conditions)
+    iteration = list(reached(b, [*body, *conditions]))
+    left = left_behind(b, iteration, not conditions)
     if left is None:
         return None
-    poll = Poll(b, *left, idle(b, turn))
+    poll = Poll(b, *left, idle(b, iteration))
     b.emit(poll.first)
     b.watching += 1
     return poll
 
 
+def may_poll(body: Sequence[nodes.Stmt]) -> bool:
+    """True unless a statement of a loop obviously does something in every iteration."""
+    return not any(map(_plainly_acts, body))
+
+
 def left_behind(
-    b: Body, turn: Sequence[nodes.Node], endless: bool = False
+    b: Body, iteration: Sequence[nodes.Node], endless: bool = False
 ) -> tuple[State, bool, bool, str] | None:
     """Return the state by which iterations of a loop are compared.
 
@@ -145,25 +150,27 @@ def left_behind(
     variables that others read, and the names of its readings. The variables are all those named in the statements
     that an iteration reaches. The result is None if there are too many, or if the loop only computes.
     """
-    names = [node for node in turn if isinstance(node, (nodes.Name, nodes.Variable))]
+    names = [node for node in iteration if isinstance(node, (nodes.Name, nodes.Variable))]
     rows = {node.row for node in names if node.row is not None}
     symbols = list(dict.fromkeys(node.symbol for node in names if node.symbol is not None))
     reads = any(row.kind in ("reading", "setting") for row in rows) or any(
         symbol.shared or symbol.by_ref or symbol.type.name == TIME for symbol in symbols
     )
-    assigns = [node for node in turn if isinstance(node, nodes.Assign)]
+    assigns = [node for node in iteration if isinstance(node, nodes.Assign)]
     if not reads and not all(isinstance(value, nodes.Number) for node in assigns for value in node.values):
         # A loop that ends is often short, and quicker without a watch.
-        ends = not endless or any(isinstance(node, (nodes.Exit, nodes.Jump, nodes.Return)) for node in turn)
-        counters = {} if ends else idle(b, turn).counters
+        ends = not endless or any(
+            isinstance(node, (nodes.Exit, nodes.Jump, nodes.Return)) for node in iteration
+        )
+        counters = {} if ends else idle(b, iteration).counters
         if not counters or not all(_counts(b, node, counters) for node in assigns):
             return None  # a loop with only its own variables computes
-    held = [symbol.home.result or symbol if symbol.kind == "sub" else symbol for symbol in symbols]
-    state = {_text(b, symbol): symbol for symbol in held if _outlasts(b, symbol)}
+    stored = [symbol.home.result or symbol if symbol.kind == "sub" else symbol for symbol in symbols]
+    state = {_text(b, symbol): symbol for symbol in stored if _outlasts(b, symbol)}
     if len(state) > MAX_VARIABLES:
         return None
     b.whole.rewritten.update(filter(is_repeated, rows))
-    return state, reads, any(_alters(b, node) for node in turn), _looks_at(turn)
+    return state, reads, any(_alters(b, node) for node in iteration), _read_names(iteration)
 
 
 def _counts(b: Body, node: nodes.Assign, counters: dict[str, list[float]]) -> bool:
@@ -172,10 +179,10 @@ def _counts(b: Body, node: nodes.Assign, counters: dict[str, list[float]]) -> bo
     return own is not None and own.python in counters
 
 
-def _looks_at(turn: Sequence[nodes.Node]) -> str:
-    """Return the names of the first readings of an iteration."""
-    written = {id(node.target) for node in turn if isinstance(node, nodes.Assign)}
-    names = [node for node in turn if isinstance(node, nodes.Name) and id(node) not in written]
+def _read_names(iteration: Sequence[nodes.Node]) -> str:
+    """Return the names of the first few readings in an iteration, joined by "and"."""
+    written = {id(node.target) for node in iteration if isinstance(node, nodes.Assign)}
+    names = [node for node in iteration if isinstance(node, nodes.Name) and id(node) not in written]
     read = [node for node in names if node.row is not None and node.row.kind in ("reading", "setting")]
     found = dict.fromkeys(shown(node) for node in read if node.row is not None and node.row.verb != "wait")
     return " and ".join([*found][:MAX_NAMED])
@@ -194,7 +201,7 @@ def _alters(b: Body, node: nodes.Node) -> bool:
     return symbol is not None and (symbol.shared or symbol.by_ref or b.whole.typed)
 
 
-def idle(b: Body, turn: Sequence[nodes.Node]) -> Idle:
+def idle(b: Body, iteration: Sequence[nodes.Node]) -> Idle:
     """Return the values that change in each iteration and decide nothing.
 
         n = n + 1                               If POS(0) > peak Then peak = POS(0)                 x = POS(0)
@@ -210,12 +217,12 @@ def idle(b: Body, turn: Sequence[nodes.Node]) -> Idle:
         return NO_IDLE
     uses: dict[Symbol | None, int] = {}
     # How each variable is assigned. One that is assigned in several ways does decide something.
-    ways: dict[Symbol, set[object]] = {}
+    assignments: dict[Symbol, set[object]] = {}
     levels: dict[int, tuple[Symbol, str]] = {}
     # The constants that variables are compared with, and the number of places at which they count.
     constants: dict[Symbol, list[float]] = {}
     steps: dict[Symbol, int] = {}
-    for node in turn:
+    for node in iteration:
         if isinstance(node, nodes.Binary) and node.op in operators.COMPARISONS:
             for side, other in ((node.left, node.right), (node.right, node.left)):
                 own = _own(b, side)
@@ -233,35 +240,41 @@ def idle(b: Body, turn: Sequence[nodes.Node]) -> Idle:
             sides = (
                 (test.left, test.right) if isinstance(test, nodes.Binary) and test.op in ("<", ">") else ()
             )
-            if reading and {_own(b, side) or _reading(side) for side in sides} == {own, reading}:
+            if (
+                reading
+                and not _is_sampled(value)
+                and {_own(b, side) or _reading(side) for side in sides} == {own, reading}
+            ):
                 uses[own] = uses.get(own, 0) - 1
                 levels[id(value)] = own, UNTIL_EXTREMUM
         elif isinstance(value, nodes.Binary) and value.op in "+-" and _own(b, value.left) is own:
             if isinstance(value.right, nodes.Number) and isinstance(value.right.value, int):
                 uses[own] = uses.get(own, 0) - 2
                 steps[own] = steps.get(own, 0) + 1
-                ways.setdefault(own, set()).add(COUNTER)
+                assignments.setdefault(own, set()).add(COUNTER)
         elif own.type.name == FLOAT and reading:
             uses[own] = uses.get(own, 0) - 1
-            ways.setdefault(own, set()).add(id(value) if id(value) in levels else WHATEVER)
+            assignments.setdefault(own, set()).add(id(value) if id(value) in levels else WHATEVER)
             levels.setdefault(id(value), (own, WHATEVER))
     # A counter that passes a constant must count in one direction, so it is counted at one place.
     compared = {own: len(found) for own, found in constants.items() if steps.get(own) == 1}
-    mere = {own for own, found in ways.items() if uses[own] == compared.get(own, 0) and len(found) == 1}
+    mere = {
+        own for own, found in assignments.items() if uses[own] == compared.get(own, 0) and len(found) == 1
+    }
     b.levels.update({number: text for number, (own, text) in levels.items() if own in mere})
-    counters = sorted((own.python, constants.get(own, [])) for own in mere if COUNTER in ways[own])
-    return Idle(dict(counters), frozenset(own.python for own in mere), _copies(b, turn))
+    counters = sorted((own.python, constants.get(own, [])) for own in mere if COUNTER in assignments[own])
+    return Idle(dict(counters), frozenset(own.python for own in mere), _copies(b, iteration))
 
 
-def _copies(b: Body, turn: Sequence[nodes.Node]) -> bool:
+def _copies(b: Body, iteration: Sequence[nodes.Node]) -> bool:
     """True if an iteration writes to host memory in a way that decides nothing.
 
     This is never so in a loop that reads the memory of a host or a bus. The readings that are written are called
     regardless of the level.
     """
-    writes = [node for node in turn if isinstance(node, nodes.Assign) and _is_host_memory(node.target)]
+    writes = [node for node in iteration if isinstance(node, nodes.Assign) and _is_host_memory(node.target)]
     targets = {id(node.target) for node in writes}
-    names = [node for node in turn if isinstance(node, nodes.Name) and node.row is not None]
+    names = [node for node in iteration if isinstance(node, nodes.Name) and node.row is not None]
     if not writes or any(name.row.group == "comms" for name in names if id(name) not in targets):  # type: ignore[union-attr]
         return False
     b.copies.update(map(id, writes))
@@ -289,14 +302,15 @@ def is_repeated(row: Keyword) -> bool:
 def _plainly_acts(node: nodes.Stmt) -> bool:
     """True if a statement obviously does something in every iteration."""
     if not isinstance(node, (nodes.Assign, nodes.Call)):
-        return isinstance(node, (nodes.Print, nodes.Input, nodes.End))
+        # A LINE may print the text that its row shows already.
+        return isinstance(node, (nodes.Input, nodes.End)) or (isinstance(node, nodes.Print) and not node.word)
     row = node.target.row if isinstance(node.target, nodes.Name) else None
-    return row is not None and row.verb != "wait" and not is_repeated(row)
+    return row is not None and row.verb not in ("wait", "line") and not is_repeated(row)
 
 
-def reached(b: Body, turn: Sequence[object]) -> Iterator[nodes.Node]:
+def reached(b: Body, iteration: Sequence[object]) -> Iterator[nodes.Node]:
     """Yield every node of an iteration and of everything that it calls."""
-    bodies, seen = [turn], {id(turn)}
+    bodies, seen = [iteration], {id(iteration)}
     for body in bodies:  # the list grows during the loop
         for node in walk(body):
             yield node
@@ -337,6 +351,11 @@ def _own(b: Body, node: nodes.Node) -> Symbol | None:
         return None
     shared = symbol.shared or symbol.boxed or symbol.by_ref or symbol.is_array
     return None if shared or symbol.type.name not in NUMERIC else symbol
+
+
+def _is_sampled(node: nodes.Node) -> bool:
+    """True for a reading that changes in steps; it mostly equals its running maximum."""
+    return isinstance(node, nodes.Name) and node.row is not None and node.row.driven == "analogue"
 
 
 def _reading(node: nodes.Node) -> tuple[object, ...]:

@@ -14,22 +14,30 @@ its chunks are nested inside it.
 
 from __future__ import annotations
 
-from motionlang.lang.task import PART
-from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP, ROOM, YIELDS, Line, moved, names_in
+from motionlang.lang.task import CHUNK
+from motionlang.mint.compile.lines import BREAK, DEPTH, LEAVES, LOOP, YIELDS, Line, moved, names_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from motionlang.mint.compile.body import Body
+    from motionlang.mint.resolve.symbols import Function
 
-# A block with more lines than LONGEST is split into parts of about SIZE lines.
+# A block with more lines than MAX_LINES is split into parts of about SIZE lines. In a function with labels, which
+# may have many blocks below that, this holds from SIZE lines on after its first MANY lines.
 MAX_LINES = 600
 SIZE = 200
+MANY = 6000
 # A block at this depth becomes a part, and so does a statement with this many nested loops. Python allows
 # twenty nested loops, and each of ours may take two, or have a `try` around it.
 MAX_INDENT = 60
 MAX_LOOPS = 8
+
+
+def dispatcher(function: Function) -> str:
+    """Return the name of the dispatcher of a function with labels (`jumps.py`)."""
+    return f"j_{function.python}"
 
 
 class Chunk:
@@ -40,11 +48,10 @@ class Chunk:
 
     __slots__ = ("given", "inside", "lines", "name", "names", "waits")
 
-    def __init__(self, name: str, lines: list[Line], inside: bool) -> None:
-        self.name, self.lines, self.inside = name, lines, inside
+    def __init__(self, name: str, given: str, lines: list[Line], inside: bool) -> None:
+        self.name, self.given, self.lines, self.inside = name, given, lines, inside
         self.names = names_in(lines)
         self.waits = YIELDS in self.names
-        self.given = ROOM if ROOM in self.names and not inside else ""
 
     def written(self, shared: Iterable[str], indent: int) -> list[Line]:
         """Return the whole function; `shared` are names that belong to other functions."""
@@ -65,10 +72,11 @@ def cut(b: Body, first: int, ends: list[int]) -> None:
 
     `ends` are the line numbers at which its statements end.
     """
-    if b.whole.typed:
+    most = SIZE if b.function.jumps and len(b.lines) > MANY else MAX_LINES
+    if b.whole.typed or len(b.lines) - first <= most:
         return
     statements = [b.lines[start:end] for start, end in zip([first, *ends], ends, strict=False)]
-    while sum(map(len, statements)) > MAX_LINES:
+    while sum(map(len, statements)) > most:
         shorter = _shortened(b, statements)
         if len(shorter) == len(statements):
             break
@@ -81,7 +89,7 @@ def fold(b: Body, first: int) -> bool:
     lines = b.lines[first:]
     if b.whole.typed or not lines or _is_left(lines):
         return False
-    b.lines[first:] = _part(b, lines)
+    b.lines[first:] = [split_off(b, lines, b.indent)]
     return True
 
 
@@ -120,15 +128,20 @@ def _moved(b: Body, run: list[list[Line]], length: int) -> list[list[Line]]:
     """Return a run of statements as the call of a chunk, if it is long enough."""
     if len(run) < 2 or length < SIZE // 2:
         return run
-    return [_part(b, [line for statement in run for line in statement])]
+    return [[split_off(b, [line for statement in run for line in statement], b.indent)]]
 
 
-def _part(b: Body, lines: list[Line]) -> list[Line]:
-    """Move lines into a part and return the call of it."""
-    b.whole.parts += 1
-    part = Chunk(f"{PART}{b.whole.parts}", moved(lines, 2 - b.indent), b.function.kind == "sub")
-    b.parts.append(part)
-    call, names = f"{part.name}({part.given})", [ROOM] if ROOM in part.names else []
-    if part.waits:
-        call, names = f"yield from {call}", [*names, YIELDS]
-    return [Line(b.indent, call, lines[0].at, names=names)]
+def split_off(b: Body, lines: list[Line], indent: int, parameters: Sequence[str] = ()) -> Line:
+    """Move lines with this indent into a chunk, and return the call of it.
+
+    A chunk also receives the remaining stack depth and the dispatcher of its function, if it uses them.
+    """
+    used = names_in(lines)
+    given = [name for name in (dispatcher(b.function), DEPTH) if name in used]
+    b.whole.chunk_count += 1
+    name, values = f"{CHUNK}{b.whole.chunk_count}", ", ".join([*parameters, *given])
+    b.chunks.append(Chunk(name, values, moved(lines, 2 - indent), b.function.kind == "sub"))
+    call = f"{name}({values})"
+    if YIELDS in used:
+        call, given = f"yield from {call}", [*given, YIELDS]
+    return Line(indent, call, lines[0].at, names=given)

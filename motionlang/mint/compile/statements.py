@@ -17,7 +17,7 @@ from motionlang.mint.compile import (
 from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.calls import call
 from motionlang.mint.compile.conversions import article, converted
-from motionlang.mint.compile.expressions import condition, place, unknown, value
+from motionlang.mint.compile.expressions import condition, reference, unknown, value
 from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP, NONE, Line
 from motionlang.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
 from motionlang.mint.runtime.code_units import SCRATCH
@@ -52,7 +52,7 @@ def block(b: Body, body: list[nodes.Stmt]) -> None:
             b.deepest = len(around)
         begin = len(lines)
         ends.append(begin)
-    if begin - first > splitting.MAX_LINES:
+    if begin - first > splitting.SIZE:
         splitting.cut(b, first, ends)
     b.deepest = max(outer, b.deepest)
 
@@ -79,7 +79,7 @@ def _guard(b: Body, node: nodes.Stmt) -> None:
     b.noted = True
     b.emit(f"except {b.whole.use('env', 'TROUBLE')} as x:")
     b.emit(f" t = H = {b.whole.use('env', 'failed')}(x, t, {b.whole.line(node.at)})")
-    b.gives_way()
+    b.note_yield()
     b.emit(" t, H = yield t")  # ONERROR runs before the next statement, even if that only computes
 
 
@@ -141,7 +141,7 @@ def _assign_keyword(b: Body, node: nodes.Assign, target: nodes.Name) -> None:
 
 
 def _assign_variable(b: Body, node: nodes.Assign, target: nodes.Name | nodes.Member) -> None:
-    text, kind, scalar = place(b, target)
+    text, kind, scalar = reference(b, target)
     if scalar is not None:
         if not (scalar.boxed or scalar.by_ref):
             b.use_outside(scalar)
@@ -191,7 +191,7 @@ def _take_or_give(b: Body, text: str, wanted: str) -> None:
     b.flush()
     b.settle()
     take, wait = b.whole.use("env", "take"), b.whole.use("env", "wait_for_semaphore")
-    b.gives_way()
+    b.note_yield()
     b.emit(f"while not {take}({text}, {wanted}): t, H = yield {wait}(t, {text})")
     b.emit("H = t")
     b.pending += 1
@@ -204,7 +204,9 @@ def _dim(b: Body, node: nodes.Dim) -> None:
             symbol = variable.symbol
             if symbol is not None and symbol.kind == "variable":
                 where = "" if b.function.kind == "main" else f"{b.function.name.lower()}."
-                b.emit(f"{b.whole.use('env', 'keep')}({where + symbol.name.lower()!r}, {b.spelt(symbol)})")
+                b.emit(
+                    f"{b.whole.use('env', 'restore_variable')}({where + symbol.name.lower()!r}, {b.spelt(symbol)})"
+                )
 
 
 def _initialise(b: Body, node: nodes.Dim) -> None:
@@ -220,7 +222,7 @@ def _initialise(b: Body, node: nodes.Dim) -> None:
             b.problem("values", f"{variable.name} is one value, {len(variable.values)} given", variable)
         else:
             found = value(b, variable.values[0])
-            text, kind, _ = place(b, nodes.Name(variable.at, variable.name).resolve(symbol))
+            text, kind, _ = reference(b, nodes.Name(variable.at, variable.name).resolve(symbol))
             source = converted(b, found, kind, variable.values[0], exact=symbol not in b.analysed)
             b.settle()
             if not symbol.boxed:

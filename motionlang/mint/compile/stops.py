@@ -43,15 +43,13 @@ class Debugging:
     title and its variables.
     """
 
-    __slots__ = ("functions", "places")
-
     def __init__(self) -> None:
-        self.places: set[int] = set()
+        self.offsets: set[int] = set()
         self.functions: dict[str, tuple[str, tuple[Described, ...]]] = {}
 
     def payload(self) -> Stops:
         """Return the whole description in a form that `marshal` accepts."""
-        return sorted(self.places), self.functions
+        return sorted(self.offsets), self.functions
 
 
 def before(b: Body, node: nodes.Stmt) -> None:
@@ -71,7 +69,7 @@ def in_empty_loop(b: Body, body: Sequence[nodes.Stmt]) -> None:
 
 def _hook(b: Body, at: int) -> None:
     assert b.whole.debugging is not None
-    b.whole.debugging.places.add(at)
+    b.whole.debugging.offsets.add(at)
     b.hooked = True
     time = f"t + {b.pending}.0" if b.pending else "t"
     b.names += COUNTING

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from motionlang.mint.compile import keyword_use
-from motionlang.mint.compile.body import Value
+from motionlang.mint.compile.body import Body, Value
 from motionlang.mint.compile.conversions import article, converted
-from motionlang.mint.compile.expressions import number, place, unknown, value
+from motionlang.mint.compile.expressions import number, reference, unknown, value
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, Type
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.build import LINKS
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.compile.body import Body
 
 
 def print_(b: Body, node: nodes.Print) -> None:
@@ -136,10 +132,10 @@ def _print_on_row(b: Body, node: nodes.Stmt, where: nodes.Expr | None, items: li
         b.problem("values", "LINE needs the number of a row", node, 'LINE 2, "text" prints on the second row')
         return
     row = converted(b, number(b, where, "the number of a row"), Type(INTEGER), where)
-    texts = [_shown(b, item) for item in items]
+    text = _together([_shown(b, item) for item in items] or ["''"])
     b.observes = True
-    start = f"{b.whole.use('env', 'row')}({row})"
-    b.act(_printed(b, _together([start, *texts])))
+    say = _use(b, "row") if b.whole.names.uses_terminal else b.whole.use("env", "say_on_row")
+    b.act(f"{say}({row}, {text})")
 
 
 def input_(b: Body, node: nodes.Input) -> None:
@@ -148,7 +144,7 @@ def input_(b: Body, node: nodes.Input) -> None:
     if type(target) is nodes.Name and target.symbol is None:
         unknown(b, target)
         return
-    text, kind, _ = place(b, node.target)
+    text, kind, _ = reference(b, node.target)
     if type(target) is nodes.Name and (symbol := target.symbol) is not None:
         if symbol.kind not in ("variable", "parameter"):
             b.problem("type", f"INPUT needs a variable, and {symbol.name} is a {symbol.kind}", target)

@@ -7,11 +7,12 @@ in brackets.
 
 from __future__ import annotations
 
+from motionlang.errors import as_hint
 from motionlang.mint.compile import keyword_use
 from motionlang.mint.compile.conversions import NOTHING
 from motionlang.mint.compile.expressions import value
 from motionlang.mint.keywords import unsimulated
-from motionlang.mint.keywords.no_effect import VERB as KEPT
+from motionlang.mint.keywords.no_effect import VERB as STORED
 from motionlang.mint.resolve.symbols import STRING
 from motionlang.mint.syntax import nodes
 
@@ -35,18 +36,18 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     _warn(b, node, row)
     b.observes = True
     where = _whatever(b, node) if _is_loose(row) else keyword_use.read_at(b, node, row)
-    operation, where = b.whole.called("read", row, [*where, *_place(b, node, row)])
+    operation, where = b.whole.called("read", row, [*where, *_location(b, node, row)])
     return keyword_use.answer(row, f"{operation}({', '.join(where)})")
 
 
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """Compile `WORD(axes) = values`; a command without details also accepts values."""
-    if not ("W" in row.access or (row.access == "C" and row.verb != KEPT)):
+    if not ("W" in row.access or (row.access == "C" and row.verb != STORED)):
         keyword_use.refuse(b, node, target, row)
         return
     _warn(b, target, row, by=node)
     where = None if keyword_use.by_default(b, target, row) else _indices(b, target, row)
-    keyword_use.give(b, node, row, where, _place(b, target, row))
+    keyword_use.give(b, node, row, where, _location(b, target, row))
 
 
 def command(b: Body, node: nodes.Call, row: Keyword) -> None:
@@ -57,17 +58,17 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
         return
     _warn(b, target, row, by=node)
     operation, where = keyword_use.done_at(b, target, row, _indices)
-    b.operate([(operation, [*where, *_place(b, target, row)])])
+    b.operate([(operation, [*where, *_location(b, target, row)])])
 
 
 def _is_loose(row: Keyword) -> bool:
     """True if a keyword accepts anything in brackets."""
-    return row.verb != KEPT and row.index not in ("axis", "axes")
+    return row.verb != STORED and row.index not in ("axis", "axes")
 
 
-def _place(b: Body, node: nodes.Node, row: Keyword) -> list[str]:
+def _location(b: Body, node: nodes.Node, row: Keyword) -> list[str]:
     """Return the last arguments of its operations: line and source offset."""
-    if row.verb == KEPT:
+    if row.verb == STORED:
         return [str(b.whole.line(node.at))]
     at = -1 if b.whole.typed else node.at  # a typed sub may run when another line is executed
     return [str(b.whole.line(node.at)), str(at)]
@@ -103,11 +104,11 @@ def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call
 
     `by` is the statement that writes it or carries it out.
     """
-    if row.verb == KEPT or _is_stored(row, by):
+    if row.verb == STORED or _is_stored(row, by):
         _once(b, node, row, f"{row.name} is stored but has no effect")
     elif row.verb == unsimulated.COMMAND:
         _once(b, node, row, f"{row.name} is a Mint keyword that is not simulated: it has no effect")
-    elif by is not None or row.name.upper() not in b.whole.told:
+    elif by is not None or row.name.upper() not in b.whole.supplied:
         _ending(b, node, row, by is not None)
 
 
@@ -125,7 +126,7 @@ def _is_stored(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
 def _once(b: Body, node: nodes.Node, row: Keyword, message: str) -> None:
     b.whole.problems.depends()
     if all(message != each.message for each in b.whole.problems.found.values()):
-        b.warn(CODE, message, node, f"{row.name}: {row.help}")
+        b.warn(CODE, message, node, f"{row.name}: {as_hint(row.help)}")
 
 
 def _ending(b: Body, node: nodes.Node, row: Keyword, writes: bool) -> None:
@@ -136,6 +137,9 @@ def _ending(b: Body, node: nodes.Node, row: Keyword, writes: bool) -> None:
     else:
         end = f"{_ENDS}, unless it was written before or the machine file has it in [mint.values]"
     b.warn(
-        CODE, f"{row.name} is a Mint keyword that is not simulated", node, f"{row.name}: {row.help}; {end}"
+        CODE,
+        f"{row.name} is a Mint keyword that is not simulated",
+        node,
+        f"{row.name}: {as_hint(row.help)}; {end}",
     )
     b.whole.problems.ends.add((CODE, node.at))

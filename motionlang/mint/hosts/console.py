@@ -20,12 +20,14 @@ from __future__ import annotations
 from collections import deque
 
 from motionlang.controller.accelerators import NO_ACCELERATORS
+from motionlang.controller.clock import INFINITY
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.nesting import StackSpace
 from motionlang.lang.run_errors import explain
 from motionlang.lang.scheduler import Scheduler, Stuck
-from motionlang.lang.task import Task, Wait
+from motionlang.lang.task import Task
+from motionlang.lang.waits import Wait
 from motionlang.mint import DIALECT
 from motionlang.mint.hosts.editor import PROGRAM, Texts
 from motionlang.mint.hosts.hcp import Elements
@@ -41,7 +43,6 @@ if TYPE_CHECKING:
 
     from motionlang.controller.accelerators import Accelerators
 
-INFINITY = float("inf")
 # The number of moves, profiles and changes that a served controller stores, because it may run for days.
 MEMORY = 1000
 # History is trimmed once in this many requests.
@@ -68,6 +69,7 @@ class MintConsole:
         complain: Callable[[list[Diagnostic], Source], None] = lambda diagnostics, source: None,
     ) -> None:
         self.machine = Machine(settings, show=self._show, overrides=overrides, accelerators=accelerators)
+        self.machine.terminal.repeats = True
         self.texts = Texts()
         self.ports: list[MintPort] = []
         self.elements = Elements(lambda: self.machine.host, shows_float(self.machine))
@@ -106,14 +108,14 @@ class MintConsole:
         return self.is_busy and self._is_program
 
     @property
-    def asks(self) -> bool:
+    def is_asking(self) -> bool:
         """True while an INPUT waits for a line."""
         return self.is_busy and self.machine.has_operator and self.machine.operator.asking
 
     @property
     def working(self) -> bool:
         """True while a typed line runs and does not wait for input from the host."""
-        return self.is_busy and not self._is_program and not self.asks
+        return self.is_busy and not self._is_program and not self.is_asking
 
     @property
     def wait(self) -> Wait | None:
@@ -199,9 +201,9 @@ class MintConsole:
             if not port.editor.number and text.strip().upper() == "RUN":
                 self._run_program(port)
                 return
-            said = port.editor.take(text)
-            if said is not None:
-                port.send(said)
+            answer = port.editor.take(text)
+            if answer is not None:
+                port.send(answer)
                 port.prompt()
                 return
         port.block.append(text)
@@ -311,11 +313,11 @@ class MintConsole:
 
     def _takes_keys(self) -> bool:
         """Pass the program's unread keys to an INPUT; True if they answer it."""
-        if self.asks and self.ports:
+        if self.is_asking and self.ports:
             keys, port = self.machine.operator.keys, self._by or self.ports[0]
-            while keys and self.asks:
+            while keys and self.is_asking:
                 port.type(keys.pop(0))
-            return not self.asks
+            return not self.is_asking
         return False
 
     def _explain(self, error: Exception) -> Diagnostic | None:
@@ -336,10 +338,10 @@ class MintConsole:
         """End the running program or line, report its errors, and send the prompt."""
         self._end_line()
         source, by, program = self._source, self._by, self._is_program
-        told = self.ports if program or by is None else [by]
+        recipients = self.ports if program or by is None else [by]
         self._stop()
         text = "".join(_sentence(each, with_line=program) for each in diagnostics)
-        for port in told:
+        for port in recipients:
             if port in self.ports:
                 port.send(text)
                 if source is not None:
@@ -449,9 +451,9 @@ def _sentence(diagnostic: Diagnostic, with_line: bool = False) -> str:
     """Return the line that a controller prints for a diagnostic."""
     number = NUMBERS.get(diagnostic.code)
     kind = "Warning" if diagnostic.severity != "error" else f"Error {number[0]}" if number else "Error"
-    place = f" at line {diagnostic.line}" if with_line and diagnostic.line else ""
+    where = f" at line {diagnostic.line}" if with_line and diagnostic.line else ""
     hint = f" ({diagnostic.hint})" if diagnostic.hint else ""
-    return f"{kind}{place}: {diagnostic.message}{hint}\n"
+    return f"{kind}{where}: {diagnostic.message}{hint}\n"
 
 
 def _nothing() -> None:

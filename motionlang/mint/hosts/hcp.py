@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 STX, ETX, EOT, ENQ, ACK, NAK = 2, 3, 4, 5, 6, 21
 FIRST, LAST = 1, 99
-# The longest text of a number; what is longer is answered with NAK.
+# The longest text of a number; a longer one is answered with NAK.
 MAX_TEXT = 40
 _CONTROL = 32
 _NUMBER = re.compile(r" *[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)? *")
@@ -111,17 +111,17 @@ class Receiver:
             return b""
         if frame is None:
             return None
-        place = len(frame)
-        fits = chr(code).isdigit() and code < 128 if place < 2 else code == STX if place == 2 else True
+        length = len(frame)
+        fits = chr(code).isdigit() and code < 128 if length < 2 else code == STX if length == 2 else True
         if not fits:
             self._frame = None
             return None
-        if place == 5 and code == ENQ:
+        if length == 5 and code == ENQ:
             return self._read(frame)
-        if place >= 3 and code < _CONTROL and code != ETX:
+        if length >= 3 and code < _CONTROL and code != ETX:
             self._frame = None  # Ctrl-E breaks, also where a frame was cut off
             return None if code == ENQ else self._ended(frame, bytes([NAK]))
-        if code == ETX or place <= MAX_TEXT + 5:
+        if code == ETX or length <= MAX_TEXT + 5:
             frame.append(code)
         return b""
 

@@ -18,7 +18,7 @@ from motionlang.mint.hosts.hcp import ENQ, EOT, Receiver
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
     from motionlang.mint.hosts.console import MintConsole
 
 CTRL_E = ENQ
@@ -55,7 +55,7 @@ class MintPort:
     @property
     def waiting(self) -> Wait | None:
         """The wait of this host's line, None if it does not wait or waits for the host."""
-        if not self.console.serves(self) or self.console.asks:
+        if not self.console.serves(self) or self.console.is_asking:
             return None
         return self.console.wait
 
@@ -80,7 +80,7 @@ class MintPort:
         if data[0] == EOT:
             end = _end_of_frame(data)
             return bytes(data[:end] if end else data), end > 0
-        if data[0] == CTRL_E or (self.console.runs and not self.console.asks):
+        if data[0] == CTRL_E or (self.console.runs and not self.console.is_asking):
             return bytes(data[:1]), True
         for k, code in enumerate(data):
             if code in (CR, LF):
@@ -148,7 +148,7 @@ class MintPort:
                 self.console.touched()
         elif code == CTRL_E:
             self._break()
-        elif self.console.asks:
+        elif self.console.is_asking:
             self.type(code)
         elif self.console.runs:
             self.console.press(code)
@@ -167,7 +167,7 @@ class MintPort:
 
     def _enter(self) -> None:
         text, dropped = self._typed.take()
-        if self.console.asks:
+        if self.console.is_asking:
             self.console.answer(text)
             return
         self._echo("\n")

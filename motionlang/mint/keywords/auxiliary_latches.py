@@ -21,7 +21,7 @@ class AuxLatch(Latch):
     Its `axis` is the number of the encoder, and its positions are in counts.
     """
 
-    def _place(self) -> float:
+    def _position(self) -> float:
         return self._controller.encoder_position(AUXILIARY + self.axis)
 
 
@@ -35,7 +35,7 @@ class AuxLatches(FastLatches):
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
-        self.encoders = environment.part(AuxEncoders)
+        self.encoders = environment.component(AuxEncoders)
 
     def checked(self, number: int) -> int:
         return _channel(number)
@@ -87,7 +87,7 @@ class Index:
         self._physical = physical
         self._cells: Cells | None = None
         self.passed = self.armed = False
-        self.mode, self.place = ONCE, 0.0
+        self.mode, self.position = ONCE, 0.0
         self.put()
 
     def put(self) -> None:
@@ -110,8 +110,8 @@ class Index:
     def _mark(self, index: int) -> None:
         self.passed = True
         if self.armed:
-            place = self._track.here(self._controller.clock.now)
-            self.place = place - self._track.datum if self._physical else place
+            position = self._track.here(self._controller.clock.now)
+            self.position = position - self._track.datum if self._physical else position
             self.armed = self.mode == AGAIN
 
 
@@ -127,7 +127,7 @@ class Indexes:
         self._found: dict[int, Index] = {}
         for channel in [*controller.axes, *controller.encoders]:
             self.of(channel)
-        controller.listeners.append(self._heard, "scale")
+        controller.listeners.append(self._on_event, "scale")
 
     def of(self, channel: int) -> Index:
         """Return the index marks of an encoder; auxiliary encoders start at `AUXILIARY`."""
@@ -141,7 +141,7 @@ class Indexes:
     def of_aux(self, channel: int) -> Index:
         return self.of(AUXILIARY + _channel(channel))
 
-    def _heard(self, what: str, axis: int) -> None:
+    def _on_event(self, what: str, axis: int) -> None:
         if what == "scale" and axis in self._found:
             self._found[axis].put()
 
@@ -162,7 +162,7 @@ def write_mode(indexes: Indexes, channel: int, mode: int) -> None:
 
 def read_zero_position(indexes: Indexes, channel: int) -> float:
     """AUXENCODERZEROPOSITION: return the encoder's reading at the latched mark."""
-    return indexes.environment.part(AuxEncoders).shown(channel, indexes.of_aux(channel).place)
+    return indexes.environment.component(AuxEncoders).shown(channel, indexes.of_aux(channel).position)
 
 
 # ------------------------------------------------------------------------------------------------- keywords
@@ -175,7 +175,7 @@ def _setting_of(attribute: str) -> Actions:
 
 
 _ENABLE = Actions(
-    write=unchecked(of(AuxLatches, lambda part, channel, armed: part.latch(channel).arm(bool(armed))))
+    write=unchecked(of(AuxLatches, lambda latches, channel, armed: latches.latch(channel).arm(bool(armed))))
 )
 _CAUGHT = Actions(read=of(AuxLatches, lambda latches, channel: int(latches.latch(channel).read())))
 # ENCODERZLATCH and AUXENCODERZLATCH.
@@ -216,7 +216,7 @@ ROWS = (
     _setting("FASTAUXLATCHMODE", "integer", _setting_of("again"),
              "1", "0: the latch catches once; 1: it stays armed.", 1),
     _setting("FASTAUXLATCHDISTANCE", "number", _setting_of("inhibit_distance"), "5",
-             "How far the encoder must be from the position caught last before an edge counts again.", 8388607.0),
+             "Distance from the last latched position within which edges are ignored.", 8388607.0),
     _reading("FASTAUXLATCH", "", "auxchannel", "bool", _CAUGHT,
              "1 when the latch of an auxiliary encoder has caught.",
              _FAST),

@@ -122,7 +122,7 @@ ROWS = (
             "PROFILEMODE(0) = _pmSRAMP\nPRINT PROFILEMODE(0)", default=0.0, low=0, high=1, group="axis", gives="shape"),
     Keyword("MOVEBUFFERSIZE", "MB", "setting", "RW", "axis", "integer",
             Actions("buffer_size", write=of(Environment, write_buffer_size)),
-            "How many moves the buffer of the axis can hold, the one being executed not counted.",
+            "Number of moves that the buffer of the axis can hold, without the one in progress.",
             "MOVEBUFFERSIZE(0) = 10\nPRINT MOVEBUFFERSIZE(0)", default=2.0, low=2, high=100, group="axis"),
     Keyword("DRIVEENABLE", "DE", "setting", "RW", "axis", "bool", _ENABLED,
             "State of the drive of the axis, 1 if enabled; a move on a disabled axis is rejected.",

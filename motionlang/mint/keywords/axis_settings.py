@@ -52,21 +52,21 @@ class Settings:
         forget(self._settings, axis)
 
 
-def reading(kind: type[Settings]) -> Maker:
+def setting_reader(kind: type[Settings]) -> Maker:
     """Make an operation that reads a setting of a family in the unit of its keyword.
 
-    Its value is an int if the keyword is an integer.
+    The value is an int if the keyword is of type Integer.
     """
 
     def bound(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
-        part, name, whole = environment.part(kind), row.name, row.is_whole
-        unit = row.unit if part.in_counts else ""
+        settings, name, whole = environment.component(kind), row.name, row.is_whole
+        unit = row.unit if settings.in_counts else ""
 
         def to_axis(axis: int) -> Operation:
             scale = scale_of(environment, axis)
 
             def read() -> float:
-                value = scale.to_user(part.setting(name, axis), unit)
+                value = scale.to_user(settings.setting(name, axis), unit)
                 return int(value) if whole else value
 
             return read
@@ -76,19 +76,19 @@ def reading(kind: type[Settings]) -> Maker:
     return to_each_axis(bound)
 
 
-def writing(kind: type[Settings]) -> Maker:
+def setting_writer(kind: type[Settings]) -> Maker:
     """Make an operation that writes a setting of a family."""
 
     def bound(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
-        part, name = environment.part(kind), row.name
-        unit = row.unit if part.in_counts else ""
+        settings, name = environment.component(kind), row.name
+        unit = row.unit if settings.in_counts else ""
 
         def to_axis(axis: int) -> Operation:
             scale = scale_of(environment, axis)
 
             def write(value: float) -> None:
                 value = scale.to_counts(value, unit)
-                part.set(name, axis, abs(value) if part.unsigned else value)
+                settings.set(name, axis, abs(value) if settings.unsigned else value)
 
             return write
 

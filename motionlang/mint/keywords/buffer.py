@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.triggers.watch import Watch, arm
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, Inputs, checked
 from motionlang.mint.keywords.motion import refuse_stopping
 from motionlang.mint.runtime.binding import axis_of, check, of
@@ -31,9 +31,9 @@ class Triggers(Settings):
         super().__init__(environment)
         self._watches: dict[int, tuple[Axis, Watch]] = {}
         # TRIGGERVALUE in counts if it is a position of an axis. The counts do not change with the scale.
-        self._places: dict[int, float] = {}
+        self._trigger_counts: dict[int, float] = {}
         environment.controller.listeners.append(self._rescaled)
-        environment.part(Inputs).listeners.append(self._changed)
+        environment.component(Inputs).listeners.append(self._changed)
         environment.loaded = self.loaded
 
     def set(self, name: str, axis: int, value: float) -> None:
@@ -41,7 +41,7 @@ class Triggers(Settings):
         super().set(name, axis, value)
         watched = self._watched_axis(axis)
         if name not in ("TRIGGERINPUT", "TRIGGERMODE") and watched is not None:
-            self._places[axis] = watched.scale.position_to_counts(self.setting("TRIGGERVALUE", axis))
+            self._trigger_counts[axis] = watched.scale.position_to_counts(self.setting("TRIGGERVALUE", axis))
         self._watch(axis)
 
     def _watched_axis(self, axis: int) -> Axis | None:
@@ -54,7 +54,7 @@ class Triggers(Settings):
         """Recompute TRIGGERVALUE in user units after a change of scale; the counts stay."""
         if what != "scale":
             return
-        for axis, counts in self._places.items():
+        for axis, counts in self._trigger_counts.items():
             watched = self._watched_axis(axis)
             if watched is not None and watched.index == channel:
                 self._settings["TRIGGERVALUE", axis] = watched.scale.position_to_user(counts)
@@ -67,7 +67,7 @@ class Triggers(Settings):
     def default(self, axis: int) -> None:
         """Reset the axis to its defaults (DEFAULT)."""
         super().default(axis)
-        self._places.pop(axis, None)
+        self._trigger_counts.pop(axis, None)
         self._watch(axis)
 
     def _start(self, axis: int) -> None:
@@ -91,8 +91,8 @@ class Triggers(Settings):
 
         found = master(self.environment, int(self.setting("TRIGGERSOURCE", axis)),
                        int(self.setting("TRIGGERCHANNEL", axis)))  # fmt: skip
-        place = found.to_counts(self.setting("TRIGGERVALUE", axis))
-        made = Watch(place, lambda _: self._start(axis), False)
+        counts = found.to_counts(self.setting("TRIGGERVALUE", axis))
+        made = Watch(counts, lambda _: self._start(axis), False)
         found.track.watches.append(made)
         arm(found.track, made, self.controller.clock, self.controller.clock.now)
         self._watches[axis] = found.track, made
@@ -123,14 +123,14 @@ def loads(kind: type, put: Callable[..., None]) -> Maker:
 
     def made(environment: Environment, row: Keyword) -> Operation:
         room = environment.controller.room
-        part: object = environment.part(kind)
+        owner: object = environment.component(kind)
 
         def load(axis: int, *arguments: float) -> bool:
             axis_of(environment, axis)
             refuse_stopping(environment, axis)
             if room(axis) <= 0:
                 return True
-            put(part, row, axis, *arguments)
+            put(owner, row, axis, *arguments)
             if environment.loaded is not None:
                 environment.loaded(axis)
             return False
@@ -170,7 +170,7 @@ def put_pulse(
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-_TRIGGER = Actions(read=reading(Triggers), write=writing(Triggers))
+_TRIGGER = Actions(read=setting_reader(Triggers), write=setting_writer(Triggers))
 
 _MAX_VALUE = 8388607.0
 _TRIGGERS = (

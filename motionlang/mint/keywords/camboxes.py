@@ -56,7 +56,7 @@ def source_of(environment: Environment, kind: int, channel: int) -> Source:
         scale = scale_of(environment, channel)
         wrap = environment.wraps.get(channel, 0.0)
         return Source(controller.axes[channel], scale.zero, scale.counts, wrap)
-    encoders = environment.part(Encoders if kind == ENCODER else AuxEncoders)
+    encoders = environment.component(Encoders if kind == ENCODER else AuxEncoders)
     shown = (
         encoders.setting("zero", channel),
         encoders.per_unit(channel),
@@ -124,9 +124,9 @@ class CamBox:
 
         The positions are in ascending order. The states are those of forward motion.
         """
-        places = self._positions()
+        positions = self._positions()
         found: list[tuple[float, int]] = []
-        for begin, end in zip(places[::2], places[1::2], strict=True):
+        for begin, end in zip(positions[::2], positions[1::2], strict=True):
             if not source.period and begin >= end:
                 raise self._wrong(f"it is on from {begin:g} to {end:g}")
             low, high = (
@@ -136,20 +136,20 @@ class CamBox:
             )
             found += [(low, 1), (high, 0)]
         if source.period:
-            found = sorted((place % source.period, state) for place, state in found)
-        for (place, state), (other, following) in pairwise(found):
-            if place >= other or state == following:
+            found = sorted((position % source.period, state) for position, state in found)
+        for (position, state), (other, following) in pairwise(found):
+            if position >= other or state == following:
                 raise self._wrong("its stretches touch or overlap")
-        return [place for place, _ in found], [state for _, state in found]
+        return [position for position, _ in found], [state for _, state in found]
 
     def _positions(self) -> list[float]:
         if self.table is None:
             raise Rejected("range", f"cam box {self.number} has no positions",
                           f"write CAMBOXDATA({self.number}, …) first")  # fmt: skip
-        places = elements(self.table, "CAMBOXDATA")
-        if len(places) % 2:
-            raise self._wrong(f"{len(places)} positions are no pairs")
-        return places
+        positions = elements(self.table, "CAMBOXDATA")
+        if len(positions) % 2:
+            raise self._wrong(f"{len(positions)} positions are no pairs")
+        return positions
 
     def _wrong(self, what: str) -> Rejected:
         return Rejected(
@@ -194,8 +194,8 @@ def do_data(
     checked(kind, AUX_ENCODER, "source of a cam box")
     if not 0 <= time <= 32767:
         raise Rejected("range", f"CAMBOXDATA cannot switch {time} ms ahead", "it takes 0 to 32767")
-    look = (axis_of, channel_of, lambda _, channel: _channel(channel))[kind]
-    look(boxes.environment, channel)
+    validate = (axis_of, channel_of, lambda _, channel: _channel(channel))[kind]
+    validate(boxes.environment, channel)
     enabled = box.enabled
     box.enable(False)
     box.output, box.kind, box.channel, box.lead, box.table = output, kind, channel, time / 1000.0, table

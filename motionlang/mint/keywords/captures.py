@@ -170,16 +170,16 @@ class Capture:
         """Watch the triggers, now that the time before the trigger has been recorded."""
         for each in self.triggers:
             if each.mode:
-                told = self._trigger_for(each.mode)
+                on_edge = self._trigger_for(each.mode)
                 where = (each.source, each.channel, each.value, bool(each.absolute))
-                self._ends.append(watch(self._environment, *where, told))
+                self._ends.append(watch(self._environment, *where, on_edge))
 
     def _trigger_for(self, mode: int) -> Callable[[bool], None]:
-        def told(rising: bool) -> None:
+        def on_edge(rising: bool) -> None:
             if self.status == WAITING and mode in (EITHER, RISING if rising else FALLING):
                 self._trigger()
 
-        return told
+        return on_edge
 
     def _end(self) -> None:
         self.status = DONE
@@ -280,7 +280,7 @@ class Capture:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def _part(capture: Capture, row: Keyword, number: int) -> Channel | Trigger:
+def _channel_or_trigger(capture: Capture, row: Keyword, number: int) -> Channel | Trigger:
     """Return the channel or trigger whose attribute a keyword sets."""
     if row.index == "trigger":
         return capture.triggers[checked(number, LAST_TRIGGER, "trigger")]
@@ -288,7 +288,7 @@ def _part(capture: Capture, row: Keyword, number: int) -> Channel | Trigger:
 
 
 def read_attribute(capture: Capture, row: Keyword, number: int) -> object:
-    return getattr(_part(capture, row, number), row.attribute)
+    return getattr(_channel_or_trigger(capture, row, number), row.attribute)
 
 
 def write_attribute(capture: Capture, row: Keyword, number: int, value: float) -> None:
@@ -296,9 +296,9 @@ def write_attribute(capture: Capture, row: Keyword, number: int, value: float) -
 
     Raises Rejected while a capture runs.
     """
-    part = _part(capture, row, number)
+    target = _channel_or_trigger(capture, row, number)
     capture.refuse_running()
-    setattr(part, row.attribute, value)
+    setattr(target, row.attribute, value)
 
 
 def read_name(capture: Capture, channel: int) -> str:
@@ -346,7 +346,7 @@ def write_command(capture: Capture, command: int) -> None:
 
 
 def read_progress(environment: Environment, row: Keyword) -> Operation:
-    capture = environment.part(Capture)
+    capture = environment.component(Capture)
     capture.reports_progress = True
     return lambda after: capture.progress(checked(after, 1, "part of a capture"))
 
@@ -409,7 +409,7 @@ ROWS = (
     Keyword("CAPTUREMODENAME", "", "reading", "R", "channel", "text", Actions(read=of(Capture, read_name)),
             "Name of the quantity that a channel records.", "CAPTUREMODE(0) = 3\nPRINT CAPTUREMODENAME(0)",
             group="capture"),
-    _word("CAPTURENUMPOINTS", "", "RW", "none", "integer", _POINTS, "How many points a channel records, 1 to 100000.",
+    _word("CAPTURENUMPOINTS", "", "RW", "none", "integer", _POINTS, "Number of points that a channel records.",
           "CAPTURENUMPOINTS = 100\nPRINT CAPTURENUMPOINTS", 1000.0),
     _word("CAPTUREINTERVAL", "cpi", "RW", "none", "integer", _SPACING, "Servo ticks (LOOPTIME) from point to point.",
           "CAPTUREINTERVAL = 2\nPRINT CAPTUREPERIOD", 1.0, 1, 2147483647),
@@ -419,7 +419,7 @@ ROWS = (
           "The length of a capture; its points are this divided by their number apart.",
           "CAPTUREDURATION = 500\nPRINT CAPTUREPERIOD", 1000.0, 1, 2147483647.0),
     _word("CAPTUREPRETRIGGERDURATION", "", "RW", "none", "ms", _BEFORE,
-          "How long a capture records before its trigger; earlier triggers are ignored.",
+          "Time that a capture records before its trigger; earlier triggers are ignored.",
           "CAPTUREPRETRIGGERDURATION = 50\nPRINT CAPTUREPRETRIGGERDURATION", 0.0, 0, 2147483647.0),
     _channel("CAPTURETRIGGERMODE", "", _attribute("mode"), "trigger", "integer",
              "Trigger of a capture: 0 none, 1 the source rising through the value, 2 falling, 3 either.", 3),
@@ -445,7 +445,7 @@ ROWS = (
     _word("CAPTURESTATUS", "", "R", "none", "integer", Actions(read=of(Capture, lambda capture: capture.status)),
           "0 no capture, 1 it waits for its trigger, 2 it records, 3 it is done.", _RUN.format("CAPTURESTATUS")),
     _word("CAPTUREPROGRESS", "", "R", "part", "integer", Actions(read=read_progress),
-          "How many percent are recorded: part 0 of what is before the trigger, 1 of what follows it.",
+          "Percent recorded: part 0 before the trigger, part 1 after it.",
           _RUN.format("CAPTUREPROGRESS(1)")),
     _word("CAPTUREPOINT", "", "R", "channel, point", "number", Actions(read=of(Capture, Capture.point)),
           "A point of a channel, counted from 0.",

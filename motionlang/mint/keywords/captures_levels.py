@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment
     from motionlang.planners import Profile
 
-    SuppliedValues = Callable[[bool], None]
+    EdgeListener = Callable[[bool], None]
     View = Callable[[Profile], Profile]
 
 _KINDS = {
@@ -32,7 +32,7 @@ _KINDS = {
 
 
 def watch(
-    environment: Environment, quantity: int, where: int, level: float, absolute: bool, told: SuppliedValues
+    environment: Environment, quantity: int, where: int, level: float, absolute: bool, on_edge: EdgeListener
 ) -> Callable[[], None]:
     """Call `on_edge(rising)` whenever a quantity crosses a level.
 
@@ -40,22 +40,27 @@ def watch(
     channels `where` is the channel, and the quantity crosses the level when the channel switches.
     """
     if quantity in (quantities.INPUTS, quantities.OUTPUTS):
-        return _watch_bit(environment, quantity, where, told)
+        return _watch_bit(environment, quantity, where, on_edge)
     quantities.check(environment, quantity, where)
     if quantity in (quantities.ADC, quantities.DAC):
-        return _watch_analogue(environment, quantity, where, level, absolute, told)
+        return _watch_analogue(environment, quantity, where, level, absolute, on_edge)
     has_motor = quantities.is_of(quantity) and environment.controller.has_motor(where)
     if quantity in _KINDS:
         source = source_of(environment, _KINDS[quantity], where)
         view = _as_it_is if has_motor and quantity == quantities.DEMAND else None
-        return _watch_motion(environment, source, source.counts, view, (level, absolute), told)
+        return _watch_motion(environment, source, source.counts, view, (level, absolute), on_edge)
     if quantity == quantities.SPEED or (quantity == quantities.MEASURED_SPEED and not has_motor):
         from motionlang.planners.rate import Rate
 
         source = source_of(environment, AXIS, where)
         source.period, scale = 0.0, environment.controller.axes[where].scale
         return _watch_motion(
-            environment, source, lambda value: scale.to_counts(value, "uu/s"), Rate, (level, absolute), told
+            environment,
+            source,
+            lambda value: scale.to_counts(value, "uu/s"),
+            Rate,
+            (level, absolute),
+            on_edge,
         )
     motor = " of a simulated motor" if has_motor else ""
     words = f"a capture cannot be triggered by {quantities.NAMES[quantity].lower()}{motor}"
@@ -73,7 +78,7 @@ def _watch_motion(
     counts: Callable[[float], float],
     view: View | None,
     level: tuple[float, bool],
-    told: SuppliedValues,
+    on_edge: EdgeListener,
 ) -> Callable[[], None]:
     value, absolute = level
     both = absolute and not source.period and value > 0.0
@@ -86,7 +91,7 @@ def _watch_motion(
     def changed(index: int) -> None:
         nonlocal last
         before, last = last, index
-        told(index != 1 if both else (index > before) is forward)
+        on_edge(index != 1 if both else (index > before) is forward)
 
     cells = Cells(environment.controller, source.track, edges, changed, source.period, source.physical, view)
     last = cells.index
@@ -94,9 +99,9 @@ def _watch_motion(
 
 
 def _watch_analogue(
-    environment: Environment, quantity: int, where: int, level: float, absolute: bool, told: SuppliedValues
+    environment: Environment, quantity: int, where: int, level: float, absolute: bool, on_edge: EdgeListener
 ) -> Callable[[], None]:
-    controller, analogue = environment.controller, environment.part(Analogue)
+    controller, analogue = environment.controller, environment.component(Analogue)
     is_input = quantity == quantities.ADC
     channels = controller.analogue_inputs if is_input else controller.analogue_outputs
 
@@ -110,14 +115,14 @@ def _watch_analogue(
         nonlocal above
         before, above = above, is_above()
         if channel == where and above is not before:
-            told(above)
+            on_edge(above)
 
-    channels.listeners.append(changed)
+    channels.listen(changed)
     return lambda: channels.listeners.remove(changed)
 
 
 def _watch_bit(
-    environment: Environment, quantity: int, where: int, told: SuppliedValues
+    environment: Environment, quantity: int, where: int, on_edge: EdgeListener
 ) -> Callable[[], None]:
     controller = environment.controller
     is_input = quantity == quantities.INPUTS
@@ -126,7 +131,7 @@ def _watch_bit(
 
     def changed(channel: int, value: float) -> None:
         if channel == where:
-            told(channels.inverted(channel) if is_input else bool(value))
+            on_edge(channels.inverted(channel) if is_input else bool(value))
 
     channels.listeners.append(changed)
     return lambda: channels.listeners.remove(changed)

@@ -17,7 +17,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.controller.io.inputs import Channels
+    from motionlang.controller.io.channels import Channels
     from motionlang.mint.runtime.environment import Environment
 
     Datums = Sequence[tuple[float, float]]
@@ -49,7 +49,7 @@ _MOTOR = {
     OUTPUT: "output",
     TORQUE: "torque",
 }
-_TOLD = {MEASURED: DEMAND, MEASURED_SPEED: SPEED}
+_DEMANDED = {MEASURED: DEMAND, MEASURED_SPEED: SPEED}
 _PERCENT = 10.0  # percent of full scale in one volt
 
 
@@ -100,10 +100,10 @@ def _of(environment: Environment, quantity: int, axis: int, times: Sequence[floa
         found = _recalled(environment, axis, _MOTOR[quantity], times)
         if quantity in (OUTPUT, TORQUE):
             return [value * _PERCENT for value in found] if quantity == OUTPUT else found
-    elif quantity in _MOTOR and quantity not in _TOLD:
+    elif quantity in _MOTOR and quantity not in _DEMANDED:
         return [0.0] * len(times)
     else:
-        which = _TOLD.get(quantity, quantity)
+        which = _DEMANDED.get(quantity, quantity)
         states = [a.at(time) for time in times]
         found = [
             s.position if which == DEMAND else s.velocity if which == SPEED else s.acceleration
@@ -123,19 +123,19 @@ def _recalled(environment: Environment, axis: int, name: str, times: Sequence[fl
 
 
 def _encoder(environment: Environment, channel: int, times: Sequence[float], datums: Datums) -> list[float]:
-    controller, encoders = environment.controller, environment.part(Encoders)
+    controller, encoders = environment.controller, environment.component(Encoders)
     if channel in controller.encoders:
         return [encoders.shown(channel, controller.encoders[channel].position(time)) for time in times]
     a = controller.axes[channel]
-    places = [a.position(time) for time in times]
+    positions = [a.position(time) for time in times]
     if a.feedback is not None:
-        places = _recalled(environment, channel, "actual", times)
+        positions = _recalled(environment, channel, "actual", times)
     zeros = _stepped(datums, times)
-    return [encoders.shown(channel, place - zero) for place, zero in zip(places, zeros, strict=True)]
+    return [encoders.shown(channel, position - zero) for position, zero in zip(positions, zeros, strict=True)]
 
 
 def _auxiliary(environment: Environment, channel: int, times: Sequence[float]) -> list[float]:
-    track, encoders = environment.controller.encoder(AUXILIARY + channel), environment.part(AuxEncoders)
+    track, encoders = environment.controller.encoder(AUXILIARY + channel), environment.component(AuxEncoders)
     return [encoders.shown(channel, track.position(time)) for time in times]
 
 
@@ -146,7 +146,7 @@ def _analogue(environment: Environment, quantity: int, channel: int, times: Sequ
     levels = _stepped([(time, value) for time, each, value in changes if each == channel], times)
     if quantity == DAC:
         return levels
-    analogue = environment.part(Analogue)
+    analogue = environment.component(Analogue)
     return [analogue.shown(channel, level) for level in levels]
 
 

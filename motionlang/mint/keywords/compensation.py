@@ -9,7 +9,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.takeup import Takeup
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.sensing import Encoders
 from motionlang.mint.keywords.table_motion_cams import elements
@@ -37,7 +37,7 @@ class Compensation(Settings):
         self._takeups: dict[int, Takeup] = {}
         # Offsets that keep ENCODER continuous when a setting changes.
         self._bases: dict[int, float] = {}
-        environment.part(Encoders).compensation = self
+        environment.component(Encoders).compensation = self
 
     def set(self, name: str, axis: int, value: float) -> None:
         """Write a setting.
@@ -47,12 +47,12 @@ class Compensation(Settings):
         """
         if name in _AT_REST and not self.controller.is_idle(axis):
             raise Rejected("moving", f"axis {axis} is moving", f"{name} needs the axis idle")
-        before, kept = self.shift(axis), self._settings.get((name, axis))
+        before, previous = self.shift(axis), self._settings.get((name, axis))
         self._settings[name, axis] = value
         try:
             self._renew(axis)
         except Rejected:
-            self._settings[name, axis] = kept or 0.0
+            self._settings[name, axis] = previous or 0.0
             raise
         if name == "BACKLASH":
             self._takeup(axis).taken = 0.0
@@ -148,7 +148,7 @@ def do_table(
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-_SETTING = Actions(read=reading(Compensation), write=writing(Compensation))
+_SETTING = Actions(read=setting_reader(Compensation), write=setting_writer(Compensation))
 
 _MAX_VALUE = 8388607.0
 _PLAY = (
@@ -187,7 +187,7 @@ ROWS = (
             Actions(do=of_word(Compensation, do_table)),
             "Attach arrays to an axis: the positions of the nut at steps of PRECISIONINCREMENT, going forward, and in "
             "reverse (NULL: as forward). Element 1 is the number of positions.", _TABLE, group="compensation"),
-    _setting("PRECISIONINCREMENT", "", "uu", "How far apart the positions of PRECISIONTABLE should be.", _TABLE,
+    _setting("PRECISIONINCREMENT", "", "uu", "Distance between the positions of PRECISIONTABLE.", _TABLE,
              0, _MAX_VALUE),
     _setting("PRECISIONOFFSET", "PCO", "uu", "Start position of PRECISIONTABLE, from the axis's zero.", _TABLE,
              -_MAX_VALUE, _MAX_VALUE),

@@ -29,7 +29,7 @@ class TimeScales:
     def __init__(self, environment: Environment) -> None:
         self._controller = environment.controller
         self._seconds: dict[int, float] = {}
-        environment.controller.listeners.append(self._heard, "scale")
+        environment.controller.listeners.append(self._on_event, "scale")
 
     def set(self, axis: int, seconds: float) -> None:
         """TIMESCALE: set the axis's unit of time in seconds."""
@@ -41,7 +41,7 @@ class TimeScales:
         self._seconds.pop(axis, None)
         self._controller.set_time_unit(axis, 1.0)
 
-    def _heard(self, what: str, axis: int) -> None:
+    def _on_event(self, what: str, axis: int) -> None:
         if what == "scale" and axis in self._seconds:
             self._controller.set_time_unit(axis, self._seconds[axis])
 

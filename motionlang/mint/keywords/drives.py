@@ -5,12 +5,10 @@ A ramp is given by the time from rest to the drive's highest speed.
 
 from __future__ import annotations
 
-from math import inf
-
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.motion.reference import PERIOD
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import moving, repeatable
@@ -34,7 +32,7 @@ class Drives(Settings):
         super().__init__(environment)
         # The program line that last wrote a reference, by keyword and axis.
         self._lines: dict[tuple[str, int], int] = {}
-        self.controller.analogue_inputs.listeners.append(self._analogue)
+        self.controller.analogue_inputs.listen(self._analogue)
 
     def set(self, name: str, axis: int, value: float) -> None:
         if name == "SPEEDREFSOURCE" and value:
@@ -54,7 +52,7 @@ class Drives(Settings):
 
         A reference replaces another motion only if it was just written (`takes`).
         """
-        velocity, most = self.wanted(axis, name), self.setting("DRIVESPEEDMAX", axis) or inf
+        velocity, most = self.wanted(axis, name), self.setting("DRIVESPEEDMAX", axis) or INFINITY
         if not self.runs(axis, name) and not (velocity and (takes or self.controller.is_idle(axis))):
             return
         error_time = self.setting("SPEEDREFERRORDECELTIME", axis)
@@ -80,16 +78,16 @@ class Drives(Settings):
         source = int(self.setting("SPEEDREFSOURCE", axis))
         if not source:
             return self.setting(name, axis)
-        share = self.environment.part(Analogue).read(source - 1) / 100.0
+        share = self.environment.component(Analogue).read(source - 1) / 100.0
         return share * top_speed(self.environment, axis)
 
     def _slopes(self, axis: int, name: str) -> tuple[Slope, Slope]:
         a, top = self.controller.axes[axis], top_speed(self.environment, axis)
-        times = [self.setting(f"{name}{way}TIME", axis) / 1000.0 for way in ("ACCEL", "DECEL")]
+        times = [self.setting(f"{name}{ramp}TIME", axis) / 1000.0 for ramp in ("ACCEL", "DECEL")]
         rates = (0.0, 0.0) if all(times) else self.controller.rates(a, a.speed)
         made = []
-        for way, time, rate in zip(("ACCEL", "DECEL"), times, rates, strict=True):
-            edges = [self.setting(f"{name}{way}JERK{edge}TIME", axis) / 1000.0 for edge in ("START", "END")]
+        for ramp, time, rate in zip(("ACCEL", "DECEL"), times, rates, strict=True):
+            edges = [self.setting(f"{name}{ramp}JERK{edge}TIME", axis) / 1000.0 for edge in ("START", "END")]
             made.append(Slope(top / time if time else rate, *edges))
         return made[0], made[1]
 
@@ -106,7 +104,7 @@ def top_speed(environment: Environment, axis: int) -> float:
     This is DRIVESPEEDMAX; if that is not set, MAXSPEED; if that is not set either, SPEED.
     """
     a = environment.controller.axes[axis]
-    most = environment.part(Drives).setting("DRIVESPEEDMAX", axis)
+    most = environment.component(Drives).setting("DRIVESPEEDMAX", axis)
     return most or (a.max_speed if a.max_speed < INFINITY else a.speed)
 
 
@@ -140,14 +138,16 @@ def write_velocity(drives: Drives, row: Keyword, axis: int, value: float, line: 
 def write_position(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
     """POSREF: write a position reference."""
     controller = environment.controller
-    place = controller.axes[axis].scale.position_to_counts(value + environment.turn(axis))
-    controller.refer_position(axis, place, row.name, line)
+    counts = controller.axes[axis].scale.position_to_counts(value + environment.wrap_start(axis))
+    controller.refer_position(axis, counts, row.name, line)
 
 
 def read_position(environment: Environment, axis: int) -> float:
     """POSREF: return the target of the axis or, without one, its demand."""
     target = environment.controller.axes[axis].target
-    return environment.place(axis, target if abs(target) < INFINITY else environment.controller.demand(axis))
+    return environment.wrapped_position(
+        axis, target if abs(target) < INFINITY else environment.controller.demand(axis)
+    )
 
 
 def read_error(environment: Environment, row: Keyword, axis: int) -> float:
@@ -159,7 +159,7 @@ def read_error(environment: Environment, row: Keyword, axis: int) -> float:
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-_SETTING = Actions(read=reading(Drives), write=repeatable(writing(Drives)))
+_SETTING = Actions(read=setting_reader(Drives), write=repeatable(setting_writer(Drives)))
 _SPEED = Actions(read=of_word(Drives, read_speed), write=repeatable(of_word(Drives, write_speed)))
 _POSITION = Actions(read=of(Environment, read_position), write=of_word(Environment, write_position))
 _ERROR = Actions(read=moving(of_word(Environment, read_error)))
@@ -220,8 +220,8 @@ ROWS = (
     _time("SPEEDREFACCELTIME", "Time of a SPEEDREF ramp from rest to the highest speed (DRIVESPEEDMAX, else MAXSPEED, "
                                "else SPEED), ms; 0 uses ACCEL."),
     _time("SPEEDREFDECELTIME", "Time of a SPEEDREF ramp from the highest speed to rest, ms; 0 uses DECEL."),
-    *(_time(f"SPEEDREF{way}JERK{edge}TIME", f"Milliseconds in which the {way.lower()}eration {what}; the ramp grows "
-                                            "by half of it.") for way, edge, what in _EDGES),
+    *(_time(f"SPEEDREF{ramp}JERK{edge}TIME", f"Milliseconds in which the {ramp.lower()}eration {what}; the ramp grows "
+                                            "by half of it.") for ramp, edge, what in _EDGES),
     _time("SPEEDREFERRORDECELTIME", "Milliseconds from the highest speed to rest when an error stops an axis that "
                                     "follows SPEEDREF; 0 for ERRORDECEL."),
     _reference("SPEEDTESTREF", "", "uu/s", _SPEED,
@@ -230,7 +230,8 @@ ROWS = (
                "SPEEDTESTREF(0) = 500\nWAIT = 1000\nPRINT VEL(0)\nSPEEDTESTREF(0) = 0"),
     _time("SPEEDTESTREFACCELTIME", "Milliseconds from rest to the highest speed in ramps of SPEEDTESTREF."),
     _time("SPEEDTESTREFDECELTIME", "Milliseconds from the highest speed to rest in ramps of SPEEDTESTREF."),
-    _reference("VELREF", "", "uu/s", Actions(read=reading(Drives), write=repeatable(of_word(Drives, write_velocity))),
+    _reference("VELREF", "", "uu/s",
+               Actions(read=setting_reader(Drives), write=repeatable(of_word(Drives, write_velocity))),
                "Velocity reference: within a millisecond the axis has this velocity, without a ramp of its own.",
                "VELREF(0) = 100\nWAIT = 100\nPRINT VEL(0)\nVELREF(0) = 0"),
     _reference("POSREF", "", "uu", _POSITION,

@@ -14,7 +14,7 @@ from motionlang.mint.runtime.environment import Environment
 NEGATIVE_INDEX = 4
 
 
-def _turns(environment: Environment, axis: int, place: float) -> int:
+def _wraps(environment: Environment, axis: int, counts: float) -> int:
     """Return the number of wraps at a position in counts.
 
     If the position is infinite, the present position is used instead.
@@ -22,14 +22,14 @@ def _turns(environment: Environment, axis: int, place: float) -> int:
     wrap = environment.wraps.get(axis)
     if not wrap:
         return 0
-    if not abs(place) < 1e300:
-        place = environment.controller.position(axis)
-    return floor(environment.controller.axes[axis].scale.position_to_user(place) / wrap + 1e-12)
+    if not abs(counts) < 1e300:
+        counts = environment.controller.position(axis)
+    return floor(environment.controller.axes[axis].scale.position_to_user(counts) / wrap + 1e-12)
 
 
 def do_datum(environment: Environment, row: Keyword, axes: tuple[int, ...], line: int) -> None:
     """DATUM: start a HOME of type _hmNEGATIVE_INDEX."""
-    homes = environment.part(Homes)
+    homes = environment.component(Homes)
     for axis in [axis_of(environment, axis) for axis in axes]:
         homes.begin(axis, NEGATIVE_INDEX, line)
 
@@ -41,10 +41,10 @@ def write_frequency(environment: Environment, row: Keyword, axis: int, pulses: f
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-_DEMAND = Actions(read=moving(of(Environment, lambda e, axis: _turns(e, axis, e.controller.demand(axis)))))
-_TARGET = Actions(read=moving(of(Environment, lambda e, axis: _turns(e, axis, e.controller.target(axis)))))
+_DEMAND = Actions(read=moving(of(Environment, lambda e, axis: _wraps(e, axis, e.controller.demand(axis)))))
+_TARGET = Actions(read=moving(of(Environment, lambda e, axis: _wraps(e, axis, e.controller.target(axis)))))
 _LAST_TARGET = Actions(
-    read=moving(of(Environment, lambda e, axis: _turns(e, axis, buffer.end(e.controller.axes[axis]))))
+    read=moving(of(Environment, lambda e, axis: _wraps(e, axis, buffer.end(e.controller.axes[axis]))))
 )
 _FREQUENCY = Actions(
     read=moving(of(Environment, lambda e, axis: e.controller.axes[axis].velocity(e.clock.now))),
@@ -60,10 +60,10 @@ def _reading(name: str, actions: Actions, help: str) -> Keyword:
 
 
 ROWS = (
-    _reading("POSROLLOVERDEMAND", _DEMAND, "How many times POSDEMAND has wrapped."),
-    _reading("POSROLLOVERTARGET", _TARGET, "How many times POS will have wrapped when the move is over."),
+    _reading("POSROLLOVERDEMAND", _DEMAND, "Number of times that POSDEMAND has wrapped."),
+    _reading("POSROLLOVERTARGET", _TARGET, "Number of times that POS will have wrapped at the end of the move."),
     _reading("POSROLLOVERTARGETLAST", _LAST_TARGET,
-           "How many times POS will have wrapped when the buffer is empty."),
+           "Number of times that POS will have wrapped when the buffer is empty."),
     Keyword("DATUM", "", "command", "C", "axes", "", Actions(do=of_word(Environment, do_datum)),
             "Find the encoder's index in reverse, which is HOME of type _hmNEGATIVE_INDEX (v3).",
             "If HOMEINPUT(0) >= 0 Then DATUM(0)\nPAUSE IDLE(0)\nPRINT HOMESTATUS(0)",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.limits_resetting import default
-from motionlang.mint.keywords.no_effect import Kept
+from motionlang.mint.keywords.no_effect import StoredValues
 from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.environment import Environment
 
@@ -13,7 +13,7 @@ def do_defaults(environment: Environment) -> None:
     """SYSTEMDEFAULTS and FACTORYDEFAULTS: run DEFAULTALL, clear all stored settings."""
     for axis in environment.controller.axes:
         default(environment, axis)
-    environment.part(Kept).values.clear()
+    environment.component(StoredValues).values.clear()
 
 
 # ------------------------------------------------------------------------------------------------- keywords

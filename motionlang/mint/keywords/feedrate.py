@@ -124,7 +124,7 @@ def write_limit(environment: Environment, row: Keyword, axis: int, value: float)
     counts = abs(environment.controller.axes[axis].scale.to_counts(value, row.unit))
     environment.controller.configure(axis, row.verb, counts)
     if row.verb == "max_speed":
-        environment.part(TimesToMost).renew(axis)
+        environment.component(TimesToMost).renew(axis)
 
 
 # ------------------------------------------------------------------------------------------------- keywords

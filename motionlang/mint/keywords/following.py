@@ -84,7 +84,7 @@ def read_offset(environment: Environment, row: Keyword, axis: int) -> Operation:
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-_PART = Actions(
+_FACTOR = Actions(
     read=of_word(Masters, lambda masters, row, axis: masters.setting(row.name, axis)),
     write=repeatable(of_word(Masters, write_factor)),
 )
@@ -134,11 +134,11 @@ ROWS = (
             "Follow the master: units of this axis for each unit of the master. 0 ends it; no GO is needed.",
             _READY + "FOLLOW(1) = 0.5\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)",
             default=0.0, low=-_MAX_VALUE, high=_MAX_VALUE, group="motion", effect="act follows"),
-    Keyword("FOLLOWNUMERATOR", "", "setting", "RW", "axis", "number", _PART,
+    Keyword("FOLLOWNUMERATOR", "", "setting", "RW", "axis", "number", _FACTOR,
             "FOLLOW is multiplied by this and divided by FOLLOWDENOM: 1 and 3 make an exact third.",
             _READY + "FOLLOWDENOM(1) = 3\nFOLLOWNUMERATOR(1) = 2\nFOLLOW(1) = 1\nMOVER(0) = 99\nGO(0)\n"
             "PAUSE IDLE(0)\nPRINT POS(1)", default=1.0, low=-_MAX_VALUE, high=_MAX_VALUE, group="motion"),
-    Keyword("FOLLOWDENOM", "", "setting", "RW", "axis", "number", _PART,
+    Keyword("FOLLOWDENOM", "", "setting", "RW", "axis", "number", _FACTOR,
             "Divisor of FOLLOW.",
             _READY + "FOLLOWDENOM(1) = 3\nFOLLOW(1) = 1\nMOVER(0) = 99\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)",
             default=1.0, low=1e-9, high=_MAX_VALUE, group="motion"),
@@ -151,10 +151,10 @@ ROWS = (
             "distance still to go, of a move too.",
             _OFFSET.format(""), group="motion", effect="course follows", solved=True),
     Keyword("OFFSETMODE", "", "setting", "RW", "axis", "integer", MASTER_SETTING,
-            "How OFFSET is done: _ofSTANDARD, _ofSPEED_LIMIT, _ofACCEL_MOD or _ofSPEED_MOD.",
+            "Mode of OFFSET: _ofSTANDARD, _ofSPEED_LIMIT, _ofACCEL_MOD or _ofSPEED_MOD.",
             _OFFSET.format("OFFSETMODE(1) = _ofSPEED_MOD : OFFSETDISTANCE(1) = 50\n"),
             default=0.0, low=0, high=3, group="following", family="offset modes"),
     Keyword("OFFSETSTATUS", "OFS", "reading", "R", "axis", "bits", "offset_status",
-            "How the last OFFSET went: the _os constants, 0 as wanted.",
+            "Result of the last OFFSET: an _os constant, 0 for success.",
             _OFFSET.format("") + "\nPRINT OFFSETSTATUS(1)", default=0.0, group="following"),
 )  # fmt: skip

@@ -50,8 +50,8 @@ class AuxEncoders(Encoders):
         """Return the speed set for an encoder as a virtual axis, in encoder units/s."""
         return self._speeds.get(channel, 0.0)
 
-    def turn(self, channel: int, speed: float) -> None:
-        """Set the speed of an encoder in its units; a virtual encoder runs at it at once."""
+    def set_speed(self, channel: int, speed: float) -> None:
+        """Set the speed of an encoder in its units; a virtual one changes speed at once."""
         self._speeds[channel] = speed
         if self.modes.get(channel) == VIRTUAL:
             self._controller.drive_encoder(AUXILIARY + channel, speed * self.per_unit(channel))
@@ -61,7 +61,7 @@ class AuxEncoders(Encoders):
         before = self.modes.get(channel, 0)
         self.modes[channel] = mode
         if mode == VIRTUAL:
-            self.turn(channel, self.virtual_speed(channel))
+            self.set_speed(channel, self.virtual_speed(channel))
         elif before == VIRTUAL:
             self._controller.drive_encoder(AUXILIARY + channel, 0.0)
 
@@ -87,7 +87,7 @@ def write_mode(encoders: AuxEncoders, row: Keyword, channel: int, mode: int) -> 
 
 _SPEED = Actions(
     read=of(AuxEncoders, lambda encoders, channel: encoders.virtual_speed(_channel(channel))),
-    write=of(AuxEncoders, lambda encoders, channel, speed: encoders.turn(_channel(channel), speed)),
+    write=of(AuxEncoders, lambda encoders, channel, speed: encoders.set_speed(_channel(channel), speed)),
 )
 _MODE = Actions(
     read=of(AuxEncoders, lambda encoders, channel: encoders.modes.get(_channel(channel), 0)),

@@ -6,7 +6,7 @@ from motionlang.controller.axis import Axis
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.following_auxiliary import AuxEncoders
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.sensing import Encoders
@@ -59,9 +59,9 @@ def master(environment: Environment, source: int, channel: int) -> Master:
         return Master(a, channel, False, a.scale.counts, a.scale.zero)
     checked(channel, LAST_ENCODER, "encoder")
     if source == AUX_ENCODER:
-        number, per_unit = AUXILIARY + channel, environment.part(AuxEncoders).per_unit(channel)
+        number, per_unit = AUXILIARY + channel, environment.component(AuxEncoders).per_unit(channel)
         return Master(controller.encoder(number), number, True, per_unit)
-    per_unit = environment.part(Encoders).per_unit(channel)
+    per_unit = environment.component(Encoders).per_unit(channel)
     if channel in controller.axes and channel not in controller.encoders:
         return Master(controller.axes[channel], channel, False, per_unit)
     return Master(controller.encoder(channel), channel, True, per_unit)
@@ -104,7 +104,7 @@ def distance(environment: Environment, axis: int, word: str) -> tuple[Master, fl
 
     Raises Rejected, with the keyword `word`, if MASTERDISTANCE is not set.
     """
-    masters = environment.part(Masters)
+    masters = environment.component(Masters)
     over = masters.setting("MASTERDISTANCE", axis)
     if not over:
         raise Rejected(
@@ -116,7 +116,7 @@ def distance(environment: Environment, axis: int, word: str) -> tuple[Master, fl
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-MASTER_SETTING = Actions(read=reading(Masters), write=repeatable(writing(Masters)))
+MASTER_SETTING = Actions(read=setting_reader(Masters), write=repeatable(setting_writer(Masters)))
 
 _MAX_VALUE = 8388607.0
 
@@ -136,16 +136,16 @@ ROWS = (
              0.0, 0, 2),
     _setting("MASTERCHANNEL", "", "integer", "The axis or encoder that the axis follows.", 0.0, 0, 63),
     _setting("MASTERDISTANCE", "", "number",
-             "How far the master goes, in its own units, during a FLY or a segment of a cam; negative for backwards.",
+             "Distance of the master, in its own units, in a FLY or a cam segment; negative for reverse.",
              0.0, -_MAX_VALUE, _MAX_VALUE),
     _setting("FOLLOWMODE", "", "integer",
-             "How FOLLOW begins: 0 at the master's speed at once, 1 with ramps at ACCEL and DECEL.", 0.0, 0, 1),
+             "Start of FOLLOW: 0 at the master's speed at once, 1 with ramps at ACCEL and DECEL.", 0.0, 0, 1),
     _setting("GEARING", "GR", "%",
-             "How much of the slave's lag GEARINGMODE corrects. Without a simulated motor there is no lag to correct.",
+             "Percent of the slave's lag that GEARINGMODE corrects. Without a simulated motor there is no lag.",
              100.0, -_MAX_VALUE, _MAX_VALUE, "gearing"),
     _setting("GEARINGMODE", "GRM", "integer", "1: the slave's lag behind its master is corrected, see GEARING.",
              0.0, 0, 1),
     _setting("OFFSETDISTANCE", "", "number",
-             "How far the master goes during an OFFSET of mode 2 or 3, in its own units.",
+             "Distance of the master, in its own units, during an OFFSET of mode 2 or 3.",
              0.0, -_MAX_VALUE, _MAX_VALUE),
 )  # fmt: skip

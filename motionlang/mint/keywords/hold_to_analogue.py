@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected, names
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.runtime.binding import of
 
@@ -54,7 +54,7 @@ class Hold:
 
     def _error(self) -> tuple[float, bool]:
         setting, axis = self.holds.setting, self.axis
-        channel, inputs = int(setting("HTACHANNEL", axis)), self.holds.environment.part(Analogue)
+        channel, inputs = int(setting("HTACHANNEL", axis)), self.holds.environment.component(Analogue)
         measured = inputs.read(channel)
         share = setting("HTAFILTER", axis)
         before = measured if self.filtered is None else self.filtered
@@ -72,7 +72,7 @@ class Holds(Settings):
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
         self._holding: dict[int, Hold] = {}
-        environment.controller.analogue_inputs.listeners.append(self._changed)
+        environment.controller.analogue_inputs.listen(self._changed)
 
     def set(self, name: str, axis: int, value: float) -> None:
         """Write a setting; an axis that holds an input uses it at once.
@@ -127,7 +127,7 @@ class Holds(Settings):
 # ------------------------------------------------------------------------------------------------- keywords
 
 HOLD = Actions(read=of(Holds, Holds.wanted), write=of(Holds, Holds.start))
-_SETTING = Actions(read=reading(Holds), write=writing(Holds))
+_SETTING = Actions(read=setting_reader(Holds), write=setting_writer(Holds))
 
 _MAX_VALUE = 8388607.0
 
@@ -159,6 +159,6 @@ ROWS = (
             "within HTADEADBAND and when this is written."),
     _setting("HTADEADBAND", "number", "The largest error that counts as none, counts of a 12-bit converter.", 0, 100,
              short="HDB"),
-    _setting("HTAFILTER", "number", "How much of the filtered value of the tick before goes into the next one, 0 to 1: "
+    _setting("HTAFILTER", "number", "Weight of the previous filtered value in the next one, 0 to 1: "
                                     "0 does not filter.", 0, 0.9999),
 )  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Rejected
 from motionlang.controller.triggers.homing import HOME, LIMIT, STATES, Homing
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
 from motionlang.mint.keywords.limits_switches import HOME_SWITCH, NONE, SWITCH_INPUT, Switches
 from motionlang.mint.runtime.binding import of, unchecked
@@ -43,7 +43,7 @@ class Homes(Settings):
 
     def position_before(self, axis: int) -> float:
         """HOMEPOS: return POS at the datum, before homing set it to a new value."""
-        return self.environment.place(axis, self._before[axis]) if axis in self._before else 0.0
+        return self.environment.wrapped_position(axis, self._before[axis]) if axis in self._before else 0.0
 
     def phase(self, axis: int) -> int:
         """Return the state of the homing as its index in `STATES`."""
@@ -122,7 +122,7 @@ class Homes(Settings):
         if machine.settings.get(f"axis.{axis}.home_switch") is not None:
             return True
 
-        channel = self.environment.part(Switches).channel("HOMEINPUT", axis)
+        channel = self.environment.component(Switches).channel("HOMEINPUT", axis)
         return channel != NONE and machine.world is not None and channel in machine.world.driven
 
 
@@ -143,7 +143,7 @@ _TYPE = of(Homes, lambda homes, axis: homes.types.get(axis, 0))
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-_SETTING = Actions(read=reading(Homes), write=repeatable(writing(Homes)))
+_SETTING = Actions(read=setting_reader(Homes), write=repeatable(setting_writer(Homes)))
 _STATUS = Actions(
     read=of(Homes, lambda homes, axis: int(homes.found.get(axis, False))),
     write=unchecked(of(Homes, write_status)),
@@ -161,9 +161,9 @@ def _setting(
 
 
 def _what(direction: int, switch: str, index: bool) -> str:
-    way = "forward" if direction > 0 else "in reverse"
+    towards = "forward" if direction > 0 else "in reverse"
     where = {"home": "the home switch", "limit": "the limit switch", "index": "the encoder's index"}[switch]
-    return f"HOME: {way} to {where}{', then to the index' if index and switch != 'index' else ''}."
+    return f"HOME: {towards} to {where}{', then to the index' if index and switch != 'index' else ''}."
 
 
 ROWS = (
@@ -182,8 +182,8 @@ ROWS = (
              "HOMEOFFSET; HOMESPEED / HOMEBACKOFF until it is set.", None, 1e-6, 8388607.0),
     _setting("HOMEACCEL", "uu/s2", "1000", "Acceleration while homing; ACCEL until it is set.", None, 1e-6, 1e12),
     _setting("HOMEDECEL", "uu/s2", "1000", "Deceleration while homing; DECEL until it is set.", None, 1e-6, 1e12),
-    _setting("HOMEOFFSET", "uu", "5", "How far from the datum the axis ends its homing.", 0.0, -8388607.0, 8388607.0),
-    _setting("HOMEREFPOS", "uu", "100", "The position that the datum gets.", 0.0, -8388607.0, 8388607.0),
+    _setting("HOMEOFFSET", "uu", "5", "Distance of the end of homing from the datum.", 0.0, -8388607.0, 8388607.0),
+    _setting("HOMEREFPOS", "uu", "100", "Position that homing gives the datum.", 0.0, -8388607.0, 8388607.0),
     Keyword("HOMEPOS", "HPS", "reading", "R", "axis", "uu", Actions(read=of(Homes, Homes.position_before)),
             "The position that the axis had at its datum before homing set it: POS(0) = HOMEPOS(0) afterwards counts "
             "as if the axis had not been homed, and after a second homing it shows slip or lost steps.",

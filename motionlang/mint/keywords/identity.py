@@ -6,7 +6,7 @@ The section `[mint.values]` of the machine file can override each value.
 from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.no_effect import Kept
+from motionlang.mint.keywords.no_effect import StoredValues
 from motionlang.mint.runtime.binding import axis_of, of
 from motionlang.mint.runtime.changes import always
 from motionlang.mint.runtime.environment import Environment
@@ -33,13 +33,13 @@ def answers(known: Callable[..., object]) -> Maker:
     """
 
     def made(environment: Environment, row: Keyword) -> Operation:
-        find, of_axis = environment.part(Kept).told.find, row.index == "axis"
+        find, of_axis = environment.component(StoredValues).supplied.find, row.index == "axis"
 
         def read(*where: int) -> object:
             if of_axis:
                 axis_of(environment, where[0])
-            told = find(row.name, row.unit, where)
-            return known(environment, *where) if told is None else told
+            supplied = find(row.name, row.unit, where)
+            return known(environment, *where) if supplied is None else supplied
 
         return read
 
@@ -84,9 +84,9 @@ class Calendar:
     """The date and time on the controller, set by the machine file or the program."""
 
     def __init__(self, environment: Environment) -> None:
-        told = environment.part(Kept).told.find("REALTIMECLOCK", "text", ())
+        supplied = environment.component(StoredValues).supplied.find("REALTIMECLOCK", "text", ())
         self.clock = environment.clock
-        self.set(str(told) if told is not None else _POWER_UP, 0.0)
+        self.set(str(supplied) if supplied is not None else _POWER_UP, 0.0)
 
     def set(self, text: str, now: float) -> None:
         """Set date and time; raise Rejected for an invalid date."""
@@ -162,7 +162,7 @@ ROWS = (
           "The controller: controller.model of the machine file, or Virtual Controller."),
     _word("FIRMWAREVERSION", "", "R", "none", "text", Actions(read=answers(version)), "The version of this program."),
     _word("NUMBEROF", "no", "RW", "item", "integer", Actions(read=answers(count), write=_NOTHING_WRONG.write),
-          "How many there are of something: _noAXES counts the axes; of other things the machine file knows. Writing "
+          "Number of objects of a kind: _noAXES counts the axes; the machine file sets the other kinds. Writing "
           "it changes nothing.",
           default=None),
     Keyword("_noAXES", "", "constant", "R", "none", "integer", str(AXES), "NUMBEROF: axes.", "PRINT NUMBEROF(_noAXES)",

@@ -86,7 +86,7 @@ errcode errline errstring errdata errorpresent errorreadnext errorreadcode error
 """,
     "terminal": """
 terminal tm _term1 _term2 _term3 inkey ik readkey rk cls locate line bol beep (terminal) (question) (answer)
-(printer)
+(printer) (row)
 """,
     "camboxes": """
 cambox camboxdata

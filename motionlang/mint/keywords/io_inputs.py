@@ -45,13 +45,14 @@ class Inputs:
         self._environment = environment
         self._patterns: dict[tuple[str, int], int] = {}
         self._debounce: dict[int, int] = {}
+        self.shows_levels = True
         # The levels that the program has been notified of.
         levels = self._controller.inputs
         self._levels = {channel: levels[channel] != 0 for channel in levels.touched}
         # Levels of debounced channels that changed since their last sample: the sampled level, and the next sample.
         self._sampled: dict[int, tuple[bool, int, Event]] = {}
         # Channels whose new level has too few samples: the level that they still show, and the event of its change.
-        self._held: dict[int, tuple[bool, Event]] = {}
+        self._debouncing: dict[int, tuple[bool, Event]] = {}
         self._edges: set[int] = set()
         self.listeners: list[Callable[[int, bool], None]] = []
         self._controller.inputs.listeners.append(self._level_changed)
@@ -63,6 +64,7 @@ class Inputs:
 
     def set_pattern(self, name: str, bank: int, bits: int) -> None:
         self._patterns[name, bank] = bits
+        self._simplify()
 
     def debounce(self, bank: int) -> int:
         return self._debounce.get(bank, UNDEBOUNCED)
@@ -73,14 +75,19 @@ class Inputs:
         Without debouncing its inputs show their levels immediately.
         """
         self._debounce[bank] = samples
+        self._simplify()
         if samples > UNDEBOUNCED:
             return
-        for channel in sorted({*self._sampled, *self._held}):
+        for channel in sorted({*self._sampled, *self._debouncing}):
             if channel // BANK == bank:
                 shown = self.is_on(channel)
                 self._forget(channel)
                 if self.is_on(channel) is not shown:
                     self._state_changed(channel, not shown)
+
+    def _simplify(self) -> None:
+        edges = any(bits for (name, _), bits in self._patterns.items() if name == "INPUTMODE")
+        self.shows_levels = not edges and max(self._debounce.values(), default=UNDEBOUNCED) == UNDEBOUNCED
 
     def active_level(self, bank: int) -> int:
         low = self._controller.inputs.active_low
@@ -96,8 +103,8 @@ class Inputs:
 
     def is_on(self, channel: int) -> bool:
         """Return the state of an input, after debouncing and INPUTACTIVELEVEL."""
-        held = self._held.get(channel)
-        shown = self.level(channel) if held is None else held[0]
+        debouncing = self._debouncing.get(channel)
+        shown = self.level(channel) if debouncing is None else debouncing[0]
         return shown is not (channel in self._controller.inputs.active_low)
 
     def level(self, channel: int) -> bool:
@@ -141,24 +148,24 @@ class Inputs:
         event.cancel()
         if self.level(channel) is before:
             return  # the level is back
-        held = self._held.pop(channel, None)
-        if held is not None:
-            held[1].cancel()  # it bounced: the input shows this level already
+        debouncing = self._debouncing.pop(channel, None)
+        if debouncing is not None:
+            debouncing[1].cancel()  # it bounced: the input shows this level already
             return
         clock = self._controller.clock
         due = (sample + self.debounce(channel // BANK) - 1) * SAMPLE
-        self._held[channel] = before, clock.at(max(clock.now, due), lambda: self._settled(channel))
+        self._debouncing[channel] = before, clock.at(max(clock.now, due), lambda: self._settled(channel))
 
     def _settled(self, channel: int) -> None:
         sampled = self._sampled.get(channel)
         if sampled is not None and sampled[1] * SAMPLE <= self._controller.clock.now:
             self._sample(channel)  # the last sample is due at this moment, too
-        if channel in self._held:
-            del self._held[channel]
+        if channel in self._debouncing:
+            del self._debouncing[channel]
             self._state_changed(channel, self.is_on(channel))
 
     def _forget(self, channel: int) -> None:
-        for pending in (self._sampled.pop(channel, None), self._held.pop(channel, None)):
+        for pending in (self._sampled.pop(channel, None), self._debouncing.pop(channel, None)):
             if pending is not None:
                 pending[-1].cancel()
 
@@ -193,22 +200,29 @@ def checked(number: int, last: int = LAST_CHANNEL, what: str = "input") -> int:
 
 
 def read_bank(environment: Environment, row: Keyword) -> Operation:
-    inputs = environment.part(Inputs)
+    inputs = environment.component(Inputs)
     return lambda bank: bits_of(bank, inputs.read)
 
 
 def read_bit(environment: Environment, row: Keyword) -> Operation:
-    inputs = environment.part(Inputs)
-    return lambda channel: int(inputs.read(checked(channel)))
+    """INX: make the operation that reads an input."""
+    inputs, is_on = environment.component(Inputs), environment.controller.inputs.inverted
+
+    def read(channel: int) -> int:
+        if inputs.shows_levels and 0 <= channel <= LAST_CHANNEL:
+            return 1 if is_on(channel) else 0
+        return int(inputs.read(checked(channel)))
+
+    return read
 
 
 def read_level_bank(environment: Environment, row: Keyword) -> Operation:
-    inputs = environment.part(Inputs)
+    inputs = environment.component(Inputs)
     return lambda bank: bits_of(bank, inputs.level)
 
 
 def read_level_bit(environment: Environment, row: Keyword) -> Operation:
-    inputs = environment.part(Inputs)
+    inputs = environment.component(Inputs)
     return lambda channel: int(inputs.level(checked(channel)))
 
 
@@ -256,7 +270,7 @@ ROWS = (
             "Bit pattern of the inputs that are active while their level is high; the others are active low.",
             "INPUTACTIVELEVEL(0) = 0xFFFE\nPRINT INX(0)", default=-1.0, group="io"),
     Keyword("INPUTDEBOUNCE", "idb", "setting", "RW", "bank", "integer", _DEBOUNCE,
-            "How many consecutive samples, 1 ms apart, must have the new level of an input before its state follows. "
+            "Number of consecutive samples, 1 ms apart, with the new level before the state of an input follows. "
             "1 is no debouncing.",
             "INPUTDEBOUNCE(0) = 5\nPRINT INPUTDEBOUNCE(0)", default=float(UNDEBOUNCED), low=1, high=10,
             group="io"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.defaults import ANALOGUE
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
@@ -45,7 +46,9 @@ def write_bit(environment: Environment, row: Keyword) -> Operation:
     set_output = environment.controller.set_output
 
     def write(channel: int, value: float) -> None:
-        set_output(checked(channel, LAST_CHANNEL, "output"), int(value != 0))
+        if not 0 <= channel <= LAST_CHANNEL:
+            checked(channel, LAST_CHANNEL, "output")
+        set_output(channel, 1 if value != 0 else 0)
         environment.switches += 1
 
     return write
@@ -67,6 +70,8 @@ def read_active_level(environment: Environment, bank: int) -> int:
 # ------------------------------------------------------------------------------------------------- analogue
 
 LAST_ANALOGUE = 63
+# The end of the range of an analogue input, percent.
+HIGHEST = 100.0
 
 
 class Analogue:
@@ -75,29 +80,59 @@ class Analogue:
     def __init__(self, environment: Environment) -> None:
         self._inputs = environment.controller.analogue_inputs
         self._settings: dict[tuple[str, int], float] = {}
+        # By channel: gain, offset, dead band, its middle, and the lowest value.
+        self._scales: dict[int, tuple[float, float, float, float, float]] = {}
 
     def setting(self, name: str, channel: int) -> float:
         return self._settings.get((name, channel), ANALOGUE[name])
 
     def set(self, name: str, channel: int, value: float) -> None:
         self._settings[name, channel] = value
+        self._scales.clear()
 
     def read(self, channel: int) -> float:
         """Return an input in percent, after gain, offset, dead band and range limits."""
         return self.shown(channel, float(self._inputs[channel]))
 
+    def until(self, channel: int, level: float | None = None) -> float:
+        """Return the earliest time at which an input that follows an axis crosses a level."""
+        sensor = self._inputs.computed.get(channel)
+        return INFINITY if sensor is None else sensor.until(lambda value: self.shown(channel, value), level)
+
     def shown(self, channel: int, level: float) -> float:
         """Return the value that a level of the input would give, like `read`."""
-        value = level * self.setting("ADCGAIN", channel) / 100.0
-        value += self.setting("ADCOFFSET", channel)
-        if abs(value - self.setting("ADCDEADBANDOFFSET", channel)) < self.setting("ADCDEADBAND", channel):
-            value = self.setting("ADCDEADBANDOFFSET", channel)
-        lowest, highest = self.range(channel)
-        return max(lowest, min(highest, value))
+        gain, offset, dead_band, middle, lowest = self._scales.get(channel) or self._scale(channel)
+        value = level * gain / 100.0 + offset
+        if dead_band and abs(value - middle) < dead_band:
+            value = middle
+        return value if lowest < value < HIGHEST else max(lowest, min(HIGHEST, value))
 
     def range(self, channel: int) -> tuple[float, float]:
         """Return the lowest and the highest value of an input in percent."""
-        return (0.0 if self.setting("ADCMODE", channel) else -100.0), 100.0
+        return (0.0 if self.setting("ADCMODE", channel) else -HIGHEST), HIGHEST
+
+    def _scale(self, channel: int) -> tuple[float, float, float, float, float]:
+        names = "ADCGAIN", "ADCOFFSET", "ADCDEADBAND", "ADCDEADBANDOFFSET"
+        gain, offset, dead_band, middle = (self.setting(name, channel) for name in names)
+        found = self._scales[channel] = gain, offset, dead_band, middle, self.range(channel)[0]
+        return found
+
+
+def read_adc(environment: Environment, row: Keyword) -> Operation:
+    """ADC: make an operation that reads an input in percent."""
+    analogue, dependencies = environment.component(Analogue), environment.dependencies
+    inputs = environment.controller.analogue_inputs
+    inputs.compute()
+    computed, shown = inputs.computed, analogue.shown
+
+    def read(channel: int, level: float | None = None) -> float:
+        if dependencies.notes is not None and channel in computed:
+            dependencies.note(analogue.until, channel, level)
+        if not 0 <= channel <= LAST_ANALOGUE:
+            analogue_input(channel)
+        return shown(channel, inputs[channel])
+
+    return read
 
 
 def analogue_input(channel: int) -> int:
@@ -121,7 +156,7 @@ def write_dac(environment: Environment, channel: int, value: float) -> None:
 # ------------------------------------------------------------------------------------------------- keywords
 
 _ACTIVE_LEVEL = Actions(read=of(Environment, read_active_level), write=of(Environment, write_active_level))
-_ADC = Actions(read=of(Analogue, lambda analogue, channel: analogue.read(analogue_input(channel))))
+_ADC = Actions(read=read_adc)
 _ADC_SETTING = Actions(
     read=of_word(
         Analogue, lambda analogue, row, channel: analogue.setting(row.name, analogue_input(channel))
@@ -153,7 +188,7 @@ ROWS = (
             "OUTPUTACTIVELEVEL(0) = 0xFFFE\nPRINT OUTPUTACTIVELEVEL(0)", default=-1.0, group="io"),
     Keyword("ADC", "", "reading", "R", "channel", "%", _ADC,
             "An analogue input in percent of its range, after gain, offset and dead band.",
-            "PRINT ADC(0)", default=0.0, group="io", driven="analogue"),
+            "PRINT ADC(0)", default=0.0, group="io", driven="analogue", solved=True),
     _adc("ADCGAIN", "ag", "Gain of an analogue input in percent.", -10000.0, 10000.0),
     _adc("ADCOFFSET", "ao", "Offset added to an analogue input, in percent of its range.", -100.0, 100.0),
     _adc("ADCDEADBAND", "add", "An analogue input this near to ADCDEADBANDOFFSET reads as that.", 0.0, 100.0),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
@@ -22,7 +22,7 @@ class Signals(Settings):
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
         self.errors = NONE
-        self.controller.listeners.append(self._heard, "fault", "switched", "cleared")
+        self.controller.listeners.append(self._on_event, "fault", "switched", "cleared")
 
     def set(self, name: str, axis: int, value: float) -> None:
         """DRIVEENABLEOUTPUT: assign the output that is on while the axis is enabled."""
@@ -34,7 +34,7 @@ class Signals(Settings):
         self.errors = output
         self._show_errors()
 
-    def _heard(self, what: str, axis: int) -> None:
+    def _on_event(self, what: str, axis: int) -> None:
         if what == "switched":
             self._show(axis)
         if what in ("fault", "switched", "cleared"):
@@ -60,7 +60,7 @@ _ERROR_OUTPUT = Actions(
 
 ROWS = (
     Keyword("DRIVEENABLEOUTPUT", "deo", "setting", "RW", "axis", "integer",
-            Actions("enable_output", read=reading(Signals), write=repeatable(writing(Signals))),
+            Actions("enable_output", read=setting_reader(Signals), write=repeatable(setting_writer(Signals))),
             "The output that is on while the drive of the axis is enabled; -1 for none.",
             "DRIVEENABLEOUTPUT(0) = 4\nPRINT OUTX(4)", default=-1.0, low=-1, high=999, group="io"),
     Keyword("GLOBALERROROUTPUT", "geo", "setting", "RW", "none", "integer", _ERROR_OUTPUT,

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.drives import top_speed
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     Rates = tuple[float | None, float | None]
 
 
-INFINITY = float("inf")
 CONTINUOUS, TIMED = range(2)
 COMMAND = "JOGCOMMAND"
 _RAMPS = ("JOGACCELTIMEMAX", "JOGDECELTIMEMAX")
@@ -123,13 +122,13 @@ def write_velocity(environment: Environment, row: Keyword, axis: int, value: flo
     The sign is the direction.
     """
     velocity = environment.controller.axes[axis].scale.to_counts(value, row.unit)
-    environment.part(Jogs).jog(axis, velocity, row.name, line)
+    environment.component(Jogs).jog(axis, velocity, row.name, line)
     environment.jogs[axis] = value
 
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-_SETTING = Actions(read=reading(Jogs), write=repeatable(writing(Jogs)))
+_SETTING = Actions(read=setting_reader(Jogs), write=repeatable(setting_writer(Jogs)))
 _COMMAND = Actions(read=of(Jogs, lambda jogs, axis: jogs.commands.get(axis, 0)), write=of(Jogs, Jogs.command))
 _JOG = Actions(
     read=of(Environment, lambda e, axis: float(e.jogs.get(axis, 0.0))),
@@ -162,13 +161,13 @@ ROWS = (
             _PANEL + "PRINT VEL(0)\nPAUSE IDLE(0)\nPRINT POS(0)", default=0.0, low=-1, high=1,
             group="motion", effect="act"),
     _setting("JOGMODE", "", "integer",
-             "How long JOGCOMMAND jogs: 0 until it is 0, 1 for JOGDURATION, once for each new command.",
+             "End of a jog by JOGCOMMAND: 0 when JOGCOMMAND is 0, 1 after JOGDURATION, once for each new command.",
              "JOGMODE(0) = 1\nPRINT JOGMODE(0)", 1),
     _setting("JOGDURATION", "", "ms",
              "After how many milliseconds a jog of JOGMODE 1 begins to come to rest.",
              "JOGDURATION(0) = 500\nPRINT JOGDURATION(0)", _MAX_TIME),
     Keyword("JOGTIME", "", "reading", "R", "axis", "integer", Actions(read=of(Jogs, Jogs.elapsed)),
-            "How many milliseconds JOGCOMMAND has been jogging; 0 while it does not.",
+            "Milliseconds since the start of the jog by JOGCOMMAND; 0 without a jog.",
             _PANEL + "PRINT JOGTIME(0)\nPAUSE IDLE(0)", default=0.0, group="state", solved=True),
     _setting("JOGACCELTIMEMAX", "", "ms",
              "Acceleration of jogs, given as the time from rest to DRIVESPEEDMAX or, where that is not set, MAXSPEED "

@@ -7,6 +7,7 @@ numbers are from memory.
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.triggers.homing import next_index
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import checked
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment
 
 
-INFINITY = float("inf")
 LAST_LATCH = 31
 BY_INPUT, BY_INDEX = 0, 1
 RISING, FALLING, BOTH = 0, 1, 2
@@ -103,7 +103,7 @@ class Latch:
             self._catch()
 
     def _catch(self) -> None:
-        now, position = self._controller.clock.now, self._place()
+        now, position = self._controller.clock.now, self._position()
         near = abs(position - self.value) < self.inhibit_distance and self._time > -INFINITY
         if near or now - self._time < self.inhibit_time / 1000.0:
             return
@@ -111,8 +111,8 @@ class Latch:
         self.armed = bool(self.again)
         self._fired(self)
 
-    def _place(self) -> float:
-        """Return the position to capture: that of the axis, or the count of its encoder."""
+    def _position(self) -> float:
+        """Return the position to capture: the axis position or its encoder count."""
         position = self._controller.position(self.axis)
         return position - self._controller.axes[self.axis].datum if self.source == ENCODER else position
 
@@ -175,7 +175,11 @@ def read_value(latch: Latch, row: Keyword) -> float:
 
     A position is in user units, within POSWRAP like POS. An encoder count is in counts.
     """
-    return latch.value if latch.source == ENCODER else latch.environment.place(latch.axis, latch.value)
+    return (
+        latch.value
+        if latch.source == ENCODER
+        else latch.environment.wrapped_position(latch.axis, latch.value)
+    )
 
 
 def read_encoder(latch: Latch, row: Keyword) -> float:
@@ -187,7 +191,7 @@ def on_latch(function: Callable[..., object]) -> Maker:
     """Make an operation on a latch, chosen by channel, or by axis for FAST keywords."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
-        latches = environment.part(FastLatches if row.name.startswith("FAST") else Latches)
+        latches = environment.component(FastLatches if row.name.startswith("FAST") else Latches)
         return lambda channel, *value: function(latches.latch(channel), row, *value)
 
     return made
@@ -237,9 +241,9 @@ ROWS = (
     _setting("LATCHMODE", "again", "latch", "integer", "1",
              "0: a latch catches once and must be enabled again; 1: it stays enabled, and reading LATCH resets it.", 1),
     _setting("LATCHINHIBITTIME", "inhibit_time", "latch", "ms", "20",
-             "How long after an edge a latch ignores further ones.", 2147483647),
+             "Time after an edge in which a latch ignores further edges.", 2147483647),
     _setting("LATCHINHIBITVALUE", "inhibit_distance", "latch", "uu", "5",
-             "How far the axis must be from the position caught last before an edge counts again.", 8388607.0),
+             "Distance from the last latched position within which edges are ignored.", 8388607.0),
     Keyword("LATCHENABLE", "", "setting", "RW", "latch", "bool", _ENABLE,
             "Arm a latch; it forgets what it had caught.",
             _ARMED.format("LATCHENABLE"), default=0.0, low=0, high=1, group="latches"),
@@ -253,7 +257,7 @@ ROWS = (
              "0: the input triggers when it becomes active; 1: inactive.", 1),
     _setting("FASTLATCHMODE", "again", "axis", "integer", "1", "0: the fast latch catches once; 1: it stays armed.", 1),
     _setting("FASTLATCHDISTANCE", "inhibit_distance", "axis", "uu", "5",
-             "How far the axis must be from the position caught last before an edge counts again.", 8388607.0),
+             "Distance from the last latched position within which edges are ignored.", 8388607.0),
     _reading("FASTLATCH", "axis", "bool", _CAUGHT, "1 when the fast latch of the axis has caught.", _FAST),
     _reading("FASTPOS", "axis", "number", _VALUE, "The position that the fast latch has caught.", _FAST),
     _reading("FASTENCODER", "axis", "number", Actions(read=on_latch(read_encoder)),

@@ -43,33 +43,33 @@ class Compare:
         if not enabled:
             return
         self.passed = False
-        turn = self._turn()
+        wrap_counts = self._wrap_counts()
         if self.mode == BETWEEN:
-            self._cells = self._watched(self.positions, turn, self._moved)
+            self._cells = self._watched(self.positions, wrap_counts, self._moved)
             if self._cells.index % 2:
                 self._inside(True)
-        elif turn:
-            self._cells = self._watched(self.positions[:1], turn, lambda _: self._inside(True))
+        elif wrap_counts:
+            self._cells = self._watched(self.positions[:1], wrap_counts, lambda _: self._inside(True))
         else:
             self._watch = self._controller.watch(self._axis, self.positions[0], lambda _: self._inside(True))
 
-    def _turn(self) -> float:
-        """Return the counts of a wrap, 0 if the axis does not wrap."""
+    def _wrap_counts(self) -> float:
+        """Return the length of a wrap in counts, 0 if the axis does not wrap."""
         wrap = self._environment.wraps.get(self._axis)
         return abs(self._controller.axes[self._axis].scale.to_counts(wrap, "uu")) if wrap else 0.0
 
-    def _watched(self, positions: list[float], turn: float, change: Callable[[int], None]) -> Cells:
+    def _watched(self, positions: list[float], wrap_counts: float, change: Callable[[int], None]) -> Cells:
         """Watch positions; on an axis that wraps, each of them recurs in every wrap."""
         track = self._controller.axes[self._axis]
-        edges = [position % turn for position in positions] if turn else positions
-        return Cells(self._controller, track, sorted(edges), change, turn)
+        edges = [position % wrap_counts for position in positions] if wrap_counts else positions
+        return Cells(self._controller, track, sorted(edges), change, wrap_counts)
 
     def set(self, name: str, value: int) -> None:
         setattr(self, name, value)
         if self.enabled:
             self.enable(True)
 
-    def place(self, register: int, position: float) -> None:
+    def set_position(self, register: int, position: float) -> None:
         """Set a position; an active compare uses it at once."""
         self.positions[register] = position
         if self.enabled:
@@ -139,7 +139,7 @@ def write_position(compares: Compares, axis: int, register: int, value: float) -
     """COMPAREPOS: set a position in user units; an active compare uses it at once."""
     checked(register, 1, "compare register")
     position = scale_of(compares.environment, axis).position_to_counts(value)
-    compares.compare(axis).place(register, position)
+    compares.compare(axis).set_position(register, position)
 
 
 def read_enable(compares: Compares, output: int) -> int:

@@ -22,22 +22,22 @@ _UNITS = {
 
 
 def _rows() -> Iterator[Keyword]:
-    fates = {
-        "kept": no_effect.KEPT,
+    treatments = {
+        "kept": no_effect.STORED,
         "value": unsimulated.ACTIONS[unsimulated.VALUE],
         "command": unsimulated.ACTIONS[unsimulated.COMMAND],
         "motion": unsimulated.ACTIONS[unsimulated.MOTION],
     }
-    for name, short, index, kind, access, fate, meaning in _lines("values"):
-        actions = fates[fate]
+    for name, short, index, kind, access, treatment, meaning in _lines("values"):
+        actions = treatments[treatment]
         sense = "reading" if access == "R" else "setting"
         yield Keyword(name, short, sense, access, index, _UNITS[kind], actions, meaning,
-                      group=unsimulated.GROUPS.get(actions.verb, unsimulated.KEPT_GROUP), simulated=False,
+                      group=unsimulated.GROUPS.get(actions.verb, unsimulated.STORED_GROUP), simulated=False,
                       effect="switch" if name in no_effect.SWITCHES else "",
                       tunes=no_effect.TUNES.get(name, ""))  # fmt: skip
     for file in ("commands", "commands_v4"):
-        for name, short, index, fate, meaning in _lines(file):
-            actions = fates[fate]
+        for name, short, index, treatment, meaning in _lines(file):
+            actions = treatments[treatment]
             yield Keyword(name, short, "command", "C", index, "", actions, meaning,
                           group=unsimulated.GROUPS[actions.verb], simulated=False)  # fmt: skip
 

@@ -20,7 +20,7 @@ from motionlang.controller.faults import (
 from motionlang.controller.triggers.conditions import Undirected
 from motionlang.controller.triggers.limit import Limit
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import MODES
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
@@ -56,7 +56,7 @@ class AxisErrors(Settings):
         self._soft: dict[tuple[int, int], tuple[Limit, float]] = {}
         self._inputs: dict[tuple[int, int, int], Undirected] = {}
         self._going_off: set[int] = set()
-        self.controller.listeners.append(self._heard, "fault", "idle")
+        self.controller.listeners.append(self._on_event, "fault", "idle")
 
     # ---------------------------------------------------------------------------------------------- modes
 
@@ -79,7 +79,7 @@ class AxisErrors(Settings):
     def _mode_of(self, axis: int, bit: int) -> int:
         return next(int(self.setting(name, axis)) for name, bits in ERRORS.items() if bit in bits)
 
-    def _heard(self, what: str, axis: int) -> None:
+    def _on_event(self, what: str, axis: int) -> None:
         if what == "fault":
             bits = self.controller.faults(axis)
             found = [name for name, group in ERRORS.items() if any(bits & bit for bit in group)]
@@ -131,7 +131,7 @@ class AxisErrors(Settings):
         for each in (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE):
             limit, where = self._soft.setdefault((axis, each), (self.limit(axis, each), 0.0))
             none = self.soft_limit(axis, SOFT_LIMIT_FORWARD) == self.soft_limit(axis, SOFT_LIMIT_REVERSE) == 0
-            limit.place(None if none else where)
+            limit.set_position(None if none else where)
 
     def default(self, axis: int) -> None:
         """Reset modes and limits to their power-up values (DEFAULT)."""
@@ -185,7 +185,7 @@ def do_line(environment: Environment, row: Keyword) -> Operation:
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-ERROR_MODE = Actions(read=reading(AxisErrors), write=repeatable(writing(AxisErrors)))
+ERROR_MODE = Actions(read=setting_reader(AxisErrors), write=repeatable(setting_writer(AxisErrors)))
 _SOFT = Actions(read=of_word(AxisErrors, read_soft), write=repeatable(of_word(AxisErrors, write_soft)))
 _ERROR = Actions(
     read=of(Environment, lambda e, axis: e.controller.faults(axis)),

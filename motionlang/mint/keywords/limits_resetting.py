@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import STOP_INPUT_MODE
 from motionlang.mint.runtime.binding import axis_of, of, on_axes, on_every_axis
 from motionlang.mint.runtime.changes import repeatable
@@ -52,8 +52,8 @@ def default(environment: Environment, axis: int) -> None:
     controller.restore(axis)
     mint_settings(controller, axis)
     controller.set_scale(axis, 1.0)
-    for part in environment.parts():
-        forget: Callable[[int], None] | None = getattr(part, "default", None)
+    for component in environment.components():
+        forget: Callable[[int], None] | None = getattr(component, "default", None)
         if forget is not None:
             forget(axis)
     if environment.power_up is not None:
@@ -65,7 +65,7 @@ def default(environment: Environment, axis: int) -> None:
 
 def do_stop(environment: Environment, axes: tuple[int, ...], line: int) -> None:
     """STOP: stop each axis in its STOPMODE; if one does not exist, none stops."""
-    setting = environment.part(StopModes).setting
+    setting = environment.component(StopModes).setting
     for axis in axes:
         axis_of(environment, axis)
     for axis in axes:
@@ -78,7 +78,7 @@ def stored_by_stop(environment: Environment, numbers: tuple[int, ...], line: int
     Changes of motion are reported by the clock.
     """
     controller = environment.controller
-    return [
+    return len(environment.machine.log.events), [
         (controller.room(axis), controller.is_suspended(axis), controller.homings.get(axis))
         for axis in numbers
         if axis in controller.axes
@@ -87,7 +87,7 @@ def stored_by_stop(environment: Environment, numbers: tuple[int, ...], line: int
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-_STOP_MODE = Actions(read=reading(StopModes), write=writing(StopModes))
+_STOP_MODE = Actions(read=setting_reader(StopModes), write=setting_writer(StopModes))
 
 
 ROWS = (
@@ -97,11 +97,11 @@ ROWS = (
             "STOPINPUT(0) = 3\nSTOPINPUTMODE(0) = _emCRASH_STOP\nPRINT STOPINPUTMODE(0)",
             default=float(STOP_INPUT_MODE), low=0, high=3, group="limits"),
     Keyword("STOP", "ST", "command", "C", "axes", "",
-            Actions(do=repeatable(of(Environment, do_stop)), held=of(Environment, stored_by_stop)),
+            Actions(do=repeatable(of(Environment, do_stop)), replaced=of(Environment, stored_by_stop)),
             "Decelerate the axes to rest as their STOPMODE says, and empty their buffers.",
             "JOG(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)\nPRINT IDLE(0)", group="stopping", effect="stop"),
     Keyword("STOPMODE", "", "setting", "RW", "axis", "integer", _STOP_MODE,
-            "How STOP ends motion: 0 at DECEL, 1 at ERRORDECEL, 2 at once.",
+            "Action of STOP: 0 stop at DECEL, 1 at ERRORDECEL, 2 at once.",
             "STOPMODE(0) = 1\nPRINT STOPMODE(0)", default=0.0, low=0, high=2, group="stopping"),
     Keyword("RESET", "", "command", "C", "axes", "", Actions(do=on_axes(reset)),
             "Stop the axis at once, empty its buffer, clear its errors, make its position 0 and switch its drive on.",

@@ -9,7 +9,7 @@ from __future__ import annotations
 from motionlang.controller.axis import BY_INPUT
 from motionlang.controller.faults import ERROR_INPUT, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.io_inputs import Inputs
 from motionlang.mint.keywords.limits import ACTIONS, AxisErrors, switch_row
 from motionlang.mint.keywords.limits_resetting import AT_ERROR_DECEL, CRASH, StopModes, reset, stop
@@ -31,8 +31,8 @@ class Switches(Settings):
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
-        self._inputs = environment.part(Inputs)
-        self._errors = environment.part(AxisErrors)
+        self._inputs = environment.component(Inputs)
+        self._errors = environment.component(AxisErrors)
         self._inputs.listeners.append(self._changed)
 
     def channel(self, name: str, axis: int) -> int:
@@ -75,7 +75,7 @@ class Switches(Settings):
     def _stop(self, axis: int, on: bool) -> None:
         if not on:
             return
-        action = ACTIONS[int(self.environment.part(StopModes).setting("STOPINPUTMODE", axis))]
+        action = ACTIONS[int(self.environment.component(StopModes).setting("STOPINPUTMODE", axis))]
         if action in ("abort", "error-stop"):
             stop(self.environment, axis, CRASH if action == "abort" else AT_ERROR_DECEL)
         self.environment.events.raise_("stop")
@@ -107,7 +107,7 @@ SHOWN = {"ERRORSWITCH": "ERRORINPUT", "STOPSWITCH": "STOPINPUT", "SUSPENDSWITCH"
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-SWITCH_INPUT = Actions(read=reading(Switches), write=writing(Switches))
+SWITCH_INPUT = Actions(read=setting_reader(Switches), write=setting_writer(Switches))
 _SWITCH = Actions(
     read=of_word(Switches, lambda switches, row, axis: int(switches.is_on(SHOWN[row.name], axis)))
 )

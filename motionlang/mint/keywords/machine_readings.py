@@ -81,15 +81,19 @@ def _why_not(row: Keyword) -> str:
 
 
 def _value_problem(row: Keyword, where: str, value: object) -> tuple[str, str] | None:
-    from motionlang.errors import shown
+    from motionlang.errors import as_hint, shown
 
     brackets = 0 if row.index == "none" else len(row.index.split(", "))
     given = len(where.split(",")) if where else brackets
     if given != brackets:
         return f"{row.name} has {brackets} in its brackets, not {given}", f"it stands for {row.index}"
     if row.unit == "text":
-        return None if isinstance(value, str) else (f"{row.name} is a text, not {shown(value)}", row.help)
+        return (
+            None
+            if isinstance(value, str)
+            else (f"{row.name} is a text, not {shown(value)}", as_hint(row.help))
+        )
     if isinstance(value, str) or (row.is_whole and value != int(value)):  # type: ignore[call-overload]
         what = "a whole number" if row.is_whole else "a number"
-        return f"{row.name} is {what}, not {shown(value)}", row.help
+        return f"{row.name} is {what}, not {shown(value)}", as_hint(row.help)
     return None

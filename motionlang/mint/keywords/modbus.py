@@ -7,10 +7,11 @@ registers, the lower half first, as in Mint's own server (ABB AN00198 p. 5). Req
 from __future__ import annotations
 
 from functools import partial
+from math import inf
 from struct import pack, unpack
 
 from motionlang.controller.faults import Rejected
-from motionlang.controller.io.inputs import Channels
+from motionlang.controller.io.channels import Channels
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.changes import repeatable
@@ -26,14 +27,13 @@ if TYPE_CHECKING:
 
 
 LAST = 65535
-_INFINITY = float("inf")
 _LARGEST_FLOAT = 3.4028235677973366e38  # larger numbers round to infinity in 32 bits
 
 
 class Server:
     """One server: its registers `first` to `last`, and the times when it answers."""
 
-    def __init__(self, first: int = 0, last: int = LAST, begin: float = 0.0, end: float = _INFINITY) -> None:
+    def __init__(self, first: int = 0, last: int = LAST, begin: float = 0.0, end: float = inf) -> None:
         self.first, self.last, self.begin, self.end = first, last, begin, end
         self.words: dict[int, int] = {}
         self.written: set[int] = set()
@@ -57,14 +57,14 @@ class Servers:
 
     def _declare(self, entry: Entry) -> None:
         begin: float = entry.get("at", 0.0)  # type: ignore[assignment]
-        end: float = begin + entry.get("for", _INFINITY)  # type: ignore[operator]
+        end: float = begin + entry.get("for", inf)  # type: ignore[operator]
         first: int = entry.get("first", 0)  # type: ignore[assignment]
         last: int = entry.get("last", LAST)  # type: ignore[assignment]
         server = self._servers[entry["id"]] = Server(first, last, begin, end)  # type: ignore[index]
         given: Mapping[str, int] = entry.get("registers", {})  # type: ignore[assignment]
         server.words.update((int(register), word & LAST) for register, word in given.items())
         for time in (begin, end):
-            if self._clock.now < time < _INFINITY:
+            if self._clock.now < time < inf:
                 self._clock.at(time, _nothing)  # tasks that wait for the server check again
 
     def _schedule(self, entry: Entry) -> None:
@@ -143,7 +143,7 @@ def words_of(value: float, width: str) -> list[int]:
 
 def _bits(value: float) -> int:
     if not abs(value) < _LARGEST_FLOAT:
-        value = _INFINITY if value > 0 else -_INFINITY if value < 0 else value
+        value = inf if value > 0 else -inf if value < 0 else value
     bits: int = unpack("<I", pack("<f", value))[0]
     return bits
 

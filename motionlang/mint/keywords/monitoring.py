@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.controller.faults import ANALOGUE_LIMIT
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import FATAL_ERROR, MODES
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.keywords.limits import ERROR_MODE, AxisErrors
@@ -29,18 +31,18 @@ class Monitors:
 
     def __init__(self, environment: Environment) -> None:
         self._controller = environment.controller
-        self._analogue = environment.part(Analogue)
-        self._errors = environment.part(AxisErrors)
+        self._analogue = environment.component(Analogue)
+        self._errors = environment.component(AxisErrors)
         self._limits: dict[tuple[str, int], float] = {}
         self.minded: dict[int, int] = {}
-        self._controller.analogue_inputs.listeners.append(lambda channel, value: self._look())
+        self._controller.analogue_inputs.listen(lambda channel, value: self._check_all())
 
     def limit(self, name: str, channel: int) -> float:
         return self._limits.get((name, channel), LIMITS[name])
 
     def set_limit(self, name: str, channel: int, value: float) -> None:
         self._limits[name, channel] = value
-        self._look()
+        self._check_all()
 
     def mind(self, axis: int, pattern: int) -> None:
         """Set the inputs that the axis monitors, as bits.
@@ -64,7 +66,7 @@ class Monitors:
             not self.limit("ADCMIN", channel) <= self._analogue.read(channel) <= self.limit("ADCMAX", channel)
         )
 
-    def _look(self) -> None:
+    def _check_all(self) -> None:
         """Check all axes after a change of a value or a limit."""
         for axis, pattern in self.minded.items():
             self._update_errors(axis, pattern)
@@ -79,7 +81,7 @@ class Monitors:
 
 def do_trim(environment: Environment, channel: int) -> None:
     """ADCOFFSETTRIM: make the present value of the input its new zero."""
-    inputs = environment.part(Analogue)
+    inputs = environment.component(Analogue)
     gain = inputs.setting("ADCGAIN", analogue_input(channel)) / 100.0
     inputs.set("ADCOFFSET", channel, -float(environment.controller.analogue_inputs[channel]) * gain)
 
@@ -109,13 +111,13 @@ class Warnings(Settings):
         A following error that still exceeds the level, or exceeds it again, raises a new warning.
         """
         self.bits.pop(axis, None)
-        self._watch(axis, self.levels.get(axis, float("inf")))
+        self._watch(axis, self.levels.get(axis, inf))
 
     def default(self, axis: int) -> None:
         """Reset the axis to its defaults (DEFAULT)."""
         super().default(axis)
         if self.levels.pop(axis, None) is not None:
-            self._watch(axis, float("inf"))
+            self._watch(axis, inf)
 
     def _watch(self, axis: int, level: float) -> None:
         self.controller.warn_of_error(axis, level, lambda: self._warn(axis))
@@ -127,7 +129,7 @@ class Warnings(Settings):
 
 def read_level(environment: Environment, axis: int) -> float:
     """FOLERRORWARNING: return the level in user units."""
-    levels = environment.part(Warnings).levels
+    levels = environment.component(Warnings).levels
     return (
         environment.controller.axes[axis].scale.to_user(levels[axis], "uu") if axis in levels else FATAL_ERROR
     )
@@ -139,7 +141,7 @@ def write_level(environment: Environment, row: Keyword, axis: int, value: float)
     Without a motor it has no effect, which the report states.
     """
     level = abs(environment.controller.axes[axis].scale.to_counts(value, "uu"))
-    environment.part(Warnings).set_level(axis, level)
+    environment.component(Warnings).set_level(axis, level)
     if not environment.controller.has_motor(axis):
         environment.machine.without_effect.setdefault(row.name, [])
 
@@ -191,7 +193,7 @@ def drive_errors(environment: Environment, axis: int) -> int:
 
 def read_misc(environment: Environment) -> int:
     """MISCERROR: return the controller errors that are not disabled, as bits."""
-    world, disabled = environment.machine.world, environment.part(Masks).misc_disabled
+    world, disabled = environment.machine.world, environment.component(Masks).misc_disabled
     return 0 if world is None else world.misc & ~disabled
 
 
@@ -207,11 +209,13 @@ _CLEAR = of(Environment, lambda e, axis, value: e.controller.clear_faults(axis))
 # ------------------------------------------------------------------------------------------------- keywords
 
 _LIMIT = Actions(
-    read=of_word(Monitors, lambda part, row, channel: part.limit(row.name, analogue_input(channel))),
+    read=of_word(Monitors, lambda monitors, row, channel: monitors.limit(row.name, analogue_input(channel))),
     write=repeatable(
         of_word(
             Monitors,
-            lambda part, row, channel, value: part.set_limit(row.name, analogue_input(channel), value),
+            lambda monitors, row, channel, value: monitors.set_limit(
+                row.name, analogue_input(channel), value
+            ),
         )
     ),
 )
@@ -276,10 +280,12 @@ ROWS = (
     _word("AXISWARNING", "", "RW", "axis", "bits", _WARNING,
           "Warnings of the axis: bit 0, its following error was beyond FOLERRORWARNING. Writing 0 clears them.",
           "AXISWARNING(0) = 0\nPRINT AXISWARNING(0)", 0.0, 0, 0),
-    _word("AXISWARNINGDISABLE", "", "RW", "axis", "bits", Actions(read=reading(Warnings), write=writing(Warnings)),
+    _word("AXISWARNINGDISABLE", "", "RW", "axis", "bits",
+          Actions(read=setting_reader(Warnings), write=setting_writer(Warnings)),
           "Bit pattern of the warnings that the axis does not give.",
           "AXISWARNINGDISABLE(0) = 1\nPRINT AXISWARNINGDISABLE(0)"),
-    _word("ERRORMASK", "", "RW", "axis", "bits", Actions(read=reading(Masks), write=writing(Masks)),
+    _word("ERRORMASK", "", "RW", "axis", "bits",
+          Actions(read=setting_reader(Masks), write=setting_writer(Masks)),
           "Bit pattern of the errors of the axis, as in AXISERROR, that call ONERROR; the axis stops as ever.",
           "ERRORMASK(0) = 0x7E\nABORT\nPRINT AXISERROR(0), AXISERROR(1)\nEnd\nEvent ONERROR\n"
           "  While ERRORREADNEXT(_egAXIS, 1)\n    PRINT ERRSTRING\n  End While\nEnd Event", -1.0),

@@ -32,8 +32,8 @@ def load_move(relative: bool) -> Maker:
             if relative:
                 controller.load_by(axis, value * scale.counts, name, line)
             else:
-                place = scale.position_to_counts(value + environment.turn(axis))
-                controller.load_to(axis, place, name, line)
+                counts = scale.position_to_counts(value + environment.wrap_start(axis))
+                controller.load_to(axis, counts, name, line)
             if environment.loaded is not None:
                 environment.loaded(axis)
             return False

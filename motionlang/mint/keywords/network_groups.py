@@ -16,7 +16,7 @@ class Groups:
     """Groups of nodes with their masters, connections, and own node numbers, by bus."""
 
     def __init__(self, environment: Environment) -> None:
-        self.nodes = environment.part(Nodes)
+        self.nodes = environment.component(Nodes)
         self.members: set[tuple[int, int, int]] = set()
         self.masters: dict[tuple[int, int], int] = {}
         self.connected: set[tuple[int, int, int]] = set()
@@ -52,10 +52,10 @@ def read_connections(groups: Groups, bus: int, start: int) -> int:
 
 def write_member(groups: Groups, bus: int, group: int, node: int, value: int) -> None:
     """GROUP: add a node to a group or remove it."""
-    (groups.members.add if value else groups.members.discard)(_place(bus, group, node))
+    (groups.members.add if value else groups.members.discard)(_checked_key(bus, group, node))
 
 
-def _place(bus: int, group: int, node: int) -> tuple[int, int, int]:
+def _checked_key(bus: int, group: int, node: int) -> tuple[int, int, int]:
     return checked_bus(bus), checked(group, LAST_GROUP, "group"), checked(node, LAST_NODE, "node")
 
 
@@ -67,11 +67,11 @@ def read_info(groups: Groups, bus: int, node: int) -> int:
 
 
 def read_master(groups: Groups, bus: int, group: int) -> int:
-    return groups.masters.get(_place(bus, group, 0)[:2], 0)
+    return groups.masters.get(_checked_key(bus, group, 0)[:2], 0)
 
 
 def write_master(groups: Groups, bus: int, group: int, node: int) -> None:
-    groups.masters[_place(bus, group, node)[:2]] = node
+    groups.masters[_checked_key(bus, group, node)[:2]] = node
 
 
 def write_own_node(groups: Groups, bus: int, node: int) -> None:
@@ -82,11 +82,11 @@ def write_own_node(groups: Groups, bus: int, node: int) -> None:
 def read_is_master(groups: Groups, bus: int, group: int) -> int:
     """GROUPMASTERSTATUS: return 1 if this controller is the group's master."""
     own = groups.own.get(bus, 0)
-    return int(own != 0 and groups.masters.get(_place(bus, group, 0)[:2]) == own)
+    return int(own != 0 and groups.masters.get(_checked_key(bus, group, 0)[:2]) == own)
 
 
 def read_is_member(groups: Groups, bus: int, group: int) -> int:
-    return int(_place(bus, group, groups.own.get(bus, 0)) in groups.members)
+    return int(_checked_key(bus, group, groups.own.get(bus, 0)) in groups.members)
 
 
 # ------------------------------------------------------------------------------------------------- keywords
@@ -95,7 +95,7 @@ _OWN_NODE = Actions(
     read=of(Groups, lambda groups, bus: groups.own.get(checked_bus(bus), 0)), write=of(Groups, write_own_node)
 )
 _MEMBER = Actions(
-    read=of(Groups, lambda groups, bus, group, node: int(_place(bus, group, node) in groups.members)),
+    read=of(Groups, lambda groups, bus, group, node: int(_checked_key(bus, group, node) in groups.members)),
     write=of(Groups, write_member),
 )
 
@@ -108,7 +108,7 @@ ROWS = (
           "The connection of two nodes: 1 makes it, 0 breaks it; both must answer.",
           "CONNECT(1, 2, 7) = 1\nPRINT CONNECT(1, 2, 7)"),
     network_row("CONNECTSTATUS", "R", "bus, from", "integer", Actions(read=of(Groups, read_connections)),
-          "How many nodes a node is connected to.",
+          "Number of nodes that a node is connected to.",
           "CONNECT(1, 2, 7) = 1\nPRINT CONNECTSTATUS(1, 2)"),
     network_row("GROUP", "RW", "bus, group, node", "bool", _MEMBER,
           "Membership of a node in a group, 0 to 31.",

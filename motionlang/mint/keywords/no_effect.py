@@ -18,17 +18,17 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment
 
 
-class Kept:
-    """The stored values, by keyword and indices: of the program, and the machine file."""
+class StoredValues:
+    """The stored values by keyword and indices, from the program or the machine file."""
 
     def __init__(self, environment: Environment) -> None:
         self.values: dict[tuple[object, ...], object] = {}
-        self.told = SuppliedValues(environment.machine.settings)
+        self.supplied = SuppliedValues(environment.machine.settings)
 
     def find(self, row: Keyword, where: tuple[object, ...]) -> object | None:
         """Return the value of a keyword, None if neither source has one."""
         found = self.values.get((row.name, *where))
-        return self.told.find(row.name, row.unit, where) if found is None else found
+        return self.supplied.find(row.name, row.unit, where) if found is None else found
 
 
 def note(words: dict[str, list[int]], name: str, line: int) -> None:
@@ -40,12 +40,12 @@ def note(words: dict[str, list[int]], name: str, line: int) -> None:
 
 def read_value(environment: Environment, row: Keyword) -> Operation:
     """Make an operation that reads the stored value, by default 0 or an empty string."""
-    kept, name, assumed = environment.part(Kept), row.name, environment.machine.assumed
+    stored, name, assumed = environment.component(StoredValues), row.name, environment.machine.assumed
     nothing: object = "" if row.unit == "text" else 0.0 if row.unit == "number" else 0
 
     def read(*given: object) -> object:
         *where, line = given
-        found = kept.find(row, tuple(where))
+        found = stored.find(row, tuple(where))
         if found is None:
             note(assumed, name, line)  # type: ignore[arg-type]
             return nothing
@@ -54,19 +54,23 @@ def read_value(environment: Environment, row: Keyword) -> Operation:
     return read
 
 
-def held_value(environment: Environment, row: Keyword) -> Operation:
+def stored_value(environment: Environment, row: Keyword) -> Operation:
     """Make an operation that returns the stored value before a write.
 
-    It gets all arguments of the write, the line last.
+    It receives the same arguments as the write.
     """
-    find = environment.part(Kept).find
+    find = environment.component(StoredValues).find
     return lambda *given: find(row, given[:-2])
 
 
 @repeatable
 def write_value(environment: Environment, row: Keyword) -> Operation:
     """Make an operation that stores a value; the report states that it has no effect."""
-    values, name, without_effect = environment.part(Kept).values, row.name, environment.machine.without_effect
+    values, name, without_effect = (
+        environment.component(StoredValues).values,
+        row.name,
+        environment.machine.without_effect,
+    )
 
     def write(*given: object) -> None:
         *where, value, line = given
@@ -79,7 +83,7 @@ def write_value(environment: Environment, row: Keyword) -> Operation:
 # ------------------------------------------------------------------------------------------------- keywords
 
 VERB = "no_effect.value"
-KEPT = Actions(VERB, read=read_value, write=write_value, held=held_value)
+STORED = Actions(VERB, read=read_value, write=write_value, replaced=stored_value)
 # Settings that end the motion of the axis on a controller.
 SWITCHES = frozenset(("CONFIG",))
 # Settings that `motionlang servo` uses as a quantity of the servo loop. They have no effect in a run.

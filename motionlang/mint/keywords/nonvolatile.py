@@ -15,21 +15,21 @@ def _address(address: int) -> int:
 
 
 def write_word(environment: Environment, address: int, value: int) -> None:
-    environment.machine.kept.set_word(_address(address), value)
+    environment.machine.nonvolatile.set_word(_address(address), value)
 
 
 def write_real(environment: Environment, address: int, value: float) -> None:
-    environment.machine.kept.set_real(_address(address), value)
+    environment.machine.nonvolatile.set_real(_address(address), value)
 
 
 # ------------------------------------------------------------------------------------------------- keywords
 
 _WORD = Actions(
-    read=of(Environment, lambda e, address: e.machine.kept.word(_address(address))),
+    read=of(Environment, lambda e, address: e.machine.nonvolatile.word(_address(address))),
     write=repeatable(of(Environment, write_word)),
 )
 _REAL = Actions(
-    read=of(Environment, lambda e, address: e.machine.kept.real(_address(address))),
+    read=of(Environment, lambda e, address: e.machine.nonvolatile.real(_address(address))),
     write=repeatable(of(Environment, write_real)),
 )
 

@@ -18,7 +18,7 @@ def write_by(environment: Environment, row: Keyword, axis: int, value: float, li
 def write_to(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
     """INCA: set a new target in user units, even while in motion."""
     finite(row, value)
-    counts = scale_of(environment, axis).position_to_counts(value + environment.turn(axis))
+    counts = scale_of(environment, axis).position_to_counts(value + environment.wrap_start(axis))
     environment.controller.retarget_to(axis, counts, row.name, line)
 
 

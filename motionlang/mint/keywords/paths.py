@@ -60,10 +60,12 @@ def put_line(
     relative = row.name.endswith("R")
     for axis, value in zip(axes, values, strict=True):
         scale = scale_of(environment, axis)
-        place = (
-            scale.to_counts(value) if relative else scale.position_to_counts(value + environment.turn(axis))
+        coordinate = (
+            scale.to_counts(value)
+            if relative
+            else scale.position_to_counts(value + environment.wrap_start(axis))
         )
-        counts.append(place)
+        counts.append(coordinate)
     (controller.load_line_by if relative else controller.load_line)(axes, counts, row.name, line)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked
 from motionlang.mint.keywords.presets_moves import begin
 from motionlang.mint.runtime.binding import of, of_word
@@ -36,8 +36,8 @@ class Presets(Settings):
         # A rest that began after another start, before presets were disabled and enabled again, has no effect.
         self._going_on: dict[int, int] = {}
         self._starts = 0
-        environment.part(Inputs).listeners.append(self._changed)
-        self.controller.listeners.append(self._heard, "idle")
+        environment.component(Inputs).listeners.append(self._changed)
+        self.controller.listeners.append(self._on_event, "idle")
 
     def entry(self, name: str, preset: int, format: int = 0) -> float:
         return self.table.get((name, preset, format), 0.0)
@@ -67,7 +67,7 @@ class Presets(Settings):
         first, count = (int(self.setting(name, axis)) for name in ("PRESETSELECTORINPUT", "PRESETINPUTSMAX"))
         if first < 0:
             return 0
-        is_on = self.environment.part(Inputs).is_on
+        is_on = self.environment.component(Inputs).is_on
         return sum(1 << k for k in range(count) if is_on(first + k))
 
     def selected(self, axis: int) -> int:
@@ -101,7 +101,7 @@ class Presets(Settings):
             if on and enabled and self.setting("PRESETTRIGGERINPUT", axis) == channel:
                 self._start(axis)
 
-    def _heard(self, what: str, axis: int) -> None:
+    def _on_event(self, what: str, axis: int) -> None:
         if what == "idle" and axis in self._going_on:
             self._rest(axis)
 
@@ -173,7 +173,7 @@ def write_format(presets: Presets, row: Keyword, preset: int, number: int, value
 
 _FORMAT = Actions(read=of_word(Presets, read_entry), write=of_word(Presets, write_format))
 _ENTRY = Actions(read=of_word(Presets, read_entry), write=of_word(Presets, write_entry))
-_SETTING = Actions(read=reading(Presets), write=of_word(Presets, Presets.choose))
+_SETTING = Actions(read=setting_reader(Presets), write=of_word(Presets, Presets.choose))
 
 _MAX_VALUE = 8388607.0
 _MAX_TIME = 2147483647.0
@@ -236,7 +236,7 @@ ROWS = (
              _MAX_TIME),
     _setting("PRESETSELECTORINPUT", "The first of the inputs that select a preset, the lowest bit of its number; -1 "
                                     "for none.", -1, 999, -1.0),
-    _setting("PRESETINPUTSMAX", "How many inputs select a preset.", 0, 6, 4.0),
+    _setting("PRESETINPUTSMAX", "Number of inputs that select a preset.", 0, 6, 4.0),
     Keyword("PRESETINPUTSTATE", "", "reading", "R", "axis", "integer", Actions(read=of(Presets, Presets.inputs)),
             "The preset that the inputs select now.", "PRESETSELECTORINPUT(0) = 4\nPRINT PRESETINPUTSTATE(0)",
             default=0.0, group="state"),

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from motionlang.mint.keywords.presets import Presets
 
-    Way = Callable[["Preset"], None]
+    Start = Callable[["Preset"], None]
 
 COMMAND = "PRESETMOVE"
 
@@ -32,8 +32,8 @@ class Preset:
         return self.presets.entry(name, self.number)
 
     @property
-    def place(self) -> float:
-        """PRESETMOVEPOSITION in counts, without a zero."""
+    def move_counts(self) -> float:
+        """PRESETMOVEPOSITION as a distance in counts, which ignores the zero."""
         return self.presets.controller.axes[self.axis].scale.to_counts(self.value("PRESETMOVEPOSITION"))
 
     def speed(self, name: str) -> float | None:
@@ -56,13 +56,13 @@ class Preset:
 def begin(presets: Presets, axis: int, number: int, line: int) -> None:
     """Start a preset on an axis, even while the axis moves."""
     kind = int(presets.entry("PRESETMOVETYPE", number))
-    if not 0 < kind < len(WAYS):
+    if not 0 < kind < len(MOVES):
         raise Rejected("range", f"preset {number} has no type", f"write PRESETMOVETYPE({number}, 0) first")
-    WAYS[kind](Preset(presets, axis, number, line))
+    MOVES[kind](Preset(presets, axis, number, line))
 
 
 def _home(preset: Preset) -> None:
-    homes = preset.presets.environment.part(Homes)
+    homes = preset.presets.environment.component(Homes)
     homes.begin(preset.axis, int(preset.value("PRESETMOVEHOMETYPE")), preset.line)
 
 
@@ -81,16 +81,16 @@ def _move(preset: Preset, by: bool) -> None:
     controller.configure(preset.axis, "own_rates", (speed, *preset.rates(speed)))
     try:
         if by:
-            controller.move_by(preset.axis, preset.place, COMMAND, preset.line)
+            controller.move_by(preset.axis, preset.move_counts, COMMAND, preset.line)
         else:
-            controller.move_to(preset.axis, preset.place + a.scale.zero, COMMAND, preset.line)
+            controller.move_to(preset.axis, preset.move_counts + a.scale.zero, COMMAND, preset.line)
     finally:
         controller.configure(preset.axis, "own_rates", before)
 
 
 def _position(preset: Preset) -> None:
     controller = preset.presets.controller
-    controller.define_position(preset.axis, preset.place + controller.axes[preset.axis].scale.zero)
+    controller.define_position(preset.axis, preset.move_counts + controller.axes[preset.axis].scale.zero)
 
 
 def _speed(preset: Preset) -> None:
@@ -106,14 +106,14 @@ def _speed(preset: Preset) -> None:
 
 
 def _torque(preset: Preset) -> None:
-    references = preset.presets.environment.part(TorqueReferences)
+    references = preset.presets.environment.component(TorqueReferences)
     references.set("TORQUEREF", preset.axis, preset.value("PRESETMOVEPARAMETER"))
     references.run(preset.axis)
 
 
 def _stop(preset: Preset) -> None:
     environment = preset.presets.environment
-    stop(environment, preset.axis, environment.part(StopModes).setting("STOPMODE", preset.axis))
+    stop(environment, preset.axis, environment.component(StopModes).setting("STOPMODE", preset.axis))
 
 
 def _suspend(preset: Preset) -> None:
@@ -126,7 +126,7 @@ def _cancel(preset: Preset) -> None:
 
 
 # By the number of PRESETMOVETYPE, in the order in which the library lists the commands of presets.
-WAYS: tuple[Way, ...] = (
+MOVES: tuple[Start, ...] = (
     lambda preset: None,
     _home,
     _jog,

@@ -82,7 +82,7 @@ class Brake:
         self.mode, self.output = BY_HAND, NONE
         self.delays = [0, 0]
         self.engaged = False
-        self._due: Event | None = None
+        self._scheduled: Event | None = None
 
     def choose(self, mode: int) -> None:
         """Select control by the drive, which sets the brake at once, or by the program."""
@@ -96,9 +96,9 @@ class Brake:
 
     def engage(self, engaged: bool) -> None:
         """Engage or release the brake now."""
-        if self._due is not None:
-            self._due.cancel()
-            self._due = None
+        if self._scheduled is not None:
+            self._scheduled.cancel()
+            self._scheduled = None
         self.engaged = engaged
         self._controller.set_brake(self.axis, False)
         self._show()
@@ -121,9 +121,9 @@ class Brake:
             return
         engaged = not self._controller.is_enabled(self.axis)
         clock, delay = self._controller.clock, self.delays[ENGAGE if engaged else RELEASE]
-        if self._due is not None:
-            self._due.cancel()
-        self._due = clock.at(clock.now + delay / 1000.0, lambda: self.engage(engaged))
+        if self._scheduled is not None:
+            self._scheduled.cancel()
+        self._scheduled = clock.at(clock.now + delay / 1000.0, lambda: self.engage(engaged))
 
     def _show(self) -> None:
         if self.output != NONE:
@@ -136,7 +136,7 @@ class Brakes:
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
         self._brakes = ByNumber(lambda axis: Brake(environment, axis))
-        environment.controller.listeners.append(self._heard, "switched")
+        environment.controller.listeners.append(self._on_event, "switched")
 
     def brake(self, axis: int) -> Brake:
         return self._brakes[axis]
@@ -146,7 +146,7 @@ class Brakes:
         self._brakes.pop(axis, None)
         self._environment.controller.set_brake(axis, False)
 
-    def _heard(self, what: str, axis: int) -> None:
+    def _on_event(self, what: str, axis: int) -> None:
         if what == "switched" and axis in self._brakes:
             self._brakes[axis].follow_drive()
 
@@ -220,6 +220,6 @@ ROWS = (
     _word("MOTORBRAKEOUTPUT", "", "RW", "axis", "integer", _BRAKE_OUTPUT,
           "The output that lifts the brake, on while the motor is free; -1 for none.", _BRAKE, -1.0, -1, 999),
     _word("MOTORBRAKEDELAY", "", "RW", "axis, delay", "ms", _BRAKE_DELAY,
-          "How long after the drive the brake follows: delay 0 when it is lifted, 1 when it is set.",
+          "Delay of the brake behind the drive: delay 0 when the brake is released, 1 when it is set.",
           "MOTORBRAKEDELAY(0, 1) = 40\nPRINT MOTORBRAKEDELAY(0, 1)", low=0, high=2147483647.0),
 )  # fmt: skip

@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import partial
 
 from motionlang.controller.faults import Rejected
+from motionlang.controller.io.channels import Channels
 from motionlang.controller.io.host_memory import HostMemory
-from motionlang.controller.io.inputs import Channels
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import BANK, bits_of, checked
 from motionlang.mint.runtime.binding import of, of_word
@@ -56,7 +56,7 @@ class Bus:
         self.taken = 0, 0
         self.process_data: dict[tuple[int, int], int] = {}
 
-    def tell(self, code: int, info: int = 0) -> None:
+    def add_event(self, code: int, info: int = 0) -> None:
         """Add an event, which BUSEVENT will return."""
         if code in (OPERATIONAL, PASSIVE, OFF):
             self.state = code
@@ -70,7 +70,7 @@ class Bus:
 
     def reset(self) -> None:
         self.queue.clear()
-        self.tell(OPERATIONAL)
+        self.add_event(OPERATIONAL)
 
 
 class Node:
@@ -112,11 +112,11 @@ class Nodes:
         for entry in entries:
             self._wire(entry)
         for entry in settings.get("bus", ()):  # type: ignore[attr-defined]
-            self._at(entry, partial(self.bus(entry.get("bus", 1)).tell, BUS_CODES[entry["event"]]))
+            self._at(entry, partial(self.bus(entry.get("bus", 1)).add_event, BUS_CODES[entry["event"]]))
         for entry in settings.get("pdo", ()):  # type: ignore[attr-defined]
-            place = entry["cobid"], entry.get("bank", 0)
+            item = entry["cobid"], entry.get("bank", 0)
             put = self.bus(entry.get("bus", 1)).process_data.__setitem__
-            self._at(entry, partial(put, place, _signed(int(entry["value"]))))
+            self._at(entry, partial(put, item, _signed(int(entry["value"]))))
         environment.machine.written.append(self.written)
 
     def bus(self, bus: int) -> Bus:
@@ -158,7 +158,7 @@ class Nodes:
     def scan(self, bus: int, node: int) -> None:
         """NODESCAN: raise an event that reports whether the node is alive."""
         checked(node, LAST_NODE, "node")
-        self.bus(bus).tell(NODE_CODES["live" if self.answers(bus, node) else "dead"], node)
+        self.bus(bus).add_event(NODE_CODES["live" if self.answers(bus, node) else "dead"], node)
 
     def reset(self, bus: int, node: int) -> None:
         """REMOTERESET: reset a node."""
@@ -167,17 +167,17 @@ class Nodes:
         found.objects[ERROR_REGISTER, 0] = 0
         for kind in KINDS[2:]:
             self._put_into(bus, node, kind).clear()
-        self.bus(bus).tell(NODE_CODES["live"], node)
+        self.bus(bus).add_event(NODE_CODES["live"], node)
 
     def written(self) -> list[dict[str, object]]:
         """Return the values that the program has written to nodes, as report rows."""
         rows: list[dict[str, object]] = []
         for (bus, node, kind), channels in sorted(self._channels.items()):
             what = _WRITTEN.get(kind)
-            told = channels.touched if what else ()
-            rows += [_row(bus, node, (str(what), each), channels[each]) for each in told]
+            touched = channels.touched if what else ()
+            rows += [_row(bus, node, (str(what), each), channels[each]) for each in touched]
         for (bus, node), found in sorted(self._nodes.items()):
-            rows += [_row(bus, node, place, value) for place, value in sorted(found.written.items())]
+            rows += [_row(bus, node, item, value) for item, value in sorted(found.written.items())]
         return rows
 
     # ---------------------------------------------------------------------------------------- the machine file
@@ -207,8 +207,8 @@ class Nodes:
         elif "element" in entry:
             self._at(entry, partial(found.memory.set_real, "comms", entry["element"], float(value)))
         elif "object" in entry:
-            place = entry["object"], entry.get("sub", 0)
-            self._at(entry, partial(found.objects.__setitem__, place, value))
+            item = entry["object"], entry.get("sub", 0)
+            self._at(entry, partial(found.objects.__setitem__, item, value))
         else:
             self._wire_input(entry, bus, node, value)
 
@@ -230,10 +230,10 @@ class Nodes:
             found.objects[ERROR_REGISTER, 0] = 1
         else:
             found.live = event == "live"
-        self.bus(bus).tell(NODE_CODES[event], node)
+        self.bus(bus).add_event(NODE_CODES[event], node)
 
 
-def _row(bus: int, node: int, place: tuple[str | int, ...], value: float | str) -> dict[str, object]:
+def _row(bus: int, node: int, item: tuple[str | int, ...], value: float | str) -> dict[str, object]:
     """Return a report row for one item of a node.
 
     `item` is "estop", "output" and a number, or "object" with its index and sub-index.
@@ -241,7 +241,7 @@ def _row(bus: int, node: int, place: tuple[str | int, ...], value: float | str) 
     return {
         "bus": bus,
         "node": node,
-        **dict(zip(("kind", "number", "subindex"), place, strict=False)),
+        **dict(zip(("kind", "number", "subindex"), item, strict=False)),
         "value": value,
     }
 
@@ -356,7 +356,7 @@ ROWS = (
     _word("REMOTEDAC", "RW", "bus, node, channel", "%", _percent("analogue_outputs"),
           "An analogue output of a remote node in percent.", "REMOTEDAC(1, 2, 3) = 100\nPRINT REMOTEDAC(1, 2, 3)"),
     Keyword("REMOTEMODE", "", "setting", "RW", "bus, node", "integer", _MODE,
-            "How the analogue node sends its values: 0 as events, 1 cyclically, with each SYNC of the network. Here "
+            "Sending of the analogue node's values: 0 as events, 1 cyclically, with each SYNC of the network. Here "
             "both modes read the same.",
             "REMOTEMODE(1, 2) = 1\nPRINT REMOTEMODE(1, 2)", default=0.0, low=0, high=1, group="remote"),
     _word("NODELIVE", "R", "bus, node", "bool", Actions(read=of(Nodes, read_live)),

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from math import floor
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.controller.moves import buffer
 from motionlang.controller.readers import passing_within
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.lang.task import INFINITY
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import IDLE
-from motionlang.mint.keywords.state import IS_IDLE, place
+from motionlang.mint.keywords.state import IS_IDLE, wrapped_position
 from motionlang.mint.keywords.unsimulated import write_jump
 from motionlang.mint.runtime.binding import by_axis, of, of_word, scale_of, unchecked
 from motionlang.mint.runtime.changes import always, end_of_motion, moving, repeatable, with_dependency
@@ -68,7 +68,7 @@ def _shown(environment: Environment, axis: int, target: float) -> float:
     POSROLLOVERTARGET returns the number of its wraps.
     """
     counts = target if abs(target) < ENDLESS else environment.controller.position(axis)
-    return environment.place(axis, counts)
+    return environment.wrapped_position(axis, counts)
 
 
 # --------------------------------------------------------------------------------------------- idle windows
@@ -88,7 +88,7 @@ class IdleWindows(Settings):
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
         self._since: dict[int, float] = {}
-        self.controller.listeners.append(self._heard, "idle")
+        self.controller.listeners.append(self._on_event, "idle")
         environment.settled = self.settled
 
     def set(self, name: str, axis: int, value: float) -> None:
@@ -97,7 +97,7 @@ class IdleWindows(Settings):
 
     def _configure_motor(self, axis: int) -> None:
         """Pass the settling conditions to a simulated motor."""
-        mode, far = int(self.setting("IDLEMODE", axis)), float("inf")
+        mode, far = int(self.setting("IDLEMODE", axis)), INFINITY
         self.controller.settle_within(
             axis,
             self.setting("IDLEPOS", axis) if mode & AT_POSITION else far,
@@ -134,8 +134,8 @@ class IdleWindows(Settings):
             late = min(max(self.controller.settled_since(axis) - self._since[axis], 0.0), 1e6)
         return round(late * 1000.0) + int(self.setting("IDLETIME", axis))
 
-    def _heard(self, what: str, axis: int) -> None:
-        """At the end of a move, schedule the check of IDLE after IDLETIME."""
+    def _on_event(self, what: str, axis: int) -> None:
+        """Schedule the check of IDLE for IDLETIME after the end of a move."""
         if what == "idle":
             clock = self.controller.clock
             self._since[axis] = clock.now
@@ -198,7 +198,7 @@ class Encoders:
             self.setting("ENCODERWRAP", channel),
             self.counts(channel) / per_unit + zero,
             level,
-            lambda place: crossing_time(track, (place - zero) * per_unit),
+            lambda position: crossing_time(track, (position - zero) * per_unit),
         )
 
     def checked(self, channel: int) -> int:
@@ -246,7 +246,7 @@ def compared(kind: type[Encoders]) -> Maker:
     """Make an operation that reads an encoder, and finds when it crosses a level."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
-        encoders = environment.part(kind)
+        encoders = environment.component(kind)
         read = lambda channel, level=None: encoders.read(encoders.checked(channel))  # noqa: E731
         return with_dependency(environment, read, encoders.until)
 
@@ -289,13 +289,13 @@ class Wraps:
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
         self._counts: dict[int, float] = {}
-        environment.controller.listeners.append(self._heard, "scale")
+        environment.controller.listeners.append(self._on_event, "scale")
 
     def set(self, axis: int, value: float) -> None:
         self._environment.wraps[axis] = value
         self._counts[axis] = value * abs(scale_of(self._environment, axis).counts)
 
-    def _heard(self, what: str, axis: int) -> None:
+    def _on_event(self, what: str, axis: int) -> None:
         if what == "scale" and axis in self._counts:
             self._environment.wraps[axis] = self._counts[axis] / abs(scale_of(self._environment, axis).counts)
 
@@ -337,7 +337,7 @@ def _target(end: Callable[[Axis], float]) -> Maker:
 
 _TARGET = Actions(read=_target(lambda a: a.target))
 _LAST_TARGET = Actions(read=_target(buffer.end))
-_WINDOW = Actions(read=reading(IdleWindows), write=repeatable(writing(IdleWindows)))
+_WINDOW = Actions(read=setting_reader(IdleWindows), write=repeatable(setting_writer(IdleWindows)))
 _ENCODER_COUNT = Actions(
     read=moving(
         of(Encoders, lambda encoders, channel: floor(encoders.counts(encoders.checked(channel)) + 0.5))
@@ -345,7 +345,7 @@ _ENCODER_COUNT = Actions(
 )
 _ENCODER_SETTING = Actions(read=of_word(Encoders, read_setting), write=of_word(Encoders, write_setting))
 _WRAP = Actions(read=of(Environment, lambda e, axis: e.wraps.get(axis, 0.0)), write=of(Wraps, Wraps.set))
-_TURNS = Actions(read=moving(of(Environment, read_wraps)), write=unchecked(of(Environment, write_wraps)))
+_WRAPS = Actions(read=moving(of(Environment, read_wraps)), write=unchecked(of(Environment, write_wraps)))
 
 _MOVE = "MOVER(0) = 100\nGO(0)\nPRINT {}(0)"
 
@@ -372,7 +372,8 @@ ROWS = (
     _reading("AXISMODE", "amd", "bits", AXIS_MODE,
              "Kind of motion: 0 idle, 1 a move, 2 JOG, 4 HOME, 8 a path, 16 FOLLOW, 32 CAM, 64 FLY, 128 SPLINE, "
              "256 OFFSET, 512 another one; 1024 is added while the axis is suspended."),
-    Keyword("POSDEMAND", "", "reading", "RW", "axis", "uu", Actions("demand", read=place("demand"), write=write_jump),
+    Keyword("POSDEMAND", "", "reading", "RW", "axis", "uu",
+            Actions("demand", read=wrapped_position("demand"), write=write_jump),
             "The position that the profiler demands: POS, where no motor is simulated. Writing it, which makes the "
             "demand jump, is not simulated.", _MOVE.format("POSDEMAND"), group="state", changes="motion", solved=True),
     _reading("VELDEMAND", "", "uu/s", "demand_velocity", "The velocity that the profiler demands.",
@@ -387,10 +388,10 @@ ROWS = (
 "IDLEPOS, bit 1 speed within IDLEVEL, either for IDLETIME; 0 none.", 3),
     _window("IDLEPOS", "uu", "Following error up to which an axis counts as idle.", 8388607.0),
     _window("IDLEVEL", "uu/s", "Speed up to which an axis counts as idle.", 8388607.0),
-    _window("IDLETIME", "integer", "How many milliseconds an axis must have been inside its windows to be idle.",
+    _window("IDLETIME", "integer", "Milliseconds that an axis must be inside its windows to be idle.",
             60000),
     _reading("IDLESETTLINGTIME", "", "integer", Actions(read=of(IdleWindows, IdleWindows.settling_time)),
-             "How many milliseconds after the end of its move the axis was idle."),
+             "Milliseconds from the end of the move until the axis was idle."),
     Keyword("SYSTEMSECONDS", "", "reading", "R", "none", "number",
             Actions(read=always(of(Environment, lambda e: float(e.clock.now)))),
             "Seconds since power-up.", "PRINT SYSTEMSECONDS", default=0.0, group="control"),
@@ -410,8 +411,8 @@ ROWS = (
     Keyword("POSWRAP", "", "setting", "RW", "axis", "number", _WRAP,
             "The range in which POS counts, from 0 on, in user units; 0 for no end. MOVEA stays within one wrap.",
             "POSWRAP(0) = 360\nPOS(0) = 370\nPRINT POS(0)", default=0.0, low=0, high=8388607.0, group="state"),
-    Keyword("POSROLLOVER", "", "setting", "RW", "axis", "integer", _TURNS,
-            "How many times POS has wrapped.",
+    Keyword("POSROLLOVER", "", "setting", "RW", "axis", "integer", _WRAPS,
+            "Number of times that POS has wrapped.",
             "POSWRAP(0) = 360\nPOS(0) = 370\nPRINT POSROLLOVER(0)",
             default=0.0, low=-2147483648.0, high=2147483647.0, group="state"),
 )  # fmt: skip

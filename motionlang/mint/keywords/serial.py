@@ -89,7 +89,7 @@ ROWS = (
             default=0.0, low=0, high=255, group="terminal", driven="serial"),
     Keyword("SERIALBUFFERUSAGE", "", "reading", "R", "port", "integer",
             Actions(read=of(Ports, lambda ports, port: len(ports.waiting(port)))),
-            "How many characters have come in at a serial port and were not read yet.",
+            "Number of unread characters that a serial port has received.",
             "PRINT SERIALBUFFERUSAGE", default=0.0, group="terminal"),
     _command("SERIALCLEARRECEIVEBUFFER", Actions(do=of(Ports, lambda ports, port: ports.waiting(port).clear())),
              "Forget what has come in at a serial port and was not read."),

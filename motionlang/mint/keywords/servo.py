@@ -6,6 +6,8 @@ report states that they had no effect.
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.defaults import FATAL_ERROR, GAINS, LOOP_TIME, PERIOD
 from motionlang.mint.keywords.torque import TorqueReferences
@@ -27,16 +29,16 @@ class Loops:
 
     @property
     def references(self) -> TorqueReferences:
-        return self.environment.part(TorqueReferences)
+        return self.environment.component(TorqueReferences)
 
     def default(self, axis: int) -> None:
         """Reset the axis to its defaults (DEFAULT)."""
         self.fatal.pop(axis, None)
-        self.environment.controller.set_error_limit(axis, float("inf"))
+        self.environment.controller.set_error_limit(axis, inf)
         self.environment.controller.set_gains(axis, {})
 
 
-def _tell(environment: Environment, row: Keyword, axes: tuple[int, ...]) -> None:
+def _report_no_effect(environment: Environment, row: Keyword, axes: tuple[int, ...]) -> None:
     """Report a keyword that has no effect because no axis has a motor."""
     if not any(environment.controller.has_motor(axis) for axis in axes):
         environment.machine.without_effect.setdefault(row.name, [])
@@ -59,7 +61,7 @@ def write_gain(loops: Loops, row: Keyword, axis: int, value: float) -> None:
     Without a motor it has no effect, which the report states.
     """
     loops.environment.controller.set_gain(axis, _quantity(row), float(value), row.name)
-    _tell(loops.environment, row, (axis,))
+    _report_no_effect(loops.environment, row, (axis,))
 
 
 def read_loop_time(environment: Environment) -> int:
@@ -72,7 +74,7 @@ def write_loop_time(environment: Environment, row: Keyword, value: int) -> None:
     controller = environment.controller
     for axis in controller.axes:
         controller.set_gain(axis, PERIOD, float(value), row.name)
-    _tell(environment, row, tuple(controller.axes))
+    _report_no_effect(environment, row, tuple(controller.axes))
 
 
 def read_fatal_error(loops: Loops, axis: int) -> float:
@@ -89,7 +91,7 @@ def write_fatal_error(loops: Loops, row: Keyword, axis: int, value: float) -> No
     controller = loops.environment.controller
     loops.fatal[axis] = abs(controller.axes[axis].scale.to_counts(value, "uu"))
     controller.set_error_limit(axis, loops.fatal[axis])
-    _tell(loops.environment, row, (axis,))
+    _report_no_effect(loops.environment, row, (axis,))
 
 
 def read_torque(loops: Loops, axis: int) -> float:
@@ -129,7 +131,7 @@ ROWS = (
     _gain("KINTLIMIT", "kil", "integral_limit",
           "The most that the integral contributes, percent of full scale.", 100.0),
     _gain("KINTMODE", "kim", "integral_mode",
-          "When the integral acts: 0 never, 1 always, 2 at steady or zero demanded speed, 3 at zero demanded speed.",
+          "Action of the integral: 0 never, 1 always, 2 at steady or zero demanded speed, 3 at zero demanded speed.",
           3.0, "integer"),
     _gain("KDERIV", "kd", "derivative",
           "Derivative gain: DAC steps for each count by which the error changes in a servo loop.", 1e9),

@@ -19,7 +19,7 @@ def read_is_idle(environment: Environment, row: Keyword, axis: int) -> Operation
     return lambda: int(is_idle() and (environment.settled is None or environment.settled(axis)))
 
 
-def place(name: str) -> Maker:
+def wrapped_position(name: str) -> Maker:
     """Make an operation that reads POS or POSDEMAND, within POSWRAP if it is set."""
 
     def read(environment: Environment, row: Keyword, axis: int) -> Operation:
@@ -39,7 +39,7 @@ def write_position(environment: Environment, row: Keyword, axis: int, value: flo
 # ------------------------------------------------------------------------------------------------- keywords
 
 IS_IDLE = Actions("is_idle", read=read_is_idle)
-_POSITION = Actions("position", read=place("position"), write=of_word(Environment, write_position))
+_POSITION = Actions("position", read=wrapped_position("position"), write=of_word(Environment, write_position))
 
 
 ROWS = (

@@ -66,12 +66,12 @@ class Cams:
     """The tables of every axis, and the state of the cams in motion."""
 
     def __init__(self, environment: Environment) -> None:
-        self.environment, self.masters = environment, environment.part(Masters)
+        self.environment, self.masters = environment, environment.component(Masters)
         self.arrays: dict[int, tuple[Array, Array | None]] = {}
         self.phases: dict[int, Phase] = {}
         self.cycles: dict[int, int] = {}
         self.modes: dict[int, int] = {}
-        # The points of the last cycle of each axis, and what they were computed from.
+        # The points of the last cycle of each axis, and the data they were computed from.
         self._made: dict[int, tuple[object, Points]] = {}
 
     def table(self, axis: int, mode: int, start: float, begins: bool) -> Points:
@@ -103,11 +103,11 @@ class Cams:
                 values.append(start + scale.to_counts((steps[n] - base) * amplitude))
             else:
                 values.append(values[-1] + scale.to_counts(steps[n] * amplitude))
-        places = [0.0]
+        positions = [0.0]
         for length in lengths[first:end]:
-            places.append(places[-1] + length)
-        self._made[axis] = source, (places, values)
-        return places, values
+            positions.append(positions[-1] + length)
+        self._made[axis] = source, (positions, values)
+        return positions, values
 
     def steps(self, axis: int) -> list[float]:
         """Return the positions of a table as the program wrote them."""
@@ -172,10 +172,10 @@ def put_cam(cams: Cams, row: Keyword, axis: int, mode: int, line: int) -> None:
 
 
 def do_segment(
-    part: Cams | Splines, row: Keyword, axis: int, table: int, start: int, data: Array | None, line: int
+    owner: Cams | Splines, row: Keyword, axis: int, table: int, start: int, data: Array | None, line: int
 ) -> None:
     """CAMSEGMENT and SPLINESEGMENT: replace the values of some segments of a table."""
-    arrays: Sequence[Array | None] = part.arrays.get(axis, ())
+    arrays: Sequence[Array | None] = owner.arrays.get(axis, ())
     array = arrays[table] if 0 <= table < len(arrays) else None
     if array is None:
         raise Rejected(

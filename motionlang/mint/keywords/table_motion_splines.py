@@ -13,7 +13,7 @@ from itertools import pairwise
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.profile_playback import Playback
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.buffer import loads
 from motionlang.mint.keywords.table_motion_cams import (
     ABSOLUTE,
@@ -96,10 +96,10 @@ class Splines(Settings):
                     step - base if mode & ABSOLUTE else step))  # fmt: skip
         spans = [seconds(self.setting("SPLINETIME", axis))] * (end - first)
         if times is not None:
-            spans = [seconds(time) for time in _part(times, first, end)]
+            spans = [seconds(time) for time in _section(times, first, end)]
         speeds = None
         if velocities is not None:
-            speeds = [scale.to_counts(v, "uu/s") for v in _part(velocities, first, end)]
+            speeds = [scale.to_counts(v, "uu/s") for v in _section(velocities, first, end)]
         return points, speeds, spans
 
 
@@ -114,7 +114,7 @@ def seconds(milliseconds: float) -> float:
     return STEP * int(milliseconds // STEP) / 1000.0
 
 
-def _part(array: Array, first: int, end: int) -> list[float]:
+def _section(array: Array, first: int, end: int) -> list[float]:
     values = elements(array, "SPLINETABLE")
     if len(values) < end:
         raise Rejected("range", f"SPLINETABLE: one of the arrays has {len(values)} segments and another {end}",
@@ -179,8 +179,8 @@ def read_index(splines: Splines, axis: int) -> int:
     a = splines.controller.axes[axis]
     if a.move is None or a.move.command != "SPLINE" or not isinstance(a.move.action, Playback):
         return 0
-    path, place, _ = a.move.action.state(splines.controller, a)
-    ahead = len(path.knots) - 1 - bisect_right(path.knots, place)
+    path, time, _ = a.move.action.state(splines.controller, a)
+    ahead = len(path.knots) - 1 - bisect_right(path.knots, time)
     # A cycle that was suspended near its end is followed by the next one.
     return splines.ends[axis] - ahead % (splines.ends[axis] - int(splines.setting("SPLINESTART", axis)) + 1)
 
@@ -190,7 +190,7 @@ def read_index(splines: Splines, axis: int) -> int:
 _SPLINE_ACTIONS = Actions(
     read=of(Splines, lambda splines, axis: splines.modes.get(axis, 0)), load=loads(Splines, put_spline)
 )
-_SETTING = Actions(read=reading(Splines), write=writing(Splines))
+_SETTING = Actions(read=setting_reader(Splines), write=setting_writer(Splines))
 
 _SPLINE = (
     "Dim way(4) As Float = 3, 10, 20, 10\nSPLINETABLE(0, way, NULL, NULL)\n{}SPLINE(0) = 0\nGO(0)\nPAUSE IDLE(0)\n"

@@ -49,9 +49,9 @@ def suspend(environment: Environment, name: str, hold: bool = True) -> None:
     if hold and task is environment.task:
         environment.clock.at(environment.clock.now, lambda: None)  # all tasks check again
     elif hold:
-        task.held, task.wait = task.wait, task.never()
+        task.suspended_wait, task.wait = task.wait, task.never()
     else:
-        task.wait, task.held = task.held, None
+        task.wait, task.suspended_wait = task.suspended_wait, None
 
 
 # ------------------------------------------------------------------------------------------------- keywords
@@ -77,7 +77,7 @@ ROWS = (
             f"TASKPRIORITY(Blink) = 2\nRun Blink\nPRINT TASKPRIORITY(Blink){_BLINK}",
             default=0.0, low=0, high=255, group="tasks"),
     Keyword("TASKQUANTUM", "", "setting", "RW", "task", "integer", _TASK_QUANTUM,
-            "How many statements a task executes in one time slice.",
+            "Number of statements that a task executes in one time slice.",
             f"TASKQUANTUM(Blink) = 10\nRun Blink\nPRINT TASKQUANTUM(Blink){_BLINK}",
             default=100.0, low=1, high=65535, group="tasks"),
     Keyword("TASKSTATUS", "", "reading", "R", "task", "integer",

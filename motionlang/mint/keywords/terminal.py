@@ -16,7 +16,7 @@ from motionlang.mint.runtime.input_values import take, wait_for_answer
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
     from motionlang.mint.runtime.binding import Maker, Operation
 
 
@@ -71,13 +71,18 @@ class Terminals:
         for number in self.bits(pattern):
             self._machine.terminal_at(number).write(text)
 
+    def write_on_row(self, row: int, text: str) -> None:
+        """LINE: print on a row of the screens that TERMINAL selects; see `say_on_row`."""
+        for number in self.bits(CURRENT):
+            self._environment.acts += self._machine.terminal_at(number).write_on_row(row, text)
+
 
 def _pattern(number: int) -> int:
     """Return the pattern for a terminal number; 0, the default, means TERMINAL."""
     return number or CURRENT
 
 
-def writing(text: str) -> Maker:
+def text_writer(text: str) -> Maker:
     """Make an operation that writes a text to a terminal."""
     return of(Terminals, lambda terminals, number: terminals.write(text, _pattern(number)))
 
@@ -91,7 +96,7 @@ def do_locate(terminals: Terminals, column: int, row: int) -> None:
 
 def read_key(environment: Environment, row: Keyword) -> Operation:
     """INKEY: make an operation that reads a key."""
-    terminals, operator_at = environment.part(Terminals), environment.machine.operator_at
+    terminals, operator_at = environment.component(Terminals), environment.machine.operator_at
     for entry in environment.machine.settings.get("key", ()):  # type: ignore[attr-defined]
         operator_at(
             entry.get("terminal", CONSOLE)
@@ -146,19 +151,20 @@ ROWS = (
     Keyword("READKEY", "rk", "reading", "R", "none", "integer", Actions(read=read_held_key),
             "Code of the key that the operator holds down, 0 when there is none.",
             "PRINT READKEY", default=0.0, group="terminal", driven="key"),
-    Keyword("CLS", "", "command", "C", "terminal", "", Actions(do=writing("\x1b[2J\x1b[H")),
+    Keyword("CLS", "", "command", "C", "terminal", "", Actions(do=text_writer("\x1b[2J\x1b[H")),
             "Clear the terminal's screen (as the ANSI codes that do so).",
             "CLS", group="terminal"),
     Keyword("LOCATE", "", "command", "C", "column, row", "", Actions(do=of(Terminals, do_locate)),
             "Place the cursor (as the ANSI code that does so); the upper left corner is 1, 1.",
             'LOCATE(1, 2)\nPRINT "second row"', group="terminal"),
     Keyword("LINE", "", "command", "C", "row", "", "line",
-            "Print values at the start of a row of the screen, with signs and USING as in PRINT.",
+            "Print values at the start of a row of the screen, with signs and USING as in PRINT. A text that the row "
+            "shows already is not sent again, except by `serve`.",
             'LINE 2, "speed ", 250', group="terminal"),
-    Keyword("BOL", "", "command", "C", "terminal", "", Actions(do=writing("\r")),
+    Keyword("BOL", "", "command", "C", "terminal", "", Actions(do=text_writer("\r")),
             "Go to the start of the line, as Chr(13) does.",
             'PRINT "old",\nBOL\nPRINT "new"', group="terminal"),
-    Keyword("BEEP", "", "command", "C", "terminal", "", Actions(do=writing("\a")),
+    Keyword("BEEP", "", "command", "C", "terminal", "", Actions(do=text_writer("\a")),
             "Sound the terminal's bell.",
             "BEEP", group="terminal"),
 )  # fmt: skip
@@ -174,4 +180,5 @@ HIDDEN = (
     _hidden("(answer)", "The answer to an INPUT.", of(Environment, take)),
     _hidden("(printer)", "Print a text on the terminals of TERMINAL, or on those of a pattern.",
             of(Terminals, Terminals.write)),
+    _hidden("(row)", "Print a text on a row of the screens of TERMINAL.", of(Terminals, Terminals.write_on_row)),
 )  # fmt: skip

@@ -4,11 +4,24 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import of, unchecked
-from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.environment import MILLISECOND, Environment
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.runtime.binding import Operation
 
 
-def read_time(environment: Environment, level: float | None = None) -> int:
-    return environment.elapsed(environment.task.timer[0], level)
+def read_time(environment: Environment, row: Keyword) -> Operation:
+    """TIME: make an operation that reads the count of the running task."""
+    dependencies, elapsed, clock = environment.dependencies, environment.elapsed, environment.clock
+
+    def read(level: float | None = None) -> int:
+        base = environment.task.timer[0]
+        if dependencies.notes is not None:
+            return elapsed(base, level)
+        return int((clock.now - base) * 1000.0 + MILLISECOND)
+
+    return read
 
 
 def write_time(environment: Environment, value: int) -> None:
@@ -17,7 +30,7 @@ def write_time(environment: Environment, value: int) -> None:
 
 # ------------------------------------------------------------------------------------------------- keywords
 
-_TIME = Actions("time", read=of(Environment, read_time), write=unchecked(of(Environment, write_time)))
+_TIME = Actions("time", read=read_time, write=unchecked(of(Environment, write_time)))
 
 
 ROWS = (

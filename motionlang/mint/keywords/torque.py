@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.runtime.binding import of, of_word
@@ -30,7 +30,7 @@ class TorqueReferences(Settings):
         # The percentage in force on axes whose output is the reference.
         self._present: dict[int, float] = {}
         self._ramping: set[int] = set()
-        self.controller.analogue_inputs.listeners.append(self._analogue)
+        self.controller.analogue_inputs.listen(self._analogue)
 
     def set(self, name: str, axis: int, value: float) -> None:
         """Write a setting; an axis that the reference controls uses it at once."""
@@ -53,7 +53,11 @@ class TorqueReferences(Settings):
         if not self.setting("TORQUEREFENABLE", axis):
             return 0.0
         source = int(self.setting("TORQUEREFSOURCE", axis))
-        return self.environment.part(Analogue).read(source - 1) if source else self.setting("TORQUEREF", axis)
+        return (
+            self.environment.component(Analogue).read(source - 1)
+            if source
+            else self.setting("TORQUEREF", axis)
+        )
 
     def run(self, axis: int) -> None:
         """Ramp to the reference, from 0 if the axis was under closed-loop control."""
@@ -136,7 +140,7 @@ def read_current(environment: Environment, row: Keyword, axis: int, channel: int
 _REFERENCE = Actions(
     read=of(TorqueReferences, TorqueReferences.wanted), write=of_word(TorqueReferences, write_reference)
 )
-_SETTING = Actions(read=reading(TorqueReferences), write=writing(TorqueReferences))
+_SETTING = Actions(read=setting_reader(TorqueReferences), write=setting_writer(TorqueReferences))
 _CURRENT = Actions(read=moving(of_word(Environment, read_current)))
 
 _MAX_TIME = 2147483647.0

@@ -14,8 +14,8 @@ Every operation receives the line of its statement and the source offset of its 
 from __future__ import annotations
 
 from motionlang.lang.keyword import Actions
-from motionlang.mint.keywords.no_effect import Kept, note
-from motionlang.mint.keywords.no_effect import write_value as _keep
+from motionlang.mint.keywords.no_effect import StoredValues, note
+from motionlang.mint.keywords.no_effect import write_value as _store
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Operation
     from motionlang.mint.runtime.environment import Environment
 
-# Keywords that are simulated when read, and what writing them would do.
+# Keywords that are simulated for reads only, and the effect of writing them.
 WRITTEN = {"POSDEMAND": "makes the demanded position jump, without a profile"}
 
 # ----------------------------------------------------------------------------- values that are not known
@@ -36,21 +36,21 @@ def read_value(environment: Environment, row: Keyword) -> Operation:
 
     The run ends if neither has one.
     """
-    kept = environment.part(Kept)
+    stored = environment.component(StoredValues)
 
     def read(*given: object) -> object:
         *where, _, at = given
-        found = kept.find(row, tuple(where))
+        found = stored.find(row, tuple(where))
         if found is None:
-            _end(row, f"the value of {row.name} is not known here", at, told=True)
+            _end(row, f"the value of {row.name} is not known here", at, with_hint=True)
         return found
 
     return read
 
 
 def write_value(environment: Environment, row: Keyword) -> Operation:
-    keep = _keep(environment, row)
-    return lambda *given: keep(*given[:-1])
+    store = _store(environment, row)
+    return lambda *given: store(*given[:-1])
 
 
 # ----------------------------------------------------------------------------------------------- commands
@@ -71,12 +71,12 @@ def read_motion(environment: Environment, row: Keyword) -> Operation:
 
 def write_motion(environment: Environment, row: Keyword) -> Operation:
     """Make an operation that accepts 0 and ends the run for any other value."""
-    keep = _keep(environment, row)
+    store = _store(environment, row)
 
     def write(*given: object) -> None:
         if given[-3] != 0:
             _end(row, f"{row.name} is not simulated", given[-1])
-        keep(*given[:-1])
+        store(*given[:-1])
 
     return write
 
@@ -92,7 +92,7 @@ def write_jump(environment: Environment, row: Keyword) -> Operation:
     )
 
 
-def _end(row: Keyword, message: str, at: object, told: bool = False) -> NoReturn:
+def _end(row: Keyword, message: str, at: object, with_hint: bool = False) -> NoReturn:
     """End the run with the meaning of the keyword.
 
     With `with_hint` the message suggests a machine file entry.
@@ -100,7 +100,7 @@ def _end(row: Keyword, message: str, at: object, told: bool = False) -> NoReturn
     from motionlang.lang.run_errors import NotSimulated
 
     hint = f"{row.name}: {row.help.rstrip('.')}"
-    if told:
+    if with_hint:
         example = {"text": '"…"', "number": "1.5"}.get(row.unit, "1")
         hint = f"{hint}; give it in the machine file: [mint.values] {row.name} = {example}"
     raise NotSimulated(message, hint, int(at))  # type: ignore[call-overload]
@@ -121,7 +121,7 @@ GROUPS = {
     COMMAND: "without an effect",
     MOTION: "where it moves or decides, the run ends",
 }
-KEPT_GROUP = "stored without an effect"
+STORED_GROUP = "stored without an effect"
 
 
 def written(row: Keyword) -> Keyword:

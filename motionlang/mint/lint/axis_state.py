@@ -60,13 +60,13 @@ class Axis(NamedTuple):
     span: tuple[float, float] | None = None
     jogs: bool = False
 
-    def joined(self, other: Axis, turns: bool) -> Axis:
+    def joined(self, other: Axis, at_loop_head: bool) -> Axis:
         """Return the facts on which both agree; at a loop head time has passed."""
         if self == other:
-            return self._replace(fresh=False) if turns and self.fresh else self
+            return self._replace(fresh=False) if at_loop_head and self.fresh else self
         return Axis(
             motion=self.motion if self.motion == other.motion else UNKNOWN,
-            fresh=self.fresh and other.fresh and not turns,
+            fresh=self.fresh and other.fresh and not at_loop_head,
             waiting=min(self.waiting, other.waiting),
             target=self.target if self.target == other.target else None,
             frame=self.frame if self.frame == other.frame else None,
@@ -106,12 +106,12 @@ class State:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, State) and self.rest == other.rest and self.axes == other.axes
 
-    def joined(self, other: State, turns: bool) -> State:
-        if self is other and not turns:
+    def joined(self, other: State, at_loop_head: bool) -> State:
+        if self is other and not at_loop_head:
             return self
         keys = self.axes.keys() | other.axes.keys()
-        axes = {key: self[key].joined(other[key], turns) for key in keys}
-        return State(self.rest.joined(other.rest, turns), axes)
+        axes = {key: self[key].joined(other[key], at_loop_head) for key in keys}
+        return State(self.rest.joined(other.rest, at_loop_head), axes)
 
     def __getitem__(self, key: Key) -> Axis:
         return self.axes.get(key, self.rest)
@@ -204,8 +204,8 @@ class Follower:
             found.update(act.axes[1:])
         return found
 
-    def tell(self, function: Function, report: Report) -> None:
-        """Go through every step of a function again and report the problems there."""
+    def report_problems(self, function: Function, report: Report) -> None:
+        """Process every step of a function again, and report the problems found there."""
         self._report = report
         before = self.before[function]
         for step in self.facts.graphs[function].steps:
@@ -238,7 +238,7 @@ class Follower:
             return self._follow(step, state)
 
         def join(one: State, other: State, step: Step, back: bool) -> State:
-            joined = one.joined(other, step.turns)
+            joined = one.joined(other, step.is_loop_head)
             return one if joined == one else joined
 
         graph.forward(first, follow, join, ANYTHING, lambda state: state)
@@ -295,16 +295,16 @@ class Follower:
                 return ANYTHING
         return state
 
-    def _tell(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
+    def _report_problem(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
         if self._report is not None:
             self._report(code, step, act, key, axis)
 
     # ------------------------------------------------------------------------------------ one axis, one word
 
     def _read(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
-        watched = type(step.node) is nodes.Pause or step.turns
+        watched = type(step.node) is nodes.Pause or step.is_loop_head
         if act.row is not None and act.row.verb == "position" and axis.fresh and not watched:
-            self._tell("in-motion", step, act, act.axes[number], axis)
+            self._report_problem("in-motion", step, act, act.axes[number], axis)
         return axis
 
     def _move(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
@@ -332,12 +332,12 @@ class Follower:
         key = act.axes[number]
         if axis.target is None or not self.is_out_of_reach(key, axis):
             return axis
-        self._tell("beyond-travel", step, act, key, axis)
+        self._report_problem("beyond-travel", step, act, key, axis)
         return axis._replace(target=None)
 
     def _entry(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.stale and axis.scaled:
-            self._tell("scale-after-speed", step, act, act.axes[number], axis)
+            self._report_problem("scale-after-speed", step, act, act.axes[number], axis)
         return axis._replace(waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset(), empty=False)
 
     def _course(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
@@ -361,9 +361,11 @@ class Follower:
         sure = axis.waiting > 0
         if sure and axis.motion == IDLE and axis.loaded is not None and axis.zeros:
             speed = "speed" in axis.zeros
-            self._tell("zero-speed" if speed else "zero-acceleration", step, act, act.axes[number], axis)
+            self._report_problem(
+                "zero-speed" if speed else "zero-acceleration", step, act, act.axes[number], axis
+            )
         if number == 0 and all(self.known(self.before_act, key).empty for key in act.axes):
-            self._tell("nothing-loaded", step, act, act.axes[number], axis)
+            self._report_problem("nothing-loaded", step, act, act.axes[number], axis)
         return axis._replace(
             motion=MOVES if sure else axis.motion if axis.empty else UNKNOWN,
             fresh=sure,
@@ -376,12 +378,12 @@ class Follower:
     def _stop(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         stops = axis.motion == IDLE or act.row.does("abrupt")
-        kept = axis.target if axis.motion == IDLE and not axis.waiting else None
+        target = axis.target if axis.motion == IDLE and not axis.waiting else None
         axis = axis._replace(
             motion=IDLE if stops else UNKNOWN,
             fresh=False,
             waiting=0,
-            target=kept,
+            target=target,
             loaded=None,
             empty=True,
             jogs=False,
@@ -407,7 +409,7 @@ class Follower:
         slot = act.row.gives
         if slot == "speed":
             if axis.timed is not None:
-                self._tell("time-before-speed", step, act, act.axes[number], axis)
+                self._report_problem("time-before-speed", step, act, act.axes[number], axis)
             axis = axis._replace(speeded=True, timed=None)
         elif act.row.verb in ("accel_time", "decel_time") and not axis.speeded:
             axis = axis._replace(timed=act.at if axis.timed is None else axis.timed)
@@ -421,14 +423,14 @@ class Follower:
 
     def _scale(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.motion == MOVES:
-            self._tell("scale-in-motion", step, act, act.axes[number], axis)
+            self._report_problem("scale-in-motion", step, act, act.axes[number], axis)
         target = axis.target if axis.target == 0 else None
         span = axis.span if axis.span == (0, 0) else None
         return axis._replace(stale=axis.set, scaled=act.at, set=frozenset(), target=target, span=span)
 
     def _zero(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.fresh:
-            self._tell("in-motion", step, act, act.axes[number], axis)
+            self._report_problem("in-motion", step, act, act.axes[number], axis)
         value = self.facts.number(act.value(number))
         if axis.motion != IDLE or axis.waiting or value is None:
             return axis._replace(target=None, frame=None, span=None)

@@ -23,7 +23,9 @@ _BITS = frozenset("&|")
 _OPEN, _CLOSED = frozenset("(["), frozenset(")]")
 
 
-def check_brackets(facts: Facts, function: Function, places: SourceOffsets, add: Callable[..., None]) -> None:
+def check_brackets(
+    facts: Facts, function: Function, offsets: SourceOffsets, add: Callable[..., None]
+) -> None:
     """Report each comparison that has an `&` or `|` without brackets as an operand.
 
     The hint shows the line with brackets for both interpretations.
@@ -32,11 +34,11 @@ def check_brackets(facts: Facts, function: Function, places: SourceOffsets, add:
     for node in facts.of_kind(nodes.Binary, function):  # a node comes before its children
         if node.op not in _COMPARED or id(node) in inner:
             continue
-        chain = _Chain(places, node)
+        chain = _Chain(offsets, node)
         inner |= chain.inner
-        bits = [op for op in chain.ops if places.text(op) in _BITS]
+        bits = [op for op in chain.ops if offsets.text(op) in _BITS]
         if bits and chain.is_written and not any(_is_text(each) for each in chain.operands):
-            sign = places.text(bits[0])
+            sign = offsets.text(bits[0])
             add(
                 "mixed-operators",
                 f"{sign} binds tighter than a comparison here, unlike in other languages",
@@ -64,13 +66,13 @@ class _Chain:
     limit of a For.
     """
 
-    def __init__(self, places: SourceOffsets, node: nodes.Binary) -> None:
-        self.places = places
+    def __init__(self, offsets: SourceOffsets, node: nodes.Binary) -> None:
+        self.offsets = offsets
         self.inner: set[int] = set()
         self.operands: list[nodes.Expr] = []
         self.ops: list[int] = []
         self._add(node)
-        self.is_written = places.text(self._operator(node)) == node.op
+        self.is_written = offsets.text(self._operator(node)) == node.op
 
     def _add(self, node: nodes.Binary) -> None:
         op = self._operator(node)
@@ -88,7 +90,7 @@ class _Chain:
     def _operator(self, node: nodes.Binary) -> int:
         """Return the token of an operator, found before the brackets of its right operand."""
         at = node.right.at - 1
-        while self.places.text(at) == "(":
+        while self.offsets.text(at) == "(":
             at -= 1
         return at
 
@@ -102,7 +104,7 @@ class _Chain:
         return depth != 0 or least != 0
 
     def _depth(self, at: int) -> int:
-        text = self.places.text(at)
+        text = self.offsets.text(at)
         return (text in _OPEN) - (text in _CLOSED)
 
     # ----------------------------------------------------------------------------------------------- readings
@@ -112,7 +114,7 @@ class _Chain:
         opened, closed = set(), set()
         starts = [self._start(), *(op + 1 for op in self.ops)]
         ends = [*(op - 1 for op in self.ops), self._end()]
-        joined = [self.places.text(op) in tight for op in self.ops]
+        joined = [self.offsets.text(op) in tight for op in self.ops]
         for number, (start, end) in enumerate(zip(starts, ends, strict=True)):
             before = number > 0 and joined[number - 1]
             after = number < len(joined) and joined[number]
@@ -135,26 +137,26 @@ class _Chain:
         """Return the last token of the last operand, including its brackets and members."""
         last = max(each.at for each in walk([self.operands[-1]]))
         depth = sum(map(self._depth, range(self.ops[-1] + 1, last + 1)))
-        while depth > 0 or self.places.text(last + 1) in _OPEN or self.places.text(last + 1) == ".":
+        while depth > 0 or self.offsets.text(last + 1) in _OPEN or self.offsets.text(last + 1) == ".":
             last += 1
             depth += self._depth(last)
-            if self.places.text(last) == ".":
+            if self.offsets.text(last) == ".":
                 last += 1
         return last
 
     def _written(self, opened: set[int], closed: set[int]) -> str:
         """Return the text of the line or lines with brackets inserted at some tokens."""
-        places = self.places
+        offsets = self.offsets
         at = self._start()
-        while at and "\n" not in places.text(at - 1):
+        while at and "\n" not in offsets.text(at - 1):
             at -= 1
-        parts: list[str] = []
-        before = places.span(at)[0]
-        while (text := places.text(at)) and "\n" not in text:
-            start, end = places.span(at)
-            between = places.source.text[before:start]
-            parts.append(" " if "\n" in between else between)
-            parts.append("(" * (at in opened) + text + ")" * (at in closed))
+        texts: list[str] = []
+        before = offsets.span(at)[0]
+        while (text := offsets.text(at)) and "\n" not in text:
+            start, end = offsets.span(at)
+            between = offsets.source.text[before:start]
+            texts.append(" " if "\n" in between else between)
+            texts.append("(" * (at in opened) + text + ")" * (at in closed))
             before = end
             at += 1
-        return "".join(parts)
+        return "".join(texts)

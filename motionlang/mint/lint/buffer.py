@@ -77,8 +77,8 @@ class Buffers:
         return key in self.triggered or None in self.triggered
 
     def _counted(self, function: Function, step: Step, node: nodes.For, state: State) -> None:
-        turns = self._turns(node)
-        if turns is None or not self._counts_itself(node):
+        iterations = self._iterations(node)
+        if iterations is None or not self._counts_itself(node):
             return
         acts = [act for each in self._inside(function, step) for act in self.facts.acts[each]]
         if any(act.role in ("go", "stop", "act", "course", "path", "call") for act in acts):
@@ -94,7 +94,7 @@ class Buffers:
             known = self.follower.known(state, key)
             if key is None or size is None or known.motion != IDLE:
                 continue
-            if known.waiting + turns * len(found) > size and known.waiting + len(found) <= size:
+            if known.waiting + iterations * len(found) > size and known.waiting + len(found) <= size:
                 self._overfilled(found[0], key, size)
 
     def _counts_itself(self, node: nodes.For) -> bool:
@@ -107,7 +107,7 @@ class Buffers:
                 return False
         return True
 
-    def _turns(self, node: nodes.For) -> int | None:
+    def _iterations(self, node: nodes.For) -> int | None:
         start, stop = self.facts.number(node.start), self.facts.number(node.stop)
         step = 1.0 if node.step is None else self.facts.number(node.step)
         return None if start is None or stop is None or not step else int((stop - start) // step) + 1

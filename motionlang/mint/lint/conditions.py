@@ -43,11 +43,11 @@ class Conditions:
         self,
         facts: Facts,
         follower: Follower,
-        places: SourceOffsets,
+        offsets: SourceOffsets,
         settings: Mapping[str, object],
         add: Add,
     ) -> None:
-        self.facts, self.follower, self.places, self.add = facts, follower, places, add
+        self.facts, self.follower, self.offsets, self.add = facts, follower, offsets, add
         self.limited = _limited(facts, settings)
         # The names in the function being checked that move or stop an axis, or call a sub.
         self._commands: set[int] = set()
@@ -90,8 +90,8 @@ class Conditions:
         values = node.values if type(node) is nodes.Assign else target.args or []
         if len(values) != 1 or not self._is_condition(values[0]):
             return
-        line = self.places.source.line(self.places.line(node.at))
-        found = _WAIT.match(line, self.places.column(node.at) - 1)
+        line = self.offsets.source.line(self.offsets.line(node.at))
+        found = _WAIT.match(line, self.offsets.column(node.at) - 1)
         assert found is not None
         spaced = found[0][-1:].isspace()
         self.add(

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from typing import TypeVar
 
-    from motionlang.lang.keyword import Keyword, Table
+    from motionlang.lang.keyword import Keyword
+    from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mint.resolve.flowgraph import Graph, Step
     from motionlang.mint.resolve.folding import Known
     from motionlang.mint.resolve.names import Names
@@ -76,7 +77,7 @@ class Facts:
     If it `has_host`, a host reads and writes the declared global variables of the module.
     """
 
-    def __init__(self, names: Names, table: Table, has_host: bool = False) -> None:
+    def __init__(self, names: Names, table: Vocabulary, has_host: bool = False) -> None:
         self.names, self.table = names, table
         self.functions = names.functions
         self.graphs: dict[Function, Graph] = {}
@@ -90,19 +91,19 @@ class Facts:
         self.default_axes = names.uses_axes  # then a keyword without brackets may mean any axis
         self.writers = self._writers()
         self.roots = self._roots()
-        self.kept, self.begun = self._kept()
+        self.retained, self.begun = self._find_retained()
         variables = [
             each for each in names.module.names.values() if each.kind == "variable" and each.declared
         ]
         self.hosted = set(variables) if has_host else set()
-        self.kept |= self.hosted
+        self.retained |= self.hosted
         for function in self.functions:
             graph = self.graphs[function] = function.graph
             mine = self.acts_of[function] = []
             for step in graph.steps:
                 acts = self.acts[step] = list(self._acts(function, step))
                 mine += acts
-            self._keep_apart(function)
+            self._resolve_parameters(function)
             for act in mine:
                 if act.row is not None:
                     self.used.setdefault(act.row, []).append(act)
@@ -156,21 +157,21 @@ class Facts:
                             found.setdefault(symbol, set()).add(function)
         return found
 
-    def _kept(self) -> tuple[set[Symbol], set[Symbol]]:
-        """Find the `Dim nv` variables, and the variables that their Dim initialises.
+    def _find_retained(self) -> tuple[set[Symbol], set[Symbol]]:
+        """Return the `Dim nv` variables, and the variables that any Dim initialises.
 
         The next run may read the value of an nv variable.
         """
-        kept: set[Symbol] = set()
+        retained: set[Symbol] = set()
         begun: set[Symbol] = set()
         for node in self.of_kind(nodes.Dim):
             for variable in node.variables:
                 symbol = variable.symbol
                 if symbol is not None and node.nv:
-                    kept.add(symbol)
+                    retained.add(symbol)
                 if symbol is not None and variable.values:
                     begun.add(symbol)
-        return kept, begun
+        return retained, begun
 
     def written(self, node: nodes.Node) -> Iterator[nodes.Name]:
         """Yield the names that a statement changes, including arrays and ByRef arguments."""
@@ -212,7 +213,7 @@ class Facts:
         if isinstance(node, nodes.Assign | nodes.Call):
             target = node.target
             written = meant(node.target)
-        for expression in parts(node):
+        for expression in own_expressions(node):
             for name in reversed(list(walk([expression]))):
                 if (
                     type(name) is nodes.Name
@@ -301,8 +302,8 @@ class Facts:
         key = axes[0] if len(axes) == 1 else None
         return None if isinstance(key, Symbol) and key not in self._apart else key
 
-    def _keep_apart(self, function: Function) -> None:
-        """Treat parameters as any axis if the function names more than one axis.
+    def _resolve_parameters(self, function: Function) -> None:
+        """Replace parameters by "any axis" if the function names more than one axis.
 
         A parameter may be the same axis as another one that the function names.
         """
@@ -357,8 +358,8 @@ class Facts:
         return None
 
 
-def parts(node: nodes.Node | None) -> list[nodes.Node]:
-    """Return what a step itself evaluates, without the blocks inside it."""
+def own_expressions(node: nodes.Node | None) -> list[nodes.Node]:
+    """Return the expressions that a step evaluates itself, without inner blocks."""
     if node is None:
         return []
     kind = type(node)

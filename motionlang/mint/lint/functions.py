@@ -31,11 +31,11 @@ class FunctionChecks:
         self,
         facts: Facts,
         settings: Mapping[str, object],
-        places: SourceOffsets,
+        offsets: SourceOffsets,
         findings: Findings,
         recall: Recall | None,
     ) -> None:
-        self._facts, self._settings, self._places = facts, settings, places
+        self._facts, self._settings, self._offsets = facts, settings, offsets
         self._findings, self._recall = findings, recall
         add = findings.add
         reach = self._reach = Reach(facts, settings)
@@ -45,8 +45,8 @@ class FunctionChecks:
         self._motion = Motion(follower, reach, add)
         self._buffers = Buffers(facts, follower, add)
         self._unused = Settings(facts, follower, add)
-        self._ways = Reachability(facts, follower, settings, add)
-        self._conditions = Conditions(facts, follower, places, settings, add)
+        self._reachability = Reachability(facts, follower, settings, add)
+        self._conditions = Conditions(facts, follower, offsets, settings, add)
         self._keys: dict[Function, Hashable] = {}
         self._program = self._program_facts() if recall is not None else None
         self._seen: dict[Symbol, Hashable] = {}
@@ -74,10 +74,10 @@ class FunctionChecks:
         self._motion.check(function)
         self._buffers.check(function)
         self._unused.check(function)
-        self._ways.check(function)
+        self._reachability.check(function)
         self._conditions.check(function)
         check_iterations(self._facts, function, self._findings.add)
-        check_brackets(self._facts, function, self._places, self._findings.add)
+        check_brackets(self._facts, function, self._offsets, self._findings.add)
 
     # --------------------------------------------------------------------------------- what a result depends on
 
@@ -148,14 +148,14 @@ class FunctionChecks:
         number = self._recall.own(function).number
         found = []
         for key, axis in self._follower.after[function].items():
-            place = function.parameters.index(key) if isinstance(key, Symbol) else None
+            index = function.parameters.index(key) if isinstance(key, Symbol) else None
             loaded = None if axis.loaded is None else number(axis.loaded)
             scaled = None if not axis.scaled else number(axis.scaled)
             if (loaded is None) is not (axis.loaded is None) or (scaled is None) is not (not axis.scaled):
                 return None
             found.append(
                 (
-                    (place, None if place is not None else key),
+                    (index, None if index is not None else key),
                     axis._replace(loaded=loaded, scaled=scaled or 0),
                 )
             )
@@ -166,11 +166,11 @@ class FunctionChecks:
         assert self._recall is not None
         at = self._recall.own(function).at
         return {
-            key if place is None else function.parameters[place]: axis._replace(
+            key if index is None else function.parameters[index]: axis._replace(
                 loaded=None if axis.loaded is None else at(axis.loaded),
                 scaled=at(axis.scaled) if axis.scaled else 0,
             )
-            for (place, key), axis in found
+            for (index, key), axis in found
         }
 
 

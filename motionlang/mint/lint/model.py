@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.controller.io.host_memory import named_product
+from motionlang.errors import as_hint
 from motionlang.mint.keywords.comms import EVENTS
 from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.models import ABSENT, LARGEST, MINTMT, V4, age, named
@@ -19,7 +20,7 @@ from motionlang.mint.syntax.traversal import walk
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from motionlang.lang.keyword import Table
+    from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
 
@@ -52,7 +53,9 @@ _MT_TOKENS = {
 _END_OF = {"IF": "ENDIF", "WHILE": "ENDW", "LOOP": "ENDL"}
 
 
-def check_model(module: Module, source: Source, model: str, table: Table, add: Callable[..., None]) -> None:
+def check_model(
+    module: Module, source: Source, model: str, table: Vocabulary, add: Callable[..., None]
+) -> None:
     """Report everything that the controller model does not accept."""
     wanted = age(model)
     if wanted is None:
@@ -69,7 +72,7 @@ def check_model(module: Module, source: Source, model: str, table: Table, add: C
             add("model", what, at, hint, "warning")
 
 
-def _not_mintmt(module: Module, source: Source, table: Table) -> Found:
+def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:
     texts = TABLES.texts(source.text)
     yield from _v4_tokens(module, texts)
     for name in _names(module):
@@ -84,7 +87,7 @@ def _not_mintmt(module: Module, source: Source, table: Table) -> Found:
             yield name.at, f"{name.name}[{inside}]", f"write {name.name}({inside})", ""
 
 
-def _not_v4(module: Module, source: Source, table: Table) -> Found:
+def _not_v4(module: Module, source: Source, table: Vocabulary) -> Found:
     texts = TABLES.texts(source.text)
     yield from _mt_tokens(texts)
     yield from _ends(texts)
@@ -102,12 +105,12 @@ def _not_v4(module: Module, source: Source, table: Table) -> Found:
             yield node.at, f"Exit {node.kind.capitalize()}", "EXIT leaves the innermost loop", ""
 
 
-def _lacking(module: Module, product: str, table: Table) -> Iterator[tuple[int, str, str]]:
+def _lacking(module: Module, product: str, table: Vocabulary) -> Iterator[tuple[int, str, str]]:
     """Find keywords and values that the manuals give only for other products."""
     for name in _names(module):
         row = table.get(name.name)
         if row is not None and product in ABSENT.get(row.family, ()):
-            yield name.at, f"the {product} has no {row.name}", row.help
+            yield name.at, f"the {product} has no {row.name}", as_hint(row.help)
     for node in walk(_everything(module)):
         target = node.target if type(node) is nodes.Assign else None
         row = table.get(target.name) if type(target) is nodes.Name else None
@@ -120,8 +123,8 @@ def _lacking(module: Module, product: str, table: Table) -> Iterator[tuple[int, 
         largest = LARGEST[row.family][0]
         for value in node.values:
             if type(value) is nodes.Number and value.value > largest:
-                told = f"it takes {-largest:g} to {largest:g} there"
-                yield value.at, f"{row.name} cannot be {value.value:g} on the {product}", told
+                bounds = f"it takes {-largest:g} to {largest:g} there"
+                yield value.at, f"{row.name} cannot be {value.value:g} on the {product}", bounds
 
 
 def _never_raised(module: Module, product: str) -> Iterator[tuple[int, str, str]]:
@@ -167,14 +170,14 @@ def _v4_tokens(module: Module, texts: list[str]) -> Found:
 
 def _indentation(module: Module, at: int) -> str:
     """Return the whitespace at the beginning of a token's line."""
-    line = module.places.source.line(module.line(at))
+    line = module.offsets.source.line(module.line(at))
     return line[: len(line) - len(line.lstrip(" \t"))]
 
 
 def _apart(module: Module, at: int, word: str) -> str:
     """Return a replacement with spaces where a letter or digit is next to the token."""
-    start, end = module.places.span(at)
-    text = module.places.source.text
+    start, end = module.offsets.span(at)
+    text = module.offsets.source.text
     before = " " if start and _in_word(text[start - 1]) else ""
     return f"{before}{word}{' ' if _in_word(text[end : end + 1]) else ''}"
 
@@ -189,12 +192,12 @@ def _mt_tokens(texts: list[str]) -> Found:
     The `End` before such a token belongs to the same block and is not reported.
     """
     before = ""
-    told = False  # `Const x As …` is reported once
+    is_reported = False  # `Const x As …` is reported once
     for at, text in enumerate(texts):
         kind = TABLES.kind_of[text]
-        told = told and kind not in ("_NL", "COLON")
-        if kind in _MT_TOKENS and before not in ("END", "EXIT") and not (told and kind == "AS"):
-            told = True
+        is_reported = is_reported and kind not in ("_NL", "COLON")
+        if kind in _MT_TOKENS and before not in ("END", "EXIT") and not (is_reported and kind == "AS"):
+            is_reported = True
             yield at, *_MT_TOKENS[kind], ""
         before = kind
 

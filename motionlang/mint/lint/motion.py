@@ -66,10 +66,10 @@ class Motion:
 
     def check(self, function: Function) -> None:
         """Run all checks of motion on a function."""
-        self.follower.tell(function, self._hear)
+        self.follower.report_problems(function, self._on_problem)
 
-    def _hear(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
-        _HEARD[code](self, step, act, key, axis)
+    def _on_problem(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        _REPORTS[code](self, step, act, key, axis)
 
     def _in_motion(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
         zeroed = act.role == "zero"
@@ -122,7 +122,7 @@ class Motion:
                  "the axis stops there with an error")  # fmt: skip
 
 
-_HEARD: dict[str, Callable[..., None]] = {
+_REPORTS: dict[str, Callable[..., None]] = {
     "beyond-travel": Motion._beyond,
     "nothing-loaded": Motion._nothing,
     "zero-speed": Motion._no_motion,

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 _COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act"))
 # Verbs of the keywords by which tasks coordinate.
-_TURNS = frozenset(("task_status", "task_suspend", "task_resume"))
+_COORDINATION = frozenset(("task_status", "task_suspend", "task_resume"))
 
 
 def check_names(facts: Facts, add: Add) -> None:
@@ -48,12 +48,12 @@ def check_names(facts: Facts, add: Add) -> None:
 
 def _unused_variable(facts: Facts, symbol: Symbol, suggestions: _Suggestions, add: Add) -> None:
     given = facts.writers.get(symbol)
-    if symbol in facts.kept or (given and symbol.type.name == SEMAPHORE):
+    if symbol in facts.retained or (given and symbol.type.name == SEMAPHORE):
         return  # taking a semaphore waits for it, which is a use
     what = "is declared and never used"
     if given:
         what = f"is assigned but never read{' elsewhere' if symbol.uses > 0 else ''}"
-    near = None if symbol.declared else suggestions.alike(symbol, lambda each: each.uses > 0)
+    near = None if symbol.declared else suggestions.most_similar(symbol, lambda each: each.uses > 0)
     hint = f"did you mean {near}?" if near else ""
     add("unused-variable", f"{symbol.name} {what}", symbol.at, hint, (near,) if near else ())
 
@@ -61,10 +61,10 @@ def _unused_variable(facts: Facts, symbol: Symbol, suggestions: _Suggestions, ad
 def _no_value(facts: Facts, symbol: Symbol, suggestions: _Suggestions, add: Add) -> None:
     """Report a variable that is read and never assigned, so it is always 0 or empty."""
     whole = symbol.is_array or symbol.type.name in (TIME, SEMAPHORE, CONTROLLER, RECORD)
-    if whole or symbol in facts.kept or symbol in facts.begun:
+    if whole or symbol in facts.retained or symbol in facts.begun:
         return
     value = "empty" if symbol.type.name == STRING else "0"
-    near = suggestions.alike(symbol, lambda each: each in facts.writers and each.uses <= 1)
+    near = suggestions.most_similar(symbol, lambda each: each in facts.writers and each.uses <= 1)
     hint = f"did you mean {near} in its assignment?" if near else "assign it in its Dim or before it is read"
     add(
         "no-value",
@@ -82,12 +82,10 @@ class _Suggestions:
     suggestion.
     """
 
-    __slots__ = ("_left",)
-
     def __init__(self) -> None:
         self._left = MAX_PROBLEMS
 
-    def alike(self, symbol: Symbol, wanted: Callable[[Symbol], bool]) -> str | None:
+    def most_similar(self, symbol: Symbol, wanted: Callable[[Symbol], bool]) -> str | None:
         """Return the name of the most similar variable that is `wanted`, or None."""
         if self._left == 0:
             return None
@@ -144,7 +142,7 @@ def _are_coordinated(facts: Facts) -> bool:
     symbols = [symbol for function in facts.functions for symbol in function.scope.names.values()]
     if any(symbol.kind == "variable" and symbol.type.name == SEMAPHORE for symbol in symbols):
         return True
-    if any(row.verb in _TURNS for row in facts.used):
+    if any(row.verb in _COORDINATION for row in facts.used):
         return True
     return any(node.name is not None for node in facts.of_kind(nodes.End))
 

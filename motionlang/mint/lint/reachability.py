@@ -56,14 +56,14 @@ class Reachability:
 
     def _unreachable(self, steps: list[Step], reached: set[Step]) -> None:
         """Report the first statement of each unreachable run of statements."""
-        told = False
+        is_reported = False
         for step in steps:
             if step.node is None:
                 continue
             if step in reached:
-                told = False
-            elif not told and not isinstance(step.node, _SILENT) and not _is_made(step.node):
-                told = True
+                is_reported = False
+            elif not is_reported and not isinstance(step.node, _SILENT) and not _is_made(step.node):
+                is_reported = True
                 self.add("unreachable", "this statement is unreachable", step.node.at,
                          "the code before it never ends")  # fmt: skip
 
@@ -131,9 +131,9 @@ class Reachability:
         words = [each for name in names for each in self._inner(name)]
         if any(self._may_change(function, each, state) for each in words):
             return
-        readings = [name.name for name in words if name.symbol is None]
-        why = f"axis {self._axis(words)} is at rest" if readings and self._is_at_rest(words) else (
-            "no entry of the machine file drives it" if readings else "no other task and no event changes it"
+        keywords = [name.name for name in words if name.symbol is None]
+        why = f"axis {self._axis(words)} is at rest" if keywords and self._is_at_rest(words) else (
+            "no entry of the machine file drives it" if keywords else "no other task and no event changes it"
         )  # fmt: skip
         self.add("endless-wait", f"this waits for a condition that cannot change: {why}", node.at,
                  "it continues at once or never")  # fmt: skip

@@ -95,8 +95,8 @@ class _Finder:
 
     def __init__(self, module: Module) -> None:
         self.module = module
-        self.text = module.places.source.text
-        self.texts, self.kinds = module.places.tokens()
+        self.text = module.offsets.source.text
+        self.texts, self.kinds = module.offsets.tokens()
         self.positions = _Positions(self.text, self.texts)
         self.resolver = Resolver(table(), Problems(module))
         self.resolver.declare(module)
@@ -128,20 +128,20 @@ class _Finder:
     def _walk(self, functions: dict[int, Function], extents: dict[int, outline.Span]) -> None:
         """Record every use of a name in its definition."""
         kinds, texts, members = self.kinds, self.texts, self.members
-        places = [at for at, kind in enumerate(kinds) if kind in _NAMES]
+        names = [at for at, kind in enumerate(kinds) if kind in _NAMES]
         others = self._leading()
         if not _BEFORE_NAMES.isdisjoint(kinds):
             others |= {
                 at for at, before in enumerate(kinds, 1) if before in _BEFORE_NAMES and self._is_label(at)
             }
         if others:
-            places = sorted({*places, *others})
+            names = sorted({*names, *others})
         heads = sorted((at for at in functions if at in extents), reverse=True)
         ends: list[tuple[int, Function]] = []
         skip: set[int] = set()
         # The definitions of names in the present function, where nothing but the use is to be entered.
         known: dict[str, Definition | None] = {}
-        for at in places:
+        for at in names:
             while (ends and at > ends[-1][0]) or (heads and at > heads[-1]):
                 known = {}
                 if ends and (not heads or ends[-1][0] < heads[-1]):
@@ -279,8 +279,8 @@ class _Finder:
         last = equal
         while self.kinds[last + 1] not in ("_NL", "COLON", "$END"):
             last += 1
-        places = self.module.places
-        return self.text[places.span(equal)[1] : places.span(last)[1]].strip()
+        offsets = self.module.offsets
+        return self.text[offsets.span(equal)[1] : offsets.span(last)[1]].strip()
 
     def _is_line_label(self, at: int) -> bool:
         """True for the name of `NAME:` on a line of its own."""
@@ -372,7 +372,7 @@ class _Renaming:
 
     def __init__(self, finder: _Finder, definitions: list[Definition]) -> None:
         self._definitions = definitions
-        # The names in the expressions of Defines, which mean what they mean where the Define is used.
+        # The names in the expressions of Defines, which are resolved where the Define is used.
         self._in_defines: dict[str, str] = {}
         for function in finder.resolver.functions:
             for symbol in function.scope.names.values():

@@ -133,13 +133,13 @@ class _Flattening:
         return [head, nodes.Jump(node.at, "exit", end), *bodies, nodes.Label(node.at, end)]
 
     def loop(self, node: nodes.Loop, around: Around) -> list[nodes.Stmt]:
-        return self._turns(node, "loop", node.body, None, [], around)
+        return self._rewritten_loop(node, "loop", node.body, None, [], around)
 
     def while_(self, node: nodes.While, around: Around) -> list[nodes.Stmt]:
-        turns = self._turns(node, "while", node.body, node.condition, [], around)
-        first = turns[0]
+        rewritten = self._rewritten_loop(node, "while", node.body, node.condition, [], around)
+        first = rewritten[0]
         assert isinstance(first, nodes.Label)
-        return [nodes.Jump(node.at, "goto", first.name), *turns]  # the statement time of the While itself
+        return [nodes.Jump(node.at, "goto", first.name), *rewritten]  # the statement time of the While itself
 
     def repeat(self, node: nodes.Repeat, around: Around) -> list[nodes.Stmt]:
         begin, end = self._label("repeat"), self._label("end repeat")
@@ -154,18 +154,18 @@ class _Flattening:
     def for_(self, node: nodes.For, around: Around) -> list[nodes.Stmt]:
         """Rewrite a For; limit and step are evaluated once, before the first assignment."""
         before: list[nodes.Stmt] = []
-        stop = self._kept(node, node.stop, before)
-        step = nodes.Number(node.at, 1) if node.step is None else self._kept(node, node.step, before)
+        stop = self._stored(node, node.stop, before)
+        step = nodes.Number(node.at, 1) if node.step is None else self._stored(node, node.step, before)
         variable = node.variable
         before.append(nodes.Assign(node.at, variable, [node.start]))
         total = nodes.Binary(node.at, "+", variable, step)
         next_ = [nodes.Assign(node.at, variable, [total])]
         return [
             *before,
-            *self._turns(node, "for", node.body, _goes_on(variable, stop, step), next_, around),
+            *self._rewritten_loop(node, "for", node.body, _goes_on(variable, stop, step), next_, around),
         ]
 
-    def _kept(self, node: nodes.For, value: nodes.Expr, before: list[nodes.Stmt]) -> nodes.Expr:
+    def _stored(self, node: nodes.For, value: nodes.Expr, before: list[nodes.Stmt]) -> nodes.Expr:
         if isinstance(value, nodes.Number):
             return value
         self._made += 1
@@ -173,7 +173,7 @@ class _Flattening:
         before.append(nodes.Assign(node.at, name, [value]))
         return name
 
-    def _turns(
+    def _rewritten_loop(
         self,
         node: nodes.Stmt,
         kind: str,
@@ -182,7 +182,7 @@ class _Flattening:
         last: list[nodes.Assign],
         around: Around,
     ) -> list[nodes.Stmt]:
-        """Rewrite a loop: condition, body, end of an iteration, and the jump back."""
+        """Rewrite a loop: condition, body, end of the iteration, and the jump back."""
         begin, end = self._label(kind), self._label(f"end {kind}")
         test = [] if condition is None else [nodes.Jump(node.at, "exit", end, condition)]
         return [

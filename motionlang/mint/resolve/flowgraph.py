@@ -59,7 +59,7 @@ if TYPE_CHECKING:
 
 # Kinds of steps. "start" and "leave" are the two ends of the function, "end" is the end of the program.
 # "turn" is the head of a For, where its limit is checked, and "next" is where it counts.
-START, DO, TEST, LEAVE, END, TURN, NEXT = "start", "do", "test", "leave", "end", "turn", "next"
+START, DO, TEST, LEAVE, END, HEAD, NEXT = "start", "do", "test", "leave", "end", "head", "next"
 
 
 class Step:
@@ -71,7 +71,7 @@ class Step:
     edge out.
     """
 
-    __slots__ = ("kind", "loop", "next", "no", "node", "number", "single", "turns", "yes")
+    __slots__ = ("is_loop_head", "kind", "loop", "next", "no", "node", "number", "single", "yes")
 
     def __init__(self, kind: str, node: nodes.Node | None, number: int) -> None:
         self.kind, self.node, self.number = kind, node, number
@@ -79,7 +79,7 @@ class Step:
         self.yes: Step | None = None
         self.no: Step | None = None
         self.loop: nodes.For | None = None
-        self.turns = self.single = False
+        self.is_loop_head = self.single = False
 
 
 # Edges without a target so far: the step, and which of its sides ("next", "yes", "no") is open.
@@ -98,8 +98,8 @@ class Graph:
         self._returns: list[Step] = []
         self._exits: list[tuple[str, Open]] = []
         self.start = self._new(START, None, [])
-        ways = self._block(body, [(self.start, "next")])
-        self.leave = self._new(LEAVE, None, ways)
+        edges = self._block(body, [(self.start, "next")])
+        self.leave = self._new(LEAVE, None, edges)
         self._join_jumps(is_main)
         self._find_single()
 
@@ -188,40 +188,40 @@ class Graph:
 
     # ---------------------------------------------------------------------------------------- building
 
-    def _new(self, kind: str, node: nodes.Node | None, ways: Open) -> Step:
+    def _new(self, kind: str, node: nodes.Node | None, edges: Open) -> Step:
         step = Step(kind, node, len(self.steps))
         self.steps.append(step)
-        self._lead(ways, step)
+        self._lead(edges, step)
         return step
 
-    def _lead(self, ways: Open, to: Step) -> None:
-        for step, side in ways:
+    def _lead(self, edges: Open, to: Step) -> None:
+        for step, side in edges:
             if to not in step.next:
                 step.next.append(to)
             if side != "next":
                 setattr(step, side, to)
 
-    def _block(self, body: list[nodes.Stmt], ways: Open) -> Open:
+    def _block(self, body: list[nodes.Stmt], edges: Open) -> Open:
         for node in body:
             build = _BUILD.get(type(node))
-            ways = [(self._new(DO, node, ways), "next")] if build is None else build(self, node, ways)
-        return ways
+            edges = [(self._new(DO, node, edges), "next")] if build is None else build(self, node, edges)
+        return edges
 
-    def _test(self, node: nodes.Node, ways: Open) -> Step:
-        return self._new(TEST, node, ways)
+    def _test(self, node: nodes.Node, edges: Open) -> Step:
+        return self._new(TEST, node, edges)
 
-    def _if(self, node: nodes.If, ways: Open) -> Open:
+    def _if(self, node: nodes.If, edges: Open) -> Open:
         out: Open = []
         while True:
-            test = self._test(node.condition, ways)
+            test = self._test(node.condition, edges)
             out += self._block(node.body, [(test, "yes")])
-            ways = [(test, "no")]
+            edges = [(test, "no")]
             if len(node.orelse) != 1 or type(node.orelse[0]) is not nodes.If:
-                return out + self._block(node.orelse, ways)
+                return out + self._block(node.orelse, edges)
             node = node.orelse[0]
 
-    def _select(self, node: nodes.Select, ways: Open) -> Open:
-        subject = self._new(DO, node, ways)
+    def _select(self, node: nodes.Select, edges: Open) -> Open:
+        subject = self._new(DO, node, edges)
         self._exits.append(("select", []))
         out: Open = []
         default = False
@@ -230,45 +230,45 @@ class Graph:
             out += self._block(case.body, [(self._new(DO, case, [(subject, "next")]), "next")])
         return out + self._exits.pop()[1] + ([] if default else [(subject, "next")])
 
-    def _for(self, node: nodes.For, ways: Open) -> Open:
-        head = self._new(TURN, None, [(self._new(DO, node, ways), "next")])
+    def _for(self, node: nodes.For, edges: Open) -> Open:
+        head = self._new(HEAD, None, [(self._new(DO, node, edges), "next")])
         head.loop = node
-        out = self._turn("for", node.body, head, [(head, "yes")], NEXT)
+        out = self._iteration("for", node.body, head, [(head, "yes")], NEXT)
         return [(head, "no"), *out]
 
-    def _while(self, node: nodes.While, ways: Open) -> Open:
-        test = self._test(node.condition, ways)
-        out = self._turn("while", node.body, test, [(test, "yes")])
+    def _while(self, node: nodes.While, edges: Open) -> Open:
+        test = self._test(node.condition, edges)
+        out = self._iteration("while", node.body, test, [(test, "yes")])
         return out if _always(node.condition) else [(test, "no"), *out]
 
-    def _repeat(self, node: nodes.Repeat, ways: Open) -> Open:
-        head = self._new(DO, node, ways)
+    def _repeat(self, node: nodes.Repeat, edges: Open) -> Open:
+        head = self._new(DO, node, edges)
         self._exits.append(("repeat", []))
         test = self._test(node.condition, self._block(node.body, [(head, "next")]))
-        head.turns = True
+        head.is_loop_head = True
         self._lead([(test, "no")], head)
         out = self._exits.pop()[1]
         return out if _never(node.condition) else [(test, "yes"), *out]
 
-    def _loop(self, node: nodes.Loop, ways: Open) -> Open:
-        head = self._new(DO, node, ways)
-        return self._turn("loop", node.body, head, [(head, "next")])
+    def _loop(self, node: nodes.Loop, edges: Open) -> Open:
+        head = self._new(DO, node, edges)
+        return self._iteration("loop", node.body, head, [(head, "next")])
 
-    def _turn(
-        self, kind: str, body: list[nodes.Stmt], head: Step, ways: Open, last: str | None = None
+    def _iteration(
+        self, kind: str, body: list[nodes.Stmt], head: Step, edges: Open, last: str | None = None
     ) -> Open:
         self._exits.append((kind, []))
-        ways = self._block(body, ways)
+        edges = self._block(body, edges)
         if last is not None:
-            behind = self._new(last, None, ways)
+            behind = self._new(last, None, edges)
             behind.loop = head.loop
-            ways = [(behind, "next")]
-        self._lead(ways, head)
-        head.turns = True
+            edges = [(behind, "next")]
+        self._lead(edges, head)
+        head.is_loop_head = True
         return self._exits.pop()[1]
 
-    def _exit(self, node: nodes.Exit, ways: Open) -> Open:
-        step = self._new(DO, node, ways)
+    def _exit(self, node: nodes.Exit, edges: Open) -> Open:
+        step = self._new(DO, node, edges)
         for kind, out in reversed(self._exits):
             if kind == node.kind or (not node.kind and kind != "select"):
                 out.append((step, "next"))
@@ -276,19 +276,19 @@ class Graph:
         self._returns.append(step)
         return []
 
-    def _end(self, node: nodes.End, ways: Open) -> Open:
+    def _end(self, node: nodes.End, edges: Open) -> Open:
         if node.name is not None:
-            return [(self._new(DO, node, ways), "next")]
-        self._new(END, node, ways)
+            return [(self._new(DO, node, edges), "next")]
+        self._new(END, node, edges)
         return []
 
-    def _label(self, node: nodes.Label, ways: Open) -> Open:
-        step = self.labels[node.name.lower()] = self._new(DO, node, ways)
-        step.turns = True
+    def _label(self, node: nodes.Label, edges: Open) -> Open:
+        step = self.labels[node.name.lower()] = self._new(DO, node, edges)
+        step.is_loop_head = True
         return [(step, "next")]
 
-    def _jump(self, node: nodes.Jump, ways: Open) -> Open:
-        step = self._new(DO, node, ways)
+    def _jump(self, node: nodes.Jump, edges: Open) -> Open:
+        step = self._new(DO, node, edges)
         self._jumps.append((step, node))
         if node.kind != "gosub":
             return [] if node.unless is None else [(step, "yes")]
@@ -296,8 +296,8 @@ class Graph:
         self._after_gosub.append(after)
         return [(after, "next")]
 
-    def _return(self, node: nodes.Return, ways: Open) -> Open:
-        self._returns.append(self._new(DO, node, ways))
+    def _return(self, node: nodes.Return, edges: Open) -> Open:
+        self._returns.append(self._new(DO, node, edges))
         return []
 
     def _join_jumps(self, is_main: bool) -> None:
@@ -318,13 +318,13 @@ class Graph:
             step.next.append(back if type(step.node) is nodes.Return and self._after_gosub else self.leave)
 
     def _find_single(self) -> None:
-        ways = dict.fromkeys(self.steps, 0)
+        incoming = dict.fromkeys(self.steps, 0)
         for step in self.steps:
             for after in step.next:
-                ways[after] += 1 + (len(step.next) > 1)
+                incoming[after] += 1 + (len(step.next) > 1)
         for step in (self.start, *self.handlers.values()):
-            ways[step] += 1
-        for step, count in ways.items():
+            incoming[step] += 1
+        for step, count in incoming.items():
             step.single = count == 1
 
 

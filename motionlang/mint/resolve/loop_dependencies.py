@@ -54,8 +54,8 @@ DRIVEN = {
 FIRST_KEY, LAST_KEY = 32, 126
 
 
-def asked(source: Source) -> Callable[[int], LoopDependencies | None]:
-    """Return a function that gives what the loop or PAUSE at a token waits for."""
+def finder(source: Source) -> Callable[[int], LoopDependencies | None]:
+    """Return a function that maps a token to the dependencies of its loop or PAUSE."""
     module = parse(source)
     names = Names(table(), Problems(module), None)
     names.declare_module(module)
@@ -79,14 +79,14 @@ class _Survey:
                     self._nodes[node.at] = node
             self._by_labels.update(_by_labels(function))
 
-    def at(self, place: int) -> LoopDependencies | None:
+    def at(self, token: int) -> LoopDependencies | None:
         """Return the dependencies of the loop or PAUSE at a token, None if there is none."""
-        node = self._nodes.get(place)
+        node = self._nodes.get(token)
         if isinstance(node, nodes.Pause):
             return LoopDependencies(self.reads([node.condition], []), why=f"until {shown(node.condition)}")
         if node is not None:
             return self.loop(node)  # type: ignore[arg-type]
-        return self.goto(self._by_labels[place]) if place in self._by_labels else None
+        return self.goto(self._by_labels[token]) if token in self._by_labels else None
 
     def loop(self, node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop) -> LoopDependencies:
         """Return the dependencies of a loop statement."""
@@ -96,7 +96,7 @@ class _Survey:
             word = "until" if isinstance(node, nodes.Repeat) else "while"
             why = f"{word} {shown(conditions[0])}"
         conditions += _deciding(node.body, LEAVES)
-        found = self._asked(node.body, conditions, why)
+        found = self._dependencies(node.body, conditions, why)
         found.counts = isinstance(node, nodes.For)
         return found
 
@@ -104,9 +104,11 @@ class _Survey:
         """Return the dependencies of a loop made of Gotos."""
         jumps = (node for node in walk(body) if isinstance(node, nodes.Jump))
         unless = [node.unless for node in jumps if node.unless is not None]
-        return self._asked(body, [*unless, *_deciding(body, LEAVES)], "")
+        return self._dependencies(body, [*unless, *_deciding(body, LEAVES)], "")
 
-    def _asked(self, body: list[nodes.Stmt], conditions: list[nodes.Expr], why: str) -> LoopDependencies:
+    def _dependencies(
+        self, body: list[nodes.Stmt], conditions: list[nodes.Expr], why: str
+    ) -> LoopDependencies:
         reached = list(self._reached(body))
         lines = frozenset(self._module.line(node.at) for node in reached)
         if not why and conditions:
@@ -355,8 +357,8 @@ def _keys(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
             continue
         for side, other in ((node.left, node.right), (node.right, node.left)):
             code = _whole(other)
-            asked = _is_key(side) or (isinstance(side, nodes.Name) and side.symbol in given)
-            if asked and code is not None and FIRST_KEY <= code <= LAST_KEY:
+            is_read = _is_key(side) or (isinstance(side, nodes.Name) and side.symbol in given)
+            if is_read and code is not None and FIRST_KEY <= code <= LAST_KEY:
                 line = module.line(node.at)
                 yield InputRead("key", code, None, line, line)
 

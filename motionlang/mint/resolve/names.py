@@ -45,6 +45,7 @@ expanded expressions nest to at most `MAX_DEFINED_DEPTH` levels.
 from __future__ import annotations
 
 from itertools import chain
+from math import inf
 
 from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS, kind_and_number
 from motionlang.mint.keywords.unsimulated import WRITTEN, written
@@ -72,7 +73,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from motionlang.lang.keyword import Table
+    from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mint.resolve.folding import Meaning
     from motionlang.mint.resolve.problems import Problems
 
@@ -95,7 +96,7 @@ class Names:
     If the program is typed line by line, `module` also holds the names from earlier lines.
     """
 
-    def __init__(self, table: Table, problems: Problems, module: Scope | None = None) -> None:
+    def __init__(self, table: Vocabulary, problems: Problems, module: Scope | None = None) -> None:
         self.table, self.problems = table, problems
         self.types: dict[str, Record] = {}
         self.functions: list[Function] = []
@@ -353,7 +354,7 @@ class Names:
 
     def _whole(self, node: nodes.Expr, scope: Scope, what: str, least: int) -> int:
         value = fold(node, self._means(scope))
-        if isinstance(value, (int, float)) and least <= value < float("inf") and value == int(value):
+        if isinstance(value, (int, float)) and least <= value < inf and value == int(value):
             return int(value)
         self.problems.add("range", f"{what} must be a whole number of at least {least} that is known beforehand",
                           node.at)  # fmt: skip

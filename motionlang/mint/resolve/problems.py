@@ -8,7 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from motionlang.lang.keyword import Table
+    from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mint.resolve.recorder import Recorder
     from motionlang.mint.syntax.nodes import Module
 
@@ -60,7 +60,7 @@ class Problems:
             )
         if len(self.found) < MAX_PROBLEMS or (severity == "error" and not self._wrong):
             self._wrong = self._wrong or severity == "error"
-            line, column, length = self._place(at)
+            line, column, length = self._location(at)
             self.found.setdefault(
                 (code, at),
                 Diagnostic(
@@ -83,7 +83,7 @@ class Problems:
         words: Callable[[], Iterable[str]],
         at: int,
         otherwise: str = "",
-        table: Table | None = None,
+        table: Vocabulary | None = None,
     ) -> None:
         """Record an unknown word, with the most similar of `words()` as the suggestion.
 
@@ -113,13 +113,13 @@ class Problems:
 
     def text(self, at: int) -> str:
         """Return the text of a token, "" if the program has none."""
-        places = getattr(self._module, "places", None)
-        return "" if places is None else places.text(at)
+        offsets = getattr(self._module, "offsets", None)
+        return "" if offsets is None else offsets.text(at)
 
     def line(self, at: int) -> int:
         return self._module.line(at)
 
-    def _place(self, at: int) -> tuple[int, int, int]:
+    def _location(self, at: int) -> tuple[int, int, int]:
         return self._module.line(at), self._module.column(at), self._module.length(at)
 
     def raise_errors(self) -> None:
@@ -128,11 +128,13 @@ class Problems:
             raise ProgramError(self.found.values())
 
 
-def bracketed(word: str, table: Table) -> str | None:
+def bracketed(word: str, table: Vocabulary) -> str | None:
     """Return `GO(3)` for `Go3`, a keyword with a number but no brackets, or None.
 
     `IN3` and `OUT3` mean one channel, so they become INX(3) and OUTX(3), because IN(3) is a bank.
     """
     stem = word.rstrip("0123456789")
     row = table.get(stem) if stem != word else None
+    if row is not None and row.index == "bank":
+        row = table.get(f"{stem}X")
     return None if row is None or row.index == "none" else f"{row.name}({word[len(stem) :]})"

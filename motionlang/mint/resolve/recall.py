@@ -67,15 +67,15 @@ class OwnTokens:
 
     def number(self, at: int) -> int | None:
         """Return the number of a token within the function, None if it is not its own."""
-        place = bisect_right(self._firsts, at) - 1
-        if place < 0 or at >= self.ranges[place][1]:
+        index = bisect_right(self._firsts, at) - 1
+        if index < 0 or at >= self.ranges[index][1]:
             return None
-        return self._numbers[place] + at - self._firsts[place]
+        return self._numbers[index] + at - self._firsts[index]
 
     def at(self, number: int) -> int:
         """Return the token that has a number within the function."""
-        place = bisect_right(self._numbers, number) - 1
-        return self._firsts[place] + number - self._numbers[place]
+        index = bisect_right(self._numbers, number) - 1
+        return self._firsts[index] + number - self._numbers[index]
 
 
 def own_tokens(names: Names, kinds: Sequence[str]) -> dict[Function, OwnTokens]:
@@ -154,7 +154,7 @@ class Recall:
     def __init__(self, module: Module, known: Known) -> None:
         self._module, self._known = module, known
         self._used: Known = {}
-        self._kinds = module.places.tokens()[1]
+        self._kinds = module.offsets.tokens()[1]
         self._own: dict[Function, OwnTokens] = {}
         self._keys: dict[Function, Hashable] = {}
         # What each function uses of its own names and of those around it.
@@ -165,12 +165,12 @@ class Recall:
         """Compute the keys of all functions, after all names are resolved."""
         interfaces = Interfaces(names)
         self._own = own_tokens(names, self._kinds)
-        places = self._module.places
-        places.span(maxsize - 1)
+        offsets = self._module.offsets
+        offsets.span(maxsize - 1)
         for function, own in self._own.items():
             self.symbols[function] = [each for each in function.scope.found.values() if each is not None]
             text = "\0".join(
-                places.source.text[places.span(first)[0] : places.span(end - 1)[1]]
+                offsets.source.text[offsets.span(first)[0] : offsets.span(end - 1)[1]]
                 for first, end in own.ranges
             )
             self._keys[function] = text, interfaces.seen_by(function)

@@ -10,8 +10,6 @@ if TYPE_CHECKING:
 class Recorder:
     """The arguments with which problems are reported, between `begin` and `end`."""
 
-    __slots__ = ("_found", "_local")
-
     def __init__(self) -> None:
         self._found: list[dict[str, Any]] | None = None
         self._local = True

@@ -35,9 +35,9 @@ from __future__ import annotations
 
 from functools import partial
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.controller import SETTINGS
 from motionlang.controller.faults import Rejected
-from motionlang.lang.task import INFINITY
 from motionlang.mint.keywords import table
 from motionlang.mint.runtime.changes import repeatable
 
@@ -104,7 +104,7 @@ def of(kind: type, function: Operation) -> Maker:
 
     The function receives this as its first argument. If the first index is an axis, the axis exists.
     """
-    return _made(lambda environment, row: partial(function, environment.part(kind)))
+    return _made(lambda environment, row: partial(function, environment.component(kind)))
 
 
 def of_word(kind: type, function: Operation) -> Maker:
@@ -112,7 +112,7 @@ def of_word(kind: type, function: Operation) -> Maker:
 
     The row comes after the component.
     """
-    return _made(lambda environment, row: partial(function, environment.part(kind), row))
+    return _made(lambda environment, row: partial(function, environment.component(kind), row))
 
 
 def _made(make: Maker) -> Maker:
@@ -196,7 +196,7 @@ def _is_checked(how: str, row: Keyword, maker: Maker) -> bool:
     return how == "write" and not (row.low is row.high is None or hasattr(maker, "unchecked"))
 
 
-def _in_range(row: Keyword, write: Operation, place: int) -> Operation:
+def _in_range(row: Keyword, write: Operation, index: int) -> Operation:
     """Return a write that raises Rejected for a value outside the row's range.
 
     `index` is the position of the value among the arguments.
@@ -204,8 +204,8 @@ def _in_range(row: Keyword, write: Operation, place: int) -> Operation:
     low, high = _limits(row)
 
     def checked(*given: float) -> None:
-        if not low <= given[place] <= high:
-            check(row, given[place])
+        if not low <= given[index] <= high:
+            check(row, given[index])
         write(*given)
 
     return checked
@@ -220,13 +220,13 @@ def _brackets(row: Keyword) -> int:
     return 0 if row.index == "none" else row.index.count(",") + 1
 
 
-def held(environment: Environment, row: Keyword) -> Operation:
+def replaced(environment: Environment, row: Keyword) -> Operation:
     """Return an operation that reads the present value of a keyword before a write.
 
-    It gets all arguments of the write. It is the read with the same indices, unless the row has an action
-    "held".
+    It receives the same arguments as the write. It reads the keyword with the same indices, unless the row has an
+    action of its own for this (`replaced`).
     """
-    maker: Maker | None = row.actions.held
+    maker: Maker | None = row.actions.replaced
     if maker is not None:
         return maker(environment, row)
     read = bind(environment, "read", row)
@@ -234,9 +234,9 @@ def held(environment: Environment, row: Keyword) -> Operation:
     return lambda *given: read(*given[:count])
 
 
-def held_by_axis(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
-    """Return the same operation as `held`, for a keyword on an axis."""
-    maker = row.actions.held
+def replaced_by_axis(environment: Environment, row: Keyword) -> Callable[[int], Operation]:
+    """Return a function that makes the operation `replaced` of a keyword on an axis."""
+    maker = row.actions.replaced
     if maker is not None:
         return _to_axis(environment, row, maker)
     to_axis = bind_to_axis(environment, "read", row)

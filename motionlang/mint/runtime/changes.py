@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.lang.task import INFINITY
+from motionlang.controller.clock import INFINITY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

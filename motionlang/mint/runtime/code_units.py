@@ -19,6 +19,8 @@ from __future__ import annotations
 
 from marshal import dumps, loads
 
+from motionlang.record import record
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -107,6 +109,7 @@ def _moved(code: CodeType, lines: int) -> CodeType:
     return code.replace(co_firstlineno=code.co_firstlineno + lines, co_consts=inner)
 
 
+@record
 class Code:
     """All units of a program, and the data that they need.
 
@@ -115,21 +118,13 @@ class Code:
     the code. `first_text` is the Python of `first`, which is not cached.
     """
 
-    __slots__ = ("blocks", "first", "first_text", "places", "shared", "specs", "units")
-
-    def __init__(
-        self,
-        units: Sequence[Unit],
-        first: CodeType | None,
-        shared: Sequence[str],
-        specs: Sequence[tuple[object, ...]],
-        blocks: Mapping[str, str],
-        places: Sequence[int],
-        first_text: str = "",
-    ) -> None:
-        self.units, self.first, self.shared, self.specs = units, first, shared, specs
-        self.first_text = first_text
-        self.blocks, self.places = blocks, places
+    units: Sequence[Unit]
+    first: CodeType | None
+    shared: Sequence[str]
+    specs: Sequence[tuple[object, ...]]
+    blocks: Mapping[str, str]
+    offsets: Sequence[int]
+    first_text: str = ""
 
     @property
     def size(self) -> int:
@@ -150,10 +145,10 @@ class Code:
         """Return all data in a form that `marshal` accepts, for `loaded`."""
         units = [unit.payload() for unit in self.units]
         # Equivalent to `array`, whose import takes longer than this line.
-        places = memoryview(bytearray(8 * len(self.places))).cast("q")
-        for line, place in enumerate(self.places):
-            places[line] = place
-        return units, self.first, self.shared, self.specs, self.blocks, places.tobytes()
+        offsets = memoryview(bytearray(8 * len(self.offsets))).cast("q")
+        for line, offset in enumerate(self.offsets):
+            offsets[line] = offset
+        return units, self.first, self.shared, self.specs, self.blocks, offsets.tobytes()
 
     def link(
         self,
@@ -177,15 +172,15 @@ class Code:
                 bind(unit, namespace, cells)
             else:
                 for name in unit.names:
-                    namespace[name] = _StandIn(name, unit, namespace, cells)
+                    namespace[name] = _LazyFunction(name, unit, namespace, cells)
         return [cells[name] for name in self.shared]
 
 
 def loaded(payload: tuple[object, ...]) -> Code:
     """Recreate the code from the result of `Code.payload`."""
-    units, first, shared, specs, blocks, places = payload
+    units, first, shared, specs, blocks, offsets = payload
     made = [Unit(*unit) for unit in units]  # type: ignore[attr-defined]
-    return Code(made, first, shared, specs, blocks, memoryview(places).cast("q"))  # type: ignore[arg-type]
+    return Code(made, first, shared, specs, blocks, memoryview(offsets).cast("q"))  # type: ignore[arg-type]
 
 
 def bind(unit: Unit, namespace: dict[str, object], cells: Mapping[str, CellType]) -> None:
@@ -195,7 +190,7 @@ def bind(unit: Unit, namespace: dict[str, object], cells: Mapping[str, CellType]
         namespace[code.co_name] = _FUNCTION(code, namespace, code.co_name, None, closure)
 
 
-class _StandIn:
+class _LazyFunction:
     """A function that is compiled at its first call."""
 
     __slots__ = ("cells", "name", "namespace", "unit")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sys import _getframe
 
 from motionlang.lang.debugging import Frame, Variable
-from motionlang.lang.task import PART
+from motionlang.lang.task import CHUNK
 from motionlang.mint.runtime.code_units import CELLS, FILE
 
 TYPE_CHECKING = False
@@ -30,8 +30,8 @@ def stopper(hook: Hook, environment: Environment) -> Callable[[float, int], None
     """
     statements = environment.statements
 
-    def stop(count: float, place: int) -> None:
-        hook.stop(environment.task, statements.at(count), place)
+    def stop(count: float, offset: int) -> None:
+        hook.stop(environment.task, statements.at(count), offset)
 
     return stop
 
@@ -42,8 +42,6 @@ class Inspection:
     `functions` maps the Python name of a function to its title and its variables. `shared` are the cells of the
     program by name.
     """
-
-    __slots__ = ("_environment", "_functions", "_shared")
 
     def __init__(
         self,
@@ -63,14 +61,14 @@ class Inspection:
             cells |= _captured(frame)
         return [_variable(each, cells) for each in described if each[1] in cells]
 
-    def frames(self, task: Task, place: int | None) -> list[Frame]:
+    def frames(self, task: Task, offset: int | None) -> list[Frame]:
         """Return the calls of a task, the innermost first.
 
         `offset` is the source offset of a task that is stopped in the hook; None for one that is suspended.
         """
         found: list[Frame] = []
-        inner = place
-        for frame in _running() if place is not None else _suspended(task):
+        inner = offset
+        for frame in _running() if offset is not None else _suspended(task):
             name, at = frame.f_code.co_name, self._environment.files[FILE][frame.f_lineno]
             if inner is None:
                 inner = at
@@ -85,7 +83,7 @@ class Inspection:
 
     def depth(self, task: Task) -> int:
         """Return the number of calls and GoSubs that the running task is in."""
-        return sum(1 for frame in _running() if not frame.f_code.co_name.startswith(PART))
+        return sum(1 for frame in _running() if not frame.f_code.co_name.startswith(CHUNK))
 
     def _variables(self, frame: FrameType) -> list[Variable]:
         name = frame.f_code.co_name
@@ -118,8 +116,8 @@ def _suspended(task: Task) -> Iterator[FrameType]:
 
 def _captured(frame: FrameType) -> dict[str, CellType]:
     """Return the cells of a function's variables by name."""
-    held = frame.f_locals.get(CELLS)
-    return {} if held is None else _cells_of(held)
+    captured = frame.f_locals.get(CELLS)
+    return {} if captured is None else _cells_of(captured)
 
 
 def _cells_of(function: Any) -> dict[str, CellType]:
@@ -136,8 +134,8 @@ def _variable(described: Described, cells: Mapping[str, CellType]) -> Variable:
     name, python, shape, storage = described
     cell = cells[python]
     if storage == "by_ref":
-        held, index = cell.cell_contents, cells[f"{python}_k"].cell_contents
-        return _element(name, shape, held, index)
+        array, index = cell.cell_contents, cells[f"{python}_k"].cell_contents
+        return _element(name, shape, array, index)
     if storage == "boxed":
         return _element(name, shape, cell.cell_contents, 0)
     value = _contents(cell)
@@ -155,11 +153,11 @@ def _contents(cell: CellType) -> object:
         return None
 
 
-def _element(name: str, shape: Shape, held: Any, index: int) -> Variable:
+def _element(name: str, shape: Shape, array: Any, index: int) -> Variable:
     def give(value: object) -> None:
-        held[index] = value
+        array[index] = value
 
-    return _shown(name, shape, held[index], give)
+    return _shown(name, shape, array[index], give)
 
 
 def _shown(name: str, shape: Shape, value: Any, give: Callable[[object], None]) -> Variable:
@@ -173,8 +171,8 @@ def _shown(name: str, shape: Shape, value: Any, give: Callable[[object], None]) 
         fields = [_element(field, inner, value, number) for number, (field, inner) in enumerate(members)]
         return Variable(name, kind, fields)
     if kind not in ("Integer", "Float", "String"):
-        held = value[0] is not None if kind == "Semaphore" and isinstance(value, list) else value
-        return Variable(name, kind, held)
+        content = value[0] is not None if kind == "Semaphore" and isinstance(value, list) else value
+        return Variable(name, kind, content)
     return Variable(name, kind, value, lambda wanted: give(converted(kind, wanted)))
 
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from math import ceil, floor
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.lang.dependencies import Dependencies
 from motionlang.lang.nesting import MAX_DEPTH
-from motionlang.lang.task import Wait
+from motionlang.lang.waits import Wait
 from motionlang.mint.runtime.loop_log import looped, thrown
 from motionlang.mint.runtime.operations import Operations
 from motionlang.mint.runtime.task import MintTask, TaskEnd, until_free
@@ -29,11 +30,10 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.power_up import PowerUp
 
     Make = Callable[[], Steps]
-    Part = TypeVar("Part")
+    Component = TypeVar("Component")
 
-INFINITY = float("inf")
 # Rounding of a time in seconds must not cost a millisecond.
-_MILLISECOND = 1e-6
+MILLISECOND = 1e-6
 
 
 def _apply_mint_settings(controller: Controller) -> None:
@@ -95,8 +95,9 @@ class Environment(Waits):
         # Counts the actions among them that did no more than write outputs.
         self.switches = 0
         # The counters of handlers by their events: variables that decide nothing except by comparison with the
-        # constants given.
-        self.handler_counters: dict[str, dict[str, tuple[float, ...]]] = {}
+        # constants given. The first flag is true if a loop that may poll uses the variable, too, the second one
+        # if the handler also sets it.
+        self.handler_counters: dict[str, dict[str, tuple[tuple[float, ...], tuple[bool, bool]]]] = {}
         # Counts writes to host memory that are no actions.
         self.copies = 0
         # Counts calls of subs that may wait, made with part of an expression evaluated.
@@ -117,7 +118,7 @@ class Environment(Waits):
         self.operations = Operations(self)
         # The cells in which its functions count time, and the function that sets them.
         self.time_cells, self.set_time = self.operations.cells, self.operations.set_time
-        self._parts: dict[type, object] = {Environment: self}
+        self._components: dict[type, object] = {Environment: self}
         self._events: Events | None = None
         self._errors: Errors | None = None
         self._random: Callable[[], float] | None = None
@@ -140,11 +141,11 @@ class Environment(Waits):
             for axis in self.controller.axes:
                 self.power_up.set(axis)
 
-    def part(self, kind: type[Part]) -> Part:
-        """Return the environment's part for a group of keywords, created on first use."""
-        found = self._parts.get(kind)
+    def component(self, kind: type[Component]) -> Component:
+        """Return the component for a group of keywords, created on first use."""
+        found = self._components.get(kind)
         if found is None:
-            found = self._parts[kind] = kind(self)  # type: ignore[call-arg]
+            found = self._components[kind] = kind(self)  # type: ignore[call-arg]
         return found  # type: ignore[return-value]
 
     @property
@@ -152,11 +153,15 @@ class Environment(Waits):
         """Count a call within a partly evaluated expression, of a sub that may wait."""
         self.midways += 1
 
-    def state(self, alive: dict[int, object]) -> tuple[int, int, bytes]:
+    def acted(self) -> tuple[int, int]:
+        """Return the counters of what all tasks have done."""
+        return self.acts + self.copies, self.midways
+
+    def state(self, alive: dict[int, object]) -> bytes:
         """Return the variables that tasks share, as comparable bytes."""
         from motionlang.mint.runtime.task_state import of_values
 
-        return self.acts + self.copies, self.midways, of_values(self.variables(), alive)
+        return of_values(self.variables(), alive)
 
     def forget_program(self) -> None:
         """Discard the tasks and handlers of a program that has ended; keep its settings."""
@@ -169,9 +174,9 @@ class Environment(Waits):
         if self._events is not None:
             self._events.forget_handlers()
 
-    def parts(self) -> list[object]:
-        """Return the parts created so far."""
-        return list(self._parts.values())
+    def components(self) -> list[object]:
+        """Return the components created so far."""
+        return list(self._components.values())
 
     @property
     def events(self) -> Events:
@@ -179,7 +184,7 @@ class Environment(Waits):
         if self._events is None:
             from motionlang.mint.runtime.events import Events
 
-            self._events = self.part(Events)
+            self._events = self.component(Events)
         return self._events
 
     @property
@@ -188,7 +193,7 @@ class Environment(Waits):
         if self._errors is None:
             from motionlang.mint.runtime.errors import Errors
 
-            self._errors = self.part(Errors)
+            self._errors = self.component(Errors)
         return self._errors
 
     def make_operations(self, specs: Sequence[tuple[object, ...]]) -> tuple[object, ...]:
@@ -201,8 +206,9 @@ class Environment(Waits):
 
             return Site(self, *details[:5])  # type: ignore[arg-type]
         if how == "counters":
-            handler, names, levels = details
-            return self.handler_counters.setdefault(str(handler), dict(zip(names, levels, strict=True)))  # type: ignore[call-overload]
+            handler, names, levels, facts = details
+            counters = zip(names, zip(levels, facts, strict=True), strict=True)  # type: ignore[call-overload]
+            return self.handler_counters.setdefault(str(handler), dict(counters))
         if how == "env":
             return getattr(self, str(details[0]))
         if how == "wait":
@@ -235,7 +241,7 @@ class Environment(Waits):
         if how == "load":
             return self.operations.loading(operation, getattr(operation, "plain", None))
         if repeated:
-            return self.operations.repeated(operation, binding.held(self, row))
+            return self.operations.repeated(operation, binding.replaced(self, row))
         return operation if how == "read" else self.operations.timed(operation)
 
     def _on_axes(self, how: str, row: Keyword, axis: object, repeated: bool) -> object:
@@ -252,15 +258,15 @@ class Environment(Waits):
         if isinstance(axis, tuple):
             do = with_first(binding.bind(self, how, row), axis)
             return (
-                self.operations.repeated(do, with_first(binding.held(self, row), axis))
+                self.operations.repeated(do, with_first(binding.replaced(self, row), axis))
                 if repeated
                 else self.operations.timed(do)
             )
         if how == "read":
             bound: Callable[[int], Callable[..., object]] = binding.bind_to_axis(self, "read", row)
         elif repeated:
-            write, held = binding.bind_to_axis(self, how, row), binding.held_by_axis(self, row)
-            bound = lambda axis: self.operations.repeated(write(axis), held(axis))  # noqa: E731
+            write, replaced = binding.bind_to_axis(self, how, row), binding.replaced_by_axis(self, row)
+            bound = lambda axis: self.operations.repeated(write(axis), replaced(axis))  # noqa: E731
         else:
             write = binding.bind_to_axis(self, how, row)
             bound = lambda axis: self.operations.timed(write(axis))  # noqa: E731
@@ -279,7 +285,7 @@ class Environment(Waits):
                 dependencies.note(dependencies.at_once)
             else:
                 dependencies.note(self._counted, base, level)
-        return int((self.clock.now - base) * 1000.0 + _MILLISECOND)
+        return int((self.clock.now - base) * 1000.0 + MILLISECOND)
 
     def _counted(self, base: float, level: float) -> float:
         """Return the time at which the milliseconds since `base` next cross `level`.
@@ -313,12 +319,12 @@ class Environment(Waits):
         """Return a copy of a value of a user type, including its arrays and nested values."""
         return [self.copy(each) if each.__class__ is list else each for each in record]
 
-    def place(self, axis: int, counts: float) -> float:
+    def wrapped_position(self, axis: int, counts: float) -> float:
         """Return a position in user units, within its wrap, as POS shows it."""
-        place, wrap = self.controller.axes[axis].scale.position_to_user(counts), self.wraps.get(axis)
-        return place % wrap if wrap else place
+        position, wrap = self.controller.axes[axis].scale.position_to_user(counts), self.wraps.get(axis)
+        return position % wrap if wrap else position
 
-    def turn(self, axis: int) -> float:
+    def wrap_start(self, axis: int) -> float:
         """Return the start of the wrap in which the axis will be when its buffer is empty.
 
         It is in user units, and 0 if the axis does not wrap.
@@ -331,13 +337,9 @@ class Environment(Waits):
         a = self.controller.axes[axis]
         return a.scale.position_to_user(end(a)) // wrap * wrap
 
-    def keep(self, name: str, place: list[object]) -> None:
-        """`Dim nv`: set a variable to its value from the previous run."""
-        self.machine.kept.keep(name, place)
-
-    def row(self, number: int) -> str:
-        """Return the text that puts the cursor at the beginning of a row of the screen."""
-        return f"\x1b[{max(number, 1)};1H"
+    def restore_variable(self, name: str, variable: list[object]) -> None:
+        """`Dim nv`: set a variable to the value it had in the previous run."""
+        self.machine.nonvolatile.restore(name, variable)
 
     def looped(self, t: float, begun: Begun, at: int, called: tuple[int, ...] = ()) -> None:
         """Log a loop that has ended at statement `t`, or a sub that was `called`."""
@@ -384,10 +386,14 @@ class Environment(Waits):
         scale = self.controller.axes[axis].scale
         return scale.to_user(float(round(scale.to_counts(distance_uu))))
 
-    def say(self, text: str) -> None:
+    def print_text(self, text: str) -> None:
         """Print a text."""
         self.acts += 1
         self.machine.terminal.write(text)
+
+    def say_on_row(self, row: int, text: str) -> None:
+        """LINE: print on a row of the screen; a no-op if the row already shows the text."""
+        self.acts += self.machine.terminal.write_on_row(row, text)
 
     def pairs(self, values: tuple[object, ...], repeat: bool) -> list[tuple[int, object]]:
         """Return each default axis with its value.
@@ -470,10 +476,10 @@ class Environment(Waits):
 
         A call passes on the inner tuple, which is faster than counting down a number.
         """
-        room: tuple[object, ...] = ()
+        depth: tuple[object, ...] = ()
         for _ in range(MAX_DEPTH + 1):
-            room = (room,)
-        return room
+            depth = (depth,)
+        return depth
 
     def too_deep(self) -> tuple[object, ...]:
         """Raise Rejected for a call that exceeds the stack depth."""

@@ -66,13 +66,13 @@ TROUBLE = (Rejected, ZeroDivisionError, OverflowError)
 class Error:
     """One error: number, text, group, data, and its program line or source offset."""
 
-    __slots__ = ("data", "group", "line", "number", "place", "text")
+    __slots__ = ("data", "group", "line", "number", "offset", "text")
 
     def __init__(
-        self, number: int, text: str, line: int, group: int, data: tuple[int, ...], place: int = 0
+        self, number: int, text: str, line: int, group: int, data: tuple[int, ...], offset: int = 0
     ) -> None:
         self.number, self.text, self.line, self.group, self.data = number, text, line, group, data
-        self.place = place
+        self.offset = offset
 
 
 class Errors:
@@ -88,7 +88,7 @@ class Errors:
         self.calling: Error | None = None  # the first of the errors for which ONERROR has not begun
         # True for an error that does not call ONERROR, if the program masks any.
         self.masked: Callable[[Error], bool] | None = None
-        environment.controller.listeners.append(self._heard, "error", "misc")
+        environment.controller.listeners.append(self._on_event, "error", "misc")
         environment.controller.set_fault_handler(self._run_time_fault)
 
     # -------------------------------------------------------------------------------------- recording
@@ -100,7 +100,7 @@ class Errors:
         """
         if isinstance(trouble, Rejected) and trouble.code == "never":
             raise trouble
-        code, message = _said(trouble)
+        code, message = _description(trouble)
         number, _ = NUMBERS.get(code, GENERIC)
         self._note(Error(number, message, line, SYNCHRONOUS, ()))
 
@@ -114,23 +114,23 @@ class Errors:
         self.failed(rejected, rejected.line)
         return True
 
-    def _heard(self, what: str, axis: int) -> None:
+    def _on_event(self, what: str, axis: int) -> None:
         if what == "error":
             self.axis_error(axis)
         elif what == "misc":
             text = f"the controller has an error: bits {axis}"
-            self._note(Error(MISC_ERROR, text, 0, MISC, (axis,), self._place()))
+            self._note(Error(MISC_ERROR, text, 0, MISC, (axis,), self._offset()))
 
     def axis_error(self, axis: int) -> None:
         """Record an axis error that was not already pending."""
         bits = self.environment.controller.faults(axis)
         text = f"axis {axis} has an error: {names(bits)}"
-        self._note(Error(AXIS_ERROR, text, 0, AXIS, (axis, bits), self._place()))
+        self._note(Error(AXIS_ERROR, text, 0, AXIS, (axis, bits), self._offset()))
 
-    def _place(self) -> int:
+    def _offset(self) -> int:
         """Return the source offset of the statement that caused the error.
 
-        If time caused it, that is the statement at which the parent task is.
+        If no statement caused it, this is the statement that the parent task has reached.
         """
         scheduler = self.environment.machine.scheduler
         if scheduler is None:
@@ -207,8 +207,8 @@ class Errors:
     def line_of(self, error: Error) -> int:
         """Return the line of an error, looked up on demand."""
         line_of = self.environment.line_of
-        if not error.line and error.place and line_of is not None:
-            error.line = line_of(error.place)
+        if not error.line and error.offset and line_of is not None:
+            error.line = line_of(error.offset)
         return error.line
 
     def register(self) -> Error:
@@ -222,7 +222,7 @@ class Errors:
         return self.shown
 
 
-def _said(trouble: BaseException) -> tuple[str, str]:
+def _description(trouble: BaseException) -> tuple[str, str]:
     if isinstance(trouble, Rejected):
         return trouble.code, trouble.message
     for kind, code, message in _PYTHON:

@@ -15,7 +15,7 @@ from motionlang.mint.runtime.task import MintTask
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.clock import Event as ClockEvent
-    from motionlang.lang.task import Wait
+    from motionlang.lang.waits import Wait
     from motionlang.mint.runtime.environment import Environment, Make
 
 
@@ -140,8 +140,8 @@ class Events:
             self.started = clock.now
             self.ticks = 0 if machine.assumptions.get("mint.timerevent") == "at once" else 1
             self.tick_event = clock.at(self.tick_time(self.ticks), self._tick)
-            if machine.accelerators.ticks is not None and machine.scheduler is not None:
-                machine.scheduler.ticks = machine.accelerators.ticks(self)
+            if machine.scheduler is not None:
+                machine.scheduler.timer_set(self)
 
     def tick_time(self, number: int) -> float:
         """Return the time of a tick by multiplication, so rounding does not accumulate."""
@@ -199,15 +199,17 @@ def listen(environment: Environment) -> None:
     kinds -= events.listening
     events.listening |= kinds
     for kind in kinds & RAISED_BY.keys():
-        environment.part(table().file(RAISED_BY[kind]).SOURCES[kind])
+        environment.component(table().file(RAISED_BY[kind]).SOURCES[kind])
     if "onerror" in kinds:
         _ = environment.errors  # from now on errors are recorded
     if kinds & {"axisidle", "mblow"} and "machine" not in events.listening:
         events.listening.add("machine")
-        controller.listeners.append(lambda what, axis: _heard(environment, what, axis), "idle", "buffer-low")
+        controller.listeners.append(
+            lambda what, axis: _on_event(environment, what, axis), "idle", "buffer-low"
+        )
 
 
-def _heard(environment: Environment, what: str, axis: int) -> None:
+def _on_event(environment: Environment, what: str, axis: int) -> None:
     if what == "idle" and environment.controller.is_idle(axis):
         environment.events.raise_("axisidle")
     elif what == "buffer-low":

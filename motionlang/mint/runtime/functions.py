@@ -74,16 +74,16 @@ def power(a: float, b: float) -> float:
 
 def shift_left(a: float, b: float) -> int:
     """Shift the bits of an Integer left; bits beyond 32 are lost."""
-    bits = (integer(a) << _places(b)) & 0xFFFFFFFF
+    bits = (integer(a) << _shift_count(b)) & 0xFFFFFFFF
     return bits - (1 << 32) if bits >> 31 else bits
 
 
 def shift_right(a: float, b: float) -> int:
     """Shift the bits of an Integer right, with the sign preserved."""
-    return integer(a) >> _places(b)
+    return integer(a) >> _shift_count(b)
 
 
-def _places(b: float) -> int:
+def _shift_count(b: float) -> int:
     count = integer(b)
     if count < 0:
         raise Rejected(
@@ -260,8 +260,6 @@ def _count(count: float) -> int:
 
 class Random:
     """The random numbers of `Rnd`, the same in every run (Lehmer generator, 31 bits)."""
-
-    __slots__ = ("_state",)
 
     def __init__(self) -> None:
         self._state = 1

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.lang.machine.machine import CONSOLE
-from motionlang.lang.task import Wait
-from motionlang.mint.runtime.environment import INFINITY
+from motionlang.lang.waits import Wait
 from motionlang.mint.runtime.functions import value
 
 TYPE_CHECKING = False
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.operator import Operator
     from motionlang.mint.runtime.environment import Environment
 
-ASKED = "for the operator to answer INPUT"
+FOR_ANSWER = "for the operator to answer INPUT"
 
 
 def wait_for_answer(environment: Environment, t: float, terminal: int = CONSOLE) -> Wait:
@@ -26,7 +26,7 @@ def wait_for_answer(environment: Environment, t: float, terminal: int = CONSOLE)
         line = machine.ask()
         operator.lines += [] if line is None else [(line, "")]
     operator.asking = not operator.has_answer()
-    return Wait(t, lambda: _answered(operator), lambda: INFINITY, ASKED, "operator")
+    return Wait(t, lambda: _answered(operator), lambda: INFINITY, FOR_ANSWER, "operator")
 
 
 def _answered(operator: Operator) -> bool:

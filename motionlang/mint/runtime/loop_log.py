@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from sys import _getframe
 
+from motionlang.lang.task import CHUNK, MIN_STATEMENTS
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -17,9 +19,6 @@ if TYPE_CHECKING:
     Begun = tuple[float, float]
     # The source offset of a loop, its start in s, and the calls that led there.
     Open = tuple[int, float, tuple[int, ...]]
-
-# A loop of fewer statements leaves no record; it counts for the code around it.
-MIN_STATEMENTS = 100.0
 
 
 def looped(
@@ -53,7 +52,7 @@ def thrown(log: Log, statements: StatementTime, task: MintTask, jump: Exception,
 def open_loops(
     frames: Iterable[FrameType],
     file: str,
-    places: Sequence[int],
+    offsets: Sequence[int],
     statements: StatementTime,
     kinds: str = "lr",
 ) -> list[Open]:
@@ -66,9 +65,11 @@ def open_loops(
     for frame in frames:
         if frame.f_code.co_filename != file:
             continue
+        if frame.f_code.co_name[0] == CHUNK:
+            callers = callers[:-1]  # its caller is the same function
         for name, begun in frame.f_locals.items():
             if name[0] in kinds and name[1:].isdecimal() and begun is not None:
                 count, base = begun
                 found.append((int(name[1:]), base + count * statements.cost, callers))
-        callers = (*callers, places[frame.f_lineno])
+        callers = (*callers, offsets[frame.f_lineno])
     return found

@@ -12,8 +12,9 @@ record no dependencies in that time.
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.lang.task import INFINITY, WATCH
+from motionlang.lang.task import WATCH
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,10 +29,10 @@ if TYPE_CHECKING:
     # The start of an iteration: the state left by the one before, the counters, its statement, the base of
     # these, its time, the number of times that others had run, the dependencies, and how many of them there
     # were.
-    Look = tuple[State | None, Counters, float, float, float, int, list[Note], int]
+    Start = tuple[State | None, Counters, float, float, float, int, list[Note], int]
     # The statement and horizon at which the loop continues, the start of that iteration, the number of
     # unchecked iterations (or the statement up to which they run), and the counters.
-    Turned = tuple[float, float, Look | None, float, Counters]
+    Checked = tuple[float, float, Start | None, float, Counters]
 
 # The maximum number of unchecked iterations, more if arrays must be compared. They are counted in floats
 # because Python caches no integers of that size.
@@ -51,31 +52,17 @@ class Site:
     - `due`: the statement up to which iterations run unchecked, in any other loop.
     """
 
-    __slots__ = (
-        "_base",
-        "_due",
-        "_environment",
-        "_levels",
-        "_statements",
-        "_switches",
-        "alters",
-        "asks",
-        "carries",
-        "left",
-        "looks_at",
-    )
-
     def __init__(
         self,
         environment: Environment,
-        asks: bool,
+        reads: bool,
         carries: bool,
         alters: bool,
-        looks_at: str = "",
+        read_names: str = "",
         levels: Sequence[Sequence[float]] = (),
     ) -> None:
-        self._environment, self.asks, self.carries, self.alters = environment, asks, carries, alters
-        self.looks_at, self._levels = looks_at, levels
+        self._environment, self.reads, self.carries, self.alters = environment, reads, carries, alters
+        self.read_names, self._levels = read_names, levels
         self._switches: Any = None
         self.left = self._due = 0.0
         self._statements = environment.statements
@@ -86,28 +73,29 @@ class Site:
         """The statement of the next check; 0 if the count of statements was restarted."""
         return self._due if self._statements.base is self._base else 0.0
 
-    def turn_at(
-        self, t: float, horizon: float, look: Look | None, state: State, counters: Counters
-    ) -> Turned:
-        """Check an iteration like `turn`, but return the statement of the next check."""
-        t, horizon, look, left, counters = self.turn(t, horizon, look, state, counters)
+    def check_at(
+        self, t: float, horizon: float, start: Start | None, state: State, counters: Counters
+    ) -> Checked:
+        """Check an iteration like `check`, but return the statement of the next check."""
+        t, horizon, start, left, counters = self.check(t, horizon, start, state, counters)
         self._due, self._base = t + STATEMENTS * left, self._statements.base
-        return t, horizon, look, self._due, counters
+        return t, horizon, start, self._due, counters
 
-    def turn(self, t: float, horizon: float, look: Look | None, state: State, counters: Counters) -> Turned:
+    def check(
+        self, t: float, horizon: float, start: Start | None, state: State, counters: Counters
+    ) -> Checked:
         """Check an iteration that ends at statement `t`, and skip identical ones.
 
-        The loop continues at the end of the last iteration that must be identical. `state` is what every
-        iteration leaves behind, after the count of the program's actions. The variables in `counters` decide
-        nothing.
+        The loop continues at the end of the last iteration that is certain to be identical. `state` is the state after
+        an iteration, with the count of the program's actions first. The variables in `counters` decide nothing.
         """
         dependencies, statements = self._environment.dependencies, self._environment.statements
-        if look is not None:
-            found = self.skip(t, horizon, look, state, counters) if look[0] == state else None
-            if found is None and look[0] != state:
-                found = self._switched(t, horizon, look, state, counters)
+        if start is not None:
+            found = self.skip(t, horizon, start, state, counters) if start[0] == state else None
+            if found is None and start[0] != state:
+                found = self._switched(t, horizon, start, state, counters)
             if found is None:
-                self._environment.task.look = None
+                self._environment.task.poll_check = None
                 elements = sum([len(each) for each in state if isinstance(each, tuple)])
                 left, self.left = self.left, min(2.0 * self.left or 1.0, MAX_BACK_OFF + 4 * elements)
                 if left:
@@ -117,14 +105,14 @@ class Site:
                 self.left = 0.0
                 t, horizon, counters = found
         since = t, statements.base, statements.at(t), self._environment.resumed
-        follows = look is not None
-        look = state, counters, *since, *dependencies.begin()
+        follows = start is not None
+        start = state, counters, *since, *dependencies.begin()
         if self._switches is not None:
-            self._switches.begin(look, follows)
-        return t, horizon, look, 0.0, counters
+            self._switches.begin(start, follows)
+        return t, horizon, start, 0.0, counters
 
     def _switched(
-        self, t: float, horizon: float, look: Look, state: State, counters: Counters
+        self, t: float, horizon: float, start: Start, state: State, counters: Counters
     ) -> tuple[float, float, Counters] | None:
         """Skip iterations that only switch outputs, if there is an accelerator for them.
 
@@ -132,16 +120,16 @@ class Site:
         """
         environment = self._environment
         if self._switches is not None:
-            return self._switches.skip(t, look, state, counters, self._levels, self.carries)  # type: ignore[no-any-return]
+            return self._switches.skip(t, start, state, counters, self._levels, self.carries)  # type: ignore[no-any-return]
         make = environment.machine.accelerators.switches
-        acted = environment.acts - look[0][0]  # type: ignore[index,operator]
+        acted = environment.acts - start[0][0]  # type: ignore[index,operator]
         if make is None or not 0 < acted <= environment.switches:
             return None
         self._switches = make(environment)
         return t, horizon, counters
 
     def skip(
-        self, t: float, horizon: float, look: Look, state: State, counters: Counters
+        self, t: float, horizon: float, start: Start, state: State, counters: Counters
     ) -> tuple[float, float, Counters] | None:
         """Skip iterations after one that ended at `t` and was identical to the one before.
 
@@ -150,17 +138,17 @@ class Site:
         """
         environment = self._environment
         statements, task = environment.statements, environment.task
-        _, before, since, base, began, others, notes, first = look
+        _, before, since, base, began, others, notes, first = start
         scheduler = environment.machine.scheduler
         assert scheduler is not None
-        now, level = statements.at(t), environment.dependencies.held(notes, first, began)
+        now, level = statements.at(t), environment.dependencies.stable_until(notes, first, began)
         if level <= now:
             return None
         several = len(scheduler.tasks) > 1
         # Periods of several tasks do not support counters.
-        task.look = None if several and self.carries else (environment.acts, self.asks)
-        task.looks_at = self.looks_at
-        if several and not self.asks and not scheduler.reach():
+        task.poll_check = None if several and self.carries else (environment.acts, self.reads)
+        task.last_poll = self.read_names
+        if several and not self.reads and not scheduler.reach():
             return None  # a loop that only counts is quicker unchecked than skipped slice by slice
         if environment.resumed != others:
             return t, horizon, counters
@@ -184,13 +172,13 @@ class Site:
         if until == most == INFINITY:
             raise Rejected("never", "the loop polls for something that can no longer happen", "")
         # A loop that counts may end by itself.
-        asks = self.asks and not any(steps)
-        if asks and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:
+        reads = self.reads and not any(steps)
+        if reads and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:
             task.in_vain = began if level == scheduler.next_change() == INFINITY else None
         environment.task = task  # the conditions of other tasks may have set another running task
-        turns = max(0, int(min(statements.periods(base, since, t, until) - self.carries, most)))
-        if turns:
+        periods = max(0, int(min(statements.periods(base, since, t, until) - self.carries, most)))
+        if periods:
             statements.leave(t)
-            t = statements.repeat(base, since, turns)
+            t = statements.repeat(base, since, periods)
             horizon = statements.limit(statements.until)
-        return t, horizon, tuple([n + turns * step for n, step in zip(counters, steps, strict=True)])
+        return t, horizon, tuple([n + periods * step for n, step in zip(counters, steps, strict=True)])

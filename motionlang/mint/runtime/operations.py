@@ -44,9 +44,9 @@ class Operations:
         cost = statements.cost
         t = horizon = 0.0
 
-        def set_time(place: tuple[float, float]) -> None:
+        def set_time(reached: tuple[float, float]) -> None:
             nonlocal t, horizon
-            t, horizon = place
+            t, horizon = reached
 
         def now(paid: float) -> bool:
             """`T`: set the clock for a statement that reads it, unless something else is due."""
@@ -90,7 +90,7 @@ class Operations:
         self.cells: tuple[CellType, CellType] = cells_of(set_time, "t", "horizon")
         self._environment = environment
 
-    def repeated(self, act: Callable[..., object], held: Callable[..., object]) -> Operation:
+    def repeated(self, act: Callable[..., object], replaced: Callable[..., object]) -> Operation:
         """Return the operation for a write that a polling loop may repeat."""
         environment = self._environment
         dependencies, clock = environment.dependencies, environment.clock
@@ -100,9 +100,9 @@ class Operations:
             if dependencies.notes is None:  # this iteration is unchecked
                 act(*arguments)
                 return
-            before, made = held(*arguments), clock.made
+            before, made = replaced(*arguments), clock.made
             act(*arguments)
-            if clock.made == made and held(*arguments) == before:
+            if clock.made == made and replaced(*arguments) == before:
                 environment.acts, environment.switches = acts - 1, switches
 
         return self.timed(write)

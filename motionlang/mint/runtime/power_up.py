@@ -24,9 +24,9 @@ class PowerUp:
     `set` writes them to an axis, at the start and after DEFAULT.
     """
 
-    def __init__(self, environment: Environment, readings: Mapping[str, object]) -> None:
+    def __init__(self, environment: Environment, assumptions: Mapping[str, object]) -> None:
         self._writers: list[tuple[str, Callable[..., object], tuple[object, ...]]] = []
-        for name, value in readings.items():
+        for name, value in assumptions.items():
             row = table().get(word_of(name))
             if row is not None:
                 # A keyword of the group "motion" also gets the number of its line.

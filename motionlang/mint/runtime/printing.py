@@ -6,7 +6,7 @@ thresholds are not documented (docs/contributing/assumptions.md). Values are joi
 
 from __future__ import annotations
 
-from math import isnan
+from math import inf, isnan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
 
 LARGE, SMALL = 1e9, 1e-4
-PLACES = 4
+DECIMALS = 4
 
 
 def show_float(value: float) -> str:
@@ -26,7 +26,7 @@ def show_float(value: float) -> str:
         return "0.0000"
     if isnan(value):
         return "NaN"
-    if value in (float("inf"), float("-inf")):
+    if value in (inf, -inf):
         return "Inf" if value > 0 else "-Inf"
     return f"{value:e}"
 
@@ -47,12 +47,12 @@ def shows_float(machine: Machine) -> Callable[[float], str]:
 
     It depends on the controller, which may have v4, and on the machine file's `[assumptions]`.
     """
-    readings, older = machine.assumptions, machine.model != "" and _is_older(machine.model)
-    if not readings:
+    assumptions, older = machine.assumptions, machine.model != "" and _is_older(machine.model)
+    if not assumptions:
         return show_older if older else show_float
-    places: int = readings.get("mint.float-decimals", PLACES)  # type: ignore[assignment]
-    drops = readings.get("mint.float-zeros", "dropped" if older else "kept") == "dropped"
-    exponent = str(readings.get("mint.float-exponent", "e+12"))
+    decimals: int = assumptions.get("mint.float-decimals", DECIMALS)  # type: ignore[assignment]
+    drops = assumptions.get("mint.float-zeros", "dropped" if older else "kept") == "dropped"
+    exponent = str(assumptions.get("mint.float-exponent", "e+12"))
 
     def show(value: float) -> str:
         text = show_float(value)
@@ -61,7 +61,7 @@ def shows_float(machine: Machine) -> Callable[[float], str]:
             sign, digits = power[0], power[1:]
             return f"{mantissa}{exponent[0]}{sign}{digits.zfill(len(exponent) - 2)}"
         if text[-1].isdigit():
-            text = f"{value:.{places}f}"
+            text = f"{value:.{decimals}f}"
             text = text if float(text) else text.replace("-", "")
         return text.rstrip("0").rstrip(".") if drops and "." in text else text
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.lang.task import INFINITY, GeneratorTask, Wait
+from motionlang.lang.task import GeneratorTask
+from motionlang.lang.waits import Wait
 from motionlang.mint.runtime.loop_log import open_loops
 
 TYPE_CHECKING = False
@@ -12,7 +14,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.lang.dependencies import Note
-    from motionlang.lang.task import Delay
+    from motionlang.lang.waits import Delay
     from motionlang.mint.runtime.environment import Environment, Make
     from motionlang.mint.runtime.loop_log import Open
     from motionlang.mint.runtime.operations import PutOff
@@ -42,9 +44,9 @@ class MintTask(GeneratorTask):
         "delay",
         "environment",
         "frame",
-        "held",
         "notes",
         "suspended",
+        "suspended_wait",
         "timer",
     )
 
@@ -61,7 +63,7 @@ class MintTask(GeneratorTask):
         # Its recent readings that change by themselves, while dependencies are recorded.
         self.notes: list[Note] | None = None
         self.suspended = False
-        self.held: Wait | None = None
+        self.suspended_wait: Wait | None = None
         # The operation that it put off when it gave way, carried out when it resumes.
         self._put_off: PutOff | None = None
         self._acts = False  # True while that operation is carried out
@@ -76,7 +78,7 @@ class MintTask(GeneratorTask):
         if environment.fired != clock.fired:  # as in `noticed`
             environment.fired = clock.fired
             environment.acts += 1
-            self.look = self.in_vain = None
+            self.poll_check = self.in_vain = None
         if environment.ran is not self or environment.leaps != clock.leaps:
             environment.resumed += 1
             environment.leaps = clock.leaps
@@ -84,14 +86,14 @@ class MintTask(GeneratorTask):
         notes = self.notes
         dependencies.notes = [] if notes is None and dependencies.read is not None else notes
         self.busy = 0.0
-        place = statements.go_on(now, horizon)
-        environment.set_time(place)
+        reached = statements.go_on(now, horizon)
+        environment.set_time(reached)
         out: Any
         try:
             if self._put_off is not None:
-                out = self._carry_out(*place)
+                out = self._carry_out(*reached)
             elif generator is not None:
-                out = generator.send(place)
+                out = generator.send(reached)
             else:
                 self._generator = generator = self._make()  # type: ignore[call-arg]
                 self.frame = generator.gi_frame  # type: ignore[attr-defined]
@@ -118,7 +120,7 @@ class MintTask(GeneratorTask):
                 else:
                     self._put_off, environment.put_off = put_off, None
                     _, _, full = put_off
-                    wait = None if full is None else environment.room(count, full)
+                    wait = None if full is None else environment.space_wait(count, full)
                     time = statements.leave(count)
             elif kind is float:
                 time, wait = statements.leave(out), None
@@ -130,11 +132,11 @@ class MintTask(GeneratorTask):
         self.notes = dependencies.notes
         environment.ran = self
         if environment.acts != acts:  # it has acted, unless that was before its last check
-            if self.look is None or self.look[0] != environment.acts:
+            if self.poll_check is None or self.poll_check[0] != environment.acts:
                 self.in_vain = None
-            self.look = None
+            self.poll_check = None
         if self.suspended:
-            self.held, wait = wait, self.never()
+            self.suspended_wait, wait = wait, self.never()
         return time, wait
 
     def _carry_out(self, count: float, horizon: float) -> object:
@@ -177,7 +179,7 @@ class MintTask(GeneratorTask):
         while (frame := getattr(inner, "gi_frame", None)) is not None:
             frames.append(frame)
             inner = getattr(inner, "gi_yieldfrom", None)
-        return open_loops(frames, self._file, self._places, self.environment.statements)
+        return open_loops(frames, self._file, self._offsets, self.environment.statements)
 
     def loops_of(self, error: Exception, kinds: str = "l") -> list[Open]:
         """Return the loops in the frames that an exception came through, outermost first.
@@ -188,7 +190,7 @@ class MintTask(GeneratorTask):
         while traceback is not None:
             frames.append(traceback.tb_frame)
             traceback = traceback.tb_next
-        return open_loops(frames, self._file, self._places, self.environment.statements, kinds)
+        return open_loops(frames, self._file, self._offsets, self.environment.statements, kinds)
 
     def set_time_slice(self) -> None:
         """Apply TASKQUANTUM, reduced by half a statement.
@@ -198,13 +200,13 @@ class MintTask(GeneratorTask):
         environment = self.environment
         quantum = environment.quanta.get(self.name)
         if quantum is not None:
-            self.turn = (quantum - 0.5) * environment.machine.instruction_time
+            self.max_slice = (quantum - 0.5) * environment.machine.instruction_time
 
     def noticed(self, environment: Waits) -> None:
         """Record that events have fired, so anything the program polled may have changed."""
         environment.fired = environment.clock.fired
         environment.acts += 1
-        self.look = self.in_vain = None
+        self.poll_check = self.in_vain = None
 
     def take(self, semaphore: list[MintTask | None], wanted: int) -> bool:
         """Take or release a semaphore; return False while another task holds it."""

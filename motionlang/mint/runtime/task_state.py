@@ -30,8 +30,6 @@ _PARAMETER = "p_"
 class Names:
     """The names of local variables of some code; `parameters` is a subset of `all`."""
 
-    __slots__ = ("all", "parameters")
-
     def __init__(self, code: CodeType) -> None:
         names = dict.fromkeys(code.co_varnames + code.co_cellvars)
         self.all = [each for each in names if each not in _PASSING and not each.startswith(SCRATCH)]

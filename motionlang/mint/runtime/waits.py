@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from sys import _getframe
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.lang.dependencies import Condition, next_tick
 from motionlang.lang.statement_time import EXACT, UNITS, units
-from motionlang.lang.task import Delay, Wait
+from motionlang.lang.waits import Condition, Delay, Wait, next_tick
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -26,12 +26,11 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.task import MintTask
 
     # The statement after a wait that is over, and its horizon, or None if the task gives way.
-    Gone = tuple[float, float] | None
-    Resting = Callable[..., Gone]
+    Continuation = tuple[float, float] | None
+    Resting = Callable[..., Continuation]
     # The common data of all records of a source offset: task, offset, callers, and the time of a statement.
     Site = tuple[str, int, tuple[int, ...], float]
 
-INFINITY = float("inf")
 # More seconds than rounding can cause.
 MIN_WAIT = 1e-9
 # After this many waits, check if some can be packed. Python caches integers of that size.
@@ -84,8 +83,8 @@ class Waits:
         now = self.statements.leave(t)
         return Delay(self.clock, now, next_tick(now))
 
-    def room(self, t: float, axes: tuple[int, ...]) -> Wait:
-        """Return the wait of a move for space in the buffers of all its axes."""
+    def space_wait(self, t: float, axes: tuple[int, ...]) -> Wait:
+        """Return the wait of a move until the buffers of all its axes have space."""
         room = self.controller.room
         names = ", ".join(map(str, axes))
         buffers = f"move buffers of axes {names}" if len(axes) > 1 else f"move buffer of axis {names}"
@@ -141,11 +140,11 @@ class Waits:
                     environment.wait = Rest(environment, since, end, ready, why, (at, callers))
                     return None
                 if scheduler.comes_to_rest(since, end):
-                    return environment._gone_on(since, "condition", why, at, callers)
+                    return environment._log_passed(since, "condition", why, at, callers)
             environment.wait = wait = environment._condition(ready, since, why, ignores_data or bool(axes))
             if noted or scheduler is None or not scheduler.passes(wait):
                 return None
-            return environment._gone_on(wait.since, wait.cause, why, at, callers)
+            return environment._log_passed(wait.since, wait.cause, why, at, callers)
 
         return pause
 
@@ -166,10 +165,10 @@ class Waits:
 
         return Condition(self.dependencies, test, since, why, ignores_data)
 
-    def _gone_on(
+    def _log_passed(
         self, since: float, cause: str, why: str, at: int, callers: tuple[int, ...]
     ) -> tuple[float, float]:
-        """Log a wait that passed within its statement.
+        """Log a wait during which the task did not yield.
 
         Returns the next statement and its horizon.
         """
@@ -230,10 +229,10 @@ class Rests:
         site: Site | None = None
         units_here = NAN  # until its task is known
         # The time of the next check if some can be packed, at the earliest after this many of these waits.
-        look_at, seldom = 0.0, MANY * wait_units / UNITS
+        next_check, seldom = 0.0, MANY * wait_units / UNITS
 
-        def rest(t: float) -> Gone:
-            nonlocal look_at, site, units_here
+        def rest(t: float) -> Continuation:
+            nonlocal next_check, site, units_here
             base = statements.base
             if base is not self.known:
                 self.known, self.known_units = base, _units(base)
@@ -243,8 +242,8 @@ class Rests:
                 tail.append((site, base, t, end))
                 statements.base = self.known = clock.now = end
                 self.known_units = end_units
-                if end > look_at:
-                    look_at = end + seldom
+                if end > next_check:
+                    next_check = end + seldom
                     waits.trim()
                 until = statements.until
                 return UNBOUNDED if until == INFINITY else (0.0, (until - end) / cost - 1.0)
@@ -252,8 +251,8 @@ class Rests:
                 site, units_here = (environment.task.name, at, (), cost), wait_units
                 return rest(t)
             if end_units < EXACT:
-                return self._in_turn(t, site, end, end_units)
-            return self._give_way(t, site, (units(base) + int(t * cost_units + wait_units)) / UNITS)
+                return self._pass_among_others(t, site, end, end_units)
+            return self._yield_to_others(t, site, (units(base) + int(t * cost_units + wait_units)) / UNITS)
 
         return rest
 
@@ -267,7 +266,7 @@ class Rests:
         waits, tail, cost = environment.machine.log.waits, self._tail, statements.cost
         site: Site | None = None
 
-        def rest(t: float, milliseconds: float = given or 0.0) -> Gone:
+        def rest(t: float, milliseconds: float = given or 0.0) -> Continuation:
             nonlocal site
             base = statements.base
             if base is not self.known:
@@ -292,22 +291,22 @@ class Rests:
                     until = statements.until
                     return UNBOUNDED if until == INFINITY else (0.0, (until - end) / cost - 1.0)
                 if end_units < EXACT:
-                    return self._in_turn(t, site, end, end_units)
+                    return self._pass_among_others(t, site, end, end_units)
             if not 0 <= milliseconds < INFINITY:
                 raise Rejected("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
             # Too late for whole units to be distinct floats, or too short.
-            return self._give_way(t, site, (units(base) + round((t * cost + seconds) * UNITS)) / UNITS)
+            return self._yield_to_others(t, site, (units(base) + round((t * cost + seconds) * UNITS)) / UNITS)
 
         return rest
 
-    def _in_turn(self, t: float, site: Site, end: float, end_units: float) -> Gone:
-        """Let others act; continue within the statement if this task is the next to act."""
+    def _pass_among_others(self, t: float, site: Site, end: float, end_units: float) -> Continuation:
+        """Let other tasks act; continue within the statement if this task acts next."""
         environment = self._environment
         statements, task, scheduler = environment.statements, environment.task, environment.machine.scheduler
         if (
             scheduler is not None
             and end < scheduler.next_slice
-            and task.look is None
+            and task.poll_check is None
             and task.in_vain is None
         ):
             base = statements.base
@@ -316,10 +315,10 @@ class Rests:
                 environment.machine.log.waits.add((site, base, t, end))
                 self.known, self.known_units = end, end_units
                 return statements.go_on(end, reach)
-        return self._give_way(t, site, end)
+        return self._yield_to_others(t, site, end)
 
-    def _give_way(self, t: float, site: Site, end: float) -> Gone:
-        """Pass events within the statement, or give way to other tasks."""
+    def _yield_to_others(self, t: float, site: Site, end: float) -> Continuation:
+        """Let events happen within the statement, or yield to other tasks."""
         environment = self._environment
         statements, clock, scheduler = (
             environment.statements,
@@ -333,11 +332,13 @@ class Rests:
         if wait is None:
             task.delay = wait = Delay(clock, since, end, (at, callers))
         else:
-            wait.since, wait.ends, wait.place = since, end, (at, callers)
+            wait.since, wait.ends, wait.location = since, end, (at, callers)
         environment.wait = wait
         if scheduler is None or not statements.alone or environment._errors is not None:
             return None
-        return environment._gone_on(wait.since, "time", "", at, callers) if scheduler.passes(wait) else None
+        return (
+            environment._log_passed(wait.since, "time", "", at, callers) if scheduler.passes(wait) else None
+        )
 
 
 def _units(moment: float) -> float:
@@ -358,7 +359,7 @@ class Rest(Wait):
     If the program also requires settled axes, the condition is tested instead.
     """
 
-    __slots__ = ("_asked", "_end", "_environment", "_test", "place")
+    __slots__ = ("_built", "_end", "_environment", "_test", "location")
 
     cause = "condition"
     what = ()
@@ -372,11 +373,11 @@ class Rest(Wait):
         end: Callable[[], float],
         test: Callable[[], object],
         why: str,
-        place: tuple[int, tuple[int, ...]],
+        location: tuple[int, tuple[int, ...]],
     ) -> None:
         self.since, self.why, self._environment, self._test = since, why, environment, test
-        self.place, self._end = place, end
-        self._asked: Wait | None = None
+        self.location, self._end = location, end
+        self._built: Wait | None = None
 
     def ready(self) -> bool:
         if self._environment.settled is not None:
@@ -390,6 +391,6 @@ class Rest(Wait):
         return self._end() if self._environment.settled is None else -1.0
 
     def _condition(self) -> Wait:
-        if self._asked is None:
-            self._asked = Condition(self._environment.dependencies, self._test, self.since, self.why)
-        return self._asked
+        if self._built is None:
+            self._built = Condition(self._environment.dependencies, self._test, self.since, self.why)
+        return self._built

@@ -5,6 +5,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.lang.parsing.parser import TooDeep
 from motionlang.mint.syntax.nodes import (
     Call,
@@ -41,7 +43,6 @@ MAX_EXPRESSION_DEPTH = (
     200  # nesting of nodes; each level takes two or three of the compiler's 1,000 stack frames
 )
 LINKS = 50  # operations in a row that remain nested
-INFINITE = float("inf")
 _BEYOND = 1 << 1023
 MAX_NUMBERS = 50_000
 ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "0": "\0"}
@@ -64,12 +65,12 @@ def number(text: str) -> float:
     try:
         return _finite(int(text)) if text.isdigit() else float(text)
     except ValueError:  # more digits than Python converts
-        return INFINITE
+        return inf
 
 
 def _finite(whole: int) -> float:
     """Return an integer, or infinity if a Float cannot hold it."""
-    return whole if whole < _BEYOND else INFINITE
+    return whole if whole < _BEYOND else inf
 
 
 class Numbers(dict[str, float]):
@@ -77,7 +78,7 @@ class Numbers(dict[str, float]):
 
     def __missing__(self, text: str) -> float:
         value = number(text)
-        if value == INFINITE:
+        if value == inf:
             raise Misuse
         if len(self) >= MAX_NUMBERS:  # bounds the memory of a long session
             self.clear()

@@ -9,6 +9,8 @@ is dropped.
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang import typography
 from motionlang.lang.parsing.linked_stack import empty, expected, feed, feed_all
@@ -16,7 +18,7 @@ from motionlang.lang.parsing.parser import BAD, END
 from motionlang.lang.parsing.source_offsets import SourceOffsets
 from motionlang.mint.syntax import expectations
 from motionlang.mint.syntax.blocks import CLOSERS, DECLARATIONS, OPENERS, closing, opened_blocks, plain_lines
-from motionlang.mint.syntax.build import INFINITE, MAX_DEPTH, number
+from motionlang.mint.syntax.build import MAX_DEPTH, number
 from motionlang.mint.syntax.tables import TABLES
 
 TYPE_CHECKING = False
@@ -55,7 +57,7 @@ class _Reader:
     def __init__(self, source: Source) -> None:
         self.texts = TABLES.texts(source.text)
         self.kinds = TABLES.kinds_of(self.texts)
-        self.places = SourceOffsets(source, TABLES, self.texts, self.kinds)
+        self.offsets = SourceOffsets(source, TABLES, self.texts, self.kinds)
         self.diagnostics: list[Diagnostic] = []
         self.top = self.deepest = empty(TABLES)
         self.before = self.line = self.mark = self.top
@@ -100,14 +102,14 @@ class _Reader:
 
     def report(self, code: str, message: str, at: int, hint: str = "", last: int | None = None) -> None:
         """Record an error at token `at`, or from `at` to `last` on the same line."""
-        start, end = self.places.span(at)
+        start, end = self.offsets.span(at)
         if last is not None:
-            end = self.places.span(last)[1]
+            end = self.offsets.span(last)[1]
         length = 1 if self.kinds[at] in ("_NL", END) else max(1, end - start)
-        line, column = self.places.line(at), self.places.column(at)
+        line, column = self.offsets.line(at), self.offsets.column(at)
         fix = ""
         if self.kinds[at] == BAD:
-            replaced, fix = typography.plain(self.places.source.line(line)[column - 1 :])
+            replaced, fix = typography.plain(self.offsets.source.line(line)[column - 1 :])
             length = replaced or length
         self.diagnostics.append(Diagnostic(code, message, line, column, length=length, hint=hint, fix=fix))
 
@@ -126,7 +128,7 @@ class _Reader:
         The parser raises Misuse for them (`motionlang.mint.syntax.build`).
         """
         text = self.texts[at]
-        if self.kinds[at] == "NUMBER" and number(text) == INFINITE:
+        if self.kinds[at] == "NUMBER" and number(text) == inf:
             self.report("syntax", f"{expectations.found('', text)} is too large for a number", at)
         if self.kinds[self.start] == "NEXT" and self.kinds[at - 1] in ("NEXT", "COMMA") and at > self.start:
             self._check_next(at, text)
@@ -155,7 +157,7 @@ class _Reader:
 
     def _under(self, block: Block) -> bool:
         """True if the statement is in the same column as the opener of a block."""
-        return self.places.column(self.start) == self.places.column(block.at)
+        return self.offsets.column(self.start) == self.offsets.column(block.at)
 
     # ------------------------------------------------------------------------------------------- mistakes
 
@@ -189,15 +191,15 @@ class _Reader:
 
         Either inner blocks are still open, which are reported, too, or no block of that kind is open.
         """
-        place = next((i for i, block in enumerate(blocks) if block.kind == closer), None)
+        index = next((i for i, block in enumerate(blocks) if block.kind == closer), None)
         words = " ".join(self.texts[self.start : at + 1])
         name = OPENERS[closer]
-        if place:
-            for block in blocks[:place]:
+        if index:
+            for block in blocks[:index]:
                 self._missing(block)
-            if self._close(blocks[:place]):
+            if self._close(blocks[:index]):
                 return self.start
-        if place is not None:
+        if index is not None:
             self.report("syntax", f"`{words}` is not allowed here", self.start, last=at)
         elif blocks and self._under(blocks[0]):
             message = f"`{words}` does not close `{OPENERS[blocks[0].kind]}`"
@@ -206,19 +208,33 @@ class _Reader:
         else:
             message = f"`{words}` without {_article(name)}"
             hint = self._else_if(at) if closer == "IF" and self.kinds[self.start] in ("END", "ENDIF") else ""
+            hint = hint or (self._one_line_if() if closer == "IF" else "")
             hint = hint or f"remove it, or add the {name} it belongs to"
             self.report("stray-end", message, self.start, hint, at)
         return self._skip(at)
 
     def _else_if(self, at: int) -> str:
         """Return a hint for a surplus `End If` if an `Else If` was read as ElseIf."""
-        for place in range(at - 1, 1, -1):
-            if self.kinds[place - 2 : place + 1] == ["_NL", "ELSE", "IF"]:
-                line = self.places.line(place)
+        for token in range(at - 1, 1, -1):
+            if self.kinds[token - 2 : token + 1] == ["_NL", "ELSE", "IF"]:
+                line = self.offsets.line(token)
                 return (
                     f"the `Else If` of line {line} is an ElseIf; write a separate If on the line below Else"
                 )
-            if self.kinds[place] in DECLARATIONS:
+            if self.kinds[token] in DECLARATIONS:
+                break
+        return ""
+
+    def _one_line_if(self) -> str:
+        """Return a hint for an Else or End If that follows a complete one-line If."""
+        for token in range(self.start - 1, -1, -1):
+            if self.kinds[token] in DECLARATIONS:
+                break
+            if self.kinds[token] == "IF" and (not token or self.kinds[token - 1] in ("_NL", "COLON")):
+                line = self.kinds[token : self._line_end(token)]
+                if "THEN" in line and line[-1] != "THEN":
+                    number = self.offsets.line(token)
+                    return f"the If of line {number} ends with its line; begin a new line after its Then"
                 break
         return ""
 

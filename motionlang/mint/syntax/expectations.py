@@ -11,7 +11,7 @@ STATEMENT = {"PAUSE", "DIM", "GOTO"}  # if all are valid, any statement is
 SEPARATORS = {"_NL", "COLON"}
 MAX_ALTERNATIVES = 3  # a longer list of alternatives does not help
 
-# An unexpected token, the token before it, and what the author probably meant.
+# A token, the unexpected token after it, and what the author probably meant; names are in lower case.
 SLIPS = {
     ("=", "="): "one = both assigns and compares",
     ("!", "="): "unequal is written <>",
@@ -23,14 +23,19 @@ SLIPS = {
     ("*", "*"): "a power is written ^",
     ("+", "="): "write the name again: a = a + 1",
     ("-", "="): "write the name again: a = a - 1",
+    ("%", "="): "names have no type sign: a = 3",
+    ("wait", "until"): "PAUSE waits for a condition: PAUSE INX(0)",
+    ("error", "goto"): "an event handles errors: Event ONERROR",
+    ("error", "gosub"): "an event handles errors: Event ONERROR",
 }
+TYPE_SIGNS = "%$"
 
 
 def message(kinds: set[str], kind: str, text: str) -> str:
     """Return the message for a token whose kind is not one of `kinds`."""
     if kind == BAD:
         return _bad(text)
-    wanted = _things(kinds)
+    wanted = _names_of(kinds)
     if kind in SPELLINGS and kind.isalpha() and text.isalpha() and wanted == ["a name"]:
         return f"`{text}` is a keyword and cannot be a name here"
     if not wanted or len(wanted) > MAX_ALTERNATIVES:
@@ -54,9 +59,13 @@ def hint(kinds: set[str], before: str, text: str) -> str:
         return "in an If of one line write Else If"
     if text.lower() == "not" and kinds >= VALUE:
         return "Not takes all that follows; write it in brackets, (Not b)"
-    if slip := SLIPS.get((before, text[:1])):
+    if slip := SLIPS.get((before, text[:1])) or SLIPS.get((before.lower(), text.lower())):
         return slip
-    wanted = _things(kinds)
+    wanted = _names_of(kinds)
+    if text in TYPE_SIGNS and before.isidentifier():
+        return f"names have no type sign: {before}"
+    if text.lower() == "do" and before.strip() in ("", ":"):
+        return "a loop is While … End While, Repeat … Until or Loop … End Loop"
     if len(wanted) == 1 and wanted[0].startswith("`"):
         return f"add {wanted[0].strip('`')}"
     if "THEN" in kinds:
@@ -95,28 +104,28 @@ def _bad(text: str) -> str:
     return f"the character {ord(text[0]):#04x} has no meaning in Mint"
 
 
-def _things(kinds: set[str]) -> list[str]:
-    """Describe the valid kinds: whole classes first, then single keywords and signs."""
+def _names_of(kinds: set[str]) -> list[str]:
+    """Describe the valid kinds: whole classes first, then single keywords and symbols."""
     left = set(kinds)
-    things = []
+    names = []
     if left >= STATEMENT:
         return ["a statement"]
     if left >= VALUE:
         return ["a value"]
     if "NAME" in left:
-        things.append("a name")
+        names.append("a name")
         left = {kind for kind in left if not kind.isalpha() or kind in ("AS",)}
         left -= {"LPAR", "LSQB", "DOT", "EQUAL"}
     if "COMPARE" in left:
         left.discard("EQUAL")
-        things.append("a comparison")
+        names.append("a comparison")
     if "THEN" in left:
         left.discard("DO")  # v4 spelling of Then
     if "END" in left:
         left -= SEPARATORS  # blank lines between the branches of a block are no useful suggestion
     if left & SEPARATORS:
         left -= SEPARATORS
-        things.append("the end of the line")
+        names.append("the end of the line")
     if END in left:
         left.discard(END)
-    return things + sorted(f"`{SPELLINGS[kind]}`" for kind in left if kind in SPELLINGS)
+    return names + sorted(f"`{SPELLINGS[kind]}`" for kind in left if kind in SPELLINGS)

@@ -9,7 +9,7 @@ from bisect import bisect_right
 
 from motionlang.lang.names import LineLayout
 from motionlang.lang.parsing.parser import BAD
-from motionlang.mint.syntax.outline import CLOSE, MIDDLE, OPEN, Turn, turns
+from motionlang.mint.syntax.outline import CLOSE, MIDDLE, OPEN, BlockToken, block_tokens
 from motionlang.mint.syntax.tables import TABLES
 
 TYPE_CHECKING = False
@@ -34,33 +34,33 @@ def layout(text: str) -> list[LineLayout]:
             lines[bisect_right(starts, start) - 1].unreadable = True
     for number, line in enumerate(lines):
         line.continues = number not in ended
-    for turn in _turns(kinds):
-        if turn.at >= len(spans):
+    for token in _all_tokens(kinds):
+        if token.at >= len(spans):
             continue
-        line = lines[bisect_right(starts, spans[turn.at][0]) - 1]
-        is_first = turn.at == 0 or kinds[turn.at - 1] == "_NL"
-        if is_first and turn.what != OPEN:
-            line.back = turn.count
-        if turn.what != MIDDLE:
-            line.change += 1 if turn.what == OPEN else -turn.count
+        line = lines[bisect_right(starts, spans[token.at][0]) - 1]
+        is_first = token.at == 0 or kinds[token.at - 1] == "_NL"
+        if is_first and token.what != OPEN:
+            line.back = token.count
+        if token.what != MIDDLE:
+            line.change += 1 if token.what == OPEN else -token.count
     return lines
 
 
-def _turns(kinds: Sequence[str]) -> Iterator[Turn]:
-    """Yield the blocks of a text, and the routines of v4."""
+def _all_tokens(kinds: Sequence[str]) -> Iterator[BlockToken]:
+    """Yield the block tokens of a text, including those of v4 routines."""
     depth = 0
     label = -1  # the label at the outermost level that may begin a routine
-    found: list[Turn] = []
-    blocks = {turn.at: turn for turn in turns(kinds)}
+    found: list[BlockToken] = []
+    blocks = {token.at: token for token in block_tokens(kinds)}
     for at, kind in enumerate(kinds):
-        turn = blocks.get(at)
-        if turn is not None:
-            found.append(turn)
-            depth += {OPEN: 1, MIDDLE: 0, CLOSE: -turn.count}[turn.what]
+        token = blocks.get(at)
+        if token is not None:
+            found.append(token)
+            depth += {OPEN: 1, MIDDLE: 0, CLOSE: -token.count}[token.what]
         elif depth == 0 and _is_label(kinds, at):
             label = at
         elif kind == "RETURN" and depth == 0 and label >= 0:
-            found += [Turn(label, OPEN, "SUB"), Turn(at, CLOSE, "SUB")]
+            found += [BlockToken(label, OPEN, "SUB"), BlockToken(at, CLOSE, "SUB")]
             label = -1
     yield from sorted(found, key=lambda each: each.at)
 

@@ -58,16 +58,16 @@ def _flat(node: Node) -> Node:
 
 def check_depth(module: Module) -> None:
     """Raise ProgramError for every line with an expression that is nested too deeply."""
-    places = module.places
-    lines = {places.line(node.at): node.at for node in _too_deep(module)}
+    offsets = module.offsets
+    lines = {offsets.line(node.at): node.at for node in _too_deep(module)}
     if lines:
         raise ProgramError(
             Diagnostic(
                 "syntax",
                 f"the expression is nested more than {MAX_EXPRESSION_DEPTH} deep",
                 line,
-                places.column(at),
-                length=places.length(at),
+                offsets.column(at),
+                length=offsets.length(at),
                 hint="split it into several statements",
             )
             for line, at in lines.items()

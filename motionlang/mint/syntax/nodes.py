@@ -418,21 +418,21 @@ class UserType(Node):
 class Located(Node):
     """A tree with the positions of its tokens, which comparisons ignore."""
 
-    __slots__ = ("places",)
+    __slots__ = ("offsets",)
 
-    places: SourceOffsets
+    offsets: SourceOffsets
 
     def line(self, at: int) -> int:
         """Return the line, from 1, of a token; `at` of any node of the tree is a token."""
-        return self.places.line(at)
+        return self.offsets.line(at)
 
     def column(self, at: int) -> int:
         """Return the column, from 1, of a token."""
-        return self.places.column(at)
+        return self.offsets.column(at)
 
     def length(self, at: int) -> int:
         """Return the number of characters of a token, or of a sign with its number."""
-        return self.places.value_length(at)
+        return self.offsets.value_length(at)
 
 
 class Module(Located):

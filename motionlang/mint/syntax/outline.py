@@ -24,10 +24,10 @@ _STARTS = frozenset(("_NL", "COLON"))
 
 
 @record
-class Turn:
-    """A token that opens, continues or closes a block of a kind of `OPENERS`.
+class BlockToken:
+    """A token that opens, continues or closes a block.
 
-    `count` is the number of blocks that it closes: 2 for `Next i, j`.
+    The kind of the block is one of `OPENERS`. `count` is the number of blocks that the token closes: 2 for `Next i, j`.
     """
 
     at: int
@@ -49,7 +49,7 @@ class Span:
     name: int
 
 
-def turns(kinds: Sequence[str]) -> Iterator[Turn]:
+def block_tokens(kinds: Sequence[str]) -> Iterator[BlockToken]:
     """Yield the tokens that open, continue or close a block.
 
     One-line Ifs are not blocks.
@@ -61,12 +61,12 @@ def turns(kinds: Sequence[str]) -> Iterator[Turn]:
         if kind == "END":
             closed = kinds[at + 1] if at + 1 < len(kinds) else ""
             if closed in OPENERS and before not in _NOT_OPENING and (closed != "IF" or at > inline):
-                yield Turn(at, CLOSE, closed)
+                yield BlockToken(at, CLOSE, closed)
         elif before in _NOT_OPENING:
             continue
         elif kind in DECLARATIONS:
             if before in _STARTS and kinds[at + 1] not in _OF_A_NAME:
-                yield Turn(at, OPEN, kind)
+                yield BlockToken(at, OPEN, kind)
         elif kind == "IF":
             if before == "ELSE" and _begins_line(kinds, at - 1):
                 continue  # an ElseIf, reported with its Else
@@ -74,35 +74,35 @@ def turns(kinds: Sequence[str]) -> Iterator[Turn]:
             if at > inline and "THEN" in kinds[at:end] and not _is_block(kinds, at, end):
                 inline = end
             elif at > inline:
-                yield Turn(at, OPEN, kind)
+                yield BlockToken(at, OPEN, kind)
         elif kind in ("ELSE", "ELSEIF", "CASE"):
             if at > inline and before != "SELECT":
-                yield Turn(at, MIDDLE, CLOSERS[kind])
+                yield BlockToken(at, MIDDLE, CLOSERS[kind])
         elif kind == "NEXT":
             end = next((i for i in range(at, len(kinds)) if kinds[i] in _STARTS), len(kinds))
-            yield Turn(at, CLOSE, "FOR", 1 + kinds[at:end].count("COMMA"))
+            yield BlockToken(at, CLOSE, "FOR", 1 + kinds[at:end].count("COMMA"))
         elif kind in CLOSERS:
-            yield Turn(at, CLOSE, CLOSERS[kind])
+            yield BlockToken(at, CLOSE, CLOSERS[kind])
         else:
-            yield Turn(at, OPEN, kind)
+            yield BlockToken(at, OPEN, kind)
 
 
 def blocks(kinds: Sequence[str]) -> list[Span]:
     """Return the closed blocks of a text, in the order in which they begin."""
     found: list[Span] = []
-    opened: list[Turn] = []
-    for turn in turns(kinds):
-        if turn.what == OPEN:
-            opened.append(turn)
+    opened: list[BlockToken] = []
+    for token in block_tokens(kinds):
+        if token.what == OPEN:
+            opened.append(token)
             continue
-        for _ in range(turn.count if turn.what == CLOSE else 0):
-            place = next((i for i in range(len(opened) - 1, -1, -1) if opened[i].kind == turn.kind), -1)
-            if place < 0:
+        for _ in range(token.count if token.what == CLOSE else 0):
+            index = next((i for i in range(len(opened) - 1, -1, -1) if opened[i].kind == token.kind), -1)
+            if index < 0:
                 break
-            first = opened[place]
-            del opened[place:]
+            first = opened[index]
+            del opened[index:]
             named = first.kind in DECLARATIONS and kinds[first.at + 1] not in _STARTS
-            last = turn.at + (kinds[turn.at] == "END")
+            last = token.at + (kinds[token.at] == "END")
             found.append(Span(first.kind, first.at, last, first.at + 1 if named else -1))
     return sorted(found, key=lambda each: each.first)
 

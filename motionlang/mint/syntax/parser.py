@@ -33,8 +33,8 @@ def parse(source: Source) -> Module:
         from motionlang.mint.syntax.errors import diagnose  # imported only for a text with an error
 
         raise diagnose(source) from None
-    module.places = SourceOffsets(source, TABLES, texts, kinds)
-    if not _short(module.places):
+    module.offsets = SourceOffsets(source, TABLES, texts, kinds)
+    if not _short(module.offsets):
         from motionlang.mint.syntax.nesting import check_depth, flatten_chains
 
         flatten_chains(module)
@@ -42,13 +42,13 @@ def parse(source: Source) -> Module:
     return module
 
 
-def _short(places: SourceOffsets) -> bool:
+def _short(offsets: SourceOffsets) -> bool:
     """True if all lines are too short for an expression to be nested too deeply.
 
     A level takes at least two characters, as in `1+1+1…`.
     """
-    lines = places.source.text.split("\n")
-    return not places.continues and max(map(len, lines)) <= 2 * MAX_EXPRESSION_DEPTH
+    lines = offsets.source.text.split("\n")
+    return not offsets.continues and max(map(len, lines)) <= 2 * MAX_EXPRESSION_DEPTH
 
 
 def is_complete(text: str) -> bool:

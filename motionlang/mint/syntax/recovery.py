@@ -25,9 +25,9 @@ def readable(source: Source, error: ProgramError) -> tuple[Module | None, set[in
     taken: set[int] = set()
     for _ in range(_ATTEMPTS):
         taken.update(each.line for each in error.diagnostics)
-        kept = (" " * len(line) if number in taken else line for number, line in enumerate(lines, 1))
+        remaining = (" " * len(line) if number in taken else line for number, line in enumerate(lines, 1))
         try:
-            return parse(Source(source.name, "\n".join(kept))), taken
+            return parse(Source(source.name, "\n".join(remaining))), taken
         except ProgramError as again:
             error = again
     return None, taken

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 # Slots that hold no nodes, such as names and operators. All other slots of a class are in `_CHILDREN`.
 _NOT_NODES = frozenset(("at", "args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
-                        "places", "repeat", "separator", "word"))  # fmt: skip
+                        "offsets", "repeat", "separator", "word"))  # fmt: skip
 _CHILDREN: dict[type, tuple[str, ...]] = {
     cls: tuple(slot for slot in cls.__slots__ if slot not in _NOT_NODES)
     for cls in vars(nodes).values()

@@ -225,8 +225,8 @@ def _promising(
     keep = parents[first + length] < 0
     first, length = first[keep], length[keep]
     score = np.zeros(len(first))
-    for part in (8, 4, 12, 0, 16, 2, 14, 6, 10):
-        seen = motion.errors(first, length, length * FINE * part // 16)
+    for sixteenths in (8, 4, 12, 0, 16, 2, 14, 6, 10):
+        seen = motion.errors(first, length, length * FINE * sixteenths // 16)
         keep = seen <= tolerance
         first, length, score = first[keep], length[keep], np.maximum(score, seen)[keep]
     return first, length, score
@@ -237,14 +237,14 @@ def motion_error(
     profiles: Sequence[Profile],
     points: Sequence[Point],
     begin: float = 0.0,
-    place: float = 0.0,
+    start_position: float = 0.0,
 ) -> tuple[float, float]:
     """Return the largest difference (counts) of `points` from a history, and its time.
 
     The time counts from `begin`. `start_position` is the motor position before the points, from which relative
     ones count.
     """
-    made = PieceTable([0.0], [plan_points(points, place)])
+    made = PieceTable([0.0], [plan_points(points, start_position)])
     steps = round(total(point.time for point in points) / MILLISECOND)
     return _largest(PieceTable(starts, profiles), begin, made, 0.0, steps)
 

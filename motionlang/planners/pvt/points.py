@@ -91,19 +91,19 @@ def until_end(points: Sequence[Point]) -> list[Point]:
 
 def absolute(points: Sequence[Point], start: float = 0.0) -> list[Point]:
     """Return the points with every position absolute, for a motor at `start`."""
-    place, made = start, []
+    position, made = start, []
     for point in points:
-        place = place + point.position if point.relative else point.position
-        made.append(replace(point, position=place, relative=False))
+        position = position + point.position if point.relative else point.position
+        made.append(replace(point, position=position, relative=False))
     return made
 
 
 def relative(points: Sequence[Point], start: float = 0.0) -> list[Point]:
     """Return the points with every position relative to the one before."""
-    place, made = start, []
+    position, made = start, []
     for point in absolute(points, start):
-        made.append(replace(point, position=point.position - place, relative=True))
-        place = point.position
+        made.append(replace(point, position=point.position - position, relative=True))
+        position = point.position
     return made
 
 
@@ -138,15 +138,15 @@ def knots(profile: Profile) -> list[Knot]:
     for i, time in enumerate(times):
         if i:
             piece, span = pieces[i - 1], time - times[i - 1]
-            place = position_in(piece, span)
+            position = position_in(piece, span)
             before = velocity_in(piece, span), acceleration_in(piece, span)
         else:
-            place, before = profile.start, (profile.start_velocity, 0.0)
+            position, before = profile.start, (profile.start_velocity, 0.0)
         if i < len(pieces):
             after = velocity_in(pieces[i], 0.0), acceleration_in(pieces[i], 0.0)
         else:
             after = profile.end_velocity, 0.0
-        table.append(Knot(time, place, before[0], after[0], before[1], after[1]))
+        table.append(Knot(time, position, before[0], after[0], before[1], after[1]))
     return table
 
 

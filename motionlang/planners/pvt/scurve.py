@@ -24,10 +24,10 @@ def scurve(distance: float, time: float) -> list[Point]:
     check_finite(distance=distance)
     check_positive(segment_time=time)
     jerk = distance / (2.0 * time**3)
-    places = [jerk * time**3 * factor for factor in POSITIONS]
-    places[-1] = distance
+    positions = [jerk * time**3 * factor for factor in POSITIONS]
+    positions[-1] = distance
     speeds = [jerk * time**2 * factor for factor in VELOCITIES]
-    return [Point(p, v, t) for p, v, t in zip(places, speeds, (time,) * 4 + (0.0,), strict=True)]
+    return [Point(p, v, t) for p, v, t in zip(positions, speeds, (time,) * 4 + (0.0,), strict=True)]
 
 
 def scurve_time(distance: float, jerk: float) -> float:
@@ -58,8 +58,8 @@ def limited_scurve(
         for time in limited_times(abs(distance), jerk, accel, speed)
     )
     peak = abs(distance) / (2.0 * t_jerk + t_accel + t_speed)
-    held = peak / (t_jerk + t_accel)
-    slope = held / t_jerk
+    level = peak / (t_jerk + t_accel)
+    slope = level / t_jerk
     pattern = (
         (t_jerk, slope),
         (t_accel, 0.0),
@@ -69,7 +69,7 @@ def limited_scurve(
         (t_accel, 0.0),
         (t_jerk, slope),
     )
-    return _integrated(distance, [part for part in pattern if part[0] > 0.0])
+    return _integrated(distance, [step for step in pattern if step[0] > 0.0])
 
 
 def limited_times(distance: float, jerk: float, accel: float, speed: float) -> tuple[float, float, float]:
@@ -79,23 +79,23 @@ def limited_times(distance: float, jerk: float, accel: float, speed: float) -> t
     first shortens the rest.
     """
     t_jerk = min(scurve_time(distance, jerk), sqrt(speed / jerk), accel / jerk)
-    held = jerk * t_jerk
+    level = jerk * t_jerk
     # The highest speed at which constant acceleration fits the distance: V^2 / A + V Tj = D.
-    reach = 0.5 * held * (sqrt(t_jerk**2 + 4.0 * distance / held) - t_jerk)
+    reach = 0.5 * level * (sqrt(t_jerk**2 + 4.0 * distance / level) - t_jerk)
     peak = min(speed, reach)
-    t_accel = max(peak / held - t_jerk, 0.0)
+    t_accel = max(peak / level - t_jerk, 0.0)
     t_speed = max(distance / peak - 2.0 * t_jerk - t_accel, 0.0)
     least = 1e-12 * (t_jerk + t_accel + t_speed)
     return t_jerk, t_accel if t_accel > least else 0.0, t_speed if t_speed > least else 0.0
 
 
-def _integrated(distance: float, parts: list[tuple[float, float]]) -> list[Point]:
+def _integrated(distance: float, steps: list[tuple[float, float]]) -> list[Point]:
     sign = copysign(1.0, distance)
-    place = velocity = acceleration = 0.0
+    position = velocity = acceleration = 0.0
     points = []
-    for time, jerk in parts:
-        points.append(Point(sign * place, sign * velocity, time))
-        place += time * (velocity + time * (0.5 * acceleration + time * jerk / 6.0))
+    for time, jerk in steps:
+        points.append(Point(sign * position, sign * velocity, time))
+        position += time * (velocity + time * (0.5 * acceleration + time * jerk / 6.0))
         velocity += time * (acceleration + 0.5 * time * jerk)
         acceleration += time * jerk
     return [*points, Point(distance, 0.0, 0.0)]

@@ -137,11 +137,7 @@ def largest_jump(points: Sequence[float], velocities: Sequence[float], times: Ti
 
 
 def compare_velocities(
-    points: Sequence[float],
-    times: Times,
-    sweeps: Sequence[int] = (1, 2),
-    first: float = 0.0,
-    last: float = 0.0,
+    points: Sequence[float], times: Times, sweeps: Sequence[int] = (1, 2)
 ) -> list[tuple[str, list[float], float]]:
     """Return each method with its velocities and its largest acceleration jump.
 
@@ -155,7 +151,7 @@ def compare_velocities(
     ]
     table = []
     for method, count in rows:
-        v = pvt_velocities(method, points, times, count, first, last)
+        v = pvt_velocities(method, points, times, count)
         name = method if method != "refine" else f"{count} sweep{'s' if count > 1 else ''}"
         table.append((name, v, largest_jump(points, v, times)))
     return table

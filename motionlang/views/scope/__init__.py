@@ -50,11 +50,13 @@ if TYPE_CHECKING:
 
     Row = dict[str, Any]
 
-PARTS = ("model", "panels", "draw", "path", "tools", "script")
+SCRIPTS = ("model", "panels", "draw", "path", "tools", "script")
 MAX_RECORDS = 200_000
 """The largest number of records on a page: moves, waits, events, channel changes."""
 MAX_LINE = 120
 """The largest number of characters of a program line shown next to the cursor."""
+# A shorter block of the critical path, s, is only a rounding error.
+SHORTEST = 1e-12
 
 
 def write_scope(
@@ -101,12 +103,12 @@ def page(
             f"the run has {records} records, but a page holds at most {MAX_RECORDS}; end the run sooner with --until"
         )
     name = printable(run.source.name)
-    return Template(_part("page.html")).substitute(
+    return Template(_asset("page.html")).substitute(
         generator=f"motionlang {__version__}",
         title=name.replace("&", "&amp;").replace("<", "&lt;"),
-        style=_part("style.css"),
+        style=_asset("style.css"),
         data=_embedded(_data(run, servos, window, against, measured)),
-        **{part: _part(f"{part}.js") for part in PARTS},
+        **{script: _asset(f"{script}.js") for script in SCRIPTS},
     )
 
 
@@ -117,7 +119,7 @@ def _records(run: Run) -> int:
     return records + len(log.inputs) + len(log.outputs) + len(log.slices)
 
 
-def _part(name: str) -> str:
+def _asset(name: str) -> str:
     return files(__name__).joinpath(name).read_text(encoding="utf-8").rstrip("\n")
 
 
@@ -139,7 +141,7 @@ def _data(
     cycle, happened = TimeProfile(run), [_event(row) for row in events_of(run)]
     lines = sorted(
         {row["line"] for row in rows}
-        | {link.place.line for link in cycle.links}
+        | {link.position.line for link in cycle.links}
         | {event["line"] for event in happened} - {0}
     )
     return {
@@ -194,12 +196,16 @@ def _event(row: Row) -> Row:
 
 def _bands(run: Run, cycle: TimeProfile) -> list[Row]:
     """Return lanes of blocks: the critical path of a run and the waits of each task."""
-    chain = [[link.begin, link.end, _stretch(link), link.place.line] for link in cycle.links]
+    chain = [
+        [link.begin, link.end, _stretch(link), link.position.line]
+        for link in cycle.links
+        if link.duration > SHORTEST
+    ]
     bands: list[Row] = [{"name": "critical path", "spans": chain}]
-    places = SourcePositions(run)
+    positions = SourcePositions(run)
     for task, waits in cycle.waits().items():
         spans = [
-            [since, until, why or f"for {until - since:.6g} s", places.of(at, callers).line]
+            [since, until, why or f"for {until - since:.6g} s", positions.of(at, callers).line]
             for _, at, since, until, _, _, why, callers in waits
         ]
         bands.append({"name": task, "spans": spans})
@@ -214,7 +220,7 @@ def _by_line(cycle: TimeProfile) -> list[Row]:
     """Return the lines by their total time, longest first, each with its first start."""
     first: dict[int, float] = {}
     for link in cycle.links:
-        first.setdefault(link.place.line, link.begin)
+        first.setdefault(link.position.line, link.begin)
     return [
         {"line": share.line, "seconds": share.seconds, "time": first[share.line]}
         for share in cycle.lines()

@@ -88,8 +88,8 @@ def test_the_delay_is_found_whatever_the_unit_the_sign_and_the_zero_are(
     (row,) = made.signals
     assert row["scale"] == pytest.approx(scale, rel=1e-5)
     assert row["offset"] == pytest.approx(offset, rel=1e-9, abs=1e-5)
-    told = [each.hint for each in made.remarks if "times as far" in each.message]
-    assert [f"--map position.0=x*{1 / scale:.6g}" in hint for hint in told] == [True] * (scale != 1.0)
+    hints = [each.hint for each in made.remarks if "times as far" in each.message]
+    assert [f"--map position.0=x*{1 / scale:.6g}" in hint for hint in hints] == [True] * (scale != 1.0)
 
 
 @pytest.mark.parametrize("scale", [1.0, -1.0, 1000.0, 0.001])

@@ -54,13 +54,15 @@ def at(axis: int, times: np.ndarray) -> np.ndarray:
     return made.at(axis, "position", np.clip(times, 0.0, made.end))
 
 
-def held(source: Source, *mapping: Mapped, **options: object) -> Comparison:
+def compared(source: Source, *mapping: Mapped, **options: object) -> Comparison:
     return compare(simulated(), source, mapping or (X,), **options)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("delay", [0.0, 0.31234, -0.0421])
 def test_the_same_motion_is_found_wherever_the_recording_begins(delay: float) -> None:
-    made = held(recorded(lambda t: (at(0, t - delay), at(1, t - delay))), X, Mapped("position.1", "y", None))
+    made = compared(
+        recorded(lambda t: (at(0, t - delay), at(1, t - delay))), X, Mapped("position.1", "y", None)
+    )
     assert made.delay == pytest.approx(delay, abs=1e-7)
     for row in made.signals:
         assert abs(row["peak"]) < 1e-4
@@ -84,7 +86,7 @@ def test_what_was_put_in_comes_out() -> None:
         x[np.abs(t - over).argmin()] -= 3.0
         return x, at(1, t - 0.005)
 
-    made = held(recorded(real), X, Mapped("position.1", "y", None), delay=0.0)
+    made = compared(recorded(real), X, Mapped("position.1", "y", None), delay=0.0)
     assert end > over
     first, back, other = made.moves
     assert (first["peak"], first["peak_time"]) == pytest.approx((2.0, 0.5), abs=1e-6)
@@ -98,19 +100,19 @@ def test_what_was_put_in_comes_out() -> None:
 
 @pytest.mark.parametrize(("tolerance", "within"), [(0.2, False), (0.3, True)])
 def test_a_tolerance_judges(tolerance: float, within: bool) -> None:
-    made = held(
+    made = compared(
         recorded(lambda t: (at(0, t - 0.0025), at(1, t))), tolerances={"position": tolerance}, delay=0.0
     )
     assert made.is_within is within
     assert made.moves[0]["phases"][1]["within"] is within
 
 
-def test_another_unit_is_told_with_the_factor_that_mends_it() -> None:
-    made = held(recorded(lambda t: (1000.0 * at(0, t), at(1, t))))
+def test_another_unit_is_reported_with_its_factor() -> None:
+    made = compared(recorded(lambda t: (1000.0 * at(0, t), at(1, t))))
     (remark,) = [each for each in made.remarks if "times as far" in each.message]
     assert "--map position.0=x*0.001" in remark.hint
-    mended = held(recorded(lambda t: (1000.0 * at(0, t), at(1, t))), Mapped("position.0", "x", 0.001))
-    assert mended.remarks == []
+    rescaled = compared(recorded(lambda t: (1000.0 * at(0, t), at(1, t))), Mapped("position.0", "x", 0.001))
+    assert rescaled.remarks == []
 
 
 def test_a_trace_of_ours_needs_no_mapping(tmp_path: Path) -> None:
@@ -148,20 +150,20 @@ def test_separators_decimal_commas_units_and_remarks(text: str) -> None:
     assert table.columns[table.find("X", source)].tolist() == [1.5, 2.5, 3.5]
 
 
-def test_numbers_that_are_missing_gaps_and_time_that_runs_back_are_told_and_left_out() -> None:
+def test_missing_numbers_gaps_and_time_that_runs_back_are_reported_and_skipped() -> None:
     lines = recorded(lambda t: (at(0, t), at(1, t))).text.split("\n")
     lines[10] = lines[10].split(",")[0] + ",NaN,0"
     lines[20] = lines[20].split(",")[0] + ",---,0"
     del lines[700:800]
     lines[1:1] = [f"{7 + i / 1000},0,0" for i in range(50)]
     lines.append("2.6,0")
-    made = held(Source("real.csv", "\n".join(lines)))
-    told = {each.message: each for each in made.remarks}
-    assert told["x: 2 values of 2451 not a number, the first is 'NaN'"].line == 61
-    assert told["time runs backwards 1 time"].line == 52
-    assert "lines 52 to 2452" in told["time runs backwards 1 time"].hint
-    assert told["1 row without 3 columns"].line == 2452
-    assert any(message.startswith("x: 2 gaps, the longest 0.101 s from 0.698") for message in told)
+    made = compared(Source("real.csv", "\n".join(lines)))
+    remarks = {each.message: each for each in made.remarks}
+    assert remarks["x: 2 values of 2451 not a number, the first is 'NaN'"].line == 61
+    assert remarks["time runs backwards 1 time"].line == 52
+    assert "lines 52 to 2452" in remarks["time runs backwards 1 time"].hint
+    assert remarks["1 row without 3 columns"].line == 2452
+    assert any(message.startswith("x: 2 gaps, the longest 0.101 s from 0.698") for message in remarks)
     assert abs(made.signals[0]["peak"]) < 1e-4
 
 

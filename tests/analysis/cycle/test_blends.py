@@ -23,12 +23,12 @@ def links(program: str) -> list[tuple[str, int, float]]:
     """
     machine = {"controller.instruction_time": 1e-9}
     made = TimeProfile(run(Source("blend.mnt", RATES + program), machine=machine, cache=False))
-    found = [(link.cause, link.place.line, link.duration) for link in made.links if link.duration > 1e-6]
+    found = [(link.cause, link.position.line, link.duration) for link in made.links if link.duration > 1e-6]
     assert sum(seconds for *_, seconds in found) == pytest.approx(made.run.time, abs=1e-6)
     return found
 
 
-def due(*rows: tuple[str, int, float]) -> list[tuple[str, int, object]]:
+def expected(*rows: tuple[str, int, float]) -> list[tuple[str, int, object]]:
     return [(cause, line, pytest.approx(seconds, abs=1e-6)) for cause, line, seconds in rows]
 
 
@@ -39,7 +39,7 @@ def test_each_blended_path_is_charged_to_its_line(wait: str) -> None:
         "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 0.5\nMOVEBUFFERSIZE(0, 1) = 9;\n"
         "VECTORR(0, 1) = 10, 0\nVECTORR(0, 1) = 0, 10\nVECTORR(0, 1) = 10, 0\nGO(0)\n"
     )
-    assert links(program + wait) == due(
+    assert links(program + wait) == expected(
         ("accelerating", 4, 0.1),
         ("at speed", 4, 0.9),
         ("accelerating", 5, 0.1),
@@ -53,7 +53,9 @@ def test_each_blended_path_is_charged_to_its_line(wait: str) -> None:
 def test_a_second_path_that_ends_first_is_not_waited_for() -> None:
     """The second path, begun at 0.5 s, takes 0.2 s; the first one takes 1.1 s."""
     program = f"VECTORR(0, 1) = 10, 0\nVECTORR(0, 1) = 0, 1\nGO(0)\nWAIT = 500\nBLEND(0)\n{IDLE}"
-    assert links(program) == due(("accelerating", 2, 0.1), ("at speed", 2, 0.9), ("decelerating", 2, 0.1))
+    assert links(program) == expected(
+        ("accelerating", 2, 0.1), ("at speed", 2, 0.9), ("decelerating", 2, 0.1)
+    )
 
 
 def test_blended_paths_that_are_stopped_are_charged_as_far_as_they_went() -> None:
@@ -61,11 +63,13 @@ def test_blended_paths_that_are_stopped_are_charged_as_far_as_they_went() -> Non
     program = (
         "VECTORR(0, 1) = 10, 0\nVECTORR(0, 1) = 0, 10\nGO(0)\nWAIT = 500\nBLEND(0)\nWAIT = 50\nSTOP(0)\n"
     )
-    assert links(program + IDLE) == due(("accelerating", 2, 0.1), ("at speed", 2, 0.45), ("stopping", 2, 0.1))
+    assert links(program + IDLE) == expected(
+        ("accelerating", 2, 0.1), ("at speed", 2, 0.45), ("stopping", 2, 0.1)
+    )
 
 
 @pytest.mark.parametrize(("x", "y"), [(10, 0), (0, 10), (6, 8)])
 def test_the_phases_of_a_path_are_those_of_an_axis_that_moves(x: int, y: int) -> None:
-    assert links(f"VECTORR(0, 1) = {x}, {y}\nGO(0)\n{IDLE}") == due(
+    assert links(f"VECTORR(0, 1) = {x}, {y}\nGO(0)\n{IDLE}") == expected(
         ("accelerating", 2, 0.1), ("at speed", 2, 0.9), ("decelerating", 2, 0.1)
     )

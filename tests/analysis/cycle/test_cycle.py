@@ -90,10 +90,10 @@ def test_a_sub_has_its_own_time_and_that_of_what_it_called() -> None:
 def test_a_dwell_in_a_sub_knows_who_called_it() -> None:
     made = profiled("Rest\nEnd\nSub Rest()\n  Nap 100\nEnd Sub\nSub Nap(ByVal ms)\n  WAIT(ms)\nEnd Sub\n")
     (link,) = [each for each in made.links if each.cause == "dwell"]
-    assert (link.place.line, link.place.sub, link.place.callers) == (7, "Nap", (1, 4))
+    assert (link.position.line, link.position.sub, link.position.callers) == (7, "Nap", (1, 4))
 
 
-def test_an_axis_that_could_have_been_slower_is_told() -> None:
+def test_an_axis_that_could_have_been_slower_is_reported() -> None:
     """Z arrives after 0.5 s, X after 1.1 s."""
     (slack,) = profiled(PROGRAM, machine=WORLD).slacks()
     assert (slack.axis, slack.other) == (1, 0)
@@ -143,9 +143,9 @@ def test_a_run_that_is_cut_short_waits_to_its_end() -> None:
     }
 
 
-@pytest.mark.parametrize("part", range(4))
-def test_every_second_of_the_gallery_is_charged_once(part: int) -> None:
-    for path in GALLERY[part::4]:
+@pytest.mark.parametrize("offset", range(4))
+def test_every_second_of_the_gallery_is_charged_once(offset: int) -> None:
+    for path in GALLERY[offset::4]:
         made, name = TimeProfile(run(path)), path.name
         assert made.seconds == pytest.approx(made.run.time, abs=1e-9), name
         for link, after in pairwise(made.links):
@@ -223,9 +223,9 @@ def test_the_file_is_what_json_would_write(text: str, tmp_path: Path) -> None:
     assert path.read_text(encoding="utf-8") == json.dumps(made.report(), indent=1) + "\n"
 
 
-@pytest.mark.parametrize("part", range(4))
-def test_nor_does_it_differ_on_the_gallery(part: int, tmp_path: Path) -> None:
-    for path in GALLERY[part::4]:
+@pytest.mark.parametrize("offset", range(4))
+def test_nor_does_it_differ_on_the_gallery(offset: int, tmp_path: Path) -> None:
+    for path in GALLERY[offset::4]:
         made, to = TimeProfile(run(path)), tmp_path / "cycle.json"
         write_profile(made, str(to))
         assert to.read_text(encoding="utf-8") == json.dumps(made.report(), indent=1) + "\n", path.name
@@ -258,11 +258,11 @@ def test_a_budget_is_a_check(folder: Path, capsys: pytest.CaptureFixture[str]) -
     with (folder / "cycle.machine.toml").open("a") as file:
         file.write("[budget]\ntime = 2.9\nmotion = 2\ndwell = 0.2\n")
     assert main(["run", "cycle.mnt", "--format", "none"]) == 1
-    told = capsys.readouterr().err
-    assert "the run took 3.0" in told
-    assert "dwell took 0.25" in told
-    assert "cycle.mnt:6" in told
-    assert "motion took" not in told
+    reported = capsys.readouterr().err
+    assert "the run took 3.0" in reported
+    assert "dwell took 0.25" in reported
+    assert "cycle.mnt:6" in reported
+    assert "motion took" not in reported
 
 
 def test_where_there_is_no_room_the_source_goes_before_the_name_of_the_sub() -> None:

@@ -70,7 +70,7 @@ def test_motion_is_charged_to_its_line_and_the_wait_to_that_of_the_loop(form: st
     kinds, lines = by_name(made.kinds()), by_name(made.lines())
     assert kinds["travel of axis 0"] == pytest.approx(TRAVEL, abs=1e-4 if form != "speed" else 2e-3)
     assert lines["4"] == pytest.approx(TRAVEL, abs=slack)
-    assert by_name(made.held())[str(line)] == pytest.approx(TRAVEL, abs=slack)
+    assert by_name(made.waited_lines())[str(line)] == pytest.approx(TRAVEL, abs=slack)
     assert made.run.time == pytest.approx(TRAVEL, abs=slack)
 
 
@@ -110,7 +110,7 @@ def test_a_loop_waits_for_what_ended_it(form: str) -> None:
     made = checked(TimeProfile(ran(text + "\nEnd\n", machine=WORLD)))
     assert by_name(made.kinds())[cause] == pytest.approx(time, abs=11e-3 if "WAIT 10" in text else 2e-4)
     assert made.lines()[0].line == 1
-    assert by_name(made.held())["1"] == pytest.approx(time, abs=11e-3)
+    assert by_name(made.waited_lines())["1"] == pytest.approx(time, abs=11e-3)
 
 
 def test_what_a_loop_needs_to_notice_is_its_own() -> None:
@@ -152,7 +152,7 @@ def test_a_loop_that_works_is_charged_by_what_it_does() -> None:
     lines = by_name(made.lines())
     assert lines["3"] == pytest.approx(0.6, abs=1e-3)
     assert lines["7"] == pytest.approx(0.15, abs=1e-3)
-    assert by_name(made.held()) == {
+    assert by_name(made.waited_lines()) == {
         "4": pytest.approx(0.6, abs=1e-3),
         "7": pytest.approx(0.15, abs=1e-3),
     }
@@ -176,7 +176,7 @@ def test_a_state_machine_waits_between_its_steps() -> None:
     kinds = by_name(made.kinds())
     assert kinds["waiting for an input"] == pytest.approx(3.0, abs=1e-3)
     assert kinds["travel of axis 0"] == pytest.approx(1.1, abs=1e-3)
-    assert by_name(made.held())["2"] == pytest.approx(4.1, abs=1e-3)
+    assert by_name(made.waited_lines())["2"] == pytest.approx(4.1, abs=1e-3)
     # A For costs a statement to begin, and each Next one.
     assert by_name(made.subs())["Finish"] == pytest.approx(1000e-5, abs=5e-5)
 
@@ -241,8 +241,8 @@ def test_computing_before_a_wait_is_charged_to_its_own_line_and_sub() -> None:
     assert computing[9] == pytest.approx(2000 * 3 * 1e-5, abs=5e-5)
     assert computing.get(4, 0.0) + computing.get(6, 0.0) < 1e-4
     assert subs["Count"] == pytest.approx(2000 * 3 * 1e-5, abs=5e-5)
-    (loop,) = [link for link in made.links if link.place.line == 9]
-    assert (loop.cause, loop.place.sub, loop.place.callers) == ("computing", "Count", (5,))
+    (loop,) = [link for link in made.links if link.position.line == 9]
+    assert (loop.cause, loop.position.sub, loop.position.callers) == ("computing", "Count", (5,))
 
 
 def test_loops_in_loops_have_their_own_time() -> None:
@@ -324,7 +324,7 @@ def test_a_line_of_mccl_that_polls_waits(form: str) -> None:
     text, cause, line, time = MCCL_WAITS[form]
     made = checked(TimeProfile(ran(MCCL_MOVE + text + "\n", "poll.mcl", machine=MCCL_WORLD)))
     assert by_name(made.kinds())[cause] == pytest.approx(time, abs=2e-3)
-    assert by_name(made.held())[str(line)] == pytest.approx(time, abs=6e-3)
+    assert by_name(made.waited_lines())[str(line)] == pytest.approx(time, abs=6e-3)
 
 
 def test_what_follows_a_loop_of_mccl_in_its_line_is_not_of_it() -> None:

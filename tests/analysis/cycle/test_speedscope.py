@@ -133,7 +133,7 @@ BROKEN = {
 
 
 @pytest.mark.parametrize("wrong", BROKEN)
-def test_what_it_would_not_open_is_told(document: Row, wrong: str) -> None:
+def test_what_it_would_not_open_is_reported(document: Row, wrong: str) -> None:
     broken = deepcopy(document)
     BROKEN[wrong](broken)
     assert wrong in list(problems(broken))

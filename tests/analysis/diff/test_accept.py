@@ -13,10 +13,10 @@ from motionlang.execution import run
 from motionlang.report import rendered, text
 from motionlang.source import Source
 from motionlang.views.diff import change_lines
-from tests.analysis.diff.test_reports import CYCLE as TURNS
+from tests.analysis.diff.test_reports import CYCLE as REPORTS_CYCLE
 
 # The iterations of the other tests, printed without the time, then a move that is stopped.
-CYCLE = TURNS.replace(', " after ", TIME', "") + (
+CYCLE = REPORTS_CYCLE.replace(', " after ", TIME', "") + (
     "MOVEA(0) = 400 : GO(0) : WAIT(300) : STOP(0) : PAUSE IDLE(0)\nWAIT(50)\n"
 )
 EDITS = {
@@ -36,13 +36,13 @@ def report(program: str) -> dict[str, object]:
     return found
 
 
-def told(old: dict[str, object], new: dict[str, object]) -> set[str]:
+def changed_lines(old: dict[str, object], new: dict[str, object]) -> set[str]:
     found = difference(old, new)
     return {line for change in changes(found) for line in change_lines(found, change)}
 
 
 @pytest.mark.parametrize("edit", EDITS)
-def test_what_is_refused_is_still_otherwise_and_nothing_else(edit: str) -> None:
+def test_a_rejected_change_is_the_only_difference_left(edit: str) -> None:
     program = CYCLE
     for was, is_ in EDITS[edit]:
         assert was in program
@@ -75,7 +75,7 @@ def test_a_report_that_is_there_as_data_is_written_in_the_same_form() -> None:
         assert rendered(json.loads(text(ran, whole=whole))) == text(ran, whole=whole)
 
 
-def test_each_change_is_told_by_itself() -> None:
+def test_each_change_is_reported_by_itself() -> None:
     old, new = report(CYCLE), report(CYCLE.replace("To 3", "To 4"))
     found = difference(old, new)
     every: list[Change] = changes(found)

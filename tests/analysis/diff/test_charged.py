@@ -29,7 +29,7 @@ def ran(text: str) -> Run:
     return run(Source("press.mnt", text), cache=False)
 
 
-def told(text: str) -> list[tuple[int | None, int | None, float]]:
+def charges(text: str) -> list[tuple[int | None, int | None, float]]:
     return [(each.old, each.new, round(each.seconds, 3)) for each in charged(ran(PROGRAM), ran(text))]
 
 
@@ -50,7 +50,7 @@ def test_it_is_the_line_that_the_run_waited_for(
     was: str, is_: str, expected: list[tuple[int | None, int | None, float]]
 ) -> None:
     assert was in PROGRAM
-    found = told(PROGRAM.replace(was, is_))
+    found = charges(PROGRAM.replace(was, is_))
     assert [each for each in found if abs(each[2]) > 1e-3] == expected
 
 
@@ -62,7 +62,7 @@ def test_together_they_are_the_whole_difference() -> None:
     assert found[0].seconds == pytest.approx(0.4, abs=1e-4)
 
 
-def test_lines_that_are_new_or_gone_are_told_as_such_and_many_together() -> None:
+def test_new_and_deleted_lines_are_reported_as_such_and_many_together() -> None:
     old, new = ran(PROGRAM), ran(PROGRAM.replace("WAIT(100)\n", ""))
     found = difference(build(old), build(new))
     charges = [Charge(6, None, -0.1), Charge(None, 7, 0.02), Charge(4, 5, 0.01), Charge(0, 0, 0.003),

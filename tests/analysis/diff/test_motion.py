@@ -68,9 +68,12 @@ def test_it_is_what_looking_everywhere_finds(
         found = sampled(a, new.controller.axes[number], end, tolerance)
         if found is not None:
             expected.append(found)
-    told = divergence(old, new, tolerance)
-    assert told is not None
-    (mine,) = (each for each in expected if each.axis == told.axis)
-    assert (told.max_difference, told.max_difference_at) == (mine.max_difference, mine.max_difference_at)
+    difference = divergence(old, new, tolerance)
+    assert difference is not None
+    (mine,) = (each for each in expected if each.axis == difference.axis)
+    assert (difference.max_difference, difference.max_difference_at) == (
+        mine.max_difference,
+        mine.max_difference_at,
+    )
     # The exact time is between the differing sample and the one before it.
-    assert min(each.time for each in expected) >= told.time
+    assert min(each.time for each in expected) >= difference.time

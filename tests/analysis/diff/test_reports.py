@@ -7,7 +7,7 @@ import re
 import pytest
 
 from motionlang.analysis.diff.motion import divergence
-from motionlang.analysis.diff.reports import Difference, difference
+from motionlang.analysis.diff.reports import Difference, checked, difference
 from motionlang.analysis.diff.tolerance import Tolerance
 from motionlang.execution import run
 from motionlang.report import build
@@ -54,7 +54,7 @@ def test_a_line_that_is_put_in_somewhere_is_no_difference() -> None:
     assert divergence(old, new) is None
 
 
-def test_a_rate_that_is_changed_is_told_once_a_line_with_all_its_moves() -> None:
+def test_a_changed_rate_is_reported_once_a_line_with_all_its_moves() -> None:
     found, lines, old, new = changed(("ACCEL(0, 1) = 1000;", "ACCEL(0, 1) = 1000, 2000"))
     # By hand: axis 1 is up to 200 in 0.1 s instead of 0.2 s; its distance of 50 is 10 + 0.15 s * 200 + 20
     # then … shorter.
@@ -63,7 +63,7 @@ def test_a_rate_that_is_changed_is_told_once_a_line_with_all_its_moves() -> None
     assert change.figures["accel"][0] == pytest.approx(0.2)
     assert change.figures["accel"][1] == pytest.approx(0.1)
     assert change.wait == 0.0
-    assert found.gone == found.new == []
+    assert found.removed == found.new == []
     assert found.time is not None
     assert found.time[1] - found.time[0] == pytest.approx(change.duration, abs=1e-6)
     assert lines[0].startswith("time: ")
@@ -74,7 +74,7 @@ def test_a_rate_that_is_changed_is_told_once_a_line_with_all_its_moves() -> None
     assert diverged.time == pytest.approx(old.controller.log.moves[1].start_time, abs=1e-4)
 
 
-def test_the_segment_of_a_path_is_told_once_with_its_axes_and_what_only_one_of_them_does_otherwise() -> None:
+def test_a_path_segment_is_reported_once_with_its_axes_and_the_difference_of_one() -> None:
     path = "SPEED(0) = 50 : ACCEL(0) = {} : DECEL(0) = 500\nVECTORR(0, 1) = 30, 40 : VECTORR(0, 1) = 0, 10\nGO(0)\n"
     found = difference(build(ran(path.format(500))), build(ran(path.format(400))))
     # By hand: 50/500 = 0.1 s becomes 50/400 = 0.125 s: half of that is added to each segment. Axis 0 rests on the last.
@@ -90,36 +90,36 @@ def test_the_segment_of_a_path_is_told_once_with_its_axes_and_what_only_one_of_t
     ]
 
 
-def test_a_wait_that_is_changed_is_told_at_the_line_that_comes_later_and_nowhere_else() -> None:
+def test_a_changed_wait_is_reported_only_at_the_line_that_comes_later() -> None:
     found, lines, _, _ = changed(("WAIT(100)", "WAIT(130)"))
     assert [(each.old, each.count, each.figures) for each in found.lines] == [(8, 3, {})]
     assert found.lines[0].wait == pytest.approx(0.09)
     assert "line 8: MOVEA of axis 1, 3 moves: +0.090000 s before it together" in lines
 
 
-def test_a_turn_more_is_moves_and_prints_that_are_new() -> None:
+def test_one_more_iteration_is_new_moves_and_prints() -> None:
     found, lines, _, _ = changed(("To 3", "To 4"))
-    assert (found.lines, found.gone, len(found.new)) == ([], [], 4)
+    assert (found.lines, found.removed, len(found.new)) == ([], [], 4)
     assert found.prints == [(None, 4, "", found.prints[0][3])]
     assert any(
         line.startswith("new: printed line 4, 'turn 4.0000 after ") or "turn 4" in line for line in lines
     )
 
 
-def test_what_was_taken_out_is_told_at_its_place() -> None:
-    """Two equal loops on two lines: the first has one iteration less, one is slower."""
+def test_a_deletion_is_reported_at_its_line() -> None:
+    """Two equal loops on two lines: the first loses an iteration, one gets slower."""
     loop = "For n = 1 To 3\n  MOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\n  MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)\nNext\n"
     head = "Dim n\nSPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
     less = loop.replace("To 3", "To 2")
     was, is_ = (build(ran(head + first + "WAIT(100)\n" + loop)) for first in (loop, less))
     found = difference(was, is_)
-    assert [(each["line"], each["start_time"] < 5.0) for each in found.gone] == [(4, True), (5, True)]
+    assert [(each["line"], each["start_time"] < 5.0) for each in found.removed] == [(4, True), (5, True)]
     assert (found.lines, found.new) == ([], [])
     slow = "SPEED(0) = 50\nMOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\nMOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)\n"
     old = head + less + slow + "SPEED(0) = 200\n" + less
     was, is_ = (build(ran(text)) for text in (old, old.replace(slow, "")))
     found = difference(was, is_)
-    assert [each["peak_speed"] for each in found.gone] == [50.0, 50.0]
+    assert [each["peak_speed"] for each in found.removed] == [50.0, 50.0]
     assert all(not each.figures for each in found.lines)
 
 
@@ -144,11 +144,11 @@ def test_events_are_aligned_by_what_happened() -> None:
     assert "event stop of axis 0, line 3, at 0.8" in "\n".join(diff_lines(found))
 
 
-def test_another_way_and_another_word() -> None:
+def test_another_distance_and_another_text() -> None:
     found, lines, _, _ = changed(("MOVEA(1) = 50", "MOVEA(1) = 60"), ('"turn "', '"part "'))
     assert {(each.old, each.axis) for each in found.lines} == {(8, 1), (9, 1)}
     assert len(found.prints) == 6 or len(found.prints) == 3
-    assert found.gone == found.new == []
+    assert found.removed == found.new == []
     assert any("distance 50 → 60 uu" in line for line in lines)
 
 
@@ -165,7 +165,7 @@ def test_tubes_with_units() -> None:
 def test_a_program_that_no_longer_runs() -> None:
     found, lines, _, _ = changed(("SPEED(0, 1) = 200;", "SPED(0, 1) = 200;"))
     assert found.status == ("ended", "fault")
-    assert len(found.gone) == 12
+    assert len(found.removed) == 12
     assert lines[0] == "the run: ended → fault"
     assert any(line.startswith("new: error[unknown-word]: ") for line in lines)
 
@@ -197,3 +197,10 @@ def test_motion_that_differs_elsewhere_is_first_there() -> None:
     assert found.first is not None
     assert found.first[0] == pytest.approx(0.5, abs=1e-4)
     assert not found.is_commanded
+
+
+@pytest.mark.parametrize("event", [{"time": 1.0}, {"kind": "stop"}, {}, None])
+def test_an_event_without_kind_or_time_is_no_event_of_a_report(event: object) -> None:
+    report = {"schema": "motionlang.report/2", "events": [{"kind": "stop", "time": 0.5}, event]}
+    with pytest.raises(ValueError, match="its event 1 has no kind or time"):
+        checked(report)

@@ -31,12 +31,12 @@ def found(result: Run) -> list[str]:
 
 def forge(result: Run, made: Callable[[Order], Order]) -> None:
     """Change the order of the first path, with which the second one is blended."""
-    assert result.orders is not None
-    for axis, records in result.orders.of.items():
+    assert result.expected_motion is not None
+    for axis, records in result.expected_motion.of.items():
         for k, order in enumerate(records):
             if order.path is not None and order.path.tails:
                 tails = tuple(made(each) for each in order.path.tails)
-                result.orders.of[axis][k] = order._replace(path=order.path._replace(tails=tails))
+                result.expected_motion.of[axis][k] = order._replace(path=order.path._replace(tails=tails))
 
 
 def test_two_paths_that_overlap_are_proved() -> None:
@@ -66,8 +66,8 @@ def test_a_path_that_goes_on_beneath_another_one_keeps_its_own_bounds(
 
 def test_three_paths_at_once_are_found() -> None:
     result = proved()
-    assert result.orders is not None
-    for records in result.orders.of.values():
+    assert result.expected_motion is not None
+    for records in result.expected_motion.of.values():
         for k, order in enumerate(records):
             if order.path is not None and order.path.tails:
                 path = order.path._replace(tails=order.path.tails * 2)

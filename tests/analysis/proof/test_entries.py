@@ -57,8 +57,10 @@ def test_a_report_that_has_a_move_end_after_the_run_is_found() -> None:
     from motionlang.log.track import Recorded
 
     recorded, proof = Recorded(result.controller), Proof()
-    assert result.orders is not None
-    check_report(proof, Ran(recorded.axes, recorded.moves, result.orders, 2.0), [{**row, "duration": 5.2}])
+    assert result.expected_motion is not None
+    check_report(
+        proof, Ran(recorded.axes, recorded.moves, result.expected_motion, 2.0), [{**row, "duration": 5.2}]
+    )
     assert [each.message for each in proof.violations] == [
         "axis 0 from 0.000000 s: the report has it end at 5.2 s, the run at 2 s"
     ]

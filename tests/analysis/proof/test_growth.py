@@ -8,9 +8,8 @@ from marshal import loads
 import pytest
 
 from motionlang import run
-from motionlang.analysis.proof import checker as judge
-from motionlang.analysis.proof import paths
-from motionlang.analysis.proof.paths import PathLayout
+from motionlang.analysis.proof import checker, paths
+from motionlang.analysis.proof.path_layout import PathLayout
 from motionlang.controller.move import Move
 from motionlang.log import stream
 from motionlang.log.order import PathOrder
@@ -57,18 +56,18 @@ def proved(text: str) -> Run:
     return run(Source("long.mnt", text), cache=False, prove=True)
 
 
-def looks(monkeypatch: pytest.MonkeyPatch, text: str) -> int:
-    """Return how often the proof computes the progress of another entry."""
-    count, gone = 0, judge.gone
+def count_checks(monkeypatch: pytest.MonkeyPatch, text: str) -> int:
+    """Return how often the proof calculates how far another entry has got."""
+    count, travelled = 0, checker.travelled
 
     def counted(move: Move, time: float) -> tuple[float, float]:
         nonlocal count
         count += 1
-        return gone(move, time)
+        return travelled(move, time)
 
     result = proved(text)
     with monkeypatch.context() as patched:
-        patched.setattr(judge, "gone", counted)
+        patched.setattr(checker, "travelled", counted)
         assert result.proof().holds
     return count
 
@@ -77,7 +76,7 @@ def test_each_blended_path_is_compared_with_those_that_overlap_it_alone(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     few, many = (
-        looks(monkeypatch, BLENDS.format("VECTORR(0, 1) = 0.03, 0.04\n" * paths)) for paths in (41, 84)
+        count_checks(monkeypatch, BLENDS.format("VECTORR(0, 1) = 0.03, 0.04\n" * paths)) for paths in (41, 84)
     )
     assert 0 < many <= 2.2 * few
 
@@ -106,7 +105,7 @@ def test_each_path_of_a_contour_is_laid_out_equally_often(monkeypatch: pytest.Mo
 def test_a_slave_is_compared_with_the_offsets_that_are_under_way_alone(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    few, many = (looks(monkeypatch, OFFSETS.format(offsets)) for offsets in (50, 100))
+    few, many = (count_checks(monkeypatch, OFFSETS.format(offsets)) for offsets in (50, 100))
     assert 0 < many <= 2.2 * few
 
 
@@ -121,7 +120,7 @@ def test_a_long_run_is_unpacked_a_few_times_and_not_for_each_of_its_moves(
         count += 1
         return loads(data)
 
-    for name, value in (("MAX_TAIL", 512), ("LEFT", 128), ("PART", 128)):
+    for name, value in (("MAX_TAIL", 512), ("LEFT", 128), ("CHUNK_SIZE", 128)):
         monkeypatch.setattr(stream, name, value)
     result = proved(JOGS.format(2000))
     monkeypatch.setattr(stream, "loads", counted)

@@ -62,7 +62,7 @@ def test_the_corner_behind_an_arc_that_stops_is_that_of_its_tangent() -> None:
         assert arc.corner == pytest.approx(corner, abs=0.1)
 
 
-def test_what_cut_a_path_short_is_told() -> None:
+def test_what_cut_a_path_short_is_reported() -> None:
     (only,) = rows_of("VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT(500)\nSTOP(0)\nPAUSE IDLE(0)\n")
     assert at_its_end(only) == "ended by stop"
     assert only.length < 50.0

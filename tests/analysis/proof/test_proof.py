@@ -144,7 +144,7 @@ def test_paths_of_other_paces_and_stops_on_them_keep_every_bound(program: str) -
     assert found(proved(program)) == []
 
 
-def test_a_run_that_kept_no_orders_cannot_be_proved() -> None:
+def test_a_run_without_expected_motion_cannot_be_proved() -> None:
     result = run(Source("move.mnt", MOVE), cache=False)
     with pytest.raises(ValueError, match="prove=True"):
         result.proof()
@@ -180,9 +180,9 @@ def tie_of(order: Order, **other: object) -> Order:
     return order if order.tie is None else order._replace(tie=order.tie._replace(**other))  # type: ignore[arg-type]
 
 
-def off(order: Order, place: float, value: float, kind: str) -> Order:
+def off(order: Order, position: float, value: float, kind: str) -> Order:
     """Return an order that is tied to a table with one segment."""
-    return tie_of(order, table=((0.0, place), (0.0, value), kind))
+    return tie_of(order, table=((0.0, position), (0.0, value), kind))
 
 
 BROKEN: dict[str, tuple[str, Forge, str]] = {
@@ -264,47 +264,51 @@ def test_an_order_that_the_motion_breaks_is_found(name: str) -> None:
     program, forge, message = BROKEN[name]
     result = proved(RATES + program)
     assert found(result) == []
-    assert result.orders is not None
-    for axis, records in result.orders.of.items():
-        result.orders.of[axis] = [forge(order) for order in records]
+    assert result.expected_motion is not None
+    for axis, records in result.expected_motion.of.items():
+        result.expected_motion.of[axis] = [forge(order) for order in records]
     assert any(message in each for each in found(result)), found(result)
 
 
-def test_a_report_and_a_trace_that_tell_otherwise_are_found() -> None:
+def test_a_report_and_a_trace_that_differ_are_found() -> None:
     result = proved(MOVE)
-    assert result.orders is not None
+    assert result.expected_motion is not None
     (row,), recorded = list(moves(result)), Recorded(result.controller)
     samples = result.trace.sample(10.0)
 
-    def told(report: dict[str, object], trace: Samples = samples) -> list[str]:
-        assert result.orders is not None
+    def violations(report: dict[str, object], trace: Samples = samples) -> list[str]:
+        assert result.expected_motion is not None
         return [
-            each.message for each in prove(recorded, result.orders, result.time, [report], trace).violations
+            each.message
+            for each in prove(recorded, result.expected_motion, result.time, [report], trace).violations
         ]
 
-    assert told(row) == []
-    assert told({**row, "end": 101.0}) == [
+    assert violations(row) == []
+    assert violations({**row, "end": 101.0}) == [
         "axis 0 from 0.000000 s: the report has it at 101 at 5.300000 s, the track at 100"
     ]
-    assert told({**row, "peak_speed": 20.1}) == [
+    assert violations({**row, "peak_speed": 20.1}) == [
         "axis 0 from 0.000000 s: the report has a peak of 20.1, the track 20"
     ]
-    assert "the report has it at 7" in told({**row, "start_time": 7.0})[0]
-    times, place, *others = samples.data
-    forged = Samples(samples.columns, (times, place + 0.01 * (times > 2.05), *others))
-    assert told(row, forged) == ["axis 0 at 2.100000 s: the trace has it at 40.01, the track at 40"]
+    assert "the report has it at 7" in violations({**row, "start_time": 7.0})[0]
+    times, positions, *others = samples.data
+    forged = Samples(samples.columns, (times, positions + 0.01 * (times > 2.05), *others))
+    assert violations(row, forged) == ["axis 0 at 2.100000 s: the trace has it at 40.01, the track at 40"]
 
 
-def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A run of the maximum of profiles is proved; with one more, nothing is recorded."""
+def test_more_motion_than_is_stored_is_not_proved_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A run with the maximum number of profiles is proved.
+
+    With one profile more, nothing is recorded, and the run continues.
+    """
     monkeypatch.setattr("motionlang.log.expected_motion.MANY_EQUAL", 1)
     program = (
         "Dim i As Integer\nFor i = 1 To 4\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\nPRINT POS(0)\n"
     )
     whole = run(Source("move.mnt", program), cache=False, prove=True)
-    assert whole.orders is not None
-    count = sum(map(len, whole.orders.of.values())) - len(whole.orders.of)
-    for most, told in (
+    assert whole.expected_motion is not None
+    count = sum(map(len, whole.expected_motion.of.values())) - len(whole.expected_motion.of)
+    for most, expected in (
         (count, []),
         (count - 1, [f"0: nothing was verified: the run has more than {count - 1} profiles"]),
     ):
@@ -312,30 +316,30 @@ def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.
         monkeypatch.setattr("motionlang.analysis.proof.prove.MAX_PROFILES", most)
         ran = run(Source("move.mnt", program), cache=False, prove=True)
         assert ran.output == whole.output == ["4.0000"]
-        assert [each.partition(" of motion")[0] for each in found(ran)] == told
+        assert [each.partition(" of motion")[0] for each in found(ran)] == expected
         assert ran.report == whole.report
-        assert ran.orders is not None
-        assert (ran.orders.is_full, bool(ran.orders.of)) == (bool(told), not told)
+        assert ran.expected_motion is not None
+        assert (ran.expected_motion.is_full, bool(ran.expected_motion.of)) == (bool(expected), not expected)
 
 
-@pytest.mark.parametrize(("speed", "orders"), [("10", 1), ("10 * i", 60)])
-def test_moves_that_are_ordered_alike_are_kept_as_one(
-    speed: str, orders: int, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(("speed", "entries"), [("10", 1), ("10 * i", 60)])
+def test_equal_expected_moves_are_stored_once(
+    speed: str, entries: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Sixty equal moves and their rests are two profiles in fifty.
+    """Of sixty equal moves with their rests, fifty share two profiles.
 
-    With a speed each there are too many.
+    If each has another speed, there are too many profiles.
     """
-    turn = f"SPEED(0) = {speed}\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"
-    program = f"Dim i As Integer\nFor i = 1 To 60\n  {turn}Next\n"
+    iteration = f"SPEED(0) = {speed}\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"
+    program = f"Dim i As Integer\nFor i = 1 To 60\n  {iteration}Next\n"
     monkeypatch.setattr("motionlang.log.expected_motion.MAX_PROFILES", 62)
-    kept = proved(program).orders
-    assert kept is not None
-    assert (kept.is_full, len({id(each) for each in kept.of[0]})) == (False, 1 + orders)
+    expected = proved(program).expected_motion
+    assert expected is not None
+    assert (expected.is_full, len({id(each) for each in expected.of[0]})) == (False, 1 + entries)
     monkeypatch.setattr("motionlang.log.expected_motion.MAX_PROFILES", 4)
-    full = proved(program).orders
+    full = proved(program).expected_motion
     assert full is not None
-    assert full.is_full == (orders > 1)
+    assert full.is_full == (entries > 1)
 
 
 def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -352,12 +356,12 @@ def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.Monkey
     assert result.controller.axes[0].older is not None
     assert (proof.violations, proof.counts["moves"], proof.counts["paths"]) == ([], 122, 1)
     (row, *rows) = list(moves(result))
-    assert result.orders is not None
+    assert result.expected_motion is not None
     recorded = Recorded(result.controller)
-    told = prove(recorded, result.orders, result.time, rows).violations
-    assert [each.message for each in told] == ["the report has 121 moves, the log 122"]
-    told = prove(recorded, result.orders, result.time, [{**row, "line": 99}, *rows]).violations
-    assert [each.message for each in told] == [
+    violations = prove(recorded, result.expected_motion, result.time, rows).violations
+    assert [each.message for each in violations] == ["the report has 121 moves, the log 122"]
+    violations = prove(recorded, result.expected_motion, result.time, [{**row, "line": 99}, *rows]).violations
+    assert [each.message for each in violations] == [
         "axis 0 from 0.000000 s: the report has it at 5e-09 s, line 99"
     ]
 

@@ -21,10 +21,10 @@ def test_the_acceleration_of_an_axis_is_rounded_in_its_counts(jump: float, found
     path = "VECTORR(0, 1) = 0, 29 : GO(0)\nPAUSE IDLE(0)\n"
     result = run(Source("found.mnt", SETTINGS + JERKS + path), cache=False, prove=True)
     assert result.proof().holds
-    orders, track = result.controller.orders, WholeTrack(result.controller.axes[1])
-    assert orders is not None
-    i = next(k for k, order in enumerate(orders.of[1]) if order.path is not None)
-    order, planned = orders.of[1][i], track.profiles[i]
+    expected, track = result.controller.expected_motion, WholeTrack(result.controller.axes[1])
+    assert expected is not None
+    i = next(k for k, order in enumerate(expected.of[1]) if order.path is not None)
+    order, planned = expected.of[1][i], track.profiles[i]
     first, (c0, c1, c2, c3, c4, c5, c6), *others = planned.pieces
     curve = planned.knots, (first, (c0, c1, c2 + 0.5 * jump, c3, c4, c5, c6), *others), ()
     track.profiles = [*track.profiles]

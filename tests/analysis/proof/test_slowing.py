@@ -22,7 +22,7 @@ def test_a_trapezoid_slows_down_at_its_rate() -> None:
     """From 50 to 10 counts/s at 100 counts/s² takes 0.4 s."""
     slow = slowing(-50.0, 0.0, 10.0, TRAPEZOID)
     assert slow.until == pytest.approx(0.4, rel=1e-5)
-    assert [slow.due(time) for time in (0.0, 0.1, 0.3, 0.5)] == pytest.approx([50.0, 40.0, 20.0, 10.0])
+    assert [slow.expected(time) for time in (0.0, 0.1, 0.3, 0.5)] == pytest.approx([50.0, 40.0, 20.0, 10.0])
 
 
 def test_an_s_ramp_slows_down_within_its_jerk() -> None:
@@ -32,7 +32,7 @@ def test_an_s_ramp_slows_down_within_its_jerk() -> None:
     """
     slow = slowing(50.0, 0.0, 10.0, S_RAMP)
     assert slow.until == pytest.approx(0.6, rel=1e-5)
-    assert [slow.due(time) for time in (0.2, 0.4, 0.6)] == pytest.approx([40.0, 20.0, 10.0])
+    assert [slow.expected(time) for time in (0.2, 0.4, 0.6)] == pytest.approx([40.0, 20.0, 10.0])
 
 
 def test_an_acceleration_is_taken_back_first() -> None:
@@ -40,14 +40,14 @@ def test_an_acceleration_is_taken_back_first() -> None:
     slow = slowing(50.0, 100.0, 10.0, S_RAMP)
     assert (slow.came, slow.eased) == pytest.approx((60.0, 0.2), rel=1e-5)
     assert slow.until == pytest.approx(0.9, rel=1e-5)
-    assert [slow.due(time) for time in (0.2, 0.4)] == pytest.approx([60.0, 50.0])
+    assert [slow.expected(time) for time in (0.2, 0.4)] == pytest.approx([60.0, 50.0])
 
 
 def test_a_deceleration_that_is_under_way_serves() -> None:
     """It is 100 already: 30 counts/s in 0.3 s, and the last 10 in the final 0.2 s."""
     slow = slowing(50.0, -100.0, 10.0, S_RAMP)
     assert slow.until == pytest.approx(0.5, rel=1e-5)
-    assert slow.due(0.3) == pytest.approx(20.0)
+    assert slow.expected(0.3) == pytest.approx(20.0)
 
 
 SETTINGS = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 100 : FEEDRATEMODE(0) = 2\n"

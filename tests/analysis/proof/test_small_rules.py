@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import inf, nextafter
+from math import acos, inf, nextafter, pi
 from types import SimpleNamespace
 from typing import Any
 
@@ -12,7 +12,8 @@ import pytest
 from motionlang.analysis.proof.axes import _check_knots
 from motionlang.analysis.proof.checker import Proof, position
 from motionlang.analysis.proof.followers import FOUR, _check_table, _moments, _wanted
-from motionlang.analysis.proof.paths import PathLayout, _check_along, _counts, spans_along
+from motionlang.analysis.proof.path_layout import PathLayout
+from motionlang.analysis.proof.paths import _check_along, _counts, spans_along
 from motionlang.analysis.proof.segments import Span, _from
 from motionlang.analysis.proof.time_bounds import Law, lead
 from motionlang.execution import run
@@ -30,12 +31,12 @@ FREE = (inf, inf)
 
 def test_an_acceleration_beyond_what_is_allowed_is_taken_back_to_that_first() -> None:
     """From 30 to 20 in 0.1 s at a jerk of 100, constant until 98, to zero in 0.2 s."""
-    time, way = lead(0.0, 30.0, 100.0, Law((20.0, 20.0), (100.0, 100.0)))
+    time, distance = lead(0.0, 30.0, 100.0, Law((20.0, 20.0), (100.0, 100.0)))
     assert time == pytest.approx(0.1 + 4.775 + 0.2)
-    assert way == pytest.approx(0.4 / 3.0 + (2.5 * 4.775 + 10.0 * 4.775**2) + 59.6 / 3.0)
+    assert distance == pytest.approx(0.4 / 3.0 + (2.5 * 4.775 + 10.0 * 4.775**2) + 59.6 / 3.0)
 
 
-def test_a_slave_is_looked_at_where_a_piece_ends_and_within_each() -> None:
+def test_a_slave_is_checked_where_a_piece_ends_and_within_each() -> None:
     c = machine(1)
     c.move_to(0, 20.0)
     track = WholeTrack(until(c, 1.0).axes[0])
@@ -44,7 +45,7 @@ def test_a_slave_is_looked_at_where_a_piece_ends_and_within_each() -> None:
     assert all(0.0 < share < 1.0 for share in FOUR)
 
 
-def test_a_place_between_two_of_a_table_is_on_the_line_between_them() -> None:
+def test_a_position_between_two_of_a_table_is_on_the_line_between_them() -> None:
     master: Any = None
     tie = Tie(master, table=((0.0, 2.0, 4.0), (0.0, 8.0, 10.0), "linear"))
     assert [_wanted(tie, hold(0.0), along) for along in (1.0, 2.0, 3.0)] == [4.0, 8.0, 9.0]
@@ -65,11 +66,11 @@ TABLES: dict[str, tuple[str, tuple[float, ...], tuple[float, ...], str, str]] = 
 
 @pytest.mark.parametrize("name", TABLES)
 def test_a_curve_is_joined_as_its_table_says(name: str) -> None:
-    kind, places, values, made, told = TABLES[name]
+    kind, positions, values, made, message = TABLES[name]
     some: Any = SimpleNamespace(index=1, starts=[0.0])
-    proof, order = Proof(), Order("CurveFollow", 1, tie=Tie(some, table=(places, values, kind)))
-    _check_table(proof, some, some, 0, order, table_curve(list(places), list(values), made))
-    assert [told in each.message for each in proof.violations] == [True] * bool(told)
+    proof, order = Proof(), Order("CurveFollow", 1, tie=Tie(some, table=(positions, values, kind)))
+    _check_table(proof, some, some, 0, order, table_curve(list(positions), list(values), made))
+    assert [message in each.message for each in proof.violations] == [True] * bool(message)
 
 
 def test_just_at_a_new_zero_a_track_is_where_it_came_from_for_what_ends_there() -> None:
@@ -82,19 +83,19 @@ def test_just_at_a_new_zero_a_track_is_where_it_came_from_for_what_ends_there() 
     assert position(track, 1000.1, ending=True) == 7.0
 
 
-@pytest.mark.parametrize(("gap", "told"), [(0.01, 0), (0.02, 1)])
-def test_at_a_high_speed_late_in_a_run_a_position_is_as_exact_as_its_time(gap: float, told: int) -> None:
+@pytest.mark.parametrize(("gap", "count"), [(0.01, 0), (0.02, 1)])
+def test_at_a_high_speed_late_in_a_run_a_position_is_as_exact_as_its_time(gap: float, count: int) -> None:
     """Four roundings of 10⁶ s are 1.6 ns, at 10⁷ counts/s 0.016 counts."""
     fast = Span(0.0, 1.0, (0.0, 1e7, 0.0, 0.0, 0.0, 0.0, 0.0))
     other = Span(1.0, 1.0, (1e7 + gap, 1e7, 0.0, 0.0, 0.0, 0.0, 0.0))
     some: Any = SimpleNamespace(index=0, starts=[1e6], profiles=[hold(0.0)])
     proof = Proof()
     _check_knots(proof, some, 0, Order("jog", 1), [fast, other])
-    assert len(proof.violations) == told
+    assert len(proof.violations) == count
 
 
-def test_a_cubic_piece_is_cut_where_its_velocity_and_its_acceleration_turn() -> None:
-    """4 + 9 x - 6 x² + x³: the velocity 9 - 12 x + 3 x² is 0 at 1 and at 3.
+def test_a_cubic_piece_is_cut_at_extrema_of_velocity_and_acceleration() -> None:
+    """4 + 9 x - 6 x² + x³ has the velocity 9 - 12 x + 3 x², which is 0 at 1 and 3.
 
     The acceleration 6 x - 12 is 0 at 2.
     """
@@ -104,7 +105,7 @@ def test_a_cubic_piece_is_cut_where_its_velocity_and_its_acceleration_turn() -> 
     assert [round(power) for power, _, _ in span.sides()] == [-34, 7, -7, 34]
 
 
-def test_parts_of_axes_in_counts() -> None:
+def test_components_of_axes_in_counts() -> None:
     assert _counts([3.0, 2.0], [(0, 4.0), (1, 0.5)]) == [12.0, 1.0]
 
 
@@ -147,14 +148,14 @@ COMING: dict[str, tuple[float, float, float, float, tuple[str, ...]]] = {
 
 @pytest.mark.parametrize("name", COMING)
 def test_a_path_that_comes_too_fast_may_become_as_fast_as_its_jerk_makes_it(name: str) -> None:
-    speed, rate, jerk, length, told = COMING[name]
+    speed, rate, jerk, length, messages = COMING[name]
     path = PathOrder(
         (0,), (1.0,), 0.0, 0, True, (9.0,), (0.0, 0.0), 0.0, (), (0, 1), None, (inf,), (inf,), (inf,), 0.0
     )
     order = Order("path", 1, speed=0.05, rates=(2.0, 2.0), jerks=(10.0, 20.0), path=path)
     proof, span = Proof(), Span(0.0, length, (0.0, speed, 0.5 * rate, jerk / 6.0, 0.0, 0.0, 0.0))
     _check_along(proof, order, PathLayout(path, [0.0]), [span], "here")
-    assert [each.message for each in proof.violations] == [f"here: {each}" for each in told]
+    assert [each.message for each in proof.violations] == [f"here: {each}" for each in messages]
 
 
 def test_a_piece_counted_from_elsewhere_is_the_same_piece() -> None:
@@ -182,3 +183,14 @@ def test_an_axis_with_a_motor_has_a_trace_of_it() -> None:
         cache=False,
     )
     assert list(servo_traces(made.controller)) == [0]
+
+
+def test_a_wave_on_a_line_turns_where_its_velocity_is_0() -> None:
+    """0.5 x + sin 2x has the velocity 0.5 + 2 cos 2x, which is 0 at acos(-1/4)/2.
+
+    The acceleration is 0 at pi/2, as is sin 2x.
+    """
+    cuts = Span(0.0, 2.0, (0.0, 0.5, 0.0, 0.0, 1.0, 2.0, 0.0)).cuts()
+    assert any(cut == pytest.approx(acos(-0.25) / 2.0) for cut in cuts)
+    assert any(cut == pytest.approx(pi / 2.0) for cut in cuts)
+    assert (cuts[0], cuts[-1]) == (0.0, 2.0)

@@ -25,8 +25,10 @@ def test_a_move_from_any_state_takes_as_long_as_is_due(shape: str) -> None:
         state = State(choose, shape)
         jerks = tuple(state.jerks) if shape == "scurve" else (float("inf"),) * 2
         by = law(shape, (state.rates[0], state.rates[1]), (jerks[0], jerks[1]), 0.0)
-        due = move_time(state.v0, state.a0, state.target - state.start, state.speed, by)
-        assert state.planned().duration == pytest.approx(due, rel=1e-7, abs=1e-9), f"{number}: {vars(state)}"
+        expected = move_time(state.v0, state.a0, state.target - state.start, state.speed, by)
+        assert state.planned().duration == pytest.approx(expected, rel=1e-7, abs=1e-9), (
+            f"{number}: {vars(state)}"
+        )
 
 
 @pytest.mark.parametrize("shape", PMC)
@@ -38,8 +40,8 @@ def test_a_move_of_the_pmc_shapes_takes_as_long_as_is_due(shape: str) -> None:
         made = plan(
             shape, state.start, state.target, state.speed, state.rates[0], state.rates[1], state.v0, 0.2
         )
-        due = move_time(state.v0, 0.0, state.target - state.start, state.speed, by)
-        assert made.duration == pytest.approx(due, rel=1e-7, abs=1e-9), f"{number}: {vars(state)}"
+        expected = move_time(state.v0, 0.0, state.target - state.start, state.speed, by)
+        assert made.duration == pytest.approx(expected, rel=1e-7, abs=1e-9), f"{number}: {vars(state)}"
 
 
 def test_a_jog_takes_as_long_as_is_due() -> None:
@@ -58,11 +60,13 @@ def test_ramps_by_hand() -> None:
     """
     assert ramp(0.0, 100.0, Law((50.0, 50.0), (100.0, 100.0))) == pytest.approx((2.5, 125.0))
     endless = (float("inf"),) * 2
-    for shape, time, way in (
+    for shape, time, distance in (
         ("sinusoidal", 628.3185307, 12566.37061), ("scurve", 444.4444444, 8888.888889),
         ("parabolic", 800.0, 21333.33333),
     ):  # fmt: skip
-        assert ramp(0.0, 40.0, law(shape, (0.1, 0.1), endless, 0.1)) == pytest.approx((time, way), rel=1e-9)
+        assert ramp(0.0, 40.0, law(shape, (0.1, 0.1), endless, 0.1)) == pytest.approx(
+            (time, distance), rel=1e-9
+        )
 
 
 @pytest.mark.parametrize("distance", [-100.0, 100.0, -1e-3])

@@ -15,7 +15,7 @@ MOVER(0) = length : GO(0) : PAUSE IDLE(0)
 PRINT "at ", POS(0), " of ", length
 """
 # The source of a name's value, the name and its values; true if the value can be bound at the start.
-WAYS: dict[str, tuple[str, str, tuple[float | str, ...], bool]] = {
+CASES: dict[str, tuple[str, str, tuple[float | str, ...], bool]] = {
     "a constant": ("Const length = 30" + MOVES, "length", (12.0, 7.25), True),
     "one with a type": ("Const length As Float = 30" + MOVES, "length", (12.0, 7.25), True),
     "a whole one, cut off": ("Const length As Integer = 30" + MOVES, "LENGTH", (12.75, -7.25), True),
@@ -46,18 +46,18 @@ WAYS: dict[str, tuple[str, str, tuple[float | str, ...], bool]] = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("way", WAYS)
-def test_as_if_it_stood_in_the_text(way: str) -> None:
-    program, name, values, is_bound = WAYS[way]
+@pytest.mark.parametrize("case", CASES)
+def test_as_if_it_were_in_the_text(case: str) -> None:
+    program, name, values, is_bound = CASES[case]
     source = Source("given.mnt", program)
     compiled = dialect("mint").compile_given(source, {}, {name: values[0]})
     assert isinstance(compiled, MintProgram)
-    assert (name in compiled.given) is (is_bound or way.startswith("a number"))
+    assert (name in compiled.given) is (is_bound or case.startswith("a number"))
     for value in (*values, *values):
         alone = run(source, overrides={name: value}, cache=False)
         assert alone.status == "ended", alone.diagnostics
         again = run(source, overrides={name: value}, cache=False, compiled=compiled)
-        assert text(again) == text(alone), (way, value)
+        assert text(again) == text(alone), (case, value)
 
 
 def test_two_names_of_which_one_decides_how_the_program_is_made() -> None:

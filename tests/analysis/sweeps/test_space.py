@@ -41,7 +41,7 @@ def test_what_is_no_range_is_refused(text: str) -> None:
         dimension(text)
 
 
-def test_what_is_wrong_with_a_grid_is_said() -> None:
+def test_what_is_wrong_with_a_grid_is_reported() -> None:
     with pytest.raises(ValueError, match=r"how many values of n\? A grid needs n=1:2:COUNT"):
         Grid([dimension("n=1:2")])
     with pytest.raises(ValueError, match="varied twice"):
@@ -52,7 +52,7 @@ def test_what_is_wrong_with_a_grid_is_said() -> None:
         space_of([{"a": 1.0}, {"b": 1.0}])
 
 
-def test_a_latin_hypercube_has_one_point_in_each_part() -> None:
+def test_a_latin_hypercube_has_one_point_in_each_interval() -> None:
     count = 50
     drawn = Drawn([dimension("a=0:50"), dimension("b=-1:1"), dimension("c=x,y")], count, 7, True)
     points = [drawn[n] for n in range(count)]

@@ -65,7 +65,7 @@ def test_every_variant_is_a_run_and_its_figures_are_those_of_the_move() -> None:
         assert (row["status"], row["torque.0"]) == ("ended", None)
 
 
-def test_a_bad_variant_is_told_as_a_run_tells_it_and_the_others_go_on() -> None:
+def test_a_bad_variant_is_reported_as_by_a_run_and_the_others_go_on() -> None:
     rows = list(motionlang.sweep(STROKE, {"rate": [1000, 0, 4000, 2000]}, keep=["time", "status"], jobs=1))
     assert [row.ok for row in rows] == [True, False, False, True]
     for row, rate in ((rows[1], 0.0), (rows[2], 4000.0)):
@@ -81,7 +81,7 @@ def test_a_bad_variant_is_told_as_a_run_tells_it_and_the_others_go_on() -> None:
         (ImportError("no numpy", name="numpy"), "extra", "this run needs numpy"),
     ],
 )
-def test_a_variant_that_brings_motionlang_down_is_told_with_its_reason(
+def test_a_variant_that_brings_motionlang_down_is_reported_with_its_reason(
     error: Exception, code: str, message: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def fails(*_: object) -> None:
@@ -172,7 +172,7 @@ def test_chunks_that_are_lost_are_run_again() -> None:
     assert results(Unreliable(lambda *_: draw() < 0.25)) == results(None)
 
 
-def test_a_variant_that_ends_its_worker_each_time_is_told_as_lost_and_no_other() -> None:
+def test_only_a_variant_that_ends_its_worker_each_time_is_reported_as_lost() -> None:
     found, expected = results(Unreliable(lambda _, indices: 17 in indices)), results(None)
     assert [row[0] for row in found if row != expected[row[0]]] == [17]
     assert "the worker was lost 5 times" in found[17][2]["message"]

@@ -102,13 +102,13 @@ def test_texts_are_read_up_to_a_zero(words: tuple[int, ...], text: str) -> None:
     assert memory.text("comms", 1, 10) == text
 
 
-def test_listeners_hear_of_what_the_host_writes_and_whether_it_changed() -> None:
+def test_listeners_are_notified_of_host_writes_and_of_changes() -> None:
     memory = HostMemory()
-    heard: list[tuple[str, int, bool]] = []
-    memory.listeners.append(lambda *what: heard.append(what))
+    changes: list[tuple[str, int, bool]] = []
+    memory.listeners.append(lambda *what: changes.append(what))
     memory.set_integer("comms", 1, 5)
     memory.write("comms", 1, [5, 6])
-    assert heard == [("comms", 1, False), ("comms", 2, True)]
+    assert changes == [("comms", 1, False), ("comms", 2, True)]
 
 
 def test_the_machine_file_writes_at_its_time() -> None:

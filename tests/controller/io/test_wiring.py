@@ -28,7 +28,7 @@ def test_inputs_by_time() -> None:
     assert changes(c) == [(1.5, 3, 1), (2.0, 4, 1), (2.25, 4, 0)]
 
 
-def test_an_input_by_position_follows_the_axis_both_ways() -> None:
+def test_an_input_by_position_follows_the_axis_in_both_directions() -> None:
     c = machine(input=[{"channel": 3, "axis": 0, "above": 6.0}])
     c.move_to(0, 12.0)
     c.clock.advance(5.0)

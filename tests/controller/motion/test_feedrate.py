@@ -75,7 +75,7 @@ def test_an_override_of_nothing_holds_the_axis_and_keeps_the_move() -> None:
     assert len(c.log.moves) == 1
 
 
-def test_both_kinds_of_move_stand_in_one_buffer() -> None:
+def test_both_kinds_of_move_share_one_buffer() -> None:
     c = machine(buffer_size=5)
     for mode in (1, 0):
         c.configure(0, "feedrate_mode", mode)
@@ -132,9 +132,7 @@ def test_a_limit_acts_on_a_jog_at_once_and_lets_it_go_when_it_is_lifted(shape: s
 @pytest.mark.parametrize(
     ("begin", "end", "time"), [(0.0, 0.0, 0.1), (0.1, 0.0, 0.15), (0.0, 0.1, 0.15), (0.05, 0.1, 0.175)]
 )
-def test_a_speed_reference_of_nothing_ends_when_the_axis_stands(
-    begin: float, end: float, time: float
-) -> None:
+def test_a_speed_reference_of_nothing_ends_at_standstill(begin: float, end: float, time: float) -> None:
     c = machine()
     slope = Slope(100.0, begin, end)
     c.refer_speed(0, 10.0, (slope, slope))

@@ -135,7 +135,7 @@ def test_suspend_lets_a_slave_ramp_out_and_in() -> None:
     assert until(c, 3.0).velocity(1) == pytest.approx(10.0)
 
 
-def test_a_slave_that_is_off_follows_nobody() -> None:
+def test_a_slave_that_is_off_follows_no_master() -> None:
     c = machine()
     c.gear(1, 0, 1.0)
     c.jog(0, 10.0)
@@ -225,7 +225,7 @@ def test_a_flying_shear_by_its_figures() -> None:
     assert c.is_idle(1)
 
 
-def test_a_shear_stands_when_its_master_does_and_goes_on_with_it() -> None:
+def test_a_shear_rests_when_its_master_does_and_goes_on_with_it() -> None:
     c = machine()
     shear(c, (5.0, 10.0))
     c.move_to(0, 4.0)
@@ -264,16 +264,16 @@ def test_a_shear_that_is_over_at_speed_brakes() -> None:
     st.sampled_from(["trapezoid", "sinusoidal", "scurve"]),
 )
 def test_a_shear_is_where_it_should_be_at_every_join(
-    segments: list[tuple[float, float]], way: float, shape: str
+    segments: list[tuple[float, float]], end: float, shape: str
 ) -> None:
     c = machine(buffer_size=10, shape=shape)
     shear(c, *segments)
-    c.move_to(0, way)
+    c.move_to(0, end)
     until(c, 99.0)
     slave = master = 0.0
     for distance, over in segments:
         slave, master = slave + distance, master + over
-        if master < way:
+        if master < end:
             time = c.axes[0].profiles[1].crossing(master)
             assert time is not None
             assert at(c, 1, time) == pytest.approx(slave, abs=1e-8)
@@ -299,8 +299,8 @@ def test_a_linear_cam_repeats_and_advances() -> None:
     assert c.cam_index(1) == 1
     assert until(c, 4.55).position(1) == pytest.approx(2.0 + 2.5)
     c.jog(0, -10.0)
-    turn = c.clock.now
-    until(c, turn + 0.2 + 4.5)  # back to where it was, and 45 further back: at 0 of the first cycle
+    reversal = c.clock.now
+    until(c, reversal + 0.2 + 4.5)  # back to where it was, and 45 further back: at 0 of the first cycle
     assert c.position(0) == pytest.approx(0.0, abs=1e-9)
     assert c.position(1) == pytest.approx(0.0, abs=1e-9)
     assert until(c, c.clock.now + 1.0).position(1) == pytest.approx(-2.0 + 2.0 + 1.5)
@@ -334,7 +334,7 @@ def test_a_slave_that_leaves_its_cam_in_motion_brakes_beyond_it(rise: float) -> 
     assert c.is_idle(1)
 
 
-def test_a_part_of_a_table() -> None:
+def test_a_range_of_a_table() -> None:
     c = machine()
     c.cam(1, 0, [0.0, 10.0, 20.0, 30.0], [1.0, 2.0, 5.0, 9.0], first=1, last=1)
     c.move_to(0, 5.0)
@@ -343,7 +343,7 @@ def test_a_part_of_a_table() -> None:
 
 
 @pytest.mark.parametrize(
-    ("places", "values", "more", "message"),
+    ("positions", "values", "more", "message"),
     [
         ([0.0], [0.0], {}, "segments"),
         ([0.0, 5.0, 4.0], [0.0, 1.0, 2.0], {}, "rise"),
@@ -353,30 +353,30 @@ def test_a_part_of_a_table() -> None:
     ],
 )
 def test_a_table_that_is_none_is_refused(
-    places: list[float], values: list[float], more: dict[str, Any], message: str
+    positions: list[float], values: list[float], more: dict[str, Any], message: str
 ) -> None:
     c = machine()
     with pytest.raises(Rejected, match=message):
-        c.cam(1, 0, places, values, **more)
+        c.cam(1, 0, positions, values, **more)
     assert c.is_idle(1)
 
 
 @quick
 @given(st.lists(st.floats(-9.0, 9.0), min_size=2, max_size=7), st.floats(-60.0, 60.0), st.booleans())
-def test_a_cyclic_cubic_cam_is_where_its_spline_is(values: list[float], way: float, back: bool) -> None:
+def test_a_cyclic_cubic_cam_is_where_its_spline_is(values: list[float], distance: float, back: bool) -> None:
     from motionlang.planners.table_motion import table_curve
 
     values = [0.0, *values]
-    places = [3.0 * k for k in range(len(values))]
+    positions = [3.0 * k for k in range(len(values))]
     c = machine()
-    c.cam(1, 0, places, values, kind="cubic", cyclic=True)
-    c.move_to(0, way)
+    c.cam(1, 0, positions, values, kind="cubic", cyclic=True)
+    c.move_to(0, distance)
     if back:
         until(c, 1.0)
-        c.move_to(0, -way)
+        c.move_to(0, -distance)
     until(c, 99.0)
-    curve = table_curve(places, values, "cubic", True)
-    length, rise = places[-1], values[-1]
+    curve = table_curve(positions, values, "cubic", True)
+    length, rise = positions[-1], values[-1]
     for k in range(200):
         t = k * c.axes[0].starts[-1] / 200.0
         m = at(c, 0, t)

@@ -28,7 +28,7 @@ def plain(axis: int, time: float) -> float:
     return playing().axes[axis].position(time)
 
 
-def test_suspended_its_time_slows_down_and_stands() -> None:
+def test_suspended_its_time_slows_down_and_stops() -> None:
     c = playing()
     until(c, 0.7)
     for axis in (0, 1):
@@ -52,12 +52,12 @@ def test_suspended_its_time_slows_down_and_stands() -> None:
 @given(st.lists(st.floats(0.01, 0.8), min_size=1, max_size=6))
 def test_axes_that_play_together_stay_together(pauses: list[float]) -> None:
     c = playing()
-    held = False
+    suspended = False
     for pause in pauses:
         until(c, c.clock.now + pause)
         for axis in (0, 1):
-            (c.resume if held else c.suspend)(axis)
-        held = not held
+            (c.resume if suspended else c.suspend)(axis)
+        suspended = not suspended
     for axis in (0, 1):
         c.resume(axis)
     until(c, 99.0)
@@ -109,7 +109,7 @@ def test_stop_comes_to_rest_on_the_course_where_that_is_wanted() -> None:
     assert until(c, 3.0).position(0) == pytest.approx(plain(0, 0.7) + speed * speed / 200.0)
 
 
-def test_without_a_time_to_slow_down_in_it_stands_at_once() -> None:
+def test_without_a_time_to_slow_down_in_it_stops_at_once() -> None:
     c = playing()
     c.configure(0, "suspend_time", 0.0)
     until(c, 0.7).suspend(0)
@@ -124,10 +124,10 @@ def test_resumed_while_it_slows_down_it_speeds_up_from_there() -> None:
     0.75 of that time passes for the profile.
     """
     c = playing(on_path=False)
-    for time, told in ((0.7, c.suspend), (0.8, c.resume)):
+    for time, command in ((0.7, c.suspend), (0.8, c.resume)):
         until(c, time)
         for axis in (0, 1):
-            told(axis)
+            command(axis)
     assert c.idle_time(0) == pytest.approx(0.9 + (2.0 - 0.85))
 
 

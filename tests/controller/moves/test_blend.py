@@ -28,14 +28,14 @@ class Path:
     def __init__(self, axis: int, length: float, age: float) -> None:
         self.axis, self.length, self.age, self.over = axis, length, age, False
         self.speed = min(FAST, RATE * age)
-        self.gone = 50.0 * age**2 if age < 0.1 else 0.5 + FAST * (age - 0.1)
+        self.travelled = 50.0 * age**2 if age < 0.1 else 0.5 + FAST * (age - 0.1)
         whole = length / FAST + 0.1
         if age >= whole:
-            self.over, self.age, self.gone, self.speed = True, whole, length, 0.0
+            self.over, self.age, self.travelled, self.speed = True, whole, length, 0.0
 
     @property
     def left(self) -> float:
-        return self.length - self.gone
+        return self.length - self.travelled
 
 
 class Case:
@@ -58,23 +58,23 @@ class Case:
         c = machine(2, buffer_size=20, error_decel=ERROR_RATE, feedrate_mode=mode)
         c.set_scale(1, COUNTS[1])
         for path in self.paths:
-            ways = [0.0, 0.0]
-            ways[path.axis] = path.length * COUNTS[path.axis]
-            c.load_line_by([0, 1], ways)
+            distances = [0.0, 0.0]
+            distances[path.axis] = path.length * COUNTS[path.axis]
+            c.load_line_by([0, 1], distances)
         c.go([0])
         for time in self.begins[1:]:
             until(c, time).blend(0)
         return until(c, self.moment)
 
-    def places(self, more: Sequence[float]) -> list[list[float]]:
-        """Return the ends of the paths, each `more` further on, in counts.
+    def positions(self, more: Sequence[float]) -> list[list[float]]:
+        """Return the ends of the paths, counts, if each is `more` units further.
 
-        Each begins where the one before it ends.
+        Each path begins where the one before it ends.
         """
         here, found = [0.0, 0.0], []
-        for path, way in zip(self.paths, more, strict=True):
+        for path, distance in zip(self.paths, more, strict=True):
             here = list(here)
-            here[path.axis] += (path.gone + way) * COUNTS[path.axis]
+            here[path.axis] += (path.travelled + distance) * COUNTS[path.axis]
             found.append(here)
         return found
 
@@ -92,7 +92,7 @@ def at_rest(c: Controller, case: Case, more: Sequence[float], seconds: Sequence[
     All records must agree.
     """
     c.clock.advance(100.0)
-    ends = case.places(more)
+    ends = case.positions(more)
     entries = list(c.log.moves)
     assert len(entries) == 2 * len(ends)
     start = [0.0, 0.0]
@@ -131,9 +131,9 @@ STOPS: dict[str, tuple[Callable[[Controller], None], float, str]] = {
 
 
 @pytest.mark.parametrize("name", CASES)
-@pytest.mark.parametrize("way", AT_ONCE)
-def test_what_holds_an_axis_at_once_ends_all_paths_where_they_are(name: str, way: str) -> None:
-    case, (act, ended) = CASES[name], AT_ONCE[way]
+@pytest.mark.parametrize("cause", AT_ONCE)
+def test_what_holds_an_axis_at_once_ends_all_paths_where_they_are(name: str, cause: str) -> None:
+    case, (act, ended) = CASES[name], AT_ONCE[cause]
     c = case.begin()
     act(c)
     none = [0.0] * len(case.paths)
@@ -141,14 +141,14 @@ def test_what_holds_an_axis_at_once_ends_all_paths_where_they_are(name: str, way
 
 
 @pytest.mark.parametrize("name", CASES)
-@pytest.mark.parametrize("way", STOPS)
-def test_a_stop_brakes_on_all_paths(name: str, way: str) -> None:
-    case, (act, rate, ended) = CASES[name], STOPS[way]
+@pytest.mark.parametrize("command", STOPS)
+def test_a_stop_brakes_on_all_paths(name: str, command: str) -> None:
+    case, (act, rate, ended) = CASES[name], STOPS[command]
     c = case.begin()
     act(c)
     speeds = [path.speed for path in case.paths]
     for axis in (0, 1):  # its rest position is known at once
-        end = case.places([v * v / (2.0 * rate) for v in speeds])[-1]
+        end = case.positions([v * v / (2.0 * rate) for v in speeds])[-1]
         assert c.target(axis) == pytest.approx(end[axis], abs=1e-9)
         assert c.room(axis) == 20
     at_rest(c, case, [v * v / (2.0 * rate) for v in speeds], [v / rate for v in speeds], ended)
@@ -162,14 +162,14 @@ def test_a_suspend_holds_all_paths_and_a_resume_takes_all_to_their_ends(name: st
     c.clock.advance(case.moment + 2.0)
     braked = [path.speed**2 / (2.0 * RATE) for path in case.paths]
     for axis in (0, 1):
-        assert c.position(axis) == pytest.approx(case.places(braked)[-1][axis], abs=1e-9)
+        assert c.position(axis) == pytest.approx(case.positions(braked)[-1][axis], abs=1e-9)
         assert not c.velocity(axis)
         assert not c.is_idle(axis)
     c.resume(0)
     left = [path.left for path in case.paths]
     seconds = [
-        0.0 if path.over else 2.0 + (way - brake) / FAST + 0.1
-        for path, way, brake in zip(case.paths, left, braked, strict=True)
+        0.0 if path.over else 2.0 + (distance - brake) / FAST + 0.1
+        for path, distance, brake in zip(case.paths, left, braked, strict=True)
     ]
     at_rest(c, case, left, seconds, "")
 
@@ -206,10 +206,10 @@ def test_an_override_of_zero_holds_all_paths(name: str) -> None:
     c.clock.advance(case.moment + 2.0)
     braked = [path.speed**2 / (2.0 * RATE) for path in case.paths]
     for axis in (0, 1):
-        assert c.position(axis) == pytest.approx(case.places(braked)[-1][axis], abs=1e-9)
+        assert c.position(axis) == pytest.approx(case.positions(braked)[-1][axis], abs=1e-9)
     c.configure(0, "override", 1.0)
     c.clock.advance(100.0)
-    ends = case.places([path.left for path in case.paths])[-1]
+    ends = case.positions([path.left for path in case.paths])[-1]
     assert [c.position(axis) for axis in (0, 1)] == pytest.approx(ends)
 
 
@@ -303,7 +303,7 @@ def test_no_more_than_half_of_a_path_is_blended_into_the_next_one() -> None:
     assert shortened(c) == pytest.approx([10.0, 5.0] * 4)
 
 
-def test_a_distance_up_to_half_of_a_path_is_kept_and_nothing_is_said() -> None:
+def test_a_distance_up_to_half_of_a_path_is_accepted_without_a_message() -> None:
     c = row(5.0, [10.0] * 3, speed=40.0, accel=1000.0, decel=1000.0)
     half = 0.04 + 4.2 / 40.0
     assert begins(c) == pytest.approx([0.0, half, 2.0 * half])

@@ -11,7 +11,7 @@ from motionlang.controller.faults import Rejected
 from tests.controller.machines import machine, until
 
 
-def test_a_dwell_stands_between_two_moves() -> None:
+def test_a_dwell_between_two_moves() -> None:
     c = machine(buffer_size=5)
     c.load_by(0, 10.0)
     c.load_dwell(0, 0.5, "MOVEDWELL", 3)
@@ -57,7 +57,7 @@ def test_a_pulse_does_not_hold_up_the_next_move() -> None:
     assert c.log.moves[0].start_time == 0.0
 
 
-def test_on_an_axis_that_is_suspended_outputs_change_and_moves_stand() -> None:
+def test_on_a_suspended_axis_outputs_change_and_moves_rest() -> None:
     c = machine(buffer_size=5)
     c.suspend(0)
     c.load_output(0, {3: 1})
@@ -110,7 +110,7 @@ def test_moves_carry_the_mark_of_their_loading() -> None:
     assert until(c, 9.0).move_id(0) == 8
 
 
-def test_the_listeners_hear_when_more_places_are_free_than_asked_for() -> None:
+def test_listeners_are_notified_when_more_entries_are_free_than_requested() -> None:
     c = machine(buffer_size=4, buffer_low=2)
     events: list[tuple[float, str]] = []
     c.listeners.append(lambda what, axis: events.append((round(c.clock.now, 9), what)))

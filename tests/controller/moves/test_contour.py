@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.controller.controller import Controller
 from tests.controller.machines import machine, until
-from tests.controller.moves.test_path import place, plane
+from tests.controller.moves.test_path import plane, positions
 
 # Paths may be as short as this, in user units.
 SHORT = 1e-6
@@ -129,12 +129,12 @@ def test_a_stop_that_needs_more_room_than_there_is_leaves_the_run_as_it_was_plan
     """
     c = plane(contour_mode=True, contour_angle=180.0, feedrate_mode=1)
     c.configure(0, "max_decel", 100.0 * 10.0)
-    for speed, way in ((2000.0, [4000.0, 0.0]), (1500.0, [0.0, 125.0])):
+    for speed, distances in ((2000.0, [4000.0, 0.0]), (1500.0, [0.0, 125.0])):
         c.configure(0, "speed", speed)
-        c.load_line_by([0, 1], way)
+        c.load_line_by([0, 1], distances)
     c.go([0])
     until(c, 2.1).stop(0)
     until(c, 99.0)
     assert c.is_idle(0)
-    assert place(c) == [40.0, 2.5]
+    assert positions(c) == [40.0, 2.5]
     assert [move.ended for move in c.log.moves] == ["stop"] * 4

@@ -14,10 +14,12 @@ import pytest
 
 from motionlang.controller.controller import Controller
 from tests.controller.machines import until
-from tests.controller.moves.test_path import path_speed, place, plane
+from tests.controller.moves.test_path import path_speed, plane, positions
 
 SLACK = 1.0 + 1e-6
 JERK = 2000.0
+# Samples of a track at equal intervals, in addition to the ends and the middle of each piece.
+SAMPLES = 150
 
 
 def straight(random: Random, shape: str) -> Controller:
@@ -66,14 +68,16 @@ def rates(c: Controller, times: list[float], h: float) -> list[tuple[float, floa
 def judge(c: Controller, shape: str, end: float) -> None:
     accel, decel = (float(c.setting(0, name) or 0.0) / 100.0 for name in ("accel", "decel"))
     jerk = max(float(c.setting(0, name) or 0.0) for name in ("accel_jerk", "decel_jerk")) / 100.0
-    step = end / 800.0
+    step = end / SAMPLES
     knots = [t for t in c.axes[0].starts if 0.0 < t < end]
     for time in knots:
         jump = abs(path_speed(c, time + 1e-7) - path_speed(c, time - 1e-7))
         assert jump <= 2e-7 * max(accel, decel) * 1.1 + 1e-7, time
     h = min(step, 1e-4)
     bends = []
-    for v, a, j in rates(c, sorted([*(step * (k + 0.5) for k in range(800)), *knots]), h):
+    even = [step * (k + 0.5) for k in range(SAMPLES)]
+    middles = [(before + after) / 2.0 for before, after in pairwise([0.0, *knots, end])]
+    for v, a, j in rates(c, sorted([*even, *knots, *middles]), h):
         assert v <= 60.0 * SLACK
         assert -decel * SLACK - 1e-5 <= a <= accel * SLACK + 1e-5
         # a difference across a knot may see both sides
@@ -106,7 +110,7 @@ def run(seed: int) -> None:
     until(c, 1e4)
     assert c.is_idle(0)
     assert c.is_idle(1)
-    x, y = place(c)
+    x, y = positions(c)
     assert y == pytest.approx(x * 0.8 / 0.6, rel=1e-12)
     if not stopped:
         assert math.hypot(x, y) == pytest.approx(length, rel=1e-12)
@@ -150,7 +154,7 @@ def test_what_stops_a_path_takes_its_acceleration_back_first(how: str) -> None:
     c = ramped()
     getattr(c, how)(0)
     until(c, 9.0)
-    assert place(c)[0] == pytest.approx(8.3125, rel=1e-12)
+    assert positions(c)[0] == pytest.approx(8.3125, rel=1e-12)
 
 
 @pytest.mark.parametrize("override", [0.0, 0.5])
@@ -163,13 +167,13 @@ def test_a_new_override_takes_the_acceleration_of_a_path_back_first(override: fl
     assert c.path_speed(0) == pytest.approx(20.0 * override)
     c.configure(0, "override", 1.0)
     until(c, 9.0)
-    assert place(c) == [40.0, 0.0]
+    assert positions(c) == [40.0, 0.0]
     judge(c, "scurve", c.axes[0].starts[-1])
 
 
 @pytest.mark.parametrize("axis", [0, 1])
-def test_a_limit_that_comes_in_motion_is_kept(axis: int) -> None:
-    """From 10 units/s on each of two perpendicular axes down to 4 on one of them."""
+def test_a_limit_that_comes_in_motion_is_met(axis: int) -> None:
+    """From 10 units/s on each of two perpendicular axes, one slows down to 4."""
     c = plane(contour_mode=True)
     c.load_line_by([0, 1], [3000.0, 2000.0])  # 30 by 40 units: 50
     c.go([0])
@@ -180,13 +184,13 @@ def test_a_limit_that_comes_in_motion_is_kept(axis: int) -> None:
     assert abs(c.velocity(axis)) == pytest.approx(4.0 * counts)
     c.configure(axis, "max_decel", 2.0 * counts)
     until(c, 99.0)
-    assert place(c) == [30.0, 40.0]
+    assert positions(c) == [30.0, 40.0]
     # 4 units/s at 2 units/s² take two seconds
     last = c.axes[axis].starts[-1]
     assert c.axes[axis].velocity(last - 1.0) == pytest.approx(2.0 * counts)
 
 
-def test_a_limit_that_comes_in_motion_is_kept_by_a_single_axis() -> None:
+def test_a_limit_that_comes_in_motion_is_met_by_a_single_axis() -> None:
     c = plane()
     c.load_by(0, 5000.0)
     c.go([0])

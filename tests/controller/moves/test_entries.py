@@ -41,7 +41,7 @@ def test_a_cam_waits_for_go_and_begins_where_both_axes_are() -> None:
     assert controller.is_idle(1)
 
 
-def test_a_table_is_looked_at_again_for_every_cycle() -> None:
+def test_a_table_is_read_again_for_every_cycle() -> None:
     controller, heights = ready(), [5.0, 7.0, 1.0]
 
     def table(start: float) -> tuple[list[float], list[float]]:
@@ -65,8 +65,8 @@ def climbing(segments: int, cycles: int) -> Controller:
     In the middle of each cycle the cam is 10 ahead of a straight line.
     """
     controller = ready()
-    places = [100.0 * n / segments for n in range(segments + 1)]
-    points = places, [x + 0.4 * x - 0.004 * x * x for x in places]
+    positions = [100.0 * n / segments for n in range(segments + 1)]
+    points = positions, [x + 0.4 * x - 0.004 * x * x for x in positions]
     controller.load_cam(1, 0, lambda _: points, cyclic=True)
     controller.go([1])
     controller.jog(0, 100.0)
@@ -87,9 +87,9 @@ def test_all_cycles_of_a_cam_share_its_curve() -> None:
 def test_a_crossing_of_a_long_table_is_looked_up() -> None:
     def calls(segments: int) -> int:
         controller = climbing(segments, cycles=3)
-        place = controller.position(1) - 40.0  # the cam is not there again
-        assert controller.crossing_time(1, place) == INFINITY
-        return count_calls(lambda: controller.crossing_time(1, place))
+        level = controller.position(1) - 40.0  # the cam is not there again
+        assert controller.crossing_time(1, level) == INFINITY
+        return count_calls(lambda: controller.crossing_time(1, level))
 
     assert calls(1000) == calls(10)
 
@@ -113,8 +113,10 @@ def count_calls(work: Callable[[], object]) -> int:
 def test_the_log_of_a_cam_whose_table_changes_is_packed_by_the_size_of_its_tables() -> None:
     """A cycle of 800 segments counts as one hundred profiles."""
     controller = ready()
-    places = [float(n) for n in range(801)]
-    controller.load_cam(1, 0, lambda _: (places, [0.0] * 800 + [1.0]), cyclic=True)  # a new one in each cycle
+    positions = [float(n) for n in range(801)]
+    controller.load_cam(
+        1, 0, lambda _: (positions, [0.0] * 800 + [1.0]), cyclic=True
+    )  # a new one in each cycle
     controller.go([1])
     controller.jog(0, 800.0)
     controller.clock.advance(150.0)
@@ -146,7 +148,7 @@ def test_offsets_of_the_buffer_come_one_after_the_other_on_top_of_following() ->
     assert controller.velocity(1) == pytest.approx(50.0)
 
 
-def test_an_offset_of_an_axis_that_follows_nobody_is_a_move() -> None:
+def test_an_offset_of_an_axis_without_a_master_is_a_move() -> None:
     controller = ready()
     controller.load_by(0, 20.0)
     controller.load_offset(0, 10.0)

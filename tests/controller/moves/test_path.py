@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Rejected
+from motionlang.controller.moves.geometry import Line, corner
 from tests.controller.machines import machine, until
 
 quick = settings(max_examples=60)
@@ -32,7 +33,7 @@ def plane(axes: int = 2, **settings: float | str) -> Controller:
     return c
 
 
-def place(c: Controller, time: float | None = None) -> list[float]:
+def positions(c: Controller, time: float | None = None) -> list[float]:
     """Return the positions of the axes, user units."""
     now = c.clock.now if time is None else time
     return [a.position(now) / a.scale.counts for a in c.axes.values()]
@@ -51,13 +52,13 @@ def test_a_line_runs_at_the_speed_of_its_master_in_user_units() -> None:
     c.go([0])
     assert c.idle_time(0) == c.idle_time(1) == pytest.approx(0.6)
     until(c, 0.3)
-    assert place(c) == pytest.approx([1.5, 2.0])
+    assert positions(c) == pytest.approx([1.5, 2.0])
     assert c.path_speed(0) == c.path_speed(1) == pytest.approx(10.0)
     assert c.path_remaining(0) == pytest.approx(2.5)
     assert c.vector_angle(0, 1) == pytest.approx(math.degrees(math.atan2(4.0, 3.0)))
     assert (c.velocity(0), c.velocity(1)) == pytest.approx((600.0, 400.0))
     until(c, 1.0)
-    assert place(c) == [3.0, 4.0]
+    assert positions(c) == [3.0, 4.0]
     assert c.is_idle(0)
     assert c.is_idle(1)
     assert [(move.axis, move.command, move.line, move.target) for move in c.log.moves] == [
@@ -83,10 +84,10 @@ def test_a_path_waits_until_all_its_axes_are_ready() -> None:
     assert until(c, 0.1).is_idle(0)
     until(c, 2.0)
     assert c.log.moves[1].start_time == c.log.moves[2].start_time == pytest.approx(0.2)
-    assert place(c) == [3.0, 5.0]
+    assert positions(c) == [3.0, 5.0]
 
 
-def test_a_path_takes_a_place_in_each_buffer() -> None:
+def test_a_path_takes_an_entry_in_each_buffer() -> None:
     c = plane(3, buffer_size=2)
     c.load_line_by([0, 1], [300.0, 200.0])
     assert [c.room(axis) for axis in c.axes] == [1, 1, 2]
@@ -120,11 +121,11 @@ def test_a_path_of_no_length_takes_no_time() -> None:
     c.load_line_by([0, 1], [300.0, 0.0])
     c.go([0])
     until(c, 5.0)
-    assert place(c) == [3.0, 0.0]
+    assert positions(c) == [3.0, 0.0]
     assert c.log.moves[2].start_time == 0.0
 
 
-def test_the_limits_of_each_axis_are_kept() -> None:
+def test_the_limits_of_each_axis_are_met() -> None:
     c = plane()
     c.configure(1, "max_speed", 100.0)  # 2 units/s
     c.configure(1, "max_accel", 400.0)  # 8 units/s²
@@ -146,10 +147,10 @@ def test_a_half_circle_by_its_figures() -> None:
     c.go([0])
     whole = 2.0 * math.pi / 10.0 + 0.1
     assert c.idle_time(0) == pytest.approx(whole)
-    assert place(until(c, whole / 2.0)) == pytest.approx([2.0, 2.0])
+    assert positions(until(c, whole / 2.0)) == pytest.approx([2.0, 2.0])
     assert c.vector_angle(0, 1) == pytest.approx(0.0, abs=1e-9)
     until(c, 2.0)
-    assert place(c) == [4.0, 0.0]
+    assert positions(c) == [4.0, 0.0]
 
 
 def test_a_full_circle_ends_where_it_began_to_the_last_bit() -> None:
@@ -166,9 +167,9 @@ def test_a_helix_rises_evenly() -> None:
     c.go([0])
     length = math.hypot(math.pi, 10.0)
     assert c.idle_time(2) == pytest.approx(length / 10.0 + 0.1)
-    assert place(until(c, c.idle_time(0) / 2.0))[2] == pytest.approx(5.0)
+    assert positions(until(c, c.idle_time(0) / 2.0))[2] == pytest.approx(5.0)
     assert c.path_speed(0) == pytest.approx(10.0)
-    assert place(until(c, 5.0)) == pytest.approx([2.0, -2.0, 10.0])
+    assert positions(until(c, 5.0)) == pytest.approx([2.0, -2.0, 10.0])
 
 
 @quick
@@ -201,7 +202,7 @@ def test_an_arc_never_leaves_its_circle(
     assert c.is_idle(1)
     radius = math.hypot(x, y)
     for k in range(200):
-        px, py = place(c, k * c.axes[0].starts[-1] / 200.0)
+        px, py = positions(c, k * c.axes[0].starts[-1] / 200.0)
         assert math.hypot(px - x, py - y) == pytest.approx(radius, abs=1e-9)
         assert path_speed(c, k * c.axes[0].starts[-1] / 200.0) <= 10.0 * (1.0 + 1e-9)
     assert path_speed(c, at) == pytest.approx(speed, abs=1e-9)
@@ -219,7 +220,7 @@ def test_stop_on_any_axis_stops_all_on_the_path() -> None:
     until(c, 0.3).stop(1)
     assert c.idle_time(0) == c.idle_time(1) == pytest.approx(0.4)
     until(c, 3.0)
-    assert place(c) == pytest.approx([1.8, 2.4])
+    assert positions(c) == pytest.approx([1.8, 2.4])
     assert [move.ended for move in c.log.moves] == ["stop", "stop"]
     assert [c.room(axis) for axis in (0, 1)] == [20, 20]
     assert (c.target(0), c.target(1)) == pytest.approx((180.0, 120.0))
@@ -230,11 +231,11 @@ def test_suspend_and_resume_keep_the_line() -> None:
     c.load_line_by([0, 1], [300.0, 200.0])
     c.go([0])
     until(c, 0.3).suspend(0)
-    assert place(until(c, 2.0)) == pytest.approx([1.8, 2.4])
+    assert positions(until(c, 2.0)) == pytest.approx([1.8, 2.4])
     assert not c.is_idle(1)
     c.resume(1)
     assert c.idle_time(0) == pytest.approx(2.0 + 0.3)
-    assert place(until(c, 4.0)) == [3.0, 4.0]
+    assert positions(until(c, 4.0)) == [3.0, 4.0]
 
 
 def test_a_path_started_while_an_axis_is_suspended_waits() -> None:
@@ -242,10 +243,10 @@ def test_a_path_started_while_an_axis_is_suspended_waits() -> None:
     c.suspend(1)
     c.load_line_by([0, 1], [300.0, 200.0])
     c.go([0])
-    assert place(until(c, 2.0)) == [0.0, 0.0]
+    assert positions(until(c, 2.0)) == [0.0, 0.0]
     assert not c.is_idle(0)
     c.resume(1)
-    assert place(until(c, 2.6)) == [3.0, 4.0]
+    assert positions(until(c, 2.6)) == [3.0, 4.0]
 
 
 @pytest.mark.parametrize("how", ["abort", "disable"])
@@ -257,7 +258,7 @@ def test_what_holds_one_axis_holds_all(how: str) -> None:
     getattr(until(c, 0.3), how)(1)
     assert c.is_idle(0)
     assert c.is_idle(1)
-    assert place(until(c, 3.0)) == pytest.approx([1.5, 2.0])
+    assert positions(until(c, 3.0)) == pytest.approx([1.5, 2.0])
     assert [move.ended for move in c.log.moves] == ["cancel", "cancel"]
 
 
@@ -279,7 +280,7 @@ def test_an_axis_on_a_path_takes_no_moves_of_its_own() -> None:
         with pytest.raises(Rejected) as rejected:
             getattr(c, verb)(1, 5.0)
         assert rejected.value.code == "moving"
-    assert place(until(c, 3.0)) == [3.0, 4.0]
+    assert positions(until(c, 3.0)) == [3.0, 4.0]
 
 
 def test_a_path_without_speed_is_refused_with_its_line() -> None:
@@ -297,10 +298,10 @@ def test_a_limit_stops_the_path() -> None:
     c = plane()
     limit = Limit(c, 1, 1, 4, "stop")
     c.axes[1].limits.append(limit)
-    limit.place(100.0)
+    limit.set_position(100.0)
     c.load_line_by([0, 1], [300.0, 200.0])
     c.go([0])
-    assert place(until(c, 3.0)) == pytest.approx([1.5 + 0.3, 2.0 + 0.4])
+    assert positions(until(c, 3.0)) == pytest.approx([1.5 + 0.3, 2.0 + 0.4])
     assert c.faults(1) == 4
 
 
@@ -322,7 +323,7 @@ def test_a_contour_runs_through_a_smooth_join() -> None:
         round(0.05 + 0.4 + math.pi / 20.0, 9),
     ]
     assert c.axes[0].starts[-1] == pytest.approx(total)
-    assert place(c) == [5.0, 5.0]
+    assert positions(c) == [5.0, 5.0]
     for k in range(1, 100):
         t = 0.1 + k * (total - 0.2) / 100.0
         assert path_speed(c, t) == pytest.approx(10.0)
@@ -346,7 +347,7 @@ def test_a_path_released_under_way_prolongs_the_contour() -> None:
     until(c, 9.0)
     assert c.axes[0].starts[-1] == pytest.approx(0.9)
     assert path_speed(c, 0.45) == pytest.approx(10.0)
-    assert place(c) == [8.0, 0.0]
+    assert positions(c) == [8.0, 0.0]
 
 
 def test_a_path_released_while_braking_is_still_taken_up() -> None:
@@ -358,7 +359,7 @@ def test_a_path_released_while_braking_is_still_taken_up() -> None:
     c.go([0])
     until(c, 9.0)
     assert path_speed(c, 0.5) == pytest.approx(10.0)
-    assert place(c) == [8.0, 0.0]
+    assert positions(c) == [8.0, 0.0]
 
 
 def test_each_path_keeps_its_own_speed_and_slows_down_in_time() -> None:
@@ -381,7 +382,7 @@ def test_stop_runs_on_over_the_join_where_it_must() -> None:
     c.go([0])
     until(c, 0.43).stop(0)  # at 3.8, half a unit from rest
     until(c, 9.0)
-    assert place(c) == pytest.approx([4.3, 0.0])
+    assert positions(c) == pytest.approx([4.3, 0.0])
     assert [move.ended for move in c.log.moves] == ["stop"] * 4
 
 
@@ -394,21 +395,23 @@ corners = st.lists(
 
 @quick
 @given(corners, st.sampled_from([0.0, 20.0, 180.0]), st.sampled_from(["trapezoid", "sinusoidal", "scurve"]))
-def test_contours_keep_speed_rate_and_line(ways: list[tuple[float, float]], angle: float, shape: str) -> None:
+def test_contours_keep_speed_rate_and_line(
+    segments: list[tuple[float, float]], angle: float, shape: str
+) -> None:
     c = plane(contour_mode=True, contour_angle=angle, shape=shape)
     points = [(0.0, 0.0)]
-    for x, y in ways:
+    for x, y in segments:
         c.load_line_by([0, 1], [100.0 * x, 50.0 * y])
         points.append((points[-1][0] + x, points[-1][1] + y))
     c.go([0])
     until(c, 99.0)
-    assert place(c) == pytest.approx(points[-1], abs=1e-9)
+    assert positions(c) == pytest.approx(points[-1], abs=1e-9)
     speeds = []
     for k in range(301):
         t = k * c.axes[0].starts[-1] / 300.0
         speeds.append(path_speed(c, t))
         assert speeds[-1] <= 10.0 * (1.0 + 1e-9)
-        assert min(_away(place(c, t), a, b) for a, b in pairwise(points)) < 1e-9
+        assert min(_away(positions(c, t), a, b) for a, b in pairwise(points)) < 1e-9
     step = c.axes[0].starts[-1] / 300.0
     for before, after in pairwise(speeds):
         assert abs(after - before) <= 100.0 * step * (1.0 + 1e-6) + 1e-9
@@ -433,9 +436,9 @@ def test_a_blend_rounds_the_corner_with_a_parabola() -> None:
     until(c, 9.0)
     assert c.log.moves[2].start_time == pytest.approx(0.4)
     assert c.axes[0].starts[-1] == pytest.approx(0.9)
-    assert place(c) == pytest.approx([4.0, 4.0], abs=1e-12)
+    assert positions(c) == pytest.approx([4.0, 4.0], abs=1e-12)
     # half-way through the corner: x has 0.125 to go, y has covered 0.125
-    assert place(c, 0.45) == pytest.approx([3.875, 0.125])
+    assert positions(c, 0.45) == pytest.approx([3.875, 0.125])
     assert path_speed(c, 0.45) == pytest.approx(math.hypot(5.0, 5.0))
     for k in range(90):
         assert path_speed(c, 0.01 * k) <= 10.0 + 1e-9
@@ -447,10 +450,10 @@ def test_blends_follow_one_another_and_end_exactly() -> None:
         c.load_line_by([0, 1], [100.0 * x, 50.0 * y])
     c.go([0])
     until(c, 9.0)
-    assert place(c) == pytest.approx([7.0, 3.6], abs=1e-12)
+    assert positions(c) == pytest.approx([7.0, 3.6], abs=1e-12)
     last = [0.0, 0.0]
     for k in range(1, 1500):
-        here = place(c, 0.001 * k)
+        here = positions(c, 0.001 * k)
         assert math.hypot(here[0] - last[0], here[1] - last[1]) <= 0.02
         last = here
 
@@ -462,7 +465,7 @@ def test_blend_begins_the_next_path_at_once() -> None:
     c.go([0])
     until(c, 0.4).blend(0)
     assert c.log.moves[2].start_time == pytest.approx(0.4)
-    assert place(until(c, 9.0)) == pytest.approx([4.0, 4.0], abs=1e-12)
+    assert positions(until(c, 9.0)) == pytest.approx([4.0, 4.0], abs=1e-12)
 
 
 def test_a_stop_in_a_blend_ends_both() -> None:
@@ -472,7 +475,7 @@ def test_a_stop_in_a_blend_ends_both() -> None:
     c.go([0])
     until(c, 0.45).stop(0)
     assert until(c, 9.0).is_idle(0)
-    assert place(c) == pytest.approx([4.0, 0.25], abs=1e-9)
+    assert positions(c) == pytest.approx([4.0, 0.25], abs=1e-9)
 
 
 def test_a_watch_sees_a_path_pass() -> None:
@@ -485,3 +488,15 @@ def test_a_watch_sees_a_path_pass() -> None:
     whole = 10.0 * math.pi / 10.0 + 0.1
     first = 0.05 + (10.0 * math.pi / 6.0) / 10.0
     assert seen == pytest.approx([first, -(whole - first)])
+
+
+@pytest.mark.parametrize("dimensions", [2, 3])
+def test_a_line_that_returns_has_a_corner_of_180_degrees(dimensions: int) -> None:
+    """It does in every direction, although rounding makes some unit vectors exceed 1."""
+    for degrees in range(360):
+        angle = math.radians(degrees)
+        end = [1000.0 * math.cos(angle), 1000.0 * math.sin(angle), 333.0 * math.cos(3.0 * angle)][:dimensions]
+        start, scales = [0.0] * dimensions, [1.0] * dimensions
+        out, back = Line(end).lay(start, scales), Line(start).lay(end, scales)
+        assert corner(out, back) == pytest.approx(180.0, abs=1e-5)
+        assert corner(out, out) == pytest.approx(0.0, abs=1e-5)

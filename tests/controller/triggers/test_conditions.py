@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
-from itertools import pairwise
+from itertools import count
 from math import cos
 
 import pytest
@@ -62,12 +62,18 @@ class Kind:
     def __init__(
         self,
         begin: Callable[[Controller], object],
-        turn: Callable[[Controller], object] | None,
+        reverse: Callable[[Controller], object] | None,
         moment: float = 1.0,
         along: Callable[[float], float] | None = None,
         renamed: bool = True,
     ) -> None:
-        self.begin, self.turn, self.moment, self.along, self.renamed = begin, turn, moment, along, renamed
+        self.begin, self.reverse, self.moment, self.along, self.renamed = (
+            begin,
+            reverse,
+            moment,
+            along,
+            renamed,
+        )
 
 
 def _buffered(c: Controller) -> None:
@@ -200,18 +206,25 @@ BACK: dict[str, Callable[[Controller], None]] = {
 }
 
 
-def _turn_of_path(name: str, action: str, motor: bool) -> tuple[Controller, float, Free, Kind]:
-    """Return a case with the reverse limit active; the path back is entered at 60."""
+@cache
+def _back(name: str, motor: bool) -> tuple[Kind, Free]:
+    """Return the kind of motion that leads there and back, and its state at reversal."""
     kind = Kind(BACK[name], None, 1.0, renamed=False)
     low, high = 0.0, 0.5 * END
     probe = Free(kind, END, motor).controller.axes[0]
-    turned = next(k for k in range(round(END * 1e3)) if probe.velocity(k * 1e-3) < 0.0)
-    low, high = (turned - 1) * 1e-3, turned * 1e-3
+    reversed_at = next(k for k in range(round(END * 1e3)) if probe.velocity(k * 1e-3) < 0.0)
+    low, high = (reversed_at - 1) * 1e-3, reversed_at * 1e-3
     for _ in range(60):
         middle = 0.5 * (low + high)
         low, high = (low, middle) if probe.velocity(middle) < 0.0 else (middle, high)
     free = Free(kind, high, motor)
     free.velocity = -1.0 if free.velocity == 0.0 else free.velocity
+    return kind, free
+
+
+def _reversal_of_path(name: str, action: str, motor: bool) -> tuple[Controller, float, Free, Kind]:
+    """Return a case with an active reverse limit, whose path back begins at 60."""
+    kind, free = _back(name, motor)
     c = machine(motor)
     limit(c, action, -1).set_active(True)
     kind.begin(c)
@@ -225,10 +238,10 @@ def limit(c: Controller, action: str, sign: int = +1) -> Limit:
     return made
 
 
-def soft(c: Controller, action: str, place: float) -> Limit:
+def soft(c: Controller, action: str, position: float) -> Limit:
     made = Limit(c, 0, +1, SOFT_LIMIT_FORWARD, action)
     c.axes[0].limits.append(made)
-    made.place(place)
+    made.set_position(position)
     return made
 
 
@@ -239,24 +252,24 @@ class Free:
     the remaining distance.
     """
 
-    def __init__(self, kind: Kind, time: float, motor: bool, turns: bool = False) -> None:
+    def __init__(self, kind: Kind, time: float, motor: bool, reverses: bool = False) -> None:
         self.controller = c = machine(motor)
         kind.begin(c)
-        if turns and kind.turn is not None:
+        if reverses and kind.reverse is not None:
             c.clock.advance(kind.moment)
-            kind.turn(c)
+            kind.reverse(c)
         c.clock.advance(time)
         a = c.axes[0]
         self.position, self.velocity = a.position(c.clock.now), a.velocity(c.clock.now)
         run = getattr(a.move.action, "run", None) if a.move is not None else None
         self.moves = a.move is not None
         self.speed = c.path_speed(0)
-        self.gone = run.present.segment.length - c.path_remaining(0) if run is not None else 0.0
+        self.travelled = run.present.segment.length - c.path_remaining(0) if run is not None else 0.0
         courses = run.courses if run is not None else []
         self.lines: list[tuple[float, float, float]] = [
             (course.segment.entry[course.axes.index(a)], course.speed, course.remaining)
             for course in courses
-            if not course.segment.turn
+            if not course.segment.curvature
         ]
 
 
@@ -270,11 +283,11 @@ def rest(kind: Kind, free: Free, action: str) -> float | None:
     if free.lines:
         return free.position + sum(x * min(v * v / (2.0 * rate), left) for x, v, left in free.lines)
     if kind.along is not None and free.speed:
-        return kind.along(free.gone + free.speed**2 / (2.0 * rate))
+        return kind.along(free.travelled + free.speed**2 / (2.0 * rate))
     return free.position + free.velocity * abs(free.velocity) / (2.0 * rate)
 
 
-WAYS = ("met", "already active", "turned into", "placed", "mode", "enabled", "renamed", "input")
+CAUSES = ("met", "already active", "turned into", "placed", "mode", "enabled", "renamed", "input")
 
 
 # The motion without a limit does not depend on the limit: each is computed once.
@@ -282,23 +295,23 @@ free_at = cache(Free)
 
 
 @cache
-def _on_the_way(kind: Kind, motor: bool) -> tuple[float, Free]:
-    """Return a position that the motion passes, and the motion there."""
+def _midway(kind: Kind, motor: bool) -> tuple[float, Free]:
+    """Return a position through which the motion passes, and the motion there."""
     # A position reference is over within a period: its motor passes the position after the command has ended.
     before = free_at(kind, kind.moment if kind.moment > 0.01 else END, motor)
-    place = 0.9 * before.controller.position(0)
+    position = 0.9 * before.controller.position(0)
     probe = machine(motor)
     passed: list[float] = []
     kind.begin(probe)
-    probe.watch(0, place, lambda _: passed.append(probe.clock.now))
+    probe.watch(0, position, lambda _: passed.append(probe.clock.now))
     probe.clock.advance(END)
-    return place, Free(kind, passed[0], motor)
+    return position, Free(kind, passed[0], motor)
 
 
 def _met(kind: Kind, action: str, motor: bool) -> tuple[Controller, float, Free]:
-    place, free = _on_the_way(kind, motor)
+    position, free = _midway(kind, motor)
     c = machine(motor)
-    soft(c, action, place)
+    soft(c, action, position)
     kind.begin(c)
     return c, 0.0, free
 
@@ -311,51 +324,52 @@ def _already(kind: Kind, action: str, motor: bool) -> tuple[Controller, float, F
 
 
 @cache
-def _at_the_turn(kind: Kind, name: str, motor: bool) -> Free:
-    """Return the motion at its extreme."""
+def _at_reversal(kind: Kind, name: str, motor: bool) -> Free:
+    """Return the motion at its maximum, where it reverses."""
     own = name in BY_THEMSELVES
-    probe = Free(kind, END, motor, turns=not own)
+    probe = Free(kind, END, motor, reverses=not own)
     a = probe.controller.axes[0]
-    tops = [a.position(k * 1e-4) for k in range(round(END * 1e4))]
-    top = next(k for k, (here, after) in enumerate(pairwise(tops)) if after < here)
-    free = Free(kind, top * 1e-4, motor, turns=not own)
+    # First by milliseconds, then by tenths of one from before the fall.
+    after = next(k for k in count() if a.position((k + 1) * 1e-3) < a.position(k * 1e-3))
+    top = next(k for k in count(10 * max(after - 1, 0)) if a.position((k + 1) * 1e-4) < a.position(k * 1e-4))
+    free = Free(kind, top * 1e-4, motor, reverses=not own)
     # It is at rest there, except for a reference that jumps between velocities.
-    free.position, free.speed = tops[top], 0.0
+    free.position, free.speed = a.position(top * 1e-4), 0.0
     free.velocity = a.velocity(top * 1e-4 + 1e-7) if name == "position reference" else 0.0
     return free
 
 
-def _turned(kind: Kind, name: str, action: str, motor: bool) -> tuple[Controller, float, Free]:
+def _reversed(kind: Kind, name: str, action: str, motor: bool) -> tuple[Controller, float, Free]:
     """Return a case in which the reverse limit is always active."""
     c = machine(motor)
     limit(c, action, -1).set_active(True)
     kind.begin(c)
-    if name not in BY_THEMSELVES and kind.turn is not None:
+    if name not in BY_THEMSELVES and kind.reverse is not None:
         c.clock.advance(kind.moment)
-        kind.turn(c)
-    return c, 0.0, _at_the_turn(kind, name, motor)
+        kind.reverse(c)
+    return c, 0.0, _at_reversal(kind, name, motor)
 
 
-def _at_moment(kind: Kind, way: str, action: str, motor: bool) -> tuple[Controller, float, Free]:
+def _at_moment(kind: Kind, cause: str, action: str, motor: bool) -> tuple[Controller, float, Free]:
     c = machine(motor)
-    if way == "placed":
+    if cause == "placed":
         made = soft(c, action, 1e6)
-    elif way == "renamed":
+    elif cause == "renamed":
         made = soft(c, action, 1000.0)
     else:
-        made = limit(c, "ignore" if way == "mode" else action)
-        made.enabled = way != "enabled"
-        made.set_active(way != "input")
+        made = limit(c, "ignore" if cause == "mode" else action)
+        made.enabled = cause != "enabled"
+        made.set_active(cause != "input")
     kind.begin(c)
     c.clock.advance(kind.moment)
     shift = 0.0
-    if way == "placed":
-        made.place(c.position(0) - 1.0)
-    elif way == "mode":
+    if cause == "placed":
+        made.set_position(c.position(0) - 1.0)
+    elif cause == "mode":
         made.action = action
-    elif way == "enabled":
+    elif cause == "enabled":
         made.enabled = True
-    elif way == "input":
+    elif cause == "input":
         made.set_active(True)
     else:
         shift = 2000.0 - c.position(0)
@@ -365,36 +379,38 @@ def _at_moment(kind: Kind, way: str, action: str, motor: bool) -> tuple[Controll
 
 @pytest.mark.parametrize("motor", [False, True])
 @pytest.mark.parametrize("name", KINDS)
-@cases("way", WAYS)
-def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
+@cases("cause", CAUSES)
+def test_a_limit_holds(name: str, cause: str, motor: bool) -> None:
     kind = KINDS[name]
     for action in ACTIONS:
-        if way == "renamed" and not kind.renamed:
+        if cause == "renamed" and not kind.renamed:
             with pytest.raises(Rejected):
-                _at_moment(kind, way, action, motor)
+                _at_moment(kind, cause, action, motor)
             continue
-        if way == "met":
+        if cause == "met":
             c, shift, free = _met(kind, action, motor)
-        elif way == "already active":
+        elif cause == "already active":
             c, shift, free = _already(kind, action, motor)
-        elif way == "turned into" and name in BACK:
-            c, shift, free, kind = _turn_of_path(name, action, motor)
-        elif way == "turned into":
-            c, shift, free = _turned(kind, name, action, motor)
+        elif cause == "turned into" and name in BACK:
+            c, shift, free, kind = _reversal_of_path(name, action, motor)
+        elif cause == "turned into":
+            c, shift, free = _reversed(kind, name, action, motor)
         else:
-            c, shift, free = _at_moment(kind, way, action, motor)
+            c, shift, free = _at_moment(kind, cause, action, motor)
         c.clock.advance(END)
         # A homing passes soft limits, and limits do not affect a command that has ended.
-        concerned = free.moves and not (name == "home" and way in SOFT)
+        concerned = free.moves and not (name == "home" and cause in SOFT)
         expected = rest(kind, free, action) if concerned else None
         a = c.axes[0]
         if expected is None:
-            untouched = free_at(kind, END, motor, turns=way == "turned into" and name not in BY_THEMSELVES)
+            untouched = free_at(
+                kind, END, motor, reverses=cause == "turned into" and name not in BY_THEMSELVES
+            )
             assert a.position(END) - shift == pytest.approx(untouched.position, abs=1e-6), action
         else:
             assert a.velocity(END) == 0.0, action
             # A motor is checked once per servo period.
-            slack = 2e-3 + (1e-3 * abs(free.velocity) if motor and way == "met" else 0.0)
+            slack = 2e-3 + (1e-3 * abs(free.velocity) if motor and cause == "met" else 0.0)
             assert a.position(END) - shift == pytest.approx(expected, abs=slack), action
         assert bool(c.faults(0)) is (concerned and action != "ignore"), action
         assert c.is_enabled(0) is not (concerned and action == "off"), action
@@ -402,8 +418,8 @@ def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
             assert c.axes[0].move is None, action
 
 
-def test_every_kind_turns_or_cannot() -> None:
-    assert all(kind.turn is not None or name in BACK for name, kind in KINDS.items())
+def test_every_kind_reverses_or_cannot() -> None:
+    assert all(kind.reverse is not None or name in BACK for name, kind in KINDS.items())
 
 
 # Conditions independent of direction: an error or analogue input, as it comes and as its mode is put in
@@ -411,31 +427,31 @@ def test_every_kind_turns_or_cannot() -> None:
 @pytest.mark.parametrize("name", KINDS)
 def test_an_error_of_no_direction_holds(name: str) -> None:
     for motor in (False, True):
-        for way in ("mode", "enabled", "input"):
+        for cause in ("mode", "enabled", "input"):
             for action in ACTIONS:
                 kind, c = KINDS[name], machine(motor)
-                made = limit(c, "ignore" if way == "mode" else action, 0)
-                made.enabled = way != "enabled"
-                made.set_active(way != "input")
+                made = limit(c, "ignore" if cause == "mode" else action, 0)
+                made.enabled = cause != "enabled"
+                made.set_active(cause != "input")
                 kind.begin(c)
                 c.clock.advance(kind.moment)
-                if way == "mode":
+                if cause == "mode":
                     made.action = action
-                elif way == "enabled":
+                elif cause == "enabled":
                     made.enabled = True
                 else:
                     made.set_active(True)
-                free = Free(kind, kind.moment, motor)
+                free = free_at(kind, kind.moment, motor)
                 expected = rest(kind, free, action)
                 c.clock.advance(END)
-                where = f"{way}, {action}, {'a motor' if motor else 'none'}"
+                where = f"{cause}, {action}, {'a motor' if motor else 'none'}"
                 assert bool(c.faults(0)) is (action != "ignore"), where
                 if expected is not None:
                     assert c.axes[0].position(END) == pytest.approx(expected, abs=2e-3), where
                     assert c.axes[0].velocity(END) == 0.0, where
 
 
-PLAYED, REFUSING = ("spline",), ("cam", "fly")
+PLAYBACKS, REFUSING = ("spline",), ("cam", "fly")
 
 
 @pytest.mark.parametrize("name", KINDS)
@@ -453,10 +469,10 @@ def test_a_suspend_holds_and_lets_go(name: str) -> None:
                 with pytest.raises(Rejected):
                     c.suspend(0, reason)
                 continue
-            free = Free(kind, kind.moment, motor)
+            free = free_at(kind, kind.moment, motor)
             expected = rest(kind, free, "stop")
-            if name in PLAYED:  # its playback slows down linearly within 0.1 s
-                expected = Free(kind, kind.moment + 0.05, motor).position
+            if name in PLAYBACKS:  # its playback slows down linearly within 0.1 s
+                expected = free_at(kind, kind.moment + 0.05, motor).position
             c.suspend(0, reason)
             c.clock.advance(END)
             a = c.axes[0]
@@ -466,7 +482,7 @@ def test_a_suspend_holds_and_lets_go(name: str) -> None:
             assert c.axes[0].move is not None, where
             c.resume(0, reason)
             c.clock.advance(6.0 * END)
-            whole = Free(kind, 6.0 * END, motor).controller.axes[0]
+            whole = free_at(kind, 6.0 * END, motor).controller.axes[0]
             if whole.move is None and name != "home":
                 assert a.position(6.0 * END) == pytest.approx(whole.position(6.0 * END), abs=1e-5), where
             else:

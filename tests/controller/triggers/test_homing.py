@@ -51,7 +51,7 @@ def test_homing_on_the_index_alone() -> None:
     assert c.position(0) == pytest.approx(100.5)
 
 
-def test_an_axis_that_stands_on_the_switch_backs_off_at_once() -> None:
+def test_an_axis_at_rest_on_the_switch_backs_off_at_once() -> None:
     c = machine({"axis.0.start": 0.0, "axis.0.home_switch": [-4.0, 1.0]})
     Homing(c, 0, -1, 8.0, 0.8, 0.8)
     c.clock.advance(60.0)
@@ -123,7 +123,7 @@ def test_another_motion_ends_the_homing() -> None:
     assert c.velocity(0) == -2.0
 
 
-def test_nobody_hears_of_rest_before_the_end() -> None:
+def test_rest_is_not_notified_before_the_end() -> None:
     c = machine()
     idle: list[float] = []
     c.listeners.append(

@@ -24,8 +24,8 @@ def captured(c: Controller) -> list[float]:
 
 def test_the_position_is_that_of_the_moment_of_the_edge() -> None:
     c = machine()
-    heard: list[tuple[str, int]] = []
-    c.listeners.append(lambda what, number: heard.append((what, number)))
+    events: list[tuple[str, int]] = []
+    c.listeners.append(lambda what, number: events.append((what, number)))
     c.latch_on_input(5, 0, 2)
     c.latch(5).enabled = True
     pulses(c, 2, 1.23456)
@@ -34,7 +34,7 @@ def test_the_position_is_that_of_the_moment_of_the_edge() -> None:
     latch = c.latch(5)
     assert latch.value == pytest.approx(10.0 * 1.23456 - 0.5, abs=1e-12)
     assert latch.time == 1.23456
-    assert heard == [("latch", 5)]
+    assert events == [("latch", 5)]
     assert [latch.take(), latch.take()] == [True, False]
 
 
@@ -113,7 +113,7 @@ def test_an_output_is_on_between_two_positions() -> None:
     assert until(c, 9.0).output(7) == 1
 
 
-def test_a_compare_hears_of_a_new_zero() -> None:
+def test_a_compare_is_notified_of_a_new_zero() -> None:
     c = Controller(1)
     c.compare(0, 7, 5.0, 10.0)
     c.define_position(0, 7.0)

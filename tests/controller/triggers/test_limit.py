@@ -20,7 +20,7 @@ def limited(action: str, position: float = 6.0, physical: bool = False) -> tuple
     c = machine()
     limit = Limit(c, 0, +1, LIMIT_FORWARD if physical else SOFT_LIMIT_FORWARD, action, physical)
     c.axes[0].limits.append(limit)
-    limit.place(position)
+    limit.set_position(position)
     return c, limit
 
 
@@ -71,20 +71,20 @@ def test_a_reverse_limit() -> None:
     c = machine()
     limit = Limit(c, 0, -1, SOFT_LIMIT_REVERSE, "abort")
     c.axes[0].limits.append(limit)
-    limit.place(-6.0)
+    limit.set_position(-6.0)
     c.jog(0, -8.0)
     c.clock.advance(9.0)
     assert c.position(0) == pytest.approx(-6.0)
     assert c.faults(0) == SOFT_LIMIT_REVERSE
 
 
-def test_listeners_hear_of_faults_and_of_rest() -> None:
+def test_listeners_are_notified_of_faults_and_of_rest() -> None:
     c, _ = limited("abort")
-    heard: list[tuple[str, int]] = []
-    c.listeners.append(lambda what, axis: heard.append((what, axis)))
+    events: list[tuple[str, int]] = []
+    c.listeners.append(lambda what, axis: events.append((what, axis)))
     c.move_to(0, 12.0)
     c.clock.advance(9.0)
-    assert heard == [("idle", 0), ("fault", 0), ("error", 0), ("limit", 0)]
+    assert events == [("idle", 0), ("fault", 0), ("error", 0), ("limit", 0)]
 
 
 def test_a_new_zero_takes_the_axis_out_of_a_software_limit() -> None:

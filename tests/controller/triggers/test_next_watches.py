@@ -35,7 +35,7 @@ class Story:
         self.draw = random.Random(seed)
         self.c = Controller(2)
         self.watches: list[tuple[int, Watch]] = []
-        self.told: list[object] = []
+        self.log: list[object] = []
         self.names = 0
         # The probability of an action in a call: low, so that cases end.
         self.meddling = self.draw.choice((0.0, 0.1, 0.3))
@@ -45,7 +45,7 @@ class Story:
             self.c.configure(0, name, size * value)
         self.c.clock.advance(self.draw.choice((0.0, 0.0, 86400.123456789, 30 * 86400.123456789)))
 
-    def place(self) -> float:
+    def random_position(self) -> float:
         near = self.draw.choice((0.0, 0.0, 0.0, 1e-12, -1e-12, 5e-7, -2e-6, 3e-5, 1e-3, 0.1, 0.25))
         return self.draw.choice(self.grid) + near
 
@@ -53,7 +53,9 @@ class Story:
         if len(self.watches) > 60:
             return
         name, self.names = self.names, self.names + 1
-        made = self.c.watch(0, self.place(), lambda d: self.passed(name, d), self.draw.random() < 0.5)
+        made = self.c.watch(
+            0, self.random_position(), lambda d: self.passed(name, d), self.draw.random() < 0.5
+        )
         self.watches.append((name, made))
 
     def end(self) -> None:
@@ -63,12 +65,12 @@ class Story:
 
     def passed(self, name: int, direction: int) -> None:
         self.note("watch", name, direction)
-        if len(self.told) < 3000 and self.draw.random() < self.meddling:
+        if len(self.log) < 3000 and self.draw.random() < self.meddling:
             self.act()
 
     def note(self, *what: object) -> None:
         sides = [watch.side for _, watch in self.watches]
-        self.told.append((*what, self.c.clock.now, self.c.position(0), sides))
+        self.log.append((*what, self.c.clock.now, self.c.position(0), sides))
 
     def act(self) -> None:
         c, draw = self.c, self.draw
@@ -78,14 +80,17 @@ class Story:
         try:
             if kind == "move":
                 c.move_to(
-                    0, draw.choice((draw.choice(self.grid), self.place(), draw.gauss(0.0, self.grid[-1])))
+                    0,
+                    draw.choice(
+                        (draw.choice(self.grid), self.random_position(), draw.gauss(0.0, self.grid[-1]))
+                    ),
                 )
             elif kind == "jog":
                 c.jog(0, draw.choice((-0.5, -0.1, 0.1, 0.5)) * self.grid[-1])
             elif kind == "stop":
                 c.stop(0)
             elif kind == "zero":
-                c.define_position(0, draw.choice((0.0, self.place())))
+                c.define_position(0, draw.choice((0.0, self.random_position())))
             elif kind == "set":
                 self.set()
             elif kind == "end":
@@ -99,15 +104,15 @@ class Story:
                     0, "shape", draw.choice(("trapezoid", "trapezoid", "scurve", "sinusoidal", "parabolic"))
                 )
             else:  # another event at the time of a watch, entered between others
-                due = [
+                times = [
                     w.event.time for _, w in self.watches if w.event is not None and w.event.call is not None
                 ]
-                if due:
-                    c.clock.at(min(due), lambda: self.note("other"))
+                if times:
+                    c.clock.at(min(times), lambda: self.note("other"))
         except Rejected as rejected:
-            self.told.append(rejected.args)
+            self.log.append(rejected.args)
 
-    def tell(self) -> list[object]:
+    def play(self) -> list[object]:
         for _ in range(self.draw.choice((2, 10, 50))):
             self.set()
         for _ in range(40):
@@ -120,17 +125,17 @@ class Story:
                 until = min(until, self.c.clock.next_time())
             self.c.clock.advance(until)
             self.note("then")
-        return self.told
+        return self.log
 
 
 def compare(seeds: range, monkeypatch: pytest.MonkeyPatch) -> int:
     """Run each case with both methods; return how often watches were passed."""
     passes = 0
     for seed in seeds:
-        ours = Story(seed).tell()
+        ours = Story(seed).play()
         with monkeypatch.context() as patch:
             patch.setattr(triggers.next_watches, "follow", solve_all)
-            plain = Story(seed).tell()
+            plain = Story(seed).play()
         for k, (one, other) in enumerate(zip(ours, plain, strict=False)):
             assert one == other, f"story {seed}, line {k}"
         assert len(ours) == len(plain), f"story {seed}"
@@ -138,10 +143,10 @@ def compare(seeds: range, monkeypatch: pytest.MonkeyPatch) -> int:
     return passes
 
 
-def test_what_is_told_is_what_solving_all_gives(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_notifications_are_those_of_solving_all(monkeypatch: pytest.MonkeyPatch) -> None:
     assert compare(range(25), monkeypatch) > 500
 
 
 @pytest.mark.long
-def test_what_is_told_is_what_solving_all_gives_in_many_stories(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_notifications_are_those_of_solving_all_in_many_stories(monkeypatch: pytest.MonkeyPatch) -> None:
     assert compare(range(1000, 3000), monkeypatch) > 50_000

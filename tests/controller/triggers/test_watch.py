@@ -14,7 +14,7 @@ def machine() -> Controller:
     return c
 
 
-def test_a_watch_is_told_the_direction_at_the_exact_time() -> None:
+def test_a_watch_is_notified_of_the_direction_at_the_exact_time() -> None:
     c = machine()
     seen: list[tuple[float, int]] = []
     c.watch(0, 6.0, lambda direction: seen.append((c.clock.now, direction)))
@@ -115,14 +115,14 @@ def test_unwatch_ends_it() -> None:
     assert seen == []
 
 
-def test_channels_keep_a_log_and_tell_of_changes_only() -> None:
+def test_channels_log_and_notify_changes_only() -> None:
     c = machine()
-    told: list[tuple[int, float]] = []
-    c.outputs.listeners.append(lambda channel, value: told.append((channel, value)))
+    changes: list[tuple[int, float]] = []
+    c.outputs.listeners.append(lambda channel, value: changes.append((channel, value)))
     c.set_output(3, 1)
     c.set_output(3, 1)
     c.clock.advance(2.0)
     c.outputs.set_bank(0, 4, 0b0101)
-    assert told == [(3, 1), (0, 1), (2, 1), (3, 0)]
+    assert changes == [(3, 1), (0, 1), (2, 1), (3, 0)]
     assert c.log.outputs[0] == (0.0, 3, 1)
     assert c.outputs.bank(0, 4) == 0b0101

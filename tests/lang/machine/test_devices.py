@@ -40,7 +40,7 @@ MISTAKES = [
 @pytest.mark.parametrize(
     ("text", "line", "message"), MISTAKES, ids=[text.split("\n")[0] for text, _, _ in MISTAKES]
 )
-def test_a_mistake_is_told_on_its_line(text: str, line: int, message: str) -> None:
+def test_mistake_is_reported_on_its_line(text: str, line: int, message: str) -> None:
     with pytest.raises(ProgramError) as error:
         read_machine(Source("machine.toml", text))
     assert [(each.line, each.message) for each in error.value.diagnostics] == [(line, message)]

@@ -93,7 +93,7 @@ FORMS = "write 2=1@0.5, 2=1@0.5..0.9, 2=1@every 1.2 or 2=out4+0.3"
         ({"keys": "@1"}, '"@1" has no keys', "write R@0.5"),
     ],
 )
-def test_what_is_wrong_says_what_to_write(given: Mapping[str, Any], message: str, hint: str) -> None:
+def test_messages_say_what_to_write(given: Mapping[str, Any], message: str, hint: str) -> None:
     with pytest.raises(WrongEntry) as wrong:
         entries(NAMES, **given)
     assert (wrong.value.message, wrong.value.hint) == (message, hint)

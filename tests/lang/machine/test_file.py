@@ -47,13 +47,13 @@ def test_an_empty_file_is_all_defaults() -> None:
     assert read("") == {}
 
 
-def test_a_misspelt_key_is_told_with_its_line_and_a_suggestion() -> None:
+def test_misspelt_key_is_reported_with_its_line_and_a_suggestion() -> None:
     assert mistakes("[axis.0]\n  travl = [0, 1]\n") == [
         (2, 3, "there is no key axis.0.travl", "did you mean axis.N.travel?")
     ]
 
 
-def test_every_mistake_is_told_in_one_pass() -> None:
+def test_all_mistakes_are_reported_in_one_pass() -> None:
     found = mistakes(
         """[controller]
 axes = 0
@@ -128,7 +128,7 @@ def test_what_the_host_writes_is_checked_too() -> None:
     ]
 
 
-def test_a_fault_comes_about_in_one_way() -> None:
+def test_fault_has_one_trigger() -> None:
     found = mistakes("[[fault]]\naxis = 0\nkind = 'error-input'\nline = 12\nat = 1.0\n")
     assert [(line, message, hint) for line, _, message, hint in found] == [
         (4, "[[fault]] occurs by one trigger only", "give at, line, or one of above, below")
@@ -141,7 +141,7 @@ def test_text_that_is_not_toml() -> None:
     assert message
 
 
-def test_the_page_of_the_machine_file_is_what_its_vocabulary_says() -> None:
+def test_machine_file_page_matches_its_vocabulary() -> None:
     assert PAGE.read_text(encoding="utf-8") == written(), "python -m tests.derived writes it anew"
 
 
@@ -192,6 +192,6 @@ times = 100000
          "give for (a duration) or between (two positions of an axis)"),
         (20, 1, again, f"{more} 10"),
         (21, 1, "times of [[input]] must be a whole number from 1 to 10000, not 100000",
-         "How many times it happens in total, 1 to 10000. Default: until the end of the run; with between it is "
-         "required."),
+         "number of times that it happens in total, 1 to 10000. Default: until the end of the run; with between it is "
+         "required"),
     ]  # fmt: skip

@@ -23,7 +23,7 @@ def ran(name: str, text: str) -> Run:
         ("a.mcl", "1MN\n1MR1000,RP\n", 2),
     ],
 )
-def test_it_is_told_once_with_its_line(name: str, text: str, line: int) -> None:
+def test_warning_is_reported_once_with_its_line(name: str, text: str, line: int) -> None:
     (found,) = ran(name, text).diagnostics
     assert (found.code, found.severity, found.line) == ("never-waits", "warning", line)
 
@@ -36,8 +36,8 @@ def test_many_moves_that_are_waited_for_are_none() -> None:
     assert (len(result.controller.log.moves), result.diagnostics) == (1100, [])
 
 
-def test_a_loop_that_sends_an_axis_to_where_it_stands_is_told_of_that() -> None:
-    """It waits, but for nothing: each of its moves is over when it begins."""
+def test_loop_that_moves_an_axis_to_its_own_position_is_reported() -> None:
+    """The loop waits for its moves, but each of them ends at the moment it begins."""
     text = "Loop\n  MOVEA(0) = 0 : GO(0)\n  PAUSE IDLE(0)\nEnd Loop\n"
     (found,) = ran("a.mnt", text).diagnostics
     assert (found.code, found.line) == ("never-waits", 2)
@@ -45,20 +45,20 @@ def test_a_loop_that_sends_an_axis_to_where_it_stands_is_told_of_that() -> None:
 
 
 @pytest.mark.slow
-def test_who_wants_to_know_at_once_is_told_once_of_each(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The log is checked at 1024 profiles and whenever it is full.
+def test_warn_is_called_once_for_each_warning(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The log is checked at 1024 profiles, and whenever it is full.
 
-    That is at 4096, and after 4096 - 512 more, at 7680. A motion every 30 us makes 10 000 in 0.3 s.
+    It is full at 4096, and after 4096 - 512 more, at 7680. One motion every 30 us gives 10 000 in 0.3 s.
     """
     monkeypatch.setattr("motionlang.log.log.MAX_PROFILES", 4096)
-    told: list[tuple[float, int]] = []
+    reported: list[tuple[float, int]] = []
 
     def begun(machine: Machine) -> None:
-        machine.warn = lambda diagnostic: told.append((machine.clock.now, diagnostic.line))
+        machine.warn = lambda diagnostic: reported.append((machine.clock.now, diagnostic.line))
 
     text = "Dim k As Float\nLoop\n  k = k + 0.001\n  JOG(0) = k\nEnd Loop\n"
     result = run(Source("a.mnt", text), cache=False, until=0.3, begun=begun)
-    ((time, line),) = told
+    ((time, line),) = reported
     (found,) = result.diagnostics
     assert (line, time, found.count) == (4, found.first, 3)
     assert time < 0.1

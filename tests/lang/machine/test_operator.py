@@ -33,7 +33,7 @@ def test_a_live_operator_types_keys_and_where_the_program_asks_a_line() -> None:
     assert "".join(shown) == "12\b \b3\b \b\b \b"
 
 
-def test_what_nobody_reads_does_not_grow_for_ever() -> None:
+def test_unread_keys_are_limited() -> None:
     _, person = operator()
     for _ in range(20_000):
         person.type("x")

@@ -15,7 +15,7 @@ def answers(name: str, text: str, machine: str) -> list[str]:
     return run(Source(name, text), machine=settings, cache=False).output
 
 
-def test_a_setting_of_mint_is_at_power_up_what_the_machine_file_says() -> None:
+def test_machine_file_gives_mint_settings_at_power_up() -> None:
     text = "PRINT HOMESPEED(1)\nHOMESPEED(1) = 7\nDEFAULT(1)\nPRINT HOMESPEED(1)\n"
     assert answers("a.mnt", text, '"mint.homespeed-default" = 1000') == ["1000.0000"] * 2
     assert answers("a.mnt", text, "") == ["4000.0000"] * 2
@@ -36,7 +36,7 @@ def test_how_floats_are_printed(machine: str, shown: list[str]) -> None:
     assert answers("a.mnt", text, machine) == shown
 
 
-def test_readings_of_a_board() -> None:
+def test_assumptions_of_a_board() -> None:
     text = "1TP\nAL0,IE1,AA1,AA2,AA4,TR0\nAL7,AD2,TR0\nJR99\nTE\nTE\n1TG\n"
     assert answers("a.mcl", text, "") == ["01 0", "4", "3", "?-1", "-1", "-1", "01 0.000000"]
     machine = """
@@ -67,7 +67,7 @@ def test_readings_of_a_board() -> None:
         ('"mccl.skipped" = 7', "must be 2 or 1 or 3, not 7", "motionlang probe"),
     ],
 )
-def test_a_reading_or_an_alternative_that_there_is_not(machine: str, message: str, hint: str) -> None:
+def test_unknown_assumptions_and_alternatives_are_reported(machine: str, message: str, hint: str) -> None:
     with pytest.raises(ProgramError) as caught:
         read_machine(Source("m.toml", f"[assumptions]\n{machine}\n"))
     (found,) = caught.value.diagnostics

@@ -69,7 +69,7 @@ RIGHT = {
     "fault": '"drive"',
 }
 # What an entry needs in addition to the requirements of its table.
-BESIDES = {
+FURTHER = {
     "fault": {"axis": "1"},
     "comms": {"value": "1"},
     "netdata": {"value": "1"},
@@ -80,8 +80,8 @@ BESIDES = {
 }
 
 
-def told(text: str) -> list[str]:
-    """Return the errors of a machine file with location and hint; without any, run it."""
+def messages(text: str) -> list[str]:
+    """Return the errors of a machine file with location and hint; if none, run it."""
     try:
         settings = read_machine(Source("machine.toml", text))
     except ProgramError as error:
@@ -106,7 +106,7 @@ def right(table: str, key: str) -> str:
 
 def least(table: str) -> dict[str, str]:
     """Return the required keys of an entry of a table, with valid values."""
-    return {key: right(table, key) for key in REQUIRED[table]} | BESIDES.get(table, {})
+    return {key: right(table, key) for key in REQUIRED[table]} | FURTHER.get(table, {})
 
 
 @pytest.mark.parametrize(
@@ -114,7 +114,7 @@ def least(table: str) -> dict[str, str]:
 )
 def test_any_value_of_a_key(key: str) -> None:
     written = key.replace(".N", ".1").replace("WORD", "DRIVEBUSVOLTS")
-    assert any(told(f"{written} = {value}\n") for value in WRONG)
+    assert any(messages(f"{written} = {value}\n") for value in WRONG)
 
 
 def entries(table: str) -> Iterator[str]:
@@ -135,8 +135,8 @@ def entries(table: str) -> Iterator[str]:
 
 @pytest.mark.parametrize("table", TABLES)
 def test_any_value_in_a_table(table: str) -> None:
-    assert told(entry(table, least(table))) == []
-    assert any(told(text) for text in entries(table))
+    assert messages(entry(table, least(table))) == []
+    assert any(messages(text) for text in entries(table))
 
 
 @pytest.mark.parametrize(
@@ -163,7 +163,7 @@ def test_any_value_in_a_table(table: str) -> None:
         ),
         (f"[controller]\naxes = {DIGITS * 11}\n", 2, 8, "a number has too many digits"),
         ("[controller]\naxes = " + "[" * 2000 + "\n", 2, 2007, "values are nested too deeply"),
-        ("[axis.0]\ntravel = [[[[", 2, 14, "Invalid value"),
+        ("[axis.0]\ntravel = [[[[", 2, 14, "invalid value"),
         (f"{'a.' * 300}b = 1\n", 1, 1, "there is no key a.a.a.a.a.a"),
         (f"[controller]\n {'a.' * 20_000}b = 1\n", 2, 2, "a key has too many parts"),
         ("[a" + '. "b c"' * 20_000 + "]\n", 1, 2, "a key has too many parts"),
@@ -203,7 +203,7 @@ def test_any_value_in_a_table(table: str) -> None:
     ],
     ids=lambda value: str(value)[:40].split("\n")[0],
 )
-def test_a_typing_mistake_has_its_place(text: str, line: int, column: int, message: str) -> None:
+def test_misspelt_key_is_located(text: str, line: int, column: int, message: str) -> None:
     with pytest.raises(ProgramError) as error:
         read_machine(Source("machine.toml", text))
     first = error.value.diagnostics[0]
@@ -211,9 +211,9 @@ def test_a_typing_mistake_has_its_place(text: str, line: int, column: int, messa
     assert (first.line, first.column, first.message[: len(message)]) == (line, column, message)
 
 
-@pytest.mark.parametrize("place", ["²", "9" * 5000])
-def test_a_reading_at_a_place_that_there_is_not(place: str) -> None:
-    settings = read_machine(Source("machine.toml", f'[mint.values]\nTEMPERATURE = {{ "{place}" = 3 }}\n'))
+@pytest.mark.parametrize("index", ["²", "9" * 5000])
+def test_value_at_a_missing_index_is_reported(index: str) -> None:
+    settings = read_machine(Source("machine.toml", f'[mint.values]\nTEMPERATURE = {{ "{index}" = 3 }}\n'))
     ran = motionlang.run(Source("a.mnt", "PRINT TEMPERATURE(0)\n"), machine=settings, cache=False)
     assert [each.code for each in ran.diagnostics] == ["not-simulated"]
 

@@ -43,10 +43,10 @@ class Accepted:
 
 
 def test_mint_expects_what_lark_accepts() -> None:
-    judge, accepted, seen = build_lark("mint.lark"), Accepted(), 0
+    reference, accepted, seen = build_lark("mint.lark"), Accepted(), 0
     own = cache(lambda top: expected(TABLES, top))
     for text in mint_texts():
-        parser, top = judge.parse_interactive(""), empty(TABLES)
+        parser, top = reference.parse_interactive(""), empty(TABLES)
         for at, piece in enumerate(TABLES.texts(text)):
             assert own(top) == accepted(parser), (text, piece)
             seen += 1
@@ -58,10 +58,10 @@ def test_mint_expects_what_lark_accepts() -> None:
 
 
 def test_mccl_expects_what_lark_accepts() -> None:
-    judge, accepted, seen = build_lark("mccl.lark", lexer="contextual"), Accepted(), 0
+    reference, accepted, seen = build_lark("mccl.lark", lexer="contextual"), Accepted(), 0
     for file in sorted((TESTS / "errors" / "mccl").glob("*.mcl")):
         for line in file.read_text().splitlines():
-            parser, top = judge.parse_interactive(line), empty(AUTOMATON)
+            parser, top = reference.parse_interactive(line), empty(AUTOMATON)
             try:
                 for token in parser.iter_parse():  # which takes it when the next one is requested
                     assert expected(AUTOMATON, top) == accepted(parser), (line, token)

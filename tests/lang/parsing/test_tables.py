@@ -74,31 +74,31 @@ def test_the_loop_does_by_itself_what_is_reduced_most_often(monkeypatch: pytest.
 
 
 @cache
-def judge() -> lark.Lark:
+def reference() -> lark.Lark:
     return generate.build_lark("mint.lark")
 
 
-def judged(text: str) -> str:
-    """Return Lark's tree of a text, by equal actions, or its rejection."""
+def by_reference(text: str) -> str:
+    """Return the tree that Lark and the same actions make of a text, or "refused"."""
     try:
-        tree = judge().parse(text + TABLES.end(text))
+        tree = reference().parse(text + TABLES.end(text))
     except lark.exceptions.UnexpectedInput:
         return "refused"
     spans = TABLES.spans(text)
-    places = {start: at for at, (start, _) in enumerate(spans)}
+    indices = {start: at for at, (start, _) in enumerate(spans)}
     texts = TABLES.texts(text)
     try:
-        return repr(_value(tree, places, texts))
+        return repr(_value(tree, indices, texts))
     except build.Misuse:
         return "misused"
 
 
-def _value(item: Any, places: dict[int, int], texts: list[str]) -> Any:
+def _value(item: Any, indices: dict[int, int], texts: list[str]) -> Any:
     if item is None:
         return None
     if isinstance(item, lark.Token):
-        return places[item.start_pos or 0]
-    values = [_value(child, places, texts) for child in item.children]
+        return indices[item.start_pos or 0]
+    values = [_value(child, indices, texts) for child in item.children]
     if item.data == "more":
         last = next(
             v
@@ -132,13 +132,13 @@ def ours(text: str) -> str:
 @pytest.mark.parametrize("name", samples())
 def test_samples(name: str) -> None:
     text = samples()[name]
-    assert ours(text) == judged(text) != "refused"
+    assert ours(text) == by_reference(text) != "refused"
 
 
 def test_gallery() -> None:
     for path in SCRIPTS.glob("**/*.mnt"):
         text = path.read_text()
-        assert ours(text) == judged(text), path.name
+        assert ours(text) == by_reference(text), path.name
 
 
 # A program is lines of tokens: mostly valid ones, so that both parsers go deep, in any order, so that both
@@ -156,14 +156,14 @@ LINES = [
 @given(st.lists(st.sampled_from(LINES), max_size=8))
 def test_lines_in_any_order(lines: list[str]) -> None:
     text = "\n".join(lines)
-    assert ours(text) == judged(text)
+    assert ours(text) == by_reference(text)
 
 
 @settings(max_examples=250)
 @given(st.lists(st.sampled_from(PIECES), max_size=14))
 def test_tokens_in_any_order(pieces: list[str]) -> None:
     text = " ".join(pieces)
-    assert ours(text) == judged(text)
+    assert ours(text) == by_reference(text)
 
 
 @settings(max_examples=250)
@@ -173,12 +173,12 @@ def test_tokens_in_any_order(pieces: list[str]) -> None:
     st.sampled_from(PIECES),
     st.integers(0, 2),
 )
-def test_one_token_changed(text: str, place: int, piece: str, removed: int) -> None:
+def test_one_token_changed(text: str, index: int, piece: str, removed: int) -> None:
     spans = TABLES.spans(text)
     if spans:
-        start, end = spans[place % len(spans)][0], spans[(place + removed) % len(spans)][0]
+        start, end = spans[index % len(spans)][0], spans[(index + removed) % len(spans)][0]
         text = f"{text[:start]} {piece} {text[max(start, end) :]}"
-    assert ours(text) == judged(text)
+    assert ours(text) == by_reference(text)
 
 
 OPERATORS = [
@@ -215,11 +215,11 @@ EXPRESSIONS = st.recursive(
 @settings(max_examples=250)
 @given(EXPRESSIONS)
 def test_expressions(text: str) -> None:
-    assert ours(f"x = {text}") == judged(f"x = {text}")
-    assert ours(f"Fill {text}, 2") == judged(f"Fill {text}, 2")
+    assert ours(f"x = {text}") == by_reference(f"x = {text}")
+    assert ours(f"Fill {text}, 2") == by_reference(f"Fill {text}, 2")
 
 
 @settings(max_examples=200)
 @given(st.text(st.sampled_from("aREMrem019.xX_e+-'\"`\\:;,()=<> \t\n#?"), max_size=24))
 def test_any_text(text: str) -> None:
-    assert ours(text) == judged(text)
+    assert ours(text) == by_reference(text)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cProfile
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -109,11 +111,11 @@ def test_a_blank_pauses_a_busy_port() -> None:
     console.run(1.05)
     port.feed(b" ")
     console.run(5.0)
-    held = port.task.registers[0]
-    assert held == 11
+    paused_at = port.task.registers[0]
+    assert paused_at == 11
     port.feed(b" ")
     console.run(6.0)
-    assert port.task.registers[0] > held
+    assert port.task.registers[0] > paused_at
     assert ask(console, port, b"\x1b") == b"?-7\n>"
 
 
@@ -222,16 +224,16 @@ def test_a_port_that_waits_for_a_key_is_not_working() -> None:
 
 def test_a_board_works_as_long_as_a_file_is_downloaded() -> None:
     console, _ = board()
-    said: list[str] = []
-    console.download(Source("home.mcl", "WA0.5\n1TP\n"), said.append, lambda _: None)
+    printed: list[str] = []
+    console.download(Source("home.mcl", "WA0.5\n1TP\n"), printed.append, lambda _: None)
     console.run(console.now + 0.1)
     assert console.working
     assert console.settle()
     assert not console.working
-    assert "".join(said) == "01 0\n"
+    assert "".join(printed) == "01 0\n"
 
 
-def test_the_name_of_an_unknown_command_is_told_in_capitals() -> None:
+def test_the_name_of_an_unknown_command_is_reported_in_capitals() -> None:
     (found,) = MCCL.check(Source("zz.mcl", "1zz\n"), {})
     assert found.message.startswith("there is no command ZZ ")
 
@@ -262,3 +264,51 @@ def test_an_error_of_our_own_costs_one_line(monkeypatch: pytest.MonkeyPatch) -> 
     assert port.take() == b"?3\n>"
     assert other.take() == b"01 0\n>"
     assert ask(console, port, b"1TP\r") == b"01 0\n>"
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        [b"1TP\r", b"1MR5,1WS\r", b"1TP\r"],
+        [b"1T", b"P\r", b"\n", b"1TP\r\n", b"\r"],
+        [b"1TP\r2TP\r", b"1TP\x08\x08\x08TR0\r", b"\x1b1TP\r"],
+        [b"XF65,XN66\r", b"1TP,NA\r", b"B1TP\r"],
+        [b"XF0\r", b"1TP\r", b"EN\r", b"1TP\r"],
+        [b"1TP," * 100 + b"\r", b"\t1TP\r", "1TP\N{DEGREE SIGN}\r".encode("latin-1")],
+        [b"1MR100000,1WS0\r", b"1TP\r", b" 1TP\r"],
+    ],
+)
+@pytest.mark.parametrize("echo", [True, False])
+def test_a_line_at_once_is_the_same_as_its_characters(lines: list[bytes], echo: bool) -> None:
+    whole, single = board(echo=echo), board(echo=echo)
+    for line in lines:
+        for code in line:
+            assert single[1].feed(bytes([code])) == 1
+        single[0].settle()
+        assert ask(*whole, line) == single[1].take()
+        assert whole[0].now == single[0].now
+
+
+def test_a_longer_line_takes_no_more_calls() -> None:
+    """With a function call per character, 20 more would take 60 calls."""
+    console, port = board()
+
+    def calls(sent: bytes) -> int:
+        profile = cProfile.Profile()
+        ask(console, port, sent)
+        profile.runcall(ask, console, port, sent)
+        return sum(entry.callcount for entry in profile.getstats())
+
+    assert calls(b"NO" + b" " * 20 + b"\r") < calls(b"NO\r") + 10
+
+
+def test_the_wait_between_two_lines_has_a_constant_location() -> None:
+    """Recording the wait does not need a search for the task's location."""
+    console, port = board()
+    ask(console, port, b"MD5,1TP\r")
+    for sent in (b"MC5\r", b"1WA0.1\r", b"1ZZ\r"):
+        ask(console, port, sent)
+        wait = port.task.wait
+        assert wait is not None
+        assert wait.cause == "host"
+        assert wait.location == port.task.stack_offsets == (0, ())

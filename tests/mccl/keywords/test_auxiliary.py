@@ -19,7 +19,7 @@ def test_it_turns_as_the_machine_file_says(mccl: Runner) -> None:
     assert result.output == ["01 1000", "02 0", "03 0", "01 2000", "02 -50"]
 
 
-def test_it_is_given_another_value_and_told_in_user_units(mccl: Runner) -> None:
+def test_it_is_set_and_reported_in_user_units(mccl: Runner) -> None:
     result = mccl("WA0.5,1AH20,1AT,WA0.1,1AT\n1US10,1UZ7,1MN,1AT,1AH3,1AT", machine=TURNING)
     assert result.output == ["01 20", "01 120", "01 12.000000", "01 3.000000"]
 

@@ -15,9 +15,7 @@ MOTOR = {"axis.1.plant.amplifier": "current"}
 
 
 @pytest.mark.parametrize("machine", [{}, MOTOR], ids=["demand", "motor"])
-def test_the_motor_is_ahead_of_the_load_whichever_way_it_goes(
-    machine: dict[str, object], mccl: Runner
-) -> None:
+def test_the_motor_is_ahead_of_the_load_in_either_direction(machine: dict[str, object], mccl: Runner) -> None:
     text = "1SG0.02,1SD0.5,1MN,1BD10,1BN,1TP\n1MA500,1WS0.3,1TP,1TT\n1MA0,1WS0.3,1TP,1TT\n1VM,1DI0,1GO,WA0.1,1ST,1WS0.3"
     result = mccl(f"{text},1TP,1BF,1TP", machine=machine)
     *moves, before, after = (int(line.split()[1]) for line in result.output)

@@ -29,10 +29,10 @@ rates = st.floats(100.0, 1e5)
     rates,
 )
 def test_it_is_a_sound_profile_that_keeps_its_limits(
-    start: int, distance: int, back: bool, part: float, speed: float, accel: float, decel: float
+    start: int, distance: int, back: bool, fraction: float, speed: float, accel: float, decel: float
 ) -> None:
     target = float(start + (-distance if back else distance))
-    low = part * speed
+    low = fraction * speed
     profile = _stepped(float(start), target, low, speed, accel, decel)
     complaints = verify(profile, speed=speed, accel=accel, decel=decel, end=target, tolerance=1e-6)
     # The two steps are the only complaints of this checker.
@@ -58,25 +58,25 @@ def test_it_is_faster_than_from_rest_by_what_is_left_out() -> None:
 @settings(max_examples=300)
 @given(st.integers(1, 10**6), st.booleans(), st.floats(0.01, 1.0), st.floats(0.0, 1.0), rates, rates, rates)
 def test_from_motion_it_ends_at_its_step_and_keeps_its_limits(
-    distance: int, back: bool, part: float, share: float, speed: float, accel: float, decel: float
+    distance: int, back: bool, fraction: float, share: float, speed: float, accel: float, decel: float
 ) -> None:
     """The axis has the step's velocity or more, and can slow down to it by the target."""
-    low = part * speed
+    low = fraction * speed
     velocity = low + share * (min(speed, sqrt(low * low + 2.0 * decel * distance)) - low)
-    way = -1.0 if back else 1.0
-    profile = _going_on(0.0, way * distance, low, speed, accel, decel, way * velocity)
+    direction = -1.0 if back else 1.0
+    profile = _going_on(0.0, direction * distance, low, speed, accel, decel, direction * velocity)
     complaints = verify(
         profile,
         speed=speed,
         accel=accel,
         decel=decel,
-        end=way * distance,
+        end=direction * distance,
         tolerance=1e-6,
     )
     assert [each for each in complaints if not each.startswith("the curve ends")] == []
     assert abs(profile.phases[-1].end_velocity) == pytest.approx(low)
     assert profile.velocity(profile.duration) == 0.0
-    assert profile.start_velocity == way * velocity
+    assert profile.start_velocity == direction * velocity
 
 
 STEPPER = "1MN,1SV5000,1SA20000,1DS10000,1MV1000\n1MR4000,1WS\n"
@@ -94,7 +94,7 @@ def forged(change: Callable[[Profile], Profile]) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    ("low", "speed", "accel", "decel", "told"),
+    ("low", "speed", "accel", "decel", "message"),
     [
         (1000.0, 5500.0, 20000.0, 10000.0, "the speed reaches"),
         (1000.0, 5000.0, 21000.0, 10000.0, "the acceleration reaches 21000"),
@@ -104,10 +104,10 @@ def forged(change: Callable[[Profile], Profile]) -> list[str]:
     ],
 )
 def test_the_proof_holds_a_move_to_its_rates_and_to_the_step(
-    low: float, speed: float, accel: float, decel: float, told: str
+    low: float, speed: float, accel: float, decel: float, message: str
 ) -> None:
     messages = forged(lambda _: _stepped(0.0, 4000.0, low, speed, accel, decel))
-    assert any(told in each for each in messages), messages
+    assert any(message in each for each in messages), messages
 
 
 def test_what_is_left_of_a_move_at_a_new_zero_is_held_to_what_it_was_planned_with() -> None:

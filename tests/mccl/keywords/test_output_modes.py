@@ -13,7 +13,7 @@ from tests.mccl.conftest import Runner
     ("mode", "is_simulated"),
     [(0, True), (1, False), (2, True), (3, False), (4, False), (0x8000, False), (0xC000, True)],
 )
-def test_a_mode_is_kept(mode: int, is_simulated: bool, mccl: Runner) -> None:
+def test_a_mode_is_stored(mode: int, is_simulated: bool, mccl: Runner) -> None:
     machine = {"axis.1.plant.amplifier": "voltage"}
     result = mccl(f'1OM{mode},LU"OUTPUTMODE",1RL@0,TR0\n', machine=machine)
     assert [int(line) for line in result.output] == [mode]

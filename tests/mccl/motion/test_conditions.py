@@ -36,43 +36,43 @@ KINDS: dict[str, tuple[str, str]] = {
 ALONG = {"contour": 0.6, "contour of another axis": 0.6}
 HARD = {"off": 0, "abort": 1, "stop": 2}
 SOFT = {"off": 0, "abort": 4, "stop": 8}
-WAYS = ("met", "already active", "turned into", "placed", "mode", "enabled", "renamed", "input")
+CAUSES = ("met", "already active", "turned into", "placed", "mode", "enabled", "renamed", "input")
 PLUS, MINUS, FAULT = 18, 19, 20  # the channels of axis 1
 
 
 def cells() -> list[tuple[str, str, bool]]:
-    return [(kind, way, motor) for kind in KINDS for way in WAYS for motor in (False, True)]
+    return [(kind, cause, motor) for kind in KINDS for cause in CAUSES for motor in (False, True)]
 
 
-def program(kind: str, way: str, action: str, limited: bool) -> tuple[str, dict[str, object], int]:
+def program(kind: str, cause: str, action: str, limited: bool) -> tuple[str, dict[str, object], int]:
     """Return a program in which `cause` makes the limit true, its inputs, and a shift.
 
     The shift is that of the zero, counts.
     """
-    begin, turn = KINDS[kind]
+    begin, reversal = KINDS[kind]
     hard, soft = HARD[action], SOFT[action]
     before, then, shift = "NO", "NO", 0
     inputs: list[dict[str, object]] = []
-    if way == "met":
+    if cause == "met":
         before = f"1LM{soft},1HL9000,1LL-900000,1LN12"
-    elif way == "already active":
+    elif cause == "already active":
         before, inputs = f"1LM{hard},1LN1", [{"channel": PLUS, "at": 0.0}]
-    elif way == "turned into":
-        before, then, inputs = f"1LM{hard},1LN2", turn, [{"channel": MINUS, "at": 0.0}]
-    elif way == "placed":
+    elif cause == "turned into":
+        before, then, inputs = f"1LM{hard},1LN2", reversal, [{"channel": MINUS, "at": 0.0}]
+    elif cause == "placed":
         before, then = f"1LM{soft},1HL900000,1LL-900000,1LN12", "1HL5000"
-    elif way == "mode":  # the switch is always closed, and its polarity is inverted
+    elif cause == "mode":  # the switch is always closed, and its polarity is inverted
         before, then = f"1LM{128 + hard},1LN1", f"1LM{hard}"
         inputs = [{"channel": PLUS, "at": 0.0}]
-    elif way == "enabled":
+    elif cause == "enabled":
         before, then, inputs = f"1LM{hard}", "1LN1", [{"channel": PLUS, "at": 0.5}]
-    elif way == "renamed":
+    elif cause == "renamed":
         before, then, shift = f"1LM{soft},1HL300000,1LL-900000,1LN12", "1DH500000", 500000
     else:
         before, inputs = f"1LM{hard},1LN1", [{"channel": PLUS, "at": MOMENT}]
     if not limited:
         before, inputs = "NO", []
-        then = then if way in ("turned into", "renamed") else "NO"
+        then = then if cause in ("turned into", "renamed") else "NO"
     return f"{HEAD}\n{before}\n{begin}\nWA{MOMENT},{then},WA{END}", {"input": inputs}, shift
 
 
@@ -82,19 +82,19 @@ def go(mccl: Runner, text: str, machine: dict[str, object], motor: bool) -> Run:
     return mccl(text, machine={**FINE, **machine, **(MOTOR if motor else {})}, until=END)
 
 
-def moment(free: Run, way: str) -> float:
+def moment(free: Run, cause: str) -> float:
     """Return the time at which the limit becomes true, from the motion without it."""
     a = free.controller.axes[1]
     times = [k * 1e-3 for k in range(int(END * 1e3))]
-    if way == "met":
+    if cause == "met":
         low, high = next((s, t) for s, t in pairwise(times) if a.at(t).position >= 9000.0)
         for _ in range(60):
             middle = 0.5 * (low + high)
             low, high = (middle, high) if a.at(middle).position < 9000.0 else (low, middle)
         return high
-    if way == "already active":
+    if cause == "already active":
         return next(t for t in times if a.at(t + 1e-3).velocity > 0.0)
-    if way == "turned into":
+    if cause == "turned into":
         low, high = next((s, t) for s, t in pairwise(times) if a.at(t).velocity < 0.0 <= a.at(s).velocity)
         for _ in range(60):
             middle = 0.5 * (low + high)
@@ -103,37 +103,39 @@ def moment(free: Run, way: str) -> float:
     return MOMENT
 
 
-@pytest.mark.parametrize(("kind", "way", "motor"), cells())
-def test_a_limit_holds(kind: str, way: str, motor: bool, mccl: Runner) -> None:
-    if way == "turned into" and not KINDS[kind][1]:
+@pytest.mark.parametrize(("kind", "cause", "motor"), cells())
+def test_a_limit_holds(kind: str, cause: str, motor: bool, mccl: Runner) -> None:
+    if cause == "turned into" and not KINDS[kind][1]:
         return  # without a reversal
     for action in HARD:
-        text, machine, shift = program(kind, way, action, limited=True)
+        text, machine, shift = program(kind, cause, action, limited=True)
         result = go(mccl, text, machine, motor)
-        free_text, nothing, _ = program(kind, way, action, limited=False)
+        free_text, nothing, _ = program(kind, cause, action, limited=False)
         free = go(mccl, free_text, nothing, motor)
         assert result.controller.has_motor(1) is motor
-        time = moment(free, way)
-        before = free.controller.axes[1].at(time if way != "renamed" else time - 1e-6)
-        place, velocity = before.position, before.velocity
-        if way in ("already active", "turned into"):
+        time = moment(free, cause)
+        before = free.controller.axes[1].at(time if cause != "renamed" else time - 1e-6)
+        position, velocity = before.position, before.velocity
+        if cause in ("already active", "turned into"):
             velocity = 0.0
-            place = 0.0 if way == "already active" else place
-        expected = place
+            position = 0.0 if cause == "already active" else position
+        expected = position
         if action == "stop":
             expected += velocity * abs(velocity) / (2.0 * RATE * ALONG.get(kind, 1.0))
         a = result.controller.axes[1]
         assert a.at(END - 0.01).velocity == 0.0, (action, result.diagnostics)
-        slack = 50.0 if motor and way == "met" else 0.5  # a motor is checked once per servo period
-        found = a.at(END - 0.01).position - (shift if way == "renamed" else 0.0)
-        named = before.position if way == "renamed" else 0.0
+        slack = 50.0 if motor and cause == "met" else 0.5  # a motor is checked once per servo period
+        found = a.at(END - 0.01).position - (shift if cause == "renamed" else 0.0)
+        named = before.position if cause == "renamed" else 0.0
         assert found + named == pytest.approx(expected, abs=slack), (action, text)
         assert result.controller.faults(1), action
         assert result.controller.is_enabled(1) is (action != "off"), action
 
 
 def test_no_cell_is_left_out() -> None:
-    assert {(kind, way) for kind, way, _ in cells()} == {(kind, way) for kind in KINDS for way in WAYS}
+    assert {(kind, cause) for kind, cause, _ in cells()} == {
+        (kind, cause) for kind in KINDS for cause in CAUSES
+    }
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -153,8 +155,8 @@ def test_the_amplifier_input_switches_the_motor_off(kind: str, mccl: Runner) -> 
         text = f"{HEAD}\n{before}\n{begin}\nWA1,{then},WA{END}"
         result = mccl(text, machine={**FINE, **inputs}, until=END)
         free = mccl(f"{HEAD}\nNO\n{begin}\nWA{END}", machine=FINE, until=END)
-        due = free.controller.axes[1].at(END - 0.01 if time is None else time).position
-        assert result.controller.axes[1].at(END - 0.01).position == pytest.approx(due, abs=0.5), (
+        expected = free.controller.axes[1].at(END - 0.01 if time is None else time).position
+        assert result.controller.axes[1].at(END - 0.01).position == pytest.approx(expected, abs=0.5), (
             before,
             then,
         )

@@ -118,8 +118,8 @@ def test_an_arc_that_misses_its_end_a_little_goes_through_it(
     assert result.proof().violations == []
     begin = result.controller.log.moves[0].start_time
     times = [begin + (result.time - begin) * k / 2000 for k in range(2001)]
-    ways = [hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise([state(result, t) for t in times])]
-    assert max(ways) <= 20000 * (result.time - begin) / 2000 * (1 + 1e-9)
+    distances = [hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise([state(result, t) for t in times])]
+    assert max(distances) <= 20000 * (result.time - begin) / 2000 * (1 + 1e-9)
 
 
 @pytest.mark.parametrize("path", ["1CP3,1CA0,2CA10000,1MA10011,2MA10000", "1CP2,1CA5000,2CA0,1MA-1,2MA0"])

@@ -57,11 +57,11 @@ class Job:
         paths = list(self.paths)
         if events:
             for _ in range(self.choose.randrange(1, 4)):
-                place = self.choose.randrange(1, len(paths) + 1)
+                index = self.choose.randrange(1, len(paths) + 1)
                 word = self.choose.choice(
                     ["1VO0.4", "1VO1.7", "1VO1", "1DH50", "2DH-70", "1SN", "1NS", "1ST,1WS"]
                 )
-                paths.insert(place, f"WA{self.choose.randrange(1, 900) / 1000},{word}")
+                paths.insert(index, f"WA{self.choose.randrange(1, 900) / 1000},{word}")
         return "\n".join([head, *paths, "1SN,1NS,WA0.01,1WS,1TP,2TP"])
 
 

@@ -26,8 +26,8 @@ RAMPS = {
 
 def from_velocity(kind: str, v: float, rate: float) -> float:
     """Return the stopping distance from v, with no initial acceleration."""
-    whole, part = RAMPS[kind]
-    return part * v * whole * v / V * D / rate
+    whole, fraction = RAMPS[kind]
+    return fraction * v * whole * v / V * D / rate
 
 
 def in_the_ramp(kind: str, t: float) -> tuple[float, float]:
@@ -45,9 +45,9 @@ def in_the_ramp(kind: str, t: float) -> tuple[float, float]:
     if t < rise:
         return V - D * t**2 / (2 * rise), V * whole / 2 - V * t + D * t**3 / (6 * rise)
     assert t <= whole - rise
-    held = left - rise  # after which D falls to 0 over `rise`
+    constant_time = left - rise  # after which D falls to 0 over `rise`
     after = D * rise / 2
-    return after + D * held, D * rise**2 / 6 + after * held + D * held**2 / 2
+    return after + D * constant_time, D * rise**2 / 6 + after * constant_time + D * constant_time**2 / 2
 
 
 def of_a_stop(kind: str, t: float, rate: float) -> float:
@@ -103,17 +103,17 @@ def stopped(kind: str, change: str, time: float, command: str) -> tuple[float, f
     return event.time - move.start_time, result.machine.controller.demand(1)
 
 
-@pytest.mark.parametrize("part", [0.05, 0.3, 0.45, 0.6, 0.85])
+@pytest.mark.parametrize("fraction", [0.05, 0.3, 0.45, 0.6, 0.85])
 @pytest.mark.parametrize("change", CHANGES)
 @pytest.mark.parametrize("kind", RAMPS)
-def test_st_while_slowing_down(kind: str, change: str, part: float) -> None:
+def test_st_while_slowing_down(kind: str, change: str, fraction: float) -> None:
     """The stop is at the present rate, or as planned if that is shorter and allowed.
 
     The planned stop is allowed if its rate is within the present one.
     """
     whole, size = RAMPS[kind]
     begin = (TARGET - 2 * size * V * whole) / V + whole
-    time, end = stopped(kind, change, begin + part * whole, "ST")
+    time, end = stopped(kind, change, begin + fraction * whole, "ST")
     rate = CHANGES[change][1]
     _, left = in_the_ramp(kind, time - begin)
     distance = of_a_stop(kind, time - begin, rate)

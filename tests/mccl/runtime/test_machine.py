@@ -41,8 +41,10 @@ def test_travel_shows_as_the_limit_inputs_whether_enabled_or_not(mccl: Runner) -
 
     The axis moves at 10000 counts/s.
     """
-    look = '1LU"STATUS",1RL@0,IC{bit},JR-3,NO,1TP,1ST,1WS'
-    text = f"1MN,1SV10000,1VM,1GO\n{look.format(bit=26)}\n1DI1,1GO\n{look.format(bit=27)}\n1PM,1MA0,1WS,1TS"
+    on_bit = '1LU"STATUS",1RL@0,IC{bit},JR-3,NO,1TP,1ST,1WS'
+    text = (
+        f"1MN,1SV10000,1VM,1GO\n{on_bit.format(bit=26)}\n1DI1,1GO\n{on_bit.format(bit=27)}\n1PM,1MA0,1WS,1TS"
+    )
     plus, minus, last = mccl(text, machine={"axis.1.travel": [-1000.0, 5000.0]}).output
     assert 5000 <= status(plus) <= 5001
     assert -1001 <= status(minus) <= -1000

@@ -10,6 +10,7 @@ import pytest
 
 from motionlang.lang.dependencies import Dependencies
 from motionlang.mccl.runtime.poll import Poll
+from motionlang.mccl.runtime.task import CommandTask
 from tests.mccl.conftest import Runner
 
 POLL = 'LU"STATUS",1RL@0,IC3,JR-3,NO'
@@ -27,7 +28,7 @@ PROGRAMS = {
         "MN,1MR5000,2MR3000\nGT1\nGT2\nWA0.3,1TV"
     ),
     "the target band": f"1MN,1DB100,1DT0.02,1MR5000\n{POLL.replace('IC3', 'IC2')},1TP",
-    "the direction while it turns": f"1MN,1MR5000,WA0.1,1ST\n{POLL}\n1MR-50,{POLL.replace('IC3', 'IC4')},1TP,1WS",
+    "the direction while it reverses": f"1MN,1MR5000,WA0.1,1ST\n{POLL}\n1MR-50,{POLL.replace('IC3', 'IC4')},1TP,1WS",
     "an input that another task sets": "MD1,WA0.1,CN33,WA0.1,CF33\nGT1\nIF33,JR-1,NO,IN33,JR-1,NO,TC33",
     "a register that another task sets": "MD1,WA0.1,AL7,AR20\nGT1\nRA20,IU7,JR-2,NO,TR20",
     "a position": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,IB250,JR-2,NO,1TP,1RV@20,IB400.5,JR-2,NO,1TP',
@@ -65,6 +66,11 @@ PROGRAMS = {
     "a position that is read every 2 ms": 'LU"POSITION",AR20\n1MN,1SV1000,1MR500\n'
     "1RL@20,IG250,CN33,NO,WA0.002,1RL@20,IB450,JR-7,NO,1TP,TC33",
     "a wait that depends": 'LU"STATUS",AR21\n1MN,1SV1000,1MR300\nIN5,WA0.0071,NO,WA0.003,1RL@21,IC3,JR-6,NO,1TP',
+    "a bit that follows a position": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,IC7,JR-2,NO,1TP,1RL@20,IS7,JR-2,NO,1TP,1WS',
+    "a position that is recalled": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
+    "1RL@20,RA0,IG300,CN33,NO,1RL@21,IC3,JR-7,NO,1TP",
+    "bits of the status word, then its value": 'LU"STATUS",AR21\n1MN,1MR500\n'
+    "1RL@21,IS4,CN33,NO,IS3,CF33,NO,1RL@21,IS2,CN34,NO,IC3,JR-12,NO,1TP\n1MR-500\n1RL@21,IC2,JR-2,NO,1TP",
     "the phase of a move": '1MN,1PS,1MR5000\nLU"PROFILE",1RL@0,IS3,JR-3,NO,1TP,1WS',
     "a breakpoint": f"1MN,1MR5000,1IP2000\n{POLL.replace('IC3', 'IC10')},1TP,1WS",
     "the segments of a contour": "1MN,2MN,1CM1,2CM1,1CP1,1MR500,2MR0,1CP1,1MR0,2MR500\n"
@@ -130,6 +136,42 @@ def test_an_hour_of_watching_is_over_at_once(
     result = mccl(f"{variables}\n1MN,1SV1,1SA1,1DS1,1MR3600\n{watch}", until=1e4)
     assert result.time == pytest.approx(3601.0, abs=0.001)
     assert jumps < 300
+
+
+@pytest.mark.parametrize("bit", [3, 25])
+def test_a_bit_is_polled_from_event_to_event(bit: int, mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The ends of the ramps change neither bit, so they do not end a skip.
+
+    The executed iterations are a first one, which is compared with the second, and those just before and
+    after the event.
+    """
+    ends, again = [], Poll.again
+
+    def counted(poll: Poll) -> object:
+        ends.append(poll.dependencies.clock.now)
+        return again(poll)
+
+    monkeypatch.setattr(Poll, "again", counted)
+    mccl(f"1MN,1SV1000,1SA1000,1DS1000,1MR9000,{POLL.replace('3', str(bit), 1)}", until=9.9)
+    assert [each for each in ends if 0.01 < each < 9.8] == []
+
+
+def test_a_poll_beside_a_wait_takes_one_time_slice(mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The other task waits 1 s at a time.
+
+    When it wakes, both tasks alternate for two commands each. Then the poll continues up to the next wake,
+    without a slice of 1 ms before that.
+    """
+    slices, resume = 0, CommandTask.resume
+
+    def counted(task: CommandTask, now: float, horizon: float) -> object:
+        nonlocal slices
+        slices += 1.5 < now < 100.5
+        return resume(task, now, horizon)
+
+    monkeypatch.setattr(CommandTask, "resume", counted)
+    mccl(f"MD1,WA1,RP\nGT1\n{POLL.replace('IC3', 'IC25')}", until=101)
+    assert slices == 99 * 5
 
 
 def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(

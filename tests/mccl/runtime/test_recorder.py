@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.controller.io.inputs import Channels
+from motionlang.controller.io.channels import Channels
 from motionlang.controller.listeners import Listeners
 from motionlang.controller.verbs import VERBS, Recorder
 from motionlang.lang.machine.machine import Machine

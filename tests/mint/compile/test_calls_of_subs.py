@@ -28,6 +28,6 @@ def test_another_word_after_call_is_no_sub() -> None:
     assert "by its name" not in found.hint
 
 
-def test_a_missing_label_keeps_its_suggestion() -> None:
+def test_missing_label_has_a_suggestion() -> None:
     (found,) = check(Source("a.mnt", "Goto backk\n#back\nPRINT 1\n"))[:1]
     assert (found.message, found.hint) == ("there is no label backk", "did you mean back?")

@@ -63,8 +63,8 @@ def test_a_chain_of_thousands(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["floats", "tight and loose", "Or", "While", "PRINT"])
-def test_a_chain_does_not_depend_on_the_room_that_python_has(name: str) -> None:
-    """Called from deep inside, and with a higher limit of Python, the run is equal."""
+def test_chain_does_not_depend_on_pythons_stack(name: str) -> None:
+    """The result is equal deep in the call stack, and with a higher recursion limit."""
     text, shown = CHAINS[name]
 
     def deep(frames: int) -> list[str]:
@@ -155,3 +155,18 @@ def test_exit_select_leaves_the_loops_inside_it() -> None:
     loop = "For a = 1 To 5\nIf a = 3 Then Exit Select\nPRINT a\nNext\nPRINT 9\n"
     text = f"Select Case 1\nCase 1\n{loop}Case 2\nPRINT 8\nEnd Select\nPRINT 7"
     assert ran(text).output == ["1", "2", "7"]
+
+
+@pytest.mark.parametrize(("mask", "least"), [("a & 3", 0), ("3 & a", 0), ("a | 3", 7)])
+def test_a_mask_bounds_a_value_from_below_by_0(mask: str, least: int) -> None:
+    """For a = 4, `a & 3` is 0, and 0 - 2147483649 overflows; `a | 3` is 7, and fits."""
+    made = ran(f"a = 4\nPRINT {mask}\nPRINT ({mask}) - 2147483647 - 2")
+    assert made.output[0] == str(least)
+    assert [each.code for each in made.diagnostics] == (["overflow"] if least == 0 else [])
+
+
+def test_a_mask_of_which_one_side_may_be_negative_has_no_bound_by_that_side() -> None:
+    """7 & -1 is 7, more than the upper limit 3 of k: 7 * 500 000 000 overflows."""
+    made = ran("For k = -1 To 3\nPRINT 7 & k\nPRINT (7 & k) * 500000000\nNext")
+    assert made.output == ["7"]
+    assert [each.code for each in made.diagnostics] == ["overflow"]

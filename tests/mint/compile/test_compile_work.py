@@ -10,13 +10,16 @@ import tracemalloc
 from collections.abc import Callable
 from functools import partial
 from types import FrameType
+from typing import Any
 
 import pytest
 
+from motionlang import run
 from motionlang.fast.ranges import ranges
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.lint import check
 from motionlang.mint.resolve.problems import MAX_PROBLEMS, Problems
+from motionlang.mint.runtime.code_units import FILE
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 
@@ -44,8 +47,8 @@ def in_blocks(count: int) -> str:
 
 def back_to_few_labels(count: int) -> str:
     """Return jumps back to 20 labels, so that each one closes a loop that is analysed."""
-    turns = "n = n + 1\nIf n > 5 Then Goto l0\n" * (count // 20)
-    return "".join(f"#l{i}\n{turns}" for i in range(20))
+    iterations = "n = n + 1\nIf n > 5 Then Goto l0\n" * (count // 20)
+    return "".join(f"#l{i}\n{iterations}" for i in range(20))
 
 
 def counted_loops(count: int) -> str:
@@ -114,6 +117,43 @@ def test_a_variable_takes_less_than_ten_kilobytes(write: object) -> None:
     peak_memory(write(40))
     fewer, more = peak_memory(write(500)), peak_memory(write(1500))
     assert more - fewer < 1000 * 10_000
+
+
+@pytest.mark.parametrize("write", [labels, jumps, subroutines])
+def test_a_label_takes_less_than_eight_kilobytes(write: object) -> None:
+    """So 20 000 labels stay below 200 MB, with the text and the syntax tree."""
+    assert callable(write)
+    peak_memory("n = 0\n" + write(300))
+    fewer, more = (peak_memory("n = 0\n" + write(count)) for count in (500, 1500))
+    assert more - fewer < 1000 * 8_000
+
+
+def lines_run(text: str) -> int:
+    """Return the number of lines of generated Python that a run executes."""
+    lines = 0
+
+    def trace(frame: FrameType, event: str, _argument: object) -> Any:
+        nonlocal lines
+        lines += event == "line"
+        return trace if frame.f_code.co_filename == FILE else None
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        run(Source("a.mnt", text), cache=False)
+    finally:
+        sys.settrace(before)
+    return lines
+
+
+def back_and_forth(count: int) -> str:
+    """Return a program that jumps a thousand times between its first and last label."""
+    first = f"n = 0\n#first\nn = n + 1\nGoto last\n{labels(count)}"
+    return f"{first}#last\nIf n < 500 Then Goto first\n"
+
+
+def test_a_jump_takes_no_longer_in_a_program_with_more_labels() -> None:
+    assert lines_run(back_and_forth(1200)) < 1.2 * lines_run(back_and_forth(400))
 
 
 def names_without_a_value(count: int) -> str:

@@ -16,8 +16,8 @@ from motionlang.views.diagnostics import render
 BROKEN = sorted((Path(__file__).parents[2] / "errors" / "mint").glob("*.mnt"))
 
 
-def told(path: Path) -> str:
-    """Return the output until the error, and every message."""
+def reported(path: Path) -> str:
+    """Return the output up to the error, and all messages."""
     source = Source.read(path)
     result = run(source, cache=False, until=3600.0)
     shown = [f"{line}\n" for line in result.output]
@@ -26,7 +26,7 @@ def told(path: Path) -> str:
 
 @pytest.mark.parametrize("path", BROKEN, ids=lambda path: path.stem)
 def test_the_message_teaches(path: Path, request: pytest.FixtureRequest) -> None:
-    text, golden = told(path), path.with_suffix(".txt")
+    text, golden = reported(path), path.with_suffix(".txt")
     if request.config.getoption("--update"):
         golden.write_text(text)
     assert text == golden.read_text()
@@ -43,3 +43,17 @@ def test_a_hundred_warnings_hide_no_error() -> None:
     problems.add("type", "wrong", 151)
     with pytest.raises(ProgramError):
         problems.raise_errors()
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "hint"),
+    [
+        ("SPEED", "SPEED needs a value", "SPEED = value"),
+        ("SPEED(0)", "SPEED needs a value", "SPEED(…) = value"),
+        ("IDLE(0)", "IDLE is a value, not a statement", "print it with PRINT IDLE(…)"),
+        ("IDLE", "IDLE is a value, not a statement", "print it with PRINT IDLE"),
+    ],
+)
+def test_a_keyword_that_is_no_statement_is_shown_as_it_is_used(text: str, message: str, hint: str) -> None:
+    (found,) = run(Source("a.mnt", f"{text}\n"), cache=False).diagnostics
+    assert (found.message, found.hint) == (message, hint)

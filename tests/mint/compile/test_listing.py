@@ -76,7 +76,7 @@ def test_code_fits_a_terminal() -> None:
     assert max(len(line) for line in shown if line not in {f"#   6  {PROGRAM.splitlines()[5]}"}) <= WIDTH
 
 
-def test_first_values_stand_before_the_functions() -> None:
+def test_first_values_precede_the_functions() -> None:
     source = Source("a.mnt", PROGRAM)
     lines = [code for _, code, _ in DIALECT.listing(source, {}, {}).lines]
     shown: dict[str, object] = {}
@@ -93,3 +93,10 @@ def test_first_values_stand_before_the_functions() -> None:
 def test_operations_are_named_but_not_in_texts() -> None:
     listing = DIALECT.listing(Source("a.mnt", 'SPEED(0) = 5\nPrint "k0"\nGO(0, 1)\n'), {}, {})
     assert [note for _, _, note in listing.lines if note] == ["k0 write SPEED(0)", "k1 do GO(0, 1)"]
+
+
+def test_variables_of_one_name_are_numbered_from_2() -> None:
+    """Each sub has its own x, listed as v_x_2 and v_x_3 after the global x."""
+    text = "Dim x\none\nSub one\n Dim x\n x = 1\nEnd Sub\nSub two\n Dim x\n x = 2\nEnd Sub\n"
+    code = [each.strip() for _, each, _ in DIALECT.listing(Source("a.mnt", text), {}, {}).lines]
+    assert [each for each in code if each.endswith((" = 1.0", " = 2.0"))] == ["v_x_2 = 1.0", "v_x_3 = 2.0"]

@@ -17,7 +17,7 @@ from motionlang.cache import CHECKSUM
 from motionlang.errors import ProgramError
 from motionlang.lang.machine.file import read_machine
 from motionlang.mint import DIALECT
-from motionlang.mint.compile import assembly, loops, splitting
+from motionlang.mint.compile import assembly, jumps, loops, splitting
 from motionlang.mint.program import MintProgram, compile_source, load
 from motionlang.source import Source
 
@@ -31,11 +31,32 @@ PROGRAMS = sorted(
 MOTORS = {"torque", "wrapped_compare"}
 
 
-def test_a_part_of_a_long_program_is_not_a_caller() -> None:
-    """The wait in the middle of 800 statements is called by no sub."""
+def test_chunk_of_a_long_program_is_not_a_caller() -> None:
+    """The wait between 800 statements of the main program has no callers."""
     text = "Dim n As Integer\n" + "n = n + 1\n" * 400 + "WAIT(5)\n" + "n = n + 1 : OUTX(1) = 1\n" * 400
     (wait,) = run(Source("long.mnt", text), cache=False).machine.log.waits
     assert wait.callers == ()
+
+
+def test_a_jump_out_of_a_loop_is_logged_alike_in_groups(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A Goto leaves the loop and the chunk that contains it."""
+    text = "n = 0\n#begin\nWhile 1\nn = n + 1\nIf n > 1000 Then Goto last\nEnd While\n#last\nPRINT n\n"
+
+    def loops_of() -> list[object]:
+        return list(run(Source("a.mnt", text), cache=False).machine.log.loops)
+
+    whole = loops_of()
+    assert len(whole) == 1
+    monkeypatch.setattr(jumps, "MAX_STRETCHES", 0)
+    monkeypatch.setattr(jumps, "SIZE", 1)
+    assert loops_of() == whole
+
+
+def test_a_gosub_may_be_in_forty_loops() -> None:
+    """Python allows twenty nested blocks, so chunks call their function's dispatcher."""
+    loops = "While n < 3\n" * 40 + "Gosub up\n" + "End While\n" * 40
+    result = run(Source("deep.mnt", f"n = 0\n{loops}PRINT n\nEnd\n#up\nn = n + 1\nReturn\n"), cache=False)
+    assert (result.status, result.output) == ("ended", ["3.0000"])
 
 
 def machine_of(path: Path) -> dict[str, object]:
@@ -56,6 +77,8 @@ def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(splitting, "MAX_INDENT", 3)
     monkeypatch.setattr(splitting, "MAX_LOOPS", 1)
     monkeypatch.setattr(loops, "MANY_CASES", 1)
+    monkeypatch.setattr(jumps, "MAX_STRETCHES", 0)
+    monkeypatch.setattr(jumps, "SIZE", 4)
     monkeypatch.setattr(assembly, "SIZE", 4)
     monkeypatch.setattr(assembly, "SHORT", 0)
 
@@ -68,7 +91,7 @@ def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     ],
     ids=[path.stem for path in PROGRAMS],
 )
-def test_parts_change_nothing(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_chunks_make_no_difference(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     settings = machine_of(path)
     whole = run(path, machine=settings, cache=False).report
     short_parts(monkeypatch)
@@ -112,7 +135,7 @@ def test_a_long_program_is_compiled_as_it_runs() -> None:
     assert result.time == pytest.approx(2001 * 1e-5)
 
 
-def test_the_cache_keeps_what_a_run_has_compiled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_cache_stores_functions_that_a_run_compiled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
     monkeypatch.delenv("MOTIONLANG_NO_CACHE", raising=False)
     text = f"{STATEMENTS}\nIf x < 0 Then Never()\nSub Never()\n{STATEMENTS}\nEnd Sub\n"
@@ -124,7 +147,7 @@ def test_the_cache_keeps_what_a_run_has_compiled(tmp_path: Path, monkeypatch: py
     assert run(Source("long.mnt", text)).report == first.report
 
 
-def test_what_was_not_called_is_kept_as_text() -> None:
+def test_functions_that_were_not_called_are_stored_as_text() -> None:
     long = program(f"PRINT 1\nSub Never()\n{STATEMENTS}\nEnd Sub\n")
     again = load(long.payload())
     assert [unit.is_compiled for unit in again.code.units] == [unit.is_compiled for unit in long.code.units]
@@ -145,7 +168,7 @@ def test_what_was_not_called_is_kept_as_text() -> None:
         ("If 1 Then\n", "End If"),
     ],
 )
-def test_a_mistake_is_told_at_its_place(around: str, end: str) -> None:
+def test_mistake_is_reported_at_its_location(around: str, end: str) -> None:
     call = {"S": "Work(3)\n", "T": "Run Work\nWAIT(1000)\n"}.get(around[:1], "")
     body = f"{STATEMENTS}\nx = 1 / (x - x)\n{STATEMENTS}\n"
     text = f"{call}{around}{body}{end}\n" if not call else f"{call}End\n{around}{body}{end}\n"
@@ -202,7 +225,7 @@ def test_a_choice_may_have_many_branches() -> None:
     assert result.output == ["189", "189"]
 
 
-def test_a_sub_in_parts_may_call_itself() -> None:
+def test_sub_in_chunks_may_recur() -> None:
     some = "\n".join("  y = y + 1" for _ in range(800))
     text = f"""
 PRINT Down(3)
@@ -267,7 +290,7 @@ def test_more_loops_within_one_another_than_python_takes(name: str) -> None:
     assert (result.output, result.diagnostics) == (output, [])
 
 
-def test_a_turn_of_many_loops_takes_as_long_as_its_statements() -> None:
-    """Sixty headers, one assignment, sixty ends."""
+def test_iteration_of_many_loops_takes_the_time_of_its_statements() -> None:
+    """An iteration has sixty loop headers, one assignment and sixty loop ends."""
     text = "Dim x, i\n" + "For i = 1 To 1\n" * 60 + "x = x + 1\n" + "Next\n" * 60
     assert run(Source("deep.mnt", text), cache=False).time == pytest.approx(121 * 10e-6)

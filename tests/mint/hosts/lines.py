@@ -28,12 +28,12 @@ class Line:
         """Advance the machine time, s."""
         self.console.run(self.console.now + seconds)
 
-    def said(self) -> str:
-        """Return the output with LF as line end."""
+    def received(self) -> str:
+        """Return the output since the last call, with LF as line end."""
         return self.port.take().decode("latin-1").replace("\r\n", "\n")
 
     def ask(self, data: bytes) -> str:
         """Send characters and return the output that follows."""
-        self.said()
+        self.received()
         self.send(data)
-        return self.said()
+        return self.received()

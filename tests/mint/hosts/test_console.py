@@ -44,17 +44,17 @@ def test_handlers_and_tasks_end_with_the_program() -> None:
     line.ask(b"\x05")
     line.send(write_frame(1, "3"))
     line.run(1.0)
-    assert line.said() == "\x06"
+    assert line.received() == "\x06"
 
 
 def test_input_takes_a_line_and_its_text_is_shown_once() -> None:
     line = Line('Dim a\nInput "Speed? ", a\nPrint "is ", a', echo=True)
     line.run(0.1)
-    assert line.said() == "Speed? "
+    assert line.received() == "Speed? "
     line.send(b"12\x0850\r\n")
-    assert line.said() == "12\b \b50"
+    assert line.received() == "12\b \b50"
     line.run(0.1)
-    assert line.said() == "\nis 150.0000\nP>"
+    assert line.received() == "\nis 150.0000\nP>"
 
 
 def test_keys_that_came_before_input_begin_its_line() -> None:
@@ -63,7 +63,7 @@ def test_keys_that_came_before_input_begin_its_line() -> None:
     line.run(1.0)
     line.send(b"\r")
     line.run(0.1)
-    assert line.said() == "? \n42.0000\nP>"
+    assert line.received() == "? \n42.0000\nP>"
 
 
 def test_inkey_reads_single_keys() -> None:
@@ -72,7 +72,7 @@ def test_inkey_reads_single_keys() -> None:
     for key in b"aB":
         line.send(bytes([key]))
         line.run(0.1)
-    assert line.said() == "97\n66\n"
+    assert line.received() == "97\n66\n"
 
 
 def test_an_input_of_a_typed_line_asks_its_host() -> None:
@@ -101,16 +101,16 @@ def test_a_download_as_a_host_does_it() -> None:
     assert line.ask(b"LIST\n") == 'Print "a > b"\n\nPrint "end"\nP>'
     line.send(b"RUN\n")
     line.run(0.1)
-    assert line.said() == "a > b\nend\nP>"
+    assert line.received() == "a > b\nend\nP>"
 
 
 def test_the_configuration_runs_before_the_program() -> None:
     line = Line()
     line.send(b"CON\nEDIT\nSCALE(0) = 4000\nDim top = 7\n\nPROG\nEDIT\nPrint SCALE(0), top\n\n")
-    assert line.said().endswith("P>")
+    assert line.received().endswith("P>")
     line.send(b"RUN\n")
     line.run(0.1)
-    assert line.said() == "4000.00007.0000\nP>"
+    assert line.received() == "4000.00007.0000\nP>"
 
 
 def test_edit_replaces_a_line_or_adds_at_the_end() -> None:
@@ -127,7 +127,7 @@ def test_run_begins_with_no_names_and_no_handlers_of_the_program_before() -> Non
     line.ask(b"\x05NEW\nEDIT\nDim count = 6\nWait = 50\nPrint count\n\nRUN\n")
     assert line.ask(write_frame(1, "2")) == "\x06"
     line.run(0.1)
-    assert line.said() == "6.0000\nP>"
+    assert line.received() == "6.0000\nP>"
     line.ask(b"NEW\nEDIT\nPrint count\n\n")
     assert line.ask(b"RUN\n").startswith("Error at line 1: count is unknown")
 
@@ -139,7 +139,7 @@ def test_errors_are_one_line_each_and_the_controller_goes_on() -> None:
     assert line.ask(b"SPED(0) = 1\r").startswith("Error: ")
     line.send(b"EDIT\nPrint 1\nMOVER(77) = 1\n\nRUN\n")
     line.run(0.1)
-    assert "Error 2 at line 2: there is no axis 77" in line.said()
+    assert "Error 2 at line 2: there is no axis 77" in line.received()
     assert [each.code for each in line.complaints] == ["axis"]
     assert line.ask(b"Print 3\r") == "3\nP>"
 
@@ -154,12 +154,12 @@ def test_lines_that_are_typed_ahead_wait_and_ctrl_e_drops_them() -> None:
     line = Line()
     line.port.feed(b"Wait = 100 : Print 1\rPrint 2\r")
     line.run(0.2)
-    assert line.said() == "P>1\nP>2\nP>"
+    assert line.received() == "P>1\nP>2\nP>"
     line.port.feed(b"Wait = 100 : Print 1\rPrint 2\r")
     line.run(0.05)
     line.port.feed(b"\x05")
     line.run(0.2)
-    assert line.said() == "Break\nP>"
+    assert line.received() == "Break\nP>"
 
 
 def test_a_block_is_typed_in_several_lines() -> None:
@@ -173,9 +173,9 @@ def test_several_hosts_share_the_program_and_have_lines_of_their_own() -> None:
     line = Line('Loop\n  Wait = 100\n  Print "x"\nEnd Loop')
     other = line.console.open(echo=False)
     line.run(0.15)
-    assert (line.said(), other.take()) == ("x\n", b"x\r\n")
+    assert (line.received(), other.take()) == ("x\n", b"x\r\n")
     other.feed(b"\x05")
-    assert (line.said(), other.take()) == ("Break at line 2\nP>", b"Break at line 2\r\nP>")
+    assert (line.received(), other.take()) == ("Break at line 2\nP>", b"Break at line 2\r\nP>")
     assert line.ask(b"Print 5\r") == "5\nP>"
     assert other.take() == b""
 
@@ -190,7 +190,7 @@ def test_a_host_that_leaves_ends_its_line_and_not_the_program() -> None:
     assert port.take() == b"P>4\r\nP>"
 
 
-def test_output_that_is_not_read_loses_its_oldest_part() -> None:
+def test_unread_output_loses_its_oldest_characters() -> None:
     line = Line('Loop\n  Print "{}"\n  Wait = 1\nEnd Loop'.format("y" * 98))
     line.run(2.0)
     unread = line.port.take()
@@ -227,7 +227,7 @@ def test_a_program_starts_as_at_power_up_each_time() -> None:
     line.run(2.0)
     line.send(b"RUN\n")
     line.run(2.0)
-    assert line.said() == "start 0\nP>start 0\nP>"
+    assert line.received() == "start 0\nP>start 0\nP>"
 
 
 def test_a_value_for_a_name_that_the_program_has_not_is_an_error() -> None:

@@ -77,7 +77,7 @@ def test_writes_raise_the_events_of_the_product() -> None:
     for element in (1, 1, 5, 6):
         line.send(write_frame(element, "1"))
         line.run(0.02)
-    assert line.said() == f"{ACK}1\n{ACK}1\n{ACK}5\n{ACK}"
+    assert line.received() == f"{ACK}1\n{ACK}1\n{ACK}5\n{ACK}"
 
 
 def test_a_loop_that_polls_an_element_sees_it_change() -> None:
@@ -85,7 +85,7 @@ def test_a_loop_that_polls_an_element_sees_it_change() -> None:
     line.run(1.0)
     assert line.ask(write_frame(7, "3")) == ACK
     line.run(0.01)
-    assert line.said() == "three\nP>"
+    assert line.received() == "three\nP>"
 
 
 def test_the_text_of_a_number_is_that_of_print_on_the_controller() -> None:

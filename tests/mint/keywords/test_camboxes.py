@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from motionlang import run
 from motionlang.source import Source
 
-PLACES = st.lists(st.integers(-60, 60), min_size=2, max_size=8, unique=True).map(
+POSITIONS = st.lists(st.integers(-60, 60), min_size=2, max_size=8, unique=True).map(
     lambda found: sorted(found)[: len(found) & ~1]
 )
-TURNS = st.lists(st.integers(0, 79), min_size=2, max_size=6, unique=True).map(
+WITHIN_WRAP = st.lists(st.integers(0, 79), min_size=2, max_size=6, unique=True).map(
     lambda found: sorted(found)[: len(found) & ~1]
 )
 STEPS = st.lists(
@@ -42,11 +42,11 @@ STEPS = st.lists(
 )
 
 
-def looked(places: list[int], steps: list[str], setup: str, scale: float) -> list[tuple[float, int]]:
-    """Return POS and the output after each step and a while."""
-    table = ", ".join(map(str, (len(places), *places)))
+def switched(positions: list[int], steps: list[str], setup: str, scale: float) -> list[tuple[float, int]]:
+    """Return POS and the state of the output some time after each step."""
+    table = ", ".join(map(str, (len(positions), *positions)))
     lines = [
-        f"Dim p({len(places) + 1}) As Float = {table}",
+        f"Dim p({len(positions) + 1}) As Float = {table}",
         f"SCALEFACTOR(0) = {scale} : SPEED(0) = 80 : ACCEL(0) = 900 : DECEL(0) = 700 : MOVEBUFFERSIZE(0) = 30",
         setup,
         "CAMBOXDATA(0, 5, 0, 0, 0, p) : CAMBOX(0) = 1",
@@ -60,35 +60,39 @@ def looked(places: list[int], steps: list[str], setup: str, scale: float) -> lis
     return [(float(line.split()[0]), int(line.split()[1])) for line in result.output]
 
 
-def check(places: list[int], seen: list[tuple[float, int]]) -> None:
+def check(positions: list[int], seen: list[tuple[float, int]]) -> None:
     for position, on in seen:
-        if min(abs(position - place) for place in places) > 0.01:
-            inside = any(begin < position < end for begin, end in zip(places[::2], places[1::2], strict=True))
+        if min(abs(position - edge) for edge in positions) > 0.01:
+            inside = any(
+                begin < position < end for begin, end in zip(positions[::2], positions[1::2], strict=True)
+            )
             assert on == inside, (position, on)
 
 
 @settings(max_examples=40)
-@given(places=PLACES, steps=STEPS, scale=st.sampled_from([1.0, 250.0, 0.5]))
-def test_the_output_is_on_where_the_table_says(places: list[int], steps: list[str], scale: float) -> None:
-    check(places, looked(places, steps, "POS(0) = 0", scale))
+@given(positions=POSITIONS, steps=STEPS, scale=st.sampled_from([1.0, 250.0, 0.5]))
+def test_output_is_on_between_the_positions_of_the_table(
+    positions: list[int], steps: list[str], scale: float
+) -> None:
+    check(positions, switched(positions, steps, "POS(0) = 0", scale))
 
 
 @settings(max_examples=40)
-@given(places=TURNS, steps=STEPS, scale=st.sampled_from([1.0, 250.0]))
-def test_it_is_on_there_turn_after_turn(places: list[int], steps: list[str], scale: float) -> None:
-    check(places, looked(places, steps, "POSWRAP(0) = 80", scale))
+@given(positions=WITHIN_WRAP, steps=STEPS, scale=st.sampled_from([1.0, 250.0]))
+def test_output_is_on_there_in_every_revolution(positions: list[int], steps: list[str], scale: float) -> None:
+    check(positions, switched(positions, steps, "POSWRAP(0) = 80", scale))
 
 
 @pytest.mark.parametrize(
-    ("table", "said"),
+    ("table", "message"),
     [
         ("Dim p(3) As Float = 2, 30, 20", "cam box 0: it is on from 30 to 20"),
         ("Dim p(5) As Float = 4, 10, 20, 15, 30", "cam box 0: its stretches touch or overlap"),
         ("Dim p(3) As Float = 5, 10, 20", "CAMBOXDATA: element 1 of the table says that it has 5 segments"),
     ],
 )
-def test_a_table_that_makes_no_sense_is_refused(table: str, said: str) -> None:
+def test_a_table_that_makes_no_sense_is_refused(table: str, message: str) -> None:
     text = f"{table}\nCAMBOXDATA(0, 5, 0, 0, 0, p)\nCAMBOX(0) = 1\n"
-    (told,) = run(Source("box.mnt", text), cache=False).diagnostics
-    assert told.line == 3
-    assert said in told.message
+    (found,) = run(Source("box.mnt", text), cache=False).diagnostics
+    assert found.line == 3
+    assert message in found.message

@@ -98,13 +98,13 @@ def test_an_offset_on_a_follower_is_an_entry_of_its_own() -> None:
 
 
 @pytest.mark.parametrize(
-    ("end", "said"),
+    ("end", "message"),
     [("STOP(1)\nPAUSE IDLE(1)\nSTOP(0)", "stop"), ("CANCEL(1)\nSTOP(0)", "cancel"), ("", "end-of-run")],
 )
-def test_an_offset_that_is_cut_short_says_so(end: str, said: str) -> None:
+def test_report_names_what_cut_an_offset_short(end: str, message: str) -> None:
     result = ran(SLAVE + f"OFFSET(1) = 10\nGO(1)\nWAIT = 400\n{end}", 20.0 if end else 0.9)
     row = offset_of(result)
-    assert row["ended"] == said
+    assert row["ended"] == message
     assert row["duration"] == pytest.approx(0.4, abs=1e-3)
     assert row["end"] == pytest.approx(2.0 + 0.2 * 20.0, abs=0.01)
 

@@ -84,8 +84,8 @@ def test_an_error_brakes_in_its_own_time() -> None:
         text + "End\nEvent ONERROR\nEnd Event", fault=[{"axis": 0, "kind": "error-input", "at": 1.0}]
     )
     a = result.controller.axes[0]
-    place = a.position(1.0)
-    assert result.controller.position(0) - place == pytest.approx(500.0**2 / (2 * 4000.0))
+    position = a.position(1.0)
+    assert result.controller.position(0) - position == pytest.approx(500.0**2 / (2 * 4000.0))
 
 
 def test_the_test_reference_has_ramps_of_its_own() -> None:
@@ -135,3 +135,11 @@ def test_errors_of_speed_are_0_without_a_motor() -> None:
 def test_a_reference_needs_the_drive(word: str) -> None:
     result = run(Source("a.mnt", f"DRIVEENABLE(0) = 0\n{word}"), cache=False)
     assert [each.code for each in result.diagnostics] == ["disabled-axis"]
+
+
+def test_a_position_reference_is_within_the_present_revolution() -> None:
+    """At 400 an axis that wraps at 360 shows 40; a reference of 90 is 50 on, at 450."""
+    turn = "POSWRAP(0) = 360\nMOVER(0) = 400 : GO(0) : PAUSE IDLE(0)\nPRINT POS(0)\n"
+    result = ran(f"{turn}POSREF(0) = 90\nWAIT = 10\nPRINT POS(0)")
+    assert result.output == ["40.0000", "90.0000"]
+    assert result.controller.axes[0].profiles[-1].end == pytest.approx(450.0)

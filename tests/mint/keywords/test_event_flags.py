@@ -16,11 +16,11 @@ def handler(kind: str) -> Source:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_of_event_can_be_handled(kind: str) -> None:
-    told = [each.message for each in DIALECT.check(handler(kind))]
+    messages = [each.message for each in DIALECT.check(handler(kind))]
     name = kind.upper() + ("" if kind in SINGLE else "1")
-    assert told == ([f"the event {name} never occurs here"] if kind in SOURCELESS else [])
+    assert messages == ([f"the event {name} never occurs here"] if kind in SOURCELESS else [])
 
 
-def test_the_warning_says_what_raises_the_event() -> None:
-    (told,) = DIALECT.check(handler("knife"))
-    assert (told.severity, told.line, told.hint) == ("warning", 3, "EVENTPEND(16, 0, 0) raises it")
+def test_warning_names_what_raises_the_event() -> None:
+    (warning,) = DIALECT.check(handler("knife"))
+    assert (warning.severity, warning.line, warning.hint) == ("warning", 3, "EVENTPEND(16, 0, 0) raises it")

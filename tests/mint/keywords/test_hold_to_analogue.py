@@ -39,15 +39,15 @@ def law(
     """
     x = v = total = 0.0
     before = None
-    places = []
+    positions = []
     for _ in range(n):
-        places.append(x)
+        positions.append(x)
         e = wanted - per_unit * x
         total += e
         following = kp * e + kd * (e - before if before is not None else 0.0) + ki * total
         before = e
         x, v = x + PERIOD * (v + following) / 2.0, following
-    return places
+    return positions
 
 
 def test_proportional_holding_has_a_closed_form() -> None:
@@ -75,13 +75,13 @@ def test_the_law_to_the_tick(kp: float, kd: float, ki: float) -> None:
     assert at_ticks(result, 200) == pytest.approx(law(40.0, kp, kd, ki), abs=1e-9)
 
 
-def test_negative_gains_turn_the_direction_round() -> None:
+def test_negative_gains_reverse_the_direction() -> None:
     falling = [{"channel": 2, "axis": 0, "below": 30.0, "value": 10.0, "per_unit": -2.0}]
     text = RATES + "HTAKPROP(0) = -10\nHTA(0) = 40\nWAIT = 2000\nPRINT ADC(2), POS(0)\nSTOP(0)"
     assert ran(text, falling).output == ["40.000015.0000"]
 
 
-def test_within_the_dead_band_it_stands() -> None:
+def test_axis_rests_within_the_dead_band() -> None:
     result = ran(
         RATES + "HTAKPROP(0) = 10 : HTADEADBAND(0) = 100\nHTA(0) = 40\nWAIT = 2000\nPRINT VEL(0)\nSTOP(0)"
     )
@@ -123,10 +123,10 @@ def test_the_gain_is_zero_until_it_is_written() -> None:
     assert result.output == ["0.0000", "0.0000"]
 
 
-def test_the_sum_begins_anew_within_the_dead_band_and_with_a_new_gain() -> None:
-    """With the integral only, 40 percent for 100 ms are 4000.
+def test_sum_restarts_within_the_dead_band_and_with_a_new_gain() -> None:
+    """40 percent for 100 ms give an integral of 4000, which commands 40 uu/s.
 
-    Then the gain is written, or it enters the band.
+    Writing the gain, or entering the dead band, sets the integral to zero.
     """
     pulse = [{"channel": 2, "at": 0.0, "value": 0.0}, {"channel": 2, "at": 0.1, "value": 39.0}]
     head = RATES + "HTAKINT(0) = 0.01\nHTA(0) = 40\nWAIT = 99\nPRINT Abs(VEL(0) - 40) < 1.5\n"
@@ -142,8 +142,8 @@ def test_the_sum_begins_anew_within_the_dead_band_and_with_a_new_gain() -> None:
 def test_the_dead_band_is_in_counts_of_the_converter(range_: int, counts: float) -> None:
     """12 bits cover -100 to 100 or 0 to 100 percent: 50 counts are 2.4 or 1.2 percent."""
     text = RATES + f"ADCMODE(2) = {range_} : HTAKPROP(0) = 10 : HTADEADBAND(0) = 50\n"
-    place = 2.0 * ran(text + "HTA(0) = 40\nWAIT = 3000\nSTOP(0)").controller.position(0)
-    assert 40.0 - 50 / counts <= place < 40.0 - 50 / counts + 0.5
+    position = 2.0 * ran(text + "HTA(0) = 40\nWAIT = 3000\nSTOP(0)").controller.position(0)
+    assert 40.0 - 50 / counts <= position < 40.0 - 50 / counts + 0.5
 
 
 @pytest.mark.parametrize(

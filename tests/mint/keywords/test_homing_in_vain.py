@@ -23,47 +23,47 @@ WAITS = {
 }
 
 
-def told(program: str, machine: Mapping[str, object], until: float = 100.0) -> tuple[str, list[str]]:
+def homed(program: str, machine: Mapping[str, object], until: float = 100.0) -> tuple[str, list[str]]:
     result = run(Source("home.mnt", program), machine=machine, until=until, cache=False)
     return result.status, [f"{d.line}:{d.column} {d.severity} {d.message}" for d in result.diagnostics]
 
 
 @pytest.mark.parametrize("wait", WAITS)
 def test_away_from_the_switch_is_an_error_at_the_line_of_home(wait: str) -> None:
-    status, found = told(HOME + WAITS[wait], SWITCH)
+    status, found = homed(HOME + WAITS[wait], SWITCH)
     assert found == [f"2:1 error {AWAY}"]
     assert status in ("fault", "until")
 
 
 @pytest.mark.parametrize("wait", WAITS)
-def test_a_limit_in_the_way_ends_the_search_by_itself(wait: str) -> None:
-    _, found = told(HOME + WAITS[wait], {**SWITCH, "axis.0.travel": [-30.0, 100.0]})
+def test_limit_switch_on_the_path_ends_the_search(wait: str) -> None:
+    _, found = homed(HOME + WAITS[wait], {**SWITCH, "axis.0.travel": [-30.0, 100.0]})
     assert not [line for line in found if AWAY in line]
 
 
 def test_a_program_that_ends_the_search_itself_is_right() -> None:
     ends = "WHILE HOMEPHASE(0) <> 0\n  IF TIME > 5000 THEN CANCEL(0)\n  WAIT 10\nENDW\n"
-    assert told("TIME = 0\n" + HOME + ends, SWITCH)[1] == []
-    assert told("TIME = 0\n" + HOME + ends, SWITCH, until=2.0) == ("until", [])
+    assert homed("TIME = 0\n" + HOME + ends, SWITCH)[1] == []
+    assert homed("TIME = 0\n" + HOME + ends, SWITCH, until=2.0) == ("until", [])
 
 
 def test_a_switch_ahead_is_met_also_where_time_is_up_before() -> None:
     home = "HOMESPEED(0) = 20\nHOME(0) = _hmPOSITIVE_SWITCH\nPAUSE IDLE(0)\n"
-    assert told(home, SWITCH, until=1.0) == ("until", [])
-    assert told(home, SWITCH) == ("ended", [])
+    assert homed(home, SWITCH, until=1.0) == ("until", [])
+    assert homed(home, SWITCH) == ("ended", [])
 
 
-def test_a_limit_switch_that_is_looked_for_is_ahead_though_it_is_no_error() -> None:
+def test_limit_switch_that_homing_searches_for_is_no_error() -> None:
     home = "HOMESPEED(0) = 20\nHOME(0) = _hmNEGATIVE_LIMIT\nPAUSE IDLE(0)\n"
-    assert told(home, {"axis.0.travel": [-30.0, 100.0]}, until=1.0) == ("until", [])
+    assert homed(home, {"axis.0.travel": [-30.0, 100.0]}, until=1.0) == ("until", [])
 
 
 def test_an_index_mark_that_does_not_exist_is_never_met() -> None:
-    _, found = told("HOME(0) = _hmPOSITIVE_INDEX\nPAUSE IDLE(0)\n", {})
+    _, found = homed("HOME(0) = _hmPOSITIVE_INDEX\nPAUSE IDLE(0)\n", {})
     assert found[-1] == "1:1 error axis 0 homes and never reaches an index mark"
 
 
-def test_where_nothing_provides_a_switch_the_other_way_is_no_help() -> None:
+def test_other_direction_does_not_help_without_a_switch() -> None:
     for machine, hint in (
         (SWITCH, "home in the other direction, or give"),
         ({}, "give its position in the machine file"),

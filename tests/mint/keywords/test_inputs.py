@@ -39,7 +39,7 @@ def sampled(times: list[int], samples: int) -> list[tuple[int, bool]]:
 def test_debouncing_is_what_sampling_would_see(times: list[int], samples: int) -> None:
     machine = Machine()
     environment = Environment(machine)
-    inputs, levels = environment.part(Inputs), machine.controller.inputs
+    inputs, levels = environment.component(Inputs), machine.controller.inputs
     inputs.set_debounce(0, samples)
     seen: list[tuple[int, bool]] = []
     inputs.listeners.append(lambda channel, on: seen.append((round(machine.clock.now * 2000), on)))
@@ -88,7 +88,7 @@ def test_a_hidden_word_is_no_word() -> None:
     assert "(line)" not in DIALECT.table().names()
 
 
-def test_an_input_comes_again_by_time_and_by_place() -> None:
+def test_input_repeats_by_time_and_by_position() -> None:
     text = (
         "SPEED(0) = 100 : ACCEL(0) = 1e9 : DECEL(0) = 1e9\nMOVER(0) = 300 : GO(0)\nPAUSE IDLE(0)\nEnd\n"
         'Event IN1\nPRINT "at ", TIME\nEnd Event\nEvent IN2\nPRINT "on ", POS(0) USING 1, 1\nEnd Event'

@@ -114,7 +114,7 @@ def test_a_jog_to_0_of_an_axis_at_rest_is_nothing() -> None:
     assert ran("JOG(0) = 0\nJOGCOMMAND(0) = 0\nSPEEDREF(0) = 0\nVELREF(0) = 0\nPRINT IDLE(0)").output == ["1"]
 
 
-def test_an_s_ramp_that_turns_to_another_jog_has_no_jump_of_its_acceleration() -> None:
+def test_s_ramp_into_another_jog_has_continuous_acceleration() -> None:
     text = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 5000 : DECELJERK(0) = 5000\nJOG(0) = 100\nWAIT = 80\nJOG(0) = 60\n"
     for end in ("WAIT = 500", "WAIT = 15\nSTOP(0)"):
         a = ran(RATES + text + end, until=2.0).controller.axes[0]

@@ -39,11 +39,11 @@ def test_a_word_reads_its_default_at_power_up() -> None:
     ]
     text = "".join(f"PRINT {row.name}{INDICES[row.index]} USING 1, 3\n" for row in read)
     assert len(read) > 250
-    told = run(Source("power-up.mnt", text), cache=False).output
+    printed = run(Source("power-up.mnt", text), cache=False).output
     # A reading of its own statement's time is 0 before the first one.
     assert {
         row.name
-        for row, value in zip(read, told, strict=True)
+        for row, value in zip(read, printed, strict=True)
         if abs(float(value) - float(row.default or 0.0)) > 5e-4
     } == {"SYSTEMSECONDS", "TIME"}
 
@@ -155,7 +155,7 @@ def test_a_word_that_is_not_simulated_is_never_called_unknown() -> None:
     ("written", "meant"),
     [("SPED(0) = 1", "SPEED"), ("x = POOS(0)", "POS"), ("GOO(0)", "GO"), ("ACELTIME = 5", "ACCELTIME")],
 )
-def test_a_typing_error_is_told_with_the_word_that_was_meant(written: str, meant: str) -> None:
+def test_misspelt_keyword_is_reported_with_a_suggestion(written: str, meant: str) -> None:
     (diagnostic, *_) = DIALECT.check(Source("a.mnt", written))
     assert diagnostic.code == "unknown-word"
     assert f"did you mean {meant}?" in diagnostic.hint
@@ -174,7 +174,7 @@ def test_what_a_word_does_is_a_function_of_its_file_or_is_the_controllers(row: K
         assert made & hows or own or (row.verb, access) in COMPILED, access
 
 
-def test_a_word_is_found_whatever_was_looked_for_before() -> None:
+def test_keyword_is_found_after_any_earlier_search() -> None:
     for row in table():
         for spelling in filter(None, (row.name, row.short)):
             found = Vocabulary("motionlang.mint.keywords", index.FILES).get(spelling)

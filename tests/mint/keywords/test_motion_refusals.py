@@ -57,14 +57,14 @@ CHECKED = {
 
 
 @pytest.mark.parametrize(("program", "message"), RUN.items(), ids=lambda text: text.split("\n")[-1])
-def test_a_running_program_is_told_in_the_line_at_fault(program: str, message: str) -> None:
+def test_run_reports_the_line_at_fault(program: str, message: str) -> None:
     (diagnostic,) = run(Source("a.mnt", program), cache=False).diagnostics
     assert diagnostic.message == message
     assert diagnostic.line == program.count("\n") + 1
 
 
 @pytest.mark.parametrize(("program", "message"), CHECKED.items(), ids=lambda text: text.split("\n")[-1])
-def test_what_can_be_known_is_told_beforehand(program: str, message: str) -> None:
+def test_check_reports_rejections_before_the_run(program: str, message: str) -> None:
     assert message in [each.message for each in DIALECT.check(Source("a.mnt", program))]
 
 

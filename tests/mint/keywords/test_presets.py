@@ -150,7 +150,7 @@ def test_a_preset_homes() -> None:
     assert ran(RATES + text + "PAUSE IDLE(0)\nPRINT HOMESTATUS(0)", 60.0, **home).output == ["1"]
 
 
-def test_a_preset_turns_a_motor_by_torque() -> None:
+def test_preset_drives_a_motor_by_torque() -> None:
     motor: dict[str, Any] = {"axis.0.plant.amplifier": "current"}
     text = (
         "PRESETMOVETYPE(1, 0) = 7 : PRESETMOVEPARAMETER(1, 0) = 5\nPRESETINDEX(0) = 1\n"

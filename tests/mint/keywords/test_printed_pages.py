@@ -34,12 +34,12 @@ STOP(0)
 """
     assert ran(page.format(8)).output == ["1000 1000"]
     assert ran(page.format(0)).output == ["0 1000"]
-    told = ran(page.format(3))
-    assert told.output == ["0 1000"]
-    assert "AUXENCODERMODE" in told.machine.without_effect
+    result = ran(page.format(3))
+    assert result.output == ["0 1000"]
+    assert "AUXENCODERMODE" in result.machine.without_effect
 
 
-def test_a_mode_that_is_taken_back_lets_the_encoder_stand() -> None:
+def test_encoder_stops_when_its_mode_is_reset() -> None:
     text = "AUXENCODERSPEED(0) = 50\nAUXENCODERMODE(0) = 8\nWAIT = 1000\nAUXENCODERMODE(0) = 0\nWAIT = 1000\n"
     assert ran(text + "PRINT AUXENCODER(0) USING 1, 1, AUXENCODERVEL(0)").output == ["50.00.0000"]
 

@@ -24,7 +24,7 @@ def test_a_setting_has_one_name_whose_default_counts() -> None:
     assert "mint.feedrate-default" not in switches()
 
 
-def test_a_keyword_is_looked_up_as_it_is_listed() -> None:
+def test_keyword_is_found_under_its_listed_name() -> None:
     words = {word for names in FILES.values() for word in names.split()} | {row.name for row in table()}
     found = {row.name for word in words if (row := row_with_default(word)) is not None}
     assert found == {row.name for row in table() if has_default(row)}

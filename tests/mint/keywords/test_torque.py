@@ -88,7 +88,7 @@ def test_a_move_ends_it_and_it_stays_ended() -> None:
 
 
 @pytest.mark.parametrize("word", ["TORQUEREF", "TORQUE"])
-def test_again_and_again_it_is_said_once(word: str) -> None:
+def test_repeated_writes_are_reported_once(word: str) -> None:
     loop = f"For i = 1 To 10\n{word}(0) = 20\nWAIT = 10\nNext\nPRINT VEL(0)\nCANCEL(0)"
     feedback = ran(loop).controller.axes[0].feedback
     assert feedback is not None
@@ -103,7 +103,7 @@ def test_a_program_waits_for_the_effort_of_a_motor_under_control(wait: str) -> N
     assert 0 < time < 50  # without an event the wait would last until the end of a block, half a second
 
 
-def test_without_a_motor_it_is_said_and_readings_are_0() -> None:
+def test_without_a_motor_it_is_reported_and_values_are_0() -> None:
     result = run(Source("a.mnt", "TORQUEREF(0) = 20"), cache=False)
     assert [each.code for each in result.diagnostics] == ["not-simulated"]
     text = "PRINT TORQUEDEMAND(0), EFFORT(0), CURRENTDEMAND(0, 0)"

@@ -7,7 +7,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from motionlang import run
-from motionlang.errors import Diagnostic, ProgramError
+from motionlang.errors import Diagnostic, ProgramError, as_hint
 from motionlang.lang.keyword import Keyword
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.keys import KEYS
@@ -30,7 +30,7 @@ def ran(*lines: str, **machine: object) -> Run:
     return run(Source("a.mnt", "\n".join(lines)), machine=machine, cache=False, until=60.0)
 
 
-def places(result: Run) -> list[tuple[str, int, int]]:
+def locations(result: Run) -> list[tuple[str, int, int]]:
     return [(each.severity, each.line, each.column) for each in result.diagnostics]
 
 
@@ -66,11 +66,11 @@ def test_a_command_without_an_effect_is_named(row: Keyword) -> None:
 
 
 @cases("row", [row for row in OTHERS if row.verb == MOTION], ids=str)
-def test_what_moves_or_decides_ends_the_run_where_it_stands(row: Keyword) -> None:
+def test_keywords_that_move_or_decide_end_the_run_at_their_location(row: Keyword) -> None:
     statement = word(row) if row.access == "C" else f"{word(row)} = 1"
     result = ran('PRINT "before"', f"IF 1 THEN {statement}", 'PRINT "after"')
     assert (result.status, result.output) == ("fault", ["before"])
-    assert places(result) == [("warning", 2, 11), ("error", 2, 11)]
+    assert locations(result) == [("warning", 2, 11), ("error", 2, 11)]
     assert {each.code for each in result.diagnostics} == {"not-simulated"}
 
 
@@ -81,13 +81,13 @@ def test_what_would_move_may_be_switched_off(row: Keyword) -> None:
 
 
 @cases("row", [row for row in OTHERS if row.verb == VALUE and "R" in row.access], ids=str)
-def test_a_value_that_nobody_knows_ends_the_run_unless_the_machine_file_says_it(row: Keyword) -> None:
+def test_unknown_value_ends_the_run_unless_the_machine_file_gives_it(row: Keyword) -> None:
     result = ran(f"PRINT {word(row)}")
     assert result.status == "fault"
-    assert places(result) == [("warning", 1, 7), ("error", 1, 7)]
+    assert locations(result) == [("warning", 1, 7), ("error", 1, 7)]
     assert f"[mint.values] {row.name} = " in result.diagnostics[1].hint
-    told = "abc" if row.unit == "text" else 2.5 if row.unit == "number" else 1
-    result = ran(f"PRINT {word(row)}", **{f"mint.values.{row.name}": told})
+    reported = "abc" if row.unit == "text" else 2.5 if row.unit == "number" else 1
+    result = ran(f"PRINT {word(row)}", **{f"mint.values.{row.name}": reported})
     assert (result.status, result.output, result.diagnostics) == ("ended", [shown(row)], [])
 
 
@@ -95,13 +95,13 @@ def test_a_value_that_nobody_knows_ends_the_run_unless_the_machine_file_says_it(
 # run
 
 
-def test_onerror_does_not_hear_of_it() -> None:
+def test_onerror_is_not_called() -> None:
     result = ran("AUTOHOMEMODE(0) = 5", "End", "Event ONERROR", ' PRINT "handled"', "End Event")
     assert (result.status, result.output) == ("fault", [])
 
 
 @pytest.mark.parametrize(
-    ("lines", "place"),
+    ("lines", "location"),
     [
         (["Fill()", "End", "Sub Fill()", "  AUTOTUNE(0, 1)", "End Sub"], (4, 3)),
         (["Run Move", "WAIT = 10", "End", "Task Move", "  x = 1 : AUTOTUNE(0, 1)", "End Task"], (5, 11)),
@@ -111,9 +111,9 @@ def test_onerror_does_not_hear_of_it() -> None:
         (["SPEED(0) = 100 + TEMPERATURE(1)"], (1, 18)),
     ],
 )
-def test_the_run_ends_at_the_word(lines: list[str], place: tuple[int, int]) -> None:
+def test_the_run_ends_at_the_word(lines: list[str], location: tuple[int, int]) -> None:
     last = ran(*lines).diagnostics[-1]
-    assert (last.code, last.severity, last.line, last.column) == ("not-simulated", "error", *place)
+    assert (last.code, last.severity, last.line, last.column) == ("not-simulated", "error", *location)
 
 
 def test_what_was_computed_so_far_stays() -> None:
@@ -124,10 +124,10 @@ def test_what_was_computed_so_far_stays() -> None:
 def test_a_word_that_the_program_does_not_come_to_ends_nothing() -> None:
     result = ran("If 0 Then AUTOTUNE(0, 1)", 'PRINT "done"')
     assert (result.status, result.output) == ("ended", ["done"])
-    assert places(result) == [("warning", 1, 11)]
+    assert locations(result) == [("warning", 1, 11)]
 
 
-def test_a_run_tells_those_warnings_of_the_check_that_it_may_end_at() -> None:
+def test_run_reports_the_check_warnings_at_which_it_may_end() -> None:
     text = "CONFIG(0) = 1\nBINARY\nPRINT TEMPERATURE(0)\nAUTOTUNE(0, 1)\nAUTOHOMEMODE(0) = 0"
     checked = [each for each in DIALECT.check(Source("a.mnt", text)) if each.code == "not-simulated"]
     assert [each.line for each in checked] == [1, 2, 3, 4, 5]
@@ -153,21 +153,21 @@ def test_a_text_is_no_number_for_them_either() -> None:
     assert "type" in codes
 
 
-def test_any_values_stand_in_their_brackets() -> None:
+def test_brackets_accept_any_values() -> None:
     result = ran("Dim a(3) = 1, 2, 3", "PRECISIONTABLE(0, a, NULL)", 'PLCTASK(1, "x", 2.5, 4)', 'PRINT "on"')
     assert (result.status, result.output) == ("ended", ["on"])
 
 
 def test_at_the_prompt_they_end_the_line() -> None:
-    told: list[str] = []
+    reported: list[str] = []
 
-    def tell(found: list[Diagnostic], source: Source) -> None:
-        told.extend(each.message for each in found)
+    def report(found: list[Diagnostic], source: Source) -> None:
+        reported.extend(each.message for each in found)
 
-    runner = Runner(DIALECT, Machine(), tell, lambda time: None)
+    runner = Runner(DIALECT, Machine(), report, lambda time: None)
     for line in ("PARAMETERSAVE", "AUTOTUNE(0, 1)", "Sub S()\n AUTOTUNE(0, 1)\nEnd Sub", "S()"):
         runner.execute(Source("<line>", line))
-    assert told == ["AUTOTUNE is not simulated"] * 2
+    assert reported == ["AUTOTUNE is not simulated"] * 2
 
 
 def test_the_demand_can_be_read_and_not_written() -> None:
@@ -199,11 +199,11 @@ def test_the_demand_can_be_read_and_not_written() -> None:
         (
             "HALL = [1]",
             "mint.values.HALL must be a number, a text, true or false, not [1]",
-            KEYS["mint.values.KEYWORD"][1],
+            as_hint(KEYS["mint.values.KEYWORD"][1]),
         ),
     ],
 )
-def test_a_mistake_in_the_machine_file_is_told_with_its_line(line: str, message: str, hint: str) -> None:
+def test_machine_file_mistake_is_reported_with_its_line(line: str, message: str, hint: str) -> None:
     with pytest.raises(ProgramError) as caught:
         read_machine(Source("m.toml", f"[mint.values]\nTEMPERATURE = 20.5\n{line}\n"))
     (found,) = caught.value.diagnostics
@@ -211,7 +211,7 @@ def test_a_mistake_in_the_machine_file_is_told_with_its_line(line: str, message:
     assert found.hint == hint
 
 
-def test_every_word_that_reads_something_unknown_can_be_told() -> None:
+def test_every_unknown_value_can_be_supplied() -> None:
     assert all(can_be_supplied(row) for row in OTHERS if "R" in row.access)
     assert all(can_be_supplied(row) for row in identity.ROWS if row.group == "identity")
     assert not any(can_be_supplied(row) for row in older.ROWS)

@@ -25,7 +25,7 @@ PACKAGE = Path(__file__).parents[3] / "motionlang" / "mint"
 LOOK_UPS = {"compile/jumps.py": 1, "compile/statements.py": 1, "lint/model.py": 4}
 
 
-def test_no_later_pass_looks_a_name_up() -> None:
+def test_later_passes_look_up_no_names() -> None:
     found = {}
     for path in sorted((*(PACKAGE / "compile").glob("*.py"), *(PACKAGE / "lint").glob("*.py"))):
         count = len(re.findall(r"scope\.find\(|table\.get\(", path.read_text(encoding="utf-8")))
@@ -59,7 +59,7 @@ def test_a_name_is_what_its_function_declares_or_a_word_or_neither() -> None:
     assert call.symbol.kind == "sub"
 
 
-def test_what_a_define_says_means_what_it_does_where_it_is_used() -> None:
+def test_define_is_resolved_at_its_use() -> None:
     found = resolved(
         "Define twice = 2 * a\nDim a\na = twice\nf\nSub f()\n  Dim a As Integer\n  a = twice\nEnd Sub"
     )
@@ -73,7 +73,7 @@ def test_what_a_define_says_means_what_it_does_where_it_is_used() -> None:
     assert (str(of_outer.symbol.type), str(of_inner.symbol.type)) == ("Float", "Integer")  # type: ignore[union-attr]
 
 
-def test_a_define_is_written_to_and_counts_as_what_it_stands_for() -> None:
+def test_assignment_to_a_define_writes_its_variable() -> None:
     defines = "Define valve = OUTX(3)\nDefine n = count\nDim count As Integer\n"
     text = f"{defines}valve = 1\nn = 5\nn = n + 2\nPRINT count, valve"
     assert "".join(execution.run(Source("a.mnt", text), cache=False).output).replace(" ", "") == "71"

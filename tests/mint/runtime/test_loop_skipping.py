@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import pytest
 
 from motionlang import run
@@ -15,6 +13,7 @@ from motionlang.mint.runtime.task import MintTask
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.cases import one_in
+from tests.counted_calls import count_calls
 from tests.mint.polling_programs import COST, keeping, program
 
 STATES = """\
@@ -117,6 +116,13 @@ PROGRAMS |= {
     "  If n > 900 Then k = 1\n  n = n - 2\nUntil k Or IDLE\nPRINT n, k, TIME",
     "a counter that counts down to a level": "Dim n As Integer\nn = 5000\nMOVER = 30 : GO\nWhile n > 0 And Not IDLE\n"
     "  n = n - 1\nEnd While\nPRINT n, TIME",
+    "a display": 'Run Show\nMOVER = 30 : GO\nWhile Not IDLE\n  LINE 1, "moving" : LINE 2, "to ", POSTARGET\n'
+    '  If POS > 12 Then LINE 1, "far" Else LINE 3, INX(0)\nEnd While\nLINE 1, "there"\nPRINT TIME\nEnd\n'
+    "Task Show\n  Loop\n    LINE 4, INX(1) USING 3;\n    If INX(0) Then PRINT TIME : WAIT = 90\n  End Loop\n"
+    "End Task",
+    "displays in subs": "Dim k As Integer\nTERMINAL = 3\nMOVER = 30 : GO\nWhile Not IDLE\n  Show\nEnd While\n"
+    "Repeat\n  LINE 5, k\n  k = k + 1\nUntil k = 40\nPRINT TIME\nEnd\n"
+    'Sub Show\n  LINE 1, "moving"\n  LINE 2, INX(0)\nEnd Sub',
     "encoders": "Dim s As Integer\nLoop\n  If s = 0 And AUXENCODER(0) > 30 Then s = 1 : PRINT TIME\n"
     "  If s = 1 And AUXENCODER(1) <= -1000 Then s = 2 : PRINT TIME : AUXENCODERWRAP(0) = 40\n"
     "  If s = 2 And AUXENCODER(0) < 10 Then Exit Loop\nEnd Loop\nPRINT TIME, AUXENCODER(0)",
@@ -160,6 +166,8 @@ FOR_EVER = {
     "what other states look at": "Loop\n  If INX(1) Then\n    COMMS(1) = TIME\n    COMMS(2) = POS(0)\n"
     "  End If\nEnd Loop",
     "a jog that goes on": "Loop\n  JOG(0) = 10\n  SPEED(1) = 20\nEnd Loop",
+    "a display": 'Loop\n  If INX(1) Then LINE 1, "door" Else LINE 1, "closed"\n  LINE 2, POS(0);\nEnd Loop',
+    "a display now and then": 'Loop\n  LINE 1, "ready"\n  WAIT = 10\nEnd Loop',
     "a speed": "Loop\n  SPEED(0) = 50 + 10 * INX(1)\nEnd Loop",
     "subs": "Dim seen As Integer\nLoop\n  Look\n  OUTX(1) = seen\nEnd Loop\n"
     "Sub Look()\n  If INX(1) Then seen = 1\nEnd Sub",
@@ -186,7 +194,7 @@ def outcome(text: str, machine: dict[str, object] | None = None, until: float = 
     return [result.output, wrong, result.status, result.time, *starts]
 
 
-def turn_by_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+def stepwise(monkeypatch: pytest.MonkeyPatch) -> None:
     """Disable skipping from now on."""
     monkeypatch.setattr(polling, "left_behind", lambda *_: None)
 
@@ -195,7 +203,7 @@ def turn_by_turn(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_skipping_makes_no_difference(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
     text = "n = 0 : turns = 0\n" + text if "Task" in text or "Event" in text else text
     skipped = outcome(text, WORLD)
-    turn_by_turn(monkeypatch)
+    stepwise(monkeypatch)
     assert skipped == outcome(text, WORLD)
     assert skipped[2] == "ended"
 
@@ -227,37 +235,23 @@ def test_skipping_makes_no_difference_to_a_motor(
     machine = MOTOR | {"axis.0.plant.quantised": quantised}
     skipped = outcome(_STARTS + WITH_A_MOTOR[name], machine, until=3.0)
     assert skipped[0]
-    turn_by_turn(monkeypatch)
+    stepwise(monkeypatch)
     assert skipped == outcome(_STARTS + WITH_A_MOTOR[name], machine, until=3.0)
 
 
 def test_an_error_of_a_motor_is_solved_with_or_without_its_sign(monkeypatch: pytest.MonkeyPatch) -> None:
     text = _STARTS + "Repeat\nUntil ABS(FOLERROR) > 5000 Or FOLERROR > 6000 Or IDLE"
-    monkeypatch.setattr(Site, "turn", counted := _Counted(Site.turn))
+    checked = count_calls(monkeypatch, (Site, "check"))
     result = run(Source("a.mnt", text), machine=MOTOR, cache=False)
     assert result.time > 0.2
-    assert counted.calls < 100
-
-
-class _Counted:
-    """A method that counts its calls."""
-
-    def __init__(self, original: Callable[..., object]) -> None:
-        self.original, self.calls = original, 0
-
-    def __get__(self, of: object, kind: type) -> Callable[..., object]:
-        def call(*arguments: object) -> object:
-            self.calls += 1
-            return self.original(of, *arguments)
-
-        return call
+    assert checked.calls < 100
 
 
 @pytest.mark.parametrize("seed", one_in(2, range(24)))
 def test_skipping_makes_no_difference_to_random_programs(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     text, machine = program(seed)
     skipped = outcome(text, machine, until=3.0)
-    turn_by_turn(monkeypatch)
+    stepwise(monkeypatch)
     assert skipped == outcome(text, machine, until=3.0)
 
 
@@ -266,25 +260,23 @@ def test_skipping_makes_no_difference_to_random_programs(seed: int, monkeypatch:
 def test_skipping_makes_no_difference_at_length(first: int, monkeypatch: pytest.MonkeyPatch) -> None:
     programs = [program(seed) for seed in range(first, first + 50)]
     skipped = [outcome(text, machine, until=3.0) for text, machine in programs]
-    turn_by_turn(monkeypatch)
+    stepwise(monkeypatch)
     assert skipped == [outcome(text, machine, until=3.0) for text, machine in programs]
 
 
 @pytest.mark.parametrize("seed", range(24))
-def test_skipping_makes_no_difference_to_what_a_loop_keeps(
-    seed: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_skipping_preserves_the_variables_of_a_loop(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     skipped = outcome(keeping(seed), WORLD, until=2.0)
-    turn_by_turn(monkeypatch)
+    stepwise(monkeypatch)
     assert skipped == outcome(keeping(seed), WORLD, until=2.0)
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("first", range(24, 824, 100))
-def test_skipping_makes_no_difference_to_what_loops_keep(first: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_skipping_preserves_the_variables_of_loops(first: int, monkeypatch: pytest.MonkeyPatch) -> None:
     programs = [keeping(seed) for seed in range(first, first + 100)]
     skipped = [outcome(text, WORLD, until=2.0) for text in programs]
-    turn_by_turn(monkeypatch)
+    stepwise(monkeypatch)
     assert skipped == [outcome(text, WORLD, until=2.0) for text in programs]
 
 
@@ -311,19 +303,9 @@ def test_a_time_is_that_of_the_number_of_statements() -> None:
 
 def effort(text: str, monkeypatch: pytest.MonkeyPatch) -> tuple[Run, int]:
     """Return a run of eight hours, and how often it resumed or checked a task."""
-    count = 0
-
-    def counted(original: object) -> object:
-        def call(*arguments: object, **named: object) -> object:
-            nonlocal count
-            count += 1
-            return original(*arguments, **named)  # type: ignore[operator]
-
-        return call
-
-    monkeypatch.setattr(MintTask, "resume", counted(MintTask.resume))
-    monkeypatch.setattr(Site, "skip", counted(Site.skip))
-    return run(Source("a.mnt", text), cache=False), count
+    efforts = count_calls(monkeypatch, (MintTask, "resume"), (Site, "skip"))
+    result = run(Source("a.mnt", text), cache=False)
+    return result, efforts.calls
 
 
 def test_a_state_machine_polls_for_eight_hours_at_the_price_of_its_moves(
@@ -373,7 +355,7 @@ def test_eight_hours_of_nothing_are_over_at_once(name: str, monkeypatch: pytest.
         "Run Work\nWhile INX(1) = 0\nEnd While\nTask Work\n  While INX(2) = 0\n    WAIT = 10\n  End While\nEnd Task",
     ],
 )
-def test_a_loop_that_looks_for_what_cannot_happen_is_told(text: str) -> None:
+def test_loop_that_polls_for_the_impossible_is_reported(text: str) -> None:
     result = run(Source("a.mnt", text), cache=False, until=float("inf"))
     (diagnostic,) = result.diagnostics
     assert diagnostic.code == "never"
@@ -395,12 +377,12 @@ def test_what_a_task_still_polled_for_at_the_end_is_no_figure_of_the_run() -> No
     ]
 
 
-def test_a_parent_that_leaves_the_work_to_its_tasks_looks_for_nothing() -> None:
+def test_parent_that_leaves_the_work_to_its_tasks_polls_nothing() -> None:
     text = "Run Work\nLoop\nEnd Loop\nTask Work\n  Loop\n    WAIT = 5000\n  End Loop\nEnd Task"
     assert run(Source("a.mnt", text), cache=False).notes == []
 
 
-LOOKS_AT_WHAT_MOVES = {
+READS_MOVING_VALUES = {
     "a display": "x = POS(0)\n  COMMS(1) = x",
     "a peak": "v = VEL(0)\n  If v > peak Then peak = v",
     "a cam switch": "x = POS(0)\n  If x > 5 And x < 10 Then OUTX(1) = 1 Else OUTX(1) = 0",
@@ -408,32 +390,30 @@ LOOKS_AT_WHAT_MOVES = {
 }
 
 
-@pytest.mark.parametrize("body", LOOKS_AT_WHAT_MOVES.values(), ids=LOOKS_AT_WHAT_MOVES.keys())
-def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
-    body: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.mark.parametrize("body", READS_MOVING_VALUES.values(), ids=READS_MOVING_VALUES.keys())
+def test_loop_that_reads_moving_values_runs_unchecked(body: str, monkeypatch: pytest.MonkeyPatch) -> None:
     text = "Dim x As Float, v As Float, peak As Float, r As Integer, k As Integer\n"
     text += "SPEED(0) = 10 : MOVER(0) = 30 : GO(0)\n"
     text += f"While Not IDLE(0)\n  {body}\nEnd While"
-    looks, turn = 0, Site.turn
+    checks, check = 0, Site.check
 
     def counted(*arguments: object) -> object:
-        nonlocal looks
-        looks += 1
-        return turn(*arguments)  # type: ignore[arg-type]
+        nonlocal checks
+        checks += 1
+        return check(*arguments)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(Site, "turn", counted)
+    monkeypatch.setattr(Site, "check", counted)
     result = run(Source("a.mnt", text), cache=False)
     turns = result.time / 50e-6
     assert turns > 50_000
-    assert looks < turns / 50
+    assert checks < turns / 50
 
 
-def test_a_loop_is_looked_at_at_once_where_statements_count_from_another_moment() -> None:
-    """It backs off up to a statement, whose number is invalid after a wait."""
+def test_loop_is_checked_at_once_if_statements_count_from_another_time() -> None:
+    """The back-off is up to a statement's number, which is invalid after a wait."""
     environment = Environment(Machine())
     site = Site(environment, True, False, False)
-    looked_at = site.turn_at(7.0, 1e9, None, (), ())
+    looked_at = site.check_at(7.0, 1e9, None, (), ())
     assert looked_at[3] == site.due == 7.0
     environment.statements.start(3.6)
     assert site.due == 0.0
@@ -471,7 +451,7 @@ PRINT POS(0)
     assert float(result.output[0]) == pytest.approx(20.0, abs=0.01)
 
 
-def test_a_level_is_worked_out_once_before_or_behind_the_reading() -> None:
+def test_level_is_evaluated_once_before_or_after_the_reading() -> None:
     text = """\
 Dim calls As Integer
 SPEED(0) = 10 : MOVER(0) = 5 : GO(0)
@@ -490,14 +470,14 @@ End Function
 def test_a_task_that_only_counts_costs_nothing_while_it_is_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     """An iteration takes 20 µs, so a second has 50 000 of them."""
     calls = 0
-    turn = Site.turn
+    check = Site.check
 
     def counted(self: Site, *given: object) -> object:
         nonlocal calls
         calls += 1
-        return turn(self, *given)  # type: ignore[arg-type]
+        return check(self, *given)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(Site, "turn", counted)
+    monkeypatch.setattr(Site, "check", counted)
     text = "Run T1\nWAIT(1000)\nPRINT TIME\nEnd\nTask T1\nLoop\n  n = n + 1\nEnd Loop\nEnd Task\n"
     assert run(Source("a.mnt", text), cache=False, fast=True).machine.terminal.lines == ["1000"]
     assert calls < 50

@@ -61,7 +61,7 @@ def test_the_next_run_goes_on_where_the_last_one_ended(tmp_path: Path) -> None:
     ]
 
 
-def test_without_a_file_nothing_lasts_and_the_run_says_so() -> None:
+def test_without_a_file_nothing_is_stored_and_the_run_reports_it() -> None:
     first, second = ran(COUNTERS, None), ran(COUNTERS, None)
     assert first.output == second.output
     assert first.notes == [
@@ -70,7 +70,7 @@ def test_without_a_file_nothing_lasts_and_the_run_says_so() -> None:
     ]
 
 
-def test_a_program_without_nv_data_says_nothing(tmp_path: Path) -> None:
+def test_program_without_nv_data_reports_nothing(tmp_path: Path) -> None:
     assert ran("PRINT 1", None).notes == []
     file = tmp_path / "kept.json"
     ran("Dim nv a As Integer = 4", file)
@@ -94,7 +94,7 @@ def test_what_no_longer_fits_is_forgotten(before: str, after: str, shown: str, t
     assert ran(after, file).output == [shown]
 
 
-def test_a_run_that_fails_keeps_what_it_had_done(tmp_path: Path) -> None:
+def test_failed_run_stores_its_nv_data(tmp_path: Path) -> None:
     file = tmp_path / "kept.json"
     ran("Dim nv a As Integer\na = 7\na = a / 0", file, "fault")
     assert ran("Dim nv a As Integer\nPRINT a", file).output == ["7"]
@@ -141,8 +141,8 @@ def test_nonsense_inside_is_no_traceback(part: str, tmp_path: Path) -> None:
     assert result.output == ["50"] or [each.code for each in result.diagnostics] == ["file"]
 
 
-def test_a_place_where_nothing_can_be_written_is_told(tmp_path: Path) -> None:
-    """It is reported before the run: eight hours are not spent on data to be lost."""
+def test_unwritable_path_is_reported(tmp_path: Path) -> None:
+    """The report comes before the run, so that a run of eight hours is not lost."""
     result = ran("Dim nv a As Integer\nPRINT 1", tmp_path / "none" / "kept.json", "fault")
     assert result.output == []
     assert "cannot be read" in result.diagnostics[0].message
@@ -167,7 +167,7 @@ def test_a_second_run_on_the_same_data_is_refused(tmp_path: Path, monkeypatch: p
     assert sorted(os.listdir(tmp_path)) == ["kept.json", "link.json"]
 
 
-def test_what_a_killed_run_leaves_is_not_in_the_way(tmp_path: Path) -> None:
+def test_files_of_a_killed_run_do_not_block_the_next(tmp_path: Path) -> None:
     (tmp_path / ".kept.json.lock").write_text("")
     assert ran("Dim nv a As Integer = 1\nPRINT a", tmp_path / "kept.json").output == ["1"]
 

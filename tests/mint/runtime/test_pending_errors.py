@@ -40,8 +40,8 @@ def test_an_error_is_pending_until_it_is_cleared(between: str, calls: int) -> No
     assert ended(f"ABORT\n{between}ABORT\nPRINT n{COUNT.format('')}").output == [str(calls)]
 
 
-def test_a_limit_that_only_tells_is_passed_twice_and_told_once() -> None:
-    """Mode 5 lets the axis continue; the log has both times."""
+def test_limit_that_only_reports_is_passed_twice_and_reported_once() -> None:
+    """Mode 5 lets the axis continue; the log has both times at which it passes."""
     moves = "MOVEBUFFERSIZE(0) = 5\nMOVEA(0) = 10 : MOVEA(0) = 0 : MOVEA(0) = 10 : GO(0)\nPAUSE IDLE(0)\n"
     result = ended(JOG.format(5) + moves + "PRINT n" + COUNT.format(""))
     assert result.output == ["1"]

@@ -49,7 +49,7 @@ def test_the_sixth_statement_runs_after_the_time_of_five() -> None:
     assert machine.controller.log.moves[0].start_time == 5e-05
 
 
-def test_statements_cost_what_the_machine_says() -> None:
+def test_machine_file_sets_the_statement_time() -> None:
     machine = Machine({"controller.instruction_time": 1e-3})
     execute("For i = 1 To 10\n  x = x + 1\nNext\nPRINT TIME", machine)
     assert machine.terminal.lines == ["21"]
@@ -90,7 +90,7 @@ def test_a_counter_that_only_counts_begins_with_another_value(
         ({"vmax": 10}, "200.0000"),
     ],
 )
-def test_other_values_take_the_place_of_the_programs_own(overrides: dict[str, float], printed: str) -> None:
+def test_overrides_replace_the_values_of_the_program(overrides: dict[str, float], printed: str) -> None:
     for text in (BALL_SCREW, BALL_SCREW.replace("vmax = 250", "Dim vmax As Float = 250")):
         result = run(Source("a.mnt", text), overrides=overrides, cache=False)
         assert result.output == [printed]
@@ -213,7 +213,7 @@ def test_a_controller_of_v4_drops_the_zeros_of_a_float(model: str, printed: str)
     assert result.output == [printed]
 
 
-def test_who_waits_for_a_task_is_told_what_that_waits_for() -> None:
+def test_wait_for_a_task_reports_the_wait_of_that_task() -> None:
     text = "Run A\nPAUSE TASKSTATUS(A) = 0\nTask A\n  PAUSE INX(3)\nEnd Task"
     result = run(Source("a.mnt", text), cache=False)
     (diagnostic,) = result.diagnostics

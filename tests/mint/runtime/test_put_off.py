@@ -73,7 +73,7 @@ def test_all_that_one_statement_writes_is_written_at_one_moment(before: int) -> 
 
 
 @pytest.mark.parametrize("before", BEFORE)
-def test_a_move_that_is_put_off_and_then_finds_no_room_waits_for_it(before: int) -> None:
+def test_postponed_move_waits_for_space_in_the_buffer(before: int) -> None:
     settings = "SPEED(0) = 10 : ACCEL(0) = 1000 : DECEL(0) = 1000 : MOVEBUFFERSIZE(0) = 2\n"
     moves = "MOVER(0) = 1 : MOVER(0) = 1 : GO(0) : MOVER(0) = 1\n"
     fill = "n = n + 1\n" * (before - 8)

@@ -48,7 +48,7 @@ def test_a_statement_is_a_verb(statement: str, calls: list[tuple[Any, ...]]) -> 
     assert heard(statement) == calls
 
 
-def test_the_scale_is_the_door() -> None:
+def test_values_pass_through_the_scale() -> None:
     calls = heard("SCALE(0) = 100\nSPEED(0) = 2\nACCEL(0) = 3\nMOVER(0) = 4\nMOVEA(1) = 4")
     assert calls == [
         ("set_scale", 0, 100.0, 1.0, 0.0),
@@ -61,7 +61,7 @@ def test_the_scale_is_the_door() -> None:
     ]
 
 
-def test_readings_are_in_user_units() -> None:
+def test_recorded_values_are_in_user_units() -> None:
     assert heard("SCALE(0) = 100\nSPEED(1) = POS(0) + VEL(0)", position=250.0, velocity=50.0)[-1] == (
         "configure",
         1,

@@ -74,7 +74,9 @@ def outcomes(program: str, words: list[Keyword]) -> dict[str, object]:
 @pytest.mark.parametrize("first", one_in(4, range(4)))
 @pytest.mark.parametrize("program", [STEADY, CHANGING], ids=["steady", "changing"])
 @pytest.mark.slow
-def test_a_word_that_is_set_in_every_turn(program: str, first: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_keyword_that_is_written_in_every_iteration(
+    program: str, first: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     words = WORDS[first::4]
     watched = outcomes(program, words)
     monkeypatch.setattr(polling, "watched", lambda *_: None)
@@ -84,6 +86,6 @@ def test_a_word_that_is_set_in_every_turn(program: str, first: int, monkeypatch:
     assert len(ran) > 0.9 * len(words)
 
 
-def test_looking_at_a_word_before_it_is_set_is_no_reading() -> None:
+def test_read_before_a_write_is_no_dependency() -> None:
     result = run(Source("a.mnt", STEADY.format(word="ENCODERRESOLUTION(0)", first=1)), cache=False, until=1.0)
     assert result.notes == ["keywords without effect here: ENCODERRESOLUTION (line 2)"]

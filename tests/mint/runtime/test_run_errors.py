@@ -63,12 +63,12 @@ def test_what_waits_behind_the_bad_entry_is_done() -> None:
     assert result.output[-1] == "6.0000"  # 5 from the axis's position when it starts
 
 
-def test_ctrl_c_in_a_loop_that_only_computes_tells_how_far_it_had_come(
+def test_ctrl_c_in_a_computing_loop_reports_its_progress(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Three statements of 10 µs per iteration; the axis is where the time is.
+    """An iteration is three statements of 10 µs; the axis moves on with that time.
 
-    It has not been read since.
+    The program has not read its position since.
     """
     calls = iter(range(1000))
 
@@ -91,8 +91,8 @@ def test_ctrl_c_in_a_loop_that_only_computes_tells_how_far_it_had_come(
     assert result.controller.position(0) == pytest.approx(100 * result.time, rel=0.01)
 
 
-def test_a_slave_at_rest_never_leaves_the_place_that_it_is_at() -> None:
-    """It is exactly at the level of the wait, and its master does not move before 5 s."""
+def test_slave_at_rest_never_leaves_its_position() -> None:
+    """The slave is exactly at the level of the wait; its master moves only after 5 s."""
     text = "MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1\nRun Belt\nPAUSE POS(1) > 0\nPRINT TIME > 4999\nEnd\n"
     line = "Task Belt\nWAIT = 5000\nJOG(0) = 10\nEnd Task"
     assert run(Source("a.mnt", text + line), cache=False).output == ["1"]

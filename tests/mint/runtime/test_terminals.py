@@ -42,7 +42,7 @@ def test_several_terminals_at_once() -> None:
     assert console == ["all"]
 
 
-def test_input_asks_where_terminal_says() -> None:
+def test_input_asks_on_its_terminal() -> None:
     answers = [{"text": "7", "terminal": 2}, {"text": "9"}]
     text = 'TERMINAL = 2\nINPUT "n? ", n\nTERMINAL = 1\nINPUT "m? ", m\nPRINT n, m'
     screen, others, console = ran(text, answer=answers)
@@ -51,7 +51,7 @@ def test_input_asks_where_terminal_says() -> None:
     assert console == ["m? 9", "7.00009.0000"]
 
 
-def test_handlers_print_where_the_parent_does_and_tasks_where_they_say() -> None:
+def test_handlers_print_on_the_parents_terminal_and_tasks_on_their_own() -> None:
     text = """
 Run Other
 TIMEREVENT = 10
@@ -88,7 +88,7 @@ End Sub
     assert others == {"serial 1": ["ABC", ""], "serial 2": ["D"]}
 
 
-def test_the_report_has_what_went_elsewhere() -> None:
+def test_report_has_the_output_of_other_terminals() -> None:
     result = run(Source("a.mnt", 'PRINT #2, "there"\nMODBUSTCP32(4, 6) = 70000\nREMOTECOMMS(1, 2, 5) = 2.5'))
     told = json.loads(report.text(result))
     assert told["output"] == []

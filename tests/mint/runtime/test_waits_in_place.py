@@ -222,7 +222,7 @@ def test_a_wait_of_a_number_ends_when_one_of_the_same_value_does() -> None:
     assert len(numbers) == 240
 
 
-def test_a_wait_in_a_sub_is_told_with_the_calls_that_led_there() -> None:
+def test_wait_in_a_sub_is_reported_with_its_callers() -> None:
     program = """
 Dim i As Integer
 For i = 1 To 2
@@ -242,7 +242,7 @@ End Sub
     assert [round(1e3 * (wait.until - wait.since), 6) for wait in waits] == [3, 5, 4, 5] * 2
 
 
-def test_the_task_of_a_wait_is_the_one_that_runs_its_place() -> None:
+def test_task_of_a_wait_is_the_one_that_runs_its_statement() -> None:
     program = """
 Run One
 Run Other

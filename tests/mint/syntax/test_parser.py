@@ -21,18 +21,18 @@ def module(text: str) -> Module:
     return parse(Source("test.mnt", text))
 
 
-def places(text: str) -> list[tuple[int, int, int]]:
+def locations(text: str) -> list[tuple[int, int, int]]:
     tree = module(text)
     return [(tree.line(each.at), tree.column(each.at), tree.length(each.at)) for each in tree.body]
 
 
-def test_places() -> None:
+def test_locations() -> None:
     text = "Auto\n\n' note\nx = 1 : speed(0) = 2\n\tGO(0) : REM now\nMOVER.0 = 3"
-    assert places(text) == [(1, 1, 4), (4, 1, 1), (4, 9, 5), (5, 2, 2), (6, 1, 7)]
+    assert locations(text) == [(1, 1, 4), (4, 1, 1), (4, 9, 5), (5, 2, 2), (6, 1, 7)]
 
 
-def test_places_after_lines_that_go_on() -> None:
-    assert places("x = 1 + \\\n  2 _ ' more\n + 3\ny = 4 : z = \\\n5\nw = 1") == [
+def test_locations_after_continued_lines() -> None:
+    assert locations("x = 1 + \\\n  2 _ ' more\n + 3\ny = 4 : z = \\\n5\nw = 1") == [
         (1, 1, 1),
         (4, 1, 1),
         (4, 9, 1),
@@ -40,12 +40,12 @@ def test_places_after_lines_that_go_on() -> None:
     ]
 
 
-def test_a_binary_stands_where_its_left_side_does() -> None:
+def test_location_of_a_binary_is_that_of_its_left_side() -> None:
     tree = module("xx = 12 + 345")
     assert [tree.column(value.at) for value in tree.body[0].values] == [6]  # type: ignore[union-attr]
 
 
-def test_places_take_no_part_in_equality() -> None:
+def test_equality_ignores_locations() -> None:
     assert module("x = 1") == module("\n\n  x   =  1 ' note")
     assert module("x = 1") != module("x = 2")
 
@@ -129,8 +129,8 @@ def test_one_line_missing_is_one_diagnostic(shape: list[tuple[str, int]], data: 
     while open_blocks:
         end, begin = open_blocks.pop()
         lines.append((len(open_blocks), end, begin))
-    gone = data.draw(st.sampled_from([i for i, line in enumerate(lines) if line[2] != i]))
-    opener_line = lines.pop(gone)[2] + 1
+    removed = data.draw(st.sampled_from([i for i, line in enumerate(lines) if line[2] != i]))
+    opener_line = lines.pop(removed)[2] + 1
     text = "\n".join("  " * depth + word for depth, word, _ in lines)
     with pytest.raises(ProgramError) as caught:
         module(text)

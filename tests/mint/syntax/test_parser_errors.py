@@ -48,8 +48,8 @@ def test_diagnostics(name: str) -> None:
 
 @pytest.mark.parametrize("text", ["9" * 400, "9" * 9_000, "0x" + "F" * 300, "0b1" + "0" * 1023])
 def test_a_number_that_no_float_holds_is_too_large(text: str) -> None:
-    said = f"`{text[:23]}…` is too large for a number"
-    assert shown(f"x = {text}") == f"1:5+{len(text)} syntax: {said}"
+    message = f"`{text[:23]}…` is too large for a number"
+    assert shown(f"x = {text}") == f"1:5+{len(text)} syntax: {message}"
 
 
 HOSTILE = {
@@ -111,7 +111,7 @@ def test_blocks_agree_with_the_grammar() -> None:
 @pytest.mark.parametrize(
     "opener", ["While x < 3", "If x Then", "For i = 1 To 2", "Select Case x\nCase 1", "Repeat"]
 )
-def test_blocks_nested_too_deeply_are_told_where_they_are_too_deep(opener: str) -> None:
+def test_too_deep_nesting_is_reported_at_the_block_too_many(opener: str) -> None:
     (line,) = shown(f"{opener}\n" * 1000).split("\n")
     assert line.endswith("syntax: blocks are nested more than 200 deep here (move the inner ones into a Sub)")
     assert int(line.split(":")[0]) == 200 * (opener.count("\n") + 1) + 1

@@ -86,7 +86,7 @@ def test_a_zero_time_ends_the_move() -> None:
     assert plan_points(move).duration == 0.1
 
 
-def test_the_first_relative_point_counts_from_where_the_motor_stands() -> None:
+def test_the_first_relative_point_counts_from_the_motor_position() -> None:
     move = [Point(5, 0, 0.1, relative=True), Point(10, 0, 0.0, relative=True)]
     assert plan_points(move, start=100.0).start == 105.0
     assert plan_points(move, start=100.0).end == 115.0
@@ -107,8 +107,8 @@ def test_long_segments_are_cut_on_the_curve(
     assert all(0.001 <= p.time <= 0.2551 for p in cut[:-1])
     assert all(abs(p.time * 1000 - round(p.time * 1000)) < 1e-6 for p in cut)
     one, other = plan_points(move), plan_points(cut)
-    for part in range(21):
-        moment = time * part / 20
+    for step in range(21):
+        moment = time * step / 20
         assert other.position(moment) == pytest.approx(one.position(moment), abs=1e-5)
 
 

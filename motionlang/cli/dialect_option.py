@@ -1,0 +1,16 @@
+"""The option for the language of a program; importing it loads no machine."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.lang.dialect import dialects
+
+if TYPE_CHECKING:
+    import argparse
+
+
+def add_dialect(
+    parser: argparse.ArgumentParser, what: str = "the language; default: by file extension"
+) -> None:
+    parser.add_argument("--dialect", choices=dialects(), help=what)

@@ -1,0 +1,146 @@
+"""Digital and analogue channels with listeners, set from outside or by a program."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from motionlang.controller.clock import Clock
+    from motionlang.controller.io.sensor import Row, Sensor
+    from motionlang.log.log import Log
+    from motionlang.log.records import Changed
+    from motionlang.log.stream import Stream
+
+
+class Channels:
+    """Numbered values, 0 until they are set; `changes` is their log, as `Changed`.
+
+    `listeners` are called with (channel, value) after a value has changed. `active_low` are the digital
+    channels that are on while their level is low. The value of an input is its level; the value of an output is
+    true if it is on.
+    """
+
+    __slots__ = ("_clock", "_values", "active_low", "changes", "listeners")
+
+    def __init__(self, clock: Clock, changes: Stream[Changed] | None = None) -> None:
+        self._clock, self.changes = clock, changes
+        self._values: dict[int, float] = {}
+        self.active_low: frozenset[int] = frozenset()
+        self.listeners: list[Callable[[int, float], None]] = []
+
+    def __getitem__(self, channel: int) -> float:
+        return self._values.get(channel, 0)
+
+    def __setitem__(self, channel: int, value: float) -> None:
+        if self._values.get(channel, 0) == value:
+            return
+        self._values[channel] = value
+        if self.changes is not None:
+            self.changes.add((self._clock.now, channel, value))
+        self._notify(channel)
+
+    @property
+    def values(self) -> tuple[tuple[int, float], ...]:
+        """The channels that have been set, with their values."""
+        return tuple(self._values.items())
+
+    @property
+    def touched(self) -> list[int]:
+        """Return the channels that have changed since power-up, in order."""
+        return sorted(self._values)
+
+    @property
+    def is_untouched(self) -> bool:
+        """True if no channel has changed since power-up."""
+        return not self._values
+
+    def clear(self) -> None:
+        """Reset all channels to 0 and notify the listeners of those that change."""
+        for channel in sorted(self._values):
+            self[channel] = 0
+
+    def _notify(self, channel: int) -> None:
+        value = self[channel]
+        for listener in tuple(self.listeners):
+            listener(channel, value)
+
+    def listen(self, call: Callable[[int, float], None]) -> None:
+        """Call `call(channel, value)` after a value has changed."""
+        self.listeners.append(call)
+
+    def inverted(self, channel: int) -> bool:
+        """Convert a channel's level to its logical state, or vice versa."""
+        return bool(self._values.get(channel, 0)) is not (channel in self.active_low)
+
+    def set_active_low(self, channels: Iterable[int]) -> None:
+        """Set the channels that are on while low; notify of the states that this changes."""
+        before, self.active_low = self.active_low, frozenset(channels)
+        for channel in sorted(before ^ self.active_low):
+            self._notify(channel)
+
+    def bank(self, first: int, count: int) -> int:
+        """Return `count` channels from `first` on as a number; `first` is the lowest bit."""
+        return sum(1 << k for k in range(count) if self[first + k])
+
+    def set_bank(self, first: int, count: int, bits: int) -> None:
+        for k in range(count):
+            self[first + k] = bits >> k & 1
+
+
+class AnalogueInputs(Channels):
+    """Channels with the samples of sensors on axes, computed when they are read.
+
+    `computed` are, by channel, the sensors on moving axes whose samples are not events.
+    """
+
+    __slots__ = ("_computes", "computed")
+
+    def __init__(self, clock: Clock, log: Log) -> None:
+        super().__init__(clock, log.analogue_inputs)
+        self.computed: dict[int, Sensor] = {}
+        self._computes = False
+        log.settle = self.settle
+
+    def __getitem__(self, channel: int) -> float:
+        if channel in self.computed and (level := self.computed[channel].level()) is not None:
+            return level
+        return self._values.get(channel, 0)
+
+    def __setitem__(self, channel: int, value: float) -> None:
+        self.settle()
+        super().__setitem__(channel, value)
+
+    @property
+    def values(self) -> tuple[tuple[int, float], ...]:
+        """The channels that have been set, with their values."""
+        self.settle()
+        return super().values
+
+    def listen(self, call: Callable[[int, float], None]) -> None:
+        """Notify a listener of each sample from now on."""
+        super().listen(call)
+        for sensor in tuple(self.computed.values()):
+            sensor.tick()
+
+    def compute(self) -> None:
+        """Compute samples on demand, not by events; each reading records a dependency."""
+        self._computes = True
+
+    def may_compute(self, channel: int) -> bool:
+        """True if the samples of a channel can be computed on demand, without events."""
+        return self._computes and not self.listeners and channel not in self.computed
+
+    def settle(self) -> None:
+        """Log the samples up to now."""
+        if not self.computed:
+            return
+        values, changes = self._values, self.changes
+        assert changes is not None
+        rows: list[Row] = []
+        for channel, sensor in self.computed.items():
+            found = sensor.samples(values.get(channel, 0))
+            if found:
+                values[channel] = found[-1][2]
+                rows = sorted(rows + found) if rows else found
+        changes.extend(rows)

@@ -1,0 +1,200 @@
+"""The kinds of waits that both languages have.
+
+A task that must wait returns a `Wait`. The scheduler calls `ready` to test if it is over, and `due` to find
+when it may be over next if nothing else happens.
+
+- `Delay` waits for a time. Its end is known (`ends`), so neither function is called.
+- `Condition` waits for a condition of the program. It is checked at events and at the times that its
+  dependencies give (`dependencies.py`).
+- `Wait` itself is built from two functions, as in `wait_idle`.
+
+The waits of individual statements and commands are defined with them: WAIT and PAUSE of Mint in
+`mint/runtime/waits.py`, WA, WS, WT and WP of MCCL in `mccl/keywords/flow_waits.py`.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.clock import INFINITY
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from motionlang.controller.clock import Clock
+    from motionlang.controller.controller import Controller
+    from motionlang.lang.dependencies import Dependencies, Note
+    from motionlang.lang.machine.machine import Machine
+
+# Times that differ by less than this are equal, so that rounding does not decide the order.
+ROUNDING = 1e-9
+# The profiler's period: how often a condition is checked if its readings cannot be solved.
+TICK = 1e-3
+# How long after a solved time a condition is checked: `POS > 50` is false at the exact time of 50.
+_AFTER = (0.0, 1e-12, 1e-10, 1e-8)
+
+
+class Wait:
+    """The wait of a task.
+
+    `since`   the time at which the task began to wait
+    `ready()` true if the task may continue, checked after every event
+    `due()`   the earliest time at which `ready` may become true if nothing else happens (infinite if never)
+    `why`     a description, for the report of a wait that never ends
+    `cause`   the kind of thing that ends it, one of `record.records.CAUSES`, and `what` its numbers
+    `ends`    the time at which it certainly ends, if there is one; the two functions are then not called
+    `location`   the source position of its statement and those of the calls that led there, if known
+    """
+
+    __slots__ = ("cause", "due", "ends", "ready", "since", "what", "why")
+
+    location: tuple[int, tuple[int, ...]] | None = None
+    # True if no variable or memory of the program can end it.
+    ignores_data = False
+
+    def __init__(
+        self,
+        since: float,
+        ready: Callable[[], bool],
+        due: Callable[[], float],
+        why: str,
+        cause: str = "condition",
+        what: tuple[int, ...] = (),
+    ) -> None:
+        self.since, self.ready, self.due, self.why = since, ready, due, why
+        self.cause, self.what = cause, what
+        self.ends: float | None = None
+
+    def expected(self) -> float:
+        """Return when it ends if only expected events happen; -1 if unknown or over."""
+        return -1.0
+
+
+class Delay(Wait):
+    """A wait for a time; its description is made on demand, as a program has millions."""
+
+    __slots__ = ("_clock", "location")
+
+    cause = "time"
+    what = ()
+    ends: float
+    ignores_data = True
+
+    def __init__(
+        self, clock: Clock, since: float, time: float, location: tuple[int, tuple[int, ...]] | None = None
+    ) -> None:
+        self.since, self._clock, self.ends, self.location = since, clock, time, location
+
+    @property
+    def length(self) -> float:
+        """Its total duration, s, to a nanosecond."""
+        return round(self.ends - self.since, 9)
+
+    def move(self, time: float) -> None:
+        """Move its end to `time`, and its beginning by the same amount."""
+        self.since += time - self.ends
+        self.ends = time
+
+    def ready(self) -> bool:
+        return self._clock.now >= self.ends - ROUNDING
+
+    def due(self) -> float:
+        return self.ends
+
+    @property
+    def why(self) -> str:  # type: ignore[override]
+        return f"for {self.ends - self.since:g} s"
+
+
+class Condition(Wait):
+    """A wait for a condition: checked at solved times, events, or ticks if unsolvable.
+
+    `solved` is the last time that `due` returned.
+    """
+
+    __slots__ = ("_checked", "_dependencies", "_notes", "_test", "ignores_data", "solved")
+
+    cause = "condition"
+    what = ()
+    ends = None
+
+    def __init__(
+        self,
+        dependencies: Dependencies,
+        test: Callable[[], object],
+        since: float,
+        why: str,
+        ignores_data: bool = False,
+    ) -> None:
+        self.ignores_data = ignores_data
+        self._dependencies, self._test, self.since, self.why = dependencies, test, since, why
+        self._notes: list[Note] = []
+        # When the dependencies were recorded, after how many events, and the time for which they were last
+        # solved.
+        self._checked, self.solved = (-1.0, -1), -1.0
+
+    def ready(self) -> bool:
+        """Return True if the condition holds now or immediately after."""
+        clock = self._dependencies.clock
+        now = clock.now
+        self._checked = now, clock.fired
+        delays = _AFTER if now == self.solved else _AFTER[:1]
+        try:
+            return any(self._evaluate(now + after * max(1.0, now)) for after in delays)
+        finally:
+            clock.now = now
+
+    def due(self) -> float:
+        """Return the next time at which the condition may change by itself."""
+        clock = self._dependencies.clock
+        now = clock.now
+        if self._checked != (now, clock.fired):
+            self.ready()  # other tasks have run since
+        # After the time that was just checked.
+        begin = now + 1e-7 * max(1.0, now) if now == self.solved else now
+        moments = [self._dependencies.until(begin, [each]) for each in set(self._notes)]
+        moment = min((each if each > begin else next_tick(now) for each in moments), default=INFINITY)
+        self.solved = moment if moment > now else now + TICK
+        return self.solved
+
+    def _evaluate(self, moment: float) -> bool:
+        """Evaluate the condition at a time, and store its dependencies."""
+        dependencies = self._dependencies
+        notes: list[Note] = []
+        before, dependencies.notes = dependencies.notes, notes
+        dependencies.clock.now = moment
+        try:
+            return bool(self._test())
+        finally:
+            self._notes = notes if dependencies.notes is notes else [(dependencies.at_once, ())]
+            dependencies.notes = before
+
+
+def wait_until(machine: Controller | Machine, since: float, time: float) -> Wait:
+    """Return a wait for a time."""
+    return Delay(machine.clock, since, time)
+
+
+def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait:
+    """Return a wait until all of `axes` are idle with no released move buffered.
+
+    A follower is idle when its master is.
+    """
+    waited = tuple(axes)
+    return Wait(
+        since,
+        lambda: all(controller.is_at_standstill(axis) for axis in waited),
+        lambda: max((controller.standstill_time(axis) for axis in waited), default=since),
+        until_idle(waited),
+        "axis",
+        waited,
+    )
+
+
+def until_idle(axes: tuple[int, ...]) -> str:
+    """Return the description of a wait until axes are idle."""
+    return f"for axis {', '.join(map(str, axes))} to be idle"
+
+
+def next_tick(now: float) -> float:
+    """Return the first tick of the profiler after a time."""
+    return (int(now / TICK + 1e-6) + 1) * TICK

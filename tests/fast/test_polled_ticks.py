@@ -1,0 +1,125 @@
+"""Ticks of TIMER are skipped while tasks poll, as if all handlers had run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from motionlang import report, run
+from motionlang.fast.polled_ticks import PolledTicks, Transition
+from motionlang.result import Run
+from motionlang.source import Source
+from tests.cases import cases
+
+_HEAD = "Dim n As Integer, m As Integer\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+_MOVE = "MOVEA(0) = 400 : GO(0)\nWhile Not IDLE(0)\n  {}\nEnd While\n"
+
+
+@pytest.fixture
+def skipped(monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
+    """Return a function that gives the number of skipped ticks."""
+    found = [0]
+    passed = PolledTicks._pass
+
+    def counted(self: PolledTicks, steps: list[Transition], *given: Any) -> bool:
+        found[0] += len(steps)
+        return passed(self, steps, *given)
+
+    monkeypatch.setattr(PolledTicks, "_pass", counted)
+    return lambda: found[0]
+
+
+def ran(text: str, **machine: object) -> Run:
+    """Run a program; check that report and records are equal without accelerators."""
+    fast, plain = (
+        run(Source("a.mnt", _HEAD + text), machine=machine, cache=False, fast=fast, until=20.0)
+        for fast in (True, False)
+    )
+    for stream in ("outputs", "events", "prints", "settings"):
+        assert list(getattr(fast.machine.log, stream)) == list(getattr(plain.machine.log, stream))
+    assert report.text(fast) == report.text(plain)
+    return fast
+
+
+def handled(text: str, handler: str, period: int = 1) -> str:
+    """Return a program with a TIMER handler; at its end it prints `n` and `m`."""
+    start = f'TIMEREVENT = {period}\n{text}TIMEREVENT = 0\nPRINT n, " ", m\nEnd\n'
+    return f"{start}Event TIMER\n{handler}\nEnd Event\n"
+
+
+def printed(found: Run) -> list[int]:
+    return [int(each) for each in found.machine.terminal.lines[-1].split()]
+
+
+def test_a_counter_has_counted_every_tick_of_a_move(skipped: Callable[[], int]) -> None:
+    """The move takes 0.1 s for the 5 uu at each end, and 3.9 s for the other 390."""
+    found = ran(handled(_MOVE.format(""), "n = n + 1"))
+    assert printed(found) == [4100, 0]
+    assert len(found.machine.log.events) == 4100
+    assert skipped() > 4000
+
+
+@cases(
+    "body", ("", "If INX(5) Then STOP(0)", "If INX(5) Then STOP(0)\n  If INX(6) Then STOP(0)", "m = POS(1)")
+)
+@cases("cost", (1e-5, 0.7310585e-5, 4e-5, 3e-6))
+def test_iterations_of_any_length_are_interrupted_at_the_same_statement(
+    body: str, cost: float, skipped: Callable[[], int]
+) -> None:
+    """The log has the source position of the statement that each tick interrupts."""
+    ran(handled(_MOVE.format(body), "n = n + 1"), **{"controller.instruction_time": cost})
+    assert skipped() > 3800
+
+
+def test_a_toggled_output_has_a_record_for_each_change(skipped: Callable[[], int]) -> None:
+    found = ran(handled(_MOVE.format(""), "OUTX(3) = Not OUTX(3)", 10))
+    values = [each.value for each in found.machine.log.outputs]
+    assert values == [(k + 1) % 2 for k in range(410)]
+    assert skipped() > 380
+
+
+@cases(
+    "handler, n, m",
+    (
+        ("n = n + 1\nIf n >= 100 Then n = 0 : m = m + 1", 0, 41),
+        ("n = n + 1\nIf n = 3777 Then m = 5", 4100, 5),
+        ("n = n + 1\nIf n > 2500 And n <= 3000 Then m = m + 1", 4100, 500),
+        ("n = n + 1\nIf n = 2000 Then OUTX(1) = 1 Else OUTX(1) = 0", 4100, 0),
+        ("n = n - 3", -12_300, 0),
+        ("n = 1 - n", 0, 0),
+        ("m = n\nn = n + 1", 4100, 4099),
+        ("If INX(2) Then n = n + 1", 2000, 0),
+        ("If POS(0) > 205.05 Then n = n + 1", 2000, 0),
+    ),
+)
+def test_a_handler_that_decides_does_so_at_the_right_tick(handler: str, n: int, m: int) -> None:
+    """Input 2 is on for 2 s. The axis passes 205.05 at 2.1005 s: 5 uu take 0.1 s."""
+    found = ran(handled(_MOVE.format(""), handler), input=[{"channel": 2, "at": 1.0005, "for": 2.0}])
+    assert printed(found) == [n, m]
+
+
+def test_a_loop_that_polls_the_counter_sees_each_value(skipped: Callable[[], int]) -> None:
+    """The loop ends by the counter, so ticks that change it are not skipped."""
+    found = ran(handled("While n < 700\nEnd While\nm = n\n", "n = n + 1"))
+    assert printed(found)[1] == 700
+    assert skipped() == 0
+
+
+def test_a_handler_that_sets_what_the_loop_polls_ends_it() -> None:
+    assert printed(ran(handled("While m = 0\nEnd While\n", "n = n + 1\nIf n = 1234 Then m = 7"))) == [1234, 7]
+
+
+def test_a_tick_that_sets_the_counter_is_no_count() -> None:
+    """The counter goes from 4 to 5 once, and each later tick sets it to 5."""
+    text = "n = 4\n" + _MOVE.format("")
+    assert printed(ran(handled(text, "If n >= 5 Then n = 4\nn = n + 1"))) == [5, 0]
+
+
+def test_tasks_that_poll_beside_the_timer_are_skipped(skipped: Callable[[], int]) -> None:
+    tasks = "Task Lamp\nLoop\n  OUTX(1) = VEL(0) > 0\nEnd Loop\nEnd Task\n"
+    text = "Run Lamp\n" + handled("MOVEA(0) = 400 : GO(0)\nPAUSE IDLE(0)\n", "n = n + 1") + tasks
+    found = ran(text)
+    assert printed(found) == [4100, 0]
+    assert skipped() > 4000

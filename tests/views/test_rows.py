@@ -1,0 +1,53 @@
+"""Long tables state how many rows they leave out; complete tables do not."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from motionlang.planners.pvt.motion import plan_pvt
+from motionlang.views import pvt, written
+from motionlang.views.questions import _show_once
+
+
+@pytest.mark.parametrize(
+    ("count", "rest"), [(40, ""), (41, "… and 1 more segments"), (50, "… and 10 more segments")]
+)
+def test_at_most_40_segments_of_a_drive_are_listed(count: int, rest: str) -> None:
+    profile = plan_pvt(range(count + 1), [0.0] * (count + 1), [0.01] * count)
+    lines = pvt.segment_lines(profile)
+    assert [line for line in lines if line.startswith("…")] == ([rest] if rest else [])
+    assert sum(line.split()[:1] == [str(k)] for k in range(40) for line in lines[3:]) == 40
+    assert lines[-1].startswith(f"{count} segments, {10 * count} ms")
+
+
+@pytest.mark.parametrize(("count", "rest"), [(40, 0), (41, 1), (45, 5)])
+def test_at_most_40_writes_are_listed(count: int, rest: int) -> None:
+    rows = [{"server": 1, "kind": "holding-register", "number": k, "value": k / 4} for k in range(count)]
+    lines = written.written(rows, 100, colour=False)
+    assert lines[-1] == (
+        f"… and {rest} more: --format json has all" if rest else "Modbus server 1  holding register 39   9.75"
+    )
+
+
+def test_writes_of_texts_and_objects() -> None:
+    rows = [
+        {"node": 3, "bus": 1, "kind": "object", "number": 0x2005, "subindex": 2, "value": 1e9},
+        {"node": 3, "bus": 1, "kind": "state", "value": "reset"},
+    ]
+    assert [line.split() for line in written.written(rows, 100, colour=False)[-2:]] == [
+        ["node", "3", "of", "bus", "1", "object", "0x2005,", "2", "1000000000"],
+        ["node", "3", "of", "bus", "1", "state", "reset"],
+    ]
+
+
+def test_an_answer_that_was_typed_is_not_shown_again() -> None:
+    """Only the first text after an answer is the program's echo of it."""
+    shown: list[str] = []
+    terminal: Any = SimpleNamespace(show=shown.append)
+    _show_once(terminal, "12\n")
+    for text in ("12\n", "12\n", "next"):
+        terminal.show(text)
+    assert shown == ["12\n", "next"]
