@@ -58,7 +58,7 @@ def bracketed(operands: list[str], ops: list[str], tight: tuple[str, ...]) -> st
 
 
 @pytest.mark.parametrize("seed", range(60))
-def test_both_readings(seed: int) -> None:
+def test_both_interpretations(seed: int) -> None:
     random = Random(seed)
     count = random.randint(3, 6)
     operands = [random.choice(OPERANDS) for _ in range(count)]
@@ -69,7 +69,7 @@ def test_both_readings(seed: int) -> None:
     )
     line = frame.format(bracketed(operands, ops, ()))
     here, there = (frame.format(bracketed(operands, ops, tight)) for tight in (BITS, COMPARISONS))
-    told = mixed(line)
-    assert [each.hint for each in told] == [f"add brackets: {here}, as it is read here, or {there}"]
+    found = mixed(line)
+    assert [each.hint for each in found] == [f"add brackets: {here}, as it is read here, or {there}"]
     assert mixed(here) == mixed(there) == []
     assert tree(here) == tree(line) != tree(there)

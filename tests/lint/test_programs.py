@@ -21,8 +21,8 @@ PROGRAMS = sorted([*HERE.glob("mint/*.mnt"), *HERE.glob("mccl/*.mcl")])
 GALLERY = sorted([*HERE.parents[1].glob("scripts/mint/*.mnt"), *HERE.parents[1].glob("scripts/mccl/*.mcl")])
 
 
-def told(path: Path) -> str:
-    """Return every message about a program, as it is displayed."""
+def diagnostics_of(path: Path) -> str:
+    """Return all messages about a program, as they are displayed."""
     language, source = dialect_of(path.name), Source.read(path)
     assert language is not None
     machine = next((each for each in _machines(path) if each.exists()), None)
@@ -35,8 +35,8 @@ def _machines(path: Path) -> tuple[Path, ...]:
 
 
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.name)
-def test_what_is_said(path: Path, request: pytest.FixtureRequest) -> None:
-    text, golden = told(path), path.with_suffix(".txt")
+def test_the_diagnostics(path: Path, request: pytest.FixtureRequest) -> None:
+    text, golden = diagnostics_of(path), path.with_suffix(".txt")
     if request.config.getoption("--update"):
         golden.write_text(text, encoding="utf-8")
     assert text == golden.read_text(encoding="utf-8")
@@ -44,7 +44,7 @@ def test_what_is_said(path: Path, request: pytest.FixtureRequest) -> None:
 
 @pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.name)
 def test_no_program_of_the_gallery_gives_an_alarm(path: Path) -> None:
-    assert told(path) == ""
+    assert diagnostics_of(path) == ""
 
 
 def test_every_warning_is_shown_by_a_program() -> None:

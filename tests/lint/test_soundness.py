@@ -37,12 +37,12 @@ plain = st.one_of(
 )
 
 
-_TURN: list[Lines] = [["k = k + 1"], ["If k > 20 Then Exit Loop"]]
+_ITERATION: list[Lines] = [["k = k + 1"], ["If k > 20 Then Exit Loop"]]
 
 
-def _counted(turns: int, body: list[Lines]) -> Lines:
+def _counted(iterations: int, body: list[Lines]) -> Lines:
     """Return a For with its own variable; with a shared one it might never end."""
-    return _block(f"For i{sum(map(len, body))} = 1 To {turns}", body, "Next")
+    return _block(f"For i{sum(map(len, body))} = 1 To {iterations}", body, "Next")
 
 
 def _block(head: str, body: list[Lines], tail: str) -> Lines:
@@ -56,7 +56,7 @@ statements: st.SearchStrategy[list[Lines]] = st.recursive(
             st.builds(lambda line: [line], plain),
             st.builds(lambda n, body: _block(f"If k > {n} Then", body, "End If"), number, inner),
             st.builds(_counted, st.integers(1, 4), inner),
-            st.builds(lambda body: _block("Loop", [*body, *_TURN], "End Loop"), inner),
+            st.builds(lambda body: _block("Loop", [*body, *_ITERATION], "End Loop"), inner),
         ),
         min_size=1,
         max_size=6,
