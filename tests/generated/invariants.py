@@ -62,8 +62,8 @@ def in_order(result: Run) -> Iterator[str]:
 
 def entries_end(result: Run) -> Iterator[str]:
     """Check that completed entries end within the run, the last one where its axis is."""
-    assert result.orders is not None
-    axes, data = result.controller.axes, result.orders.data
+    assert result.expected_motion is not None
+    axes, data = result.controller.axes, result.expected_motion.data
     last: dict[int, Move] = {}
     for move in result.controller.log.moves:
         profile, axis = move.profile, axes[move.axis]
@@ -74,8 +74,8 @@ def entries_end(result: Run) -> Iterator[str]:
             yield f"log: {where}: a figure is not a number"
         end = move.start_time + profile.duration
         late = end > result.time + ROUNDED * (1.0 + result.time)
-        under_way = any(move is each for each in axis.entries)  # several during a blend
-        if late and isfinite(end) and not under_way and (move.ended or result.status == "ended"):
+        in_motion = any(move is each for each in axis.entries)  # several during a blend
+        if late and isfinite(end) and not in_motion and (move.ended or result.status == "ended"):
             yield f"log: {where}: it ends at {end:.6f} s, the run at {result.time:.6f} s"
         if not move.overlaid and not move.offset:
             last[move.axis] = move
@@ -85,7 +85,7 @@ def entries_end(result: Run) -> Iterator[str]:
         end = move.start_time + profile.duration
         if end > result.time or axis.move is not None or any(time > end for time in track.starts):
             continue
-        shift = data[number][-1] - data[number][track.place(move.start_time)]
+        shift = data[number][-1] - data[number][track.index_at(move.start_time)]
         here = axis.position(result.time)
         if abs(here - profile.end - shift) > SLACK * max(1.0, abs(here)):
             yield f"log: axis {number} is at {here:g}, its last entry ends at {profile.end:g}"
@@ -103,7 +103,7 @@ def phases_add_up(report: dict[str, Any]) -> Iterator[str]:
                 yield f"phases: line {move['line']}: {name} {move[name]!r}, its phases {fsum(figures)!r}"
 
 
-def keeps_to_the_schema(report: dict[str, Any]) -> Iterator[str]:
+def matches_schema(report: dict[str, Any]) -> Iterator[str]:
     """Check the report against `docs/report.schema.json`."""
     for error in jsonschema.Draft202012Validator(SCHEMA).iter_errors(report):
         yield f"schema: {error.json_path}: {error.message[:100]}"

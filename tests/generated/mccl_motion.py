@@ -151,8 +151,8 @@ class McclProgram:
 
     def _one_line(self) -> list[str]:
         """Return several changes and starts of motion in one line."""
-        parts = [self._of("speed", "shape", "move", "velocity", "stop", "override") for _ in range(3)]
-        return [command for part in parts for command in part]
+        groups = [self._of("speed", "shape", "move", "velocity", "stop", "override") for _ in range(3)]
+        return [command for group in groups for command in group]
 
     def _override(self) -> list[str]:
         return [f"{self._axis()}VO{self.draw.choice((0.2, 0.5, 1, 1, 2))}"]
@@ -201,8 +201,8 @@ class McclProgram:
     # ------------------------------------------------------------------------------------------------- flow
 
     def _define(self) -> int:
-        parts = [self._of("move", "speed", "shape", "wait", "rest", "stop", "override") for _ in range(3)]
-        self.macros.append(",".join([f"MD{len(self.macros) + 1}", *(c for part in parts for c in part)]))
+        groups = [self._of("move", "speed", "shape", "wait", "rest", "stop", "override") for _ in range(3)]
+        self.macros.append(",".join([f"MD{len(self.macros) + 1}", *(c for group in groups for c in group)]))
         return len(self.macros)
 
     def _macro(self) -> list[str]:

@@ -235,11 +235,11 @@ class MintProgram:
 
     def _fly(self) -> list[str]:
         slave, draw = self._slave(), self.draw
-        parts = [
+        lines = [
             f"MASTERDISTANCE({slave}) = {draw.real(2, 40)} : FLY({slave}) = {draw.real(-20, 30)}"
             for _ in range(draw.randrange(1, 4))
         ]
-        return [*parts, f"GO({slave})"]
+        return [*lines, f"GO({slave})"]
 
     def _offset(self) -> list[str]:
         slave = self._slave()

@@ -12,28 +12,31 @@ LAST = 1e-6
 # Statements that are executed after the end: those that touch only variables do not read the clock.
 STATEMENTS = 4
 # Times up to the end of the shorter run at which positions are compared.
-LOOKS = 8
+SAMPLES = 8
 
 
-def differences(whole: Run, part: Run, until: float) -> Iterator[str]:
+def differences(whole: Run, prefix: Run, until: float) -> Iterator[str]:
     """Yield the differences between a run up to `until` and the complete run."""
     end = max(until - LAST, 0.0)
-    if whole.time > until and not until <= part.time <= until + STATEMENTS * part.machine.instruction_time:
-        yield f"prefix: to {until!r} s: it ends at {part.time!r} s"
+    if (
+        whole.time > until
+        and not until <= prefix.time <= until + STATEMENTS * prefix.machine.instruction_time
+    ):
+        yield f"prefix: to {until!r} s: it ends at {prefix.time!r} s"
     for name, known, found in (
-        ("events", list(_events(whole, end)), list(_events(part, end))),
-        ("prints", list(_prints(whole, end)), list(_prints(part, end))),
-        ("waits", list(_waits(whole, end)), list(_waits(part, end))),
-        ("moves", list(_moves(whole, end)), list(_moves(part, end))),
+        ("events", list(_events(whole, end)), list(_events(prefix, end))),
+        ("prints", list(_prints(whole, end)), list(_prints(prefix, end))),
+        ("waits", list(_waits(whole, end)), list(_waits(prefix, end))),
+        ("moves", list(_moves(whole, end)), list(_moves(prefix, end))),
     ):
         first = next((k for k, (a, b) in enumerate(zip(known, found, strict=False)) if a != b), None)
         if first is not None or len(known) != len(found):
-            told = (known[first], found[first]) if first is not None else (len(known), len(found))
-            yield f"prefix: to {until!r} s: {name}: {told[0]} without, {told[1]} with an end"
+            values = (known[first], found[first]) if first is not None else (len(known), len(found))
+            yield f"prefix: to {until!r} s: {name}: {values[0]} without, {values[1]} with an end"
     for number, axis in whole.controller.axes.items():
-        tracks = WholeTrack(axis), WholeTrack(part.controller.axes[number])
-        for k in range(LOOKS):
-            time = end * k / (LOOKS - 1)
+        tracks = WholeTrack(axis), WholeTrack(prefix.controller.axes[number])
+        for k in range(SAMPLES):
+            time = end * k / (SAMPLES - 1)
             here, there = (_position(track, time) for track in tracks)
             if here != there:
                 yield f"prefix: to {until!r} s: axis {number} is at {here!r} and {there!r} at {time!r} s"
@@ -41,8 +44,8 @@ def differences(whole: Run, part: Run, until: float) -> Iterator[str]:
 
 
 def _position(track: WholeTrack, time: float) -> float:
-    place = track.place(time)
-    return track.profiles[place].position(time - track.starts[place])
+    index = track.index_at(time)
+    return track.profiles[index].position(time - track.starts[index])
 
 
 def _events(result: Run, end: float) -> Iterator[object]:

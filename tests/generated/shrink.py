@@ -34,16 +34,16 @@ def shrunk(program: Generated) -> Generated:
     def with_lines(lines: list[str]) -> Generated:
         return program._replace(text="\n".join(lines) + "\n")
 
-    def with_line(number: int, parts: list[str]) -> Generated:
+    def with_line(number: int, items: list[str]) -> Generated:
         lines = program.text.splitlines()
-        return with_lines([*lines[:number], between.join(parts), *lines[number + 1 :]])
+        return with_lines([*lines[:number], between.join(items), *lines[number + 1 :]])
 
     between, before = _BETWEEN[program.language], None
     while program != before:
         before = program
         program = with_lines(_least(program.text.splitlines(), lambda lines: is_found(with_lines(lines))))
         for number, line in enumerate(program.text.splitlines()):
-            enough = partial(lambda number, parts: is_found(with_line(number, parts)), number)
+            enough = partial(lambda number, items: is_found(with_line(number, items)), number)
             program = with_line(number, _least(line.split(between), enough))
         for key in program.machine:
             smaller = program._replace(machine={k: v for k, v in program.machine.items() if k != key})
@@ -51,15 +51,15 @@ def shrunk(program: Generated) -> Generated:
     return program
 
 
-def _least(parts: list[str], is_enough: Callable[[list[str]], bool]) -> list[str]:
+def _least(items: list[str], is_enough: Callable[[list[str]], bool]) -> list[str]:
     """Return a minimal list that `is_enough`: remove halves, then quarters and so on."""
-    size = len(parts)
+    size = len(items)
     while size := size // 2:
         first = 0
-        while first < len(parts):
-            fewer = parts[:first] + parts[first + size :]
+        while first < len(items):
+            fewer = items[:first] + items[first + size :]
             if is_enough(fewer):
-                parts = fewer
+                items = fewer
             else:
                 first += size
-    return parts
+    return items

@@ -12,7 +12,7 @@ from motionlang import run
 from motionlang.report import text
 from motionlang.result import Run
 from motionlang.source import Source
-from tests.generated.invariants import in_order, keeps_to_the_schema, phases_add_up, table_agrees
+from tests.generated.invariants import in_order, matches_schema, phases_add_up, table_agrees
 from tests.generated.prefix import differences
 
 MOVE = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\nMOVER(0) = 30 : GO(0)\n"
@@ -26,7 +26,7 @@ def ran(program: str, until: float = 5.0) -> tuple[Run, dict[str, Any]]:
 
 def test_a_run_has_no_finding() -> None:
     result, report = ran(PROGRAM)
-    found = [*in_order(result), *phases_add_up(report), *keeps_to_the_schema(report)]
+    found = [*in_order(result), *phases_add_up(report), *matches_schema(report)]
     assert [*found, *table_agrees(result, report)] == []
 
 
@@ -50,7 +50,7 @@ def test_a_wrong_entry_is_found(name: str) -> None:
     change, found = CHANGES[name]
     _, report = ran(PROGRAM)
     change(report["moves"][0])
-    (message,) = [*phases_add_up(report), *keeps_to_the_schema(report)]
+    (message,) = [*phases_add_up(report), *matches_schema(report)]
     assert message.startswith(found)
 
 
@@ -87,13 +87,13 @@ def test_a_row_that_the_table_lacks_is_found() -> None:
         ("STOP(0)", "CANCEL(0)", "events"),
     ],
 )
-def test_a_run_that_begins_otherwise_is_found(before: str, after: str, found: str) -> None:
-    whole, part = ran(PROGRAM)[0], ran(PROGRAM.replace(before, after), until=0.15)[0]
-    assert any(f"s: {found}" in each for each in differences(whole, part, 0.15))
+def test_a_run_that_begins_differently_is_found(before: str, after: str, found: str) -> None:
+    whole, prefix = ran(PROGRAM)[0], ran(PROGRAM.replace(before, after), until=0.15)[0]
+    assert any(f"s: {found}" in each for each in differences(whole, prefix, 0.15))
 
 
 @pytest.mark.parametrize("until", [0.05, 0.15, 0.2])
 def test_a_run_that_is_cut_off_begins_as_the_whole_one_does(until: float) -> None:
-    whole, part = ran(PROGRAM)[0], ran(PROGRAM, until)[0]
-    assert part.time == pytest.approx(until, abs=1e-4)
-    assert list(differences(whole, part, until)) == []
+    whole, prefix = ran(PROGRAM)[0], ran(PROGRAM, until)[0]
+    assert prefix.time == pytest.approx(until, abs=1e-4)
+    assert list(differences(whole, prefix, until)) == []

@@ -26,7 +26,7 @@ def test_programs_of_a_slice_of_seeds_have_no_finding() -> None:
 @pytest.mark.parametrize("batch", range(BATCHES))
 def test_programs_of_many_seeds_have_no_finding(batch: int) -> None:
     first = 10_000 + batch * BATCH
-    found = {seed: told for seed in range(first, first + BATCH) if (told := findings(generate(seed)))}
+    found = {seed: messages for seed in range(first, first + BATCH) if (messages := findings(generate(seed)))}
     assert found == {}
 
 

@@ -24,7 +24,7 @@ def test_programs_of_a_slice_of_seeds_have_no_finding() -> None:
 def test_programs_of_many_seeds_have_no_finding(batch: int) -> None:
     first = 10_000 + batch * BATCH
     programs = {seed: generate(seed, "words") for seed in range(first, first + BATCH)}
-    assert {seed: told for seed, program in programs.items() if (told := findings(program))} == {}
+    assert {seed: messages for seed, program in programs.items() if (messages := findings(program))} == {}
 
 
 @pytest.mark.parametrize("language", NEVER)

@@ -65,7 +65,7 @@ def examples(language: str) -> tuple[Keyword, ...]:
 
 
 @cache
-def _readings() -> tuple[str, ...]:
+def _readable() -> tuple[str, ...]:
     rows = table("mint").values()
     return tuple(row.name for row in rows if row.simulated and row.index == "axis" and "R" in row.access)
 
@@ -98,7 +98,7 @@ def surroundings(draw: Draw, language: str) -> dict[str, object]:
 class MintWords(MintProgram):
     """A Mint motion program with examples in between."""
 
-    actions = MINT_ACTIONS | {"word": 60, "reading": 15}
+    actions = MINT_ACTIONS | {"word": 60, "query": 15}
 
     def _word(self) -> list[str]:
         row = self._row(declares=False)
@@ -120,8 +120,8 @@ class MintWords(MintProgram):
             return line
         return self._write(row.name, int(found[2]))
 
-    def _reading(self) -> list[str]:
-        names = [self.draw.choice(_readings()) for _ in range(self.draw.randrange(1, 4))]
+    def _query(self) -> list[str]:
+        names = [self.draw.choice(_readable()) for _ in range(self.draw.randrange(1, 4))]
         return ["PRINT " + ', " ", '.join(f"{name}({self._axis()})" for name in names)]
 
     def _end(self) -> None:

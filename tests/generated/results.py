@@ -1,0 +1,500 @@
+"""Everything that users see of generated programs, as texts, and their digests.
+
+A change that should alter no result must leave every text unchanged:
+
+    python -m tests.generated.results /tmp/now
+    python -m tests.generated.results /tmp/before --commit HEAD
+    diff -r /tmp/before /tmp/now
+
+This writes the texts of this tree, and those of the package of a commit, into two folders. A text is the
+output of one kind of command on one program, such as `words-17.damaged.txt`. `results.txt` has the digests of
+all texts, one line per program, and a test compares them; `pytest tests/generated/test_results.py --update`
+rewrites it.
+
+A case is named `FAMILY-SEED`, or `gallery-NAME` for every second program of `scripts/`. Some cases write to a
+coloured terminal of 60 or 100 columns, the others to a pipe (`on_terminal`). Digests do not depend on the
+last digits of long figures, which differ between mathematical libraries.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import hashlib
+import io
+import os
+import re
+import subprocess
+import sys
+import tarfile
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from motionlang import __version__
+from motionlang.cli import main as command
+from motionlang.editor import navigation
+from motionlang.editor.completion import complete
+from motionlang.editor.diagnostics import findings
+from motionlang.editor.fixes import fixes
+from motionlang.editor.formatting import formatted_lines
+from motionlang.editor.hover import hover
+from motionlang.editor.machine_file import complete_machine_file, hover_machine_file
+from motionlang.editor.page import Page
+from motionlang.editor.signature import signature
+from motionlang.editor.tokens import tokens
+from motionlang.execution import dialect, run
+from motionlang.lang.machine.file import read_machine
+from motionlang.source import Source
+from tests.generated import handlers, sessions, tasks
+from tests.generated.command_lines import command_line
+from tests.generated.damage import damaged
+from tests.generated.draw import Draw
+from tests.generated.motion import Generated, generate
+from tests.generated.pictures import described, picture_line
+
+ROOT = Path(__file__).parents[2]
+DIGESTS = Path(__file__).with_name("results.txt")
+# The seeds of each family of programs, of command lines without a program, and the figures of chapter 12: 12.1 to
+# 12.11, and its listing.
+SEEDS = {
+    "motion": range(1, 37),
+    "words": range(1, 55),
+    "tasks": range(1, 17),
+    "handlers": range(1, 13),
+    "commands": range(1, 169),
+    "pictures": range(1, 31),
+    "figures": range(1, 13),
+}
+# Columns of the terminal by the last two bits of a seed; None for a pipe.
+TERMINALS = (None, 60, None, 100)
+# Machine seconds of a run.
+UNTIL = "3"
+# Added to each machine file, for the certificate.
+LIMITS = """
+[axis.1.limits]
+position = [-50.0, 50.0]
+speed = 60.0
+acceleration = 900.0
+jerk = 1e5
+"""
+MOTOR = """\
+kind = "brushless"
+resistance = 1.2
+inductance = 2e-3
+torque_constant = 0.06
+inertia = 3e-5
+amplifier_gain = 6.0
+"""
+_FIGURE = re.compile(r"-?\d+\.\d+(?:e[+-]?\d+)?|-?\d+e-\d+")
+# Figures of at least this many characters are rounded to significant digits and to decimals; smaller ones than
+# `SMALL` are only rounding errors of others. `OFF` moves exact halves of the last digit to one side.
+LONG, DIGITS, DECIMALS, SMALL, OFF = 11, 9, 11, 1e-9, 1.0 + 3e-12
+
+# Texts without a digest. The first four depend on the last bit of a figure: whether two times are the same, or a
+# figure has another sign. The others are not the same without accelerators.
+UNSTABLE = (
+    "motion-2.compare", "motion-32.table", "words-41.certify", "pictures-24.picture", "words-46.motor",
+    "tasks-15.init", "tasks-11.code",
+)  # fmt: skip
+
+
+def names() -> list[str]:
+    """Return the names of all cases."""
+    drawn = [f"{family}-{seed}" for family, seeds in SEEDS.items() for seed in seeds]
+    return [*drawn, *(f"gallery-{name}" for name in sorted(_gallery())[::2])]
+
+
+def _gallery() -> dict[str, Path]:
+    return {path.name: path for path in (ROOT / "scripts").rglob("*") if path.suffix in (".mnt", ".mcl")}
+
+
+def digests(name: str) -> dict[str, str]:
+    """Return the digest of each text of a case, by kind."""
+    return {
+        kind: hashlib.sha256(rounded(text).encode()).hexdigest()[:7]
+        for kind, text in texts(name).items()
+        if f"{name}.{kind}" not in UNSTABLE
+    }
+
+
+def rounded(text: str) -> str:
+    """Return a text with its long figures rounded to fewer digits."""
+
+    def figure(match: re.Match[str]) -> str:
+        if len(match[0]) < LONG and "e-" not in match[0]:
+            return match[0]
+        value = float(match[0])
+        return "0.0" if abs(value) < SMALL else repr(round(float(f"{value * OFF:.{DIGITS}g}"), DECIMALS))
+
+    return _FIGURE.sub(figure, text)
+
+
+def texts(name: str) -> dict[str, str]:
+    """Return the texts of a case by kind.
+
+    The working directory must be a folder that the case may write to.
+    """
+    family, _, seed = name.partition("-")
+    with on_terminal(TERMINALS[int(seed) % 4] if seed.isdigit() else None):
+        return _texts(family, seed)
+
+
+def _texts(family: str, seed: str) -> dict[str, str]:
+    if family == "commands":
+        line = command_line(int(seed))
+        return {"program": " ".join(line), "output": said(*line)}
+    if family == "figures":
+        line = ["servo", "listing"] if seed == "12" else ["notes", "chapter12", f"12.{seed}"]
+        return {"report": said(*line, "--format", "json"), **_drawn([*line, "--plot", "a.svg"])}
+    if family == "pictures":
+        return _pictures(int(seed))
+    program = _program(family, seed)
+    _write(program.name, program)
+    found = {"program": program.text + program.machine_file}
+    if family == "gallery":
+        return found | {
+            "damaged": _damaged(program),
+            "editor": _editor(program),
+            "machine": _machine(program, seed),
+        }
+    found["report"] = said("run", program.name, "--format", "json", "--until", UNTIL)
+    for kind in _kinds(program.seed):
+        found[kind] = _KINDS[kind](program)
+    if program.seed % 6 == 2:
+        found["session"] = sessions.shown(program)
+    return found
+
+
+def _pictures(seed: int) -> dict[str, str]:
+    """Draw the motion of a program, the rows of a sweep, or a command's own figure."""
+    if seed % 2:
+        line = picture_line(seed // 2)
+        program = " ".join(line)
+    else:
+        made = generate(seed, "motion" if seed % 4 else "words")
+        _write(made.name, made)
+        program = made.text + made.machine_file
+        first = "0" if made.language == "mint" else "1"
+        options = (
+            [],
+            ["--path", f"{first},2"],
+            ["--axes", first, "--from", "0.1", "--to", "0.9"],
+            [
+                "--vary",
+                "controller.instruction_time=1e-5,1e-4,2e-4",
+                "--keep",
+                "time,peak.2",
+                "-j",
+                "1",
+                "-q",
+            ],
+        )[seed // 2 % 4]
+        verb = ["sweep"] if "--vary" in options else ["run", "-q"]
+        line = [*verb, made.name, "--until", UNTIL, "--plot", "a.svg", *options]
+    return {"program": program, **_drawn(line)}
+
+
+def _drawn(line: list[str]) -> dict[str, str]:
+    """Return the output of a command, and the description of its figure `a.svg`."""
+    with described():
+        printed = said(*line)
+    drawn = Path("a.svg").read_text(encoding="utf-8") if Path("a.svg").exists() else "no picture\n"
+    Path("a.svg").unlink(missing_ok=True)
+    return {"output": printed, "picture": drawn}
+
+
+def _kinds(seed: int) -> Iterator[str]:
+    """Yield the two kinds of command for the program of a seed."""
+    kinds = tuple(_KINDS)
+    yield kinds[seed % len(kinds)]
+    yield kinds[(seed * 5 + 3) % len(kinds)]
+
+
+def _program(family: str, seed: str) -> Generated:
+    """Return the program of a case.
+
+    A program of the gallery is named by `seed` and has no machine.
+    """
+    if family in ("motion", "words"):
+        return generate(int(seed), family)
+    if family == "gallery":
+        path = _gallery()[seed]
+        return Generated(len(seed), path.parent.name, path.read_text(encoding="utf-8"), {}, path.stem)
+    text, machine = (tasks if family == "tasks" else handlers).program(int(seed))
+    return Generated(int(seed), "mint", text, machine, family)
+
+
+def _write(name: str, program: Generated, text: str = "", machine: str = LIMITS) -> None:
+    Path(name).write_text(text or program.text, encoding="utf-8")
+    Path(name).with_suffix(".machine.toml").write_text(program.machine_file + machine, encoding="utf-8")
+
+
+class _Terminal(io.StringIO):
+    """Standard output of a command: a terminal if `COLUMNS` is set, else a pipe."""
+
+    encoding = "utf-8"
+
+    def isatty(self) -> bool:
+        return "COLUMNS" in os.environ
+
+
+@contextlib.contextmanager
+def on_terminal(columns: int | None) -> Iterator[None]:
+    """Let commands write to a terminal of this width, or to a pipe for None."""
+    if columns is not None:
+        os.environ["COLUMNS"] = str(columns)
+    try:
+        yield
+    finally:
+        os.environ.pop("COLUMNS", None)
+
+
+def said(*arguments: str) -> str:
+    """Return the output of a command, its error output and its exit status."""
+    out, errors = _Terminal(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
+        try:
+            status: object = command(arguments)
+        except SystemExit as end:
+            status = end.code
+    return f"{out.getvalue()}{errors.getvalue()}exit status {status}\n".replace(__version__, "VERSION")
+
+
+def _run(program: Generated, *options: str) -> str:
+    return said("run", program.name, "--until", UNTIL, *options)
+
+
+def _written(program: Generated, path: str, *options: str) -> str:
+    """Return the output of a run and the file that the run writes."""
+    printed = _run(program, "-q", *options)
+    written = Path(path)
+    return printed + (written.read_text(encoding="utf-8") if written.exists() else "no file\n")
+
+
+# Options of `check`.
+_CHECKS = (
+    (), ("--evidence",), ("--literals",), ("--format", "sarif"), (), ("--format", "junit"), ("--literals",),
+    ("--format", "github"), (), ("--strict",),
+)  # fmt: skip
+_MODELS = {"mint": ("mintmt", "NextMove ESB", "mint4"), "mccl": ("dcx-pci100", "dcx-at200", "multiflex")}
+
+
+def _damaged(program: Generated) -> str:
+    """Return the findings of `check` in a program and in a copy with mistakes."""
+    text = damaged(program.text, program.language, program.seed)
+    _write(f"damaged{Path(program.name).suffix}", program, text)
+    files = program.name, f"damaged{Path(program.name).suffix}"
+    model = ("--model", _MODELS[program.language][program.seed % 3]) if program.seed % 5 == 0 else ()
+    return text + said("check", "-j", "1", *model, *_CHECKS[program.seed % len(_CHECKS)], *files)
+
+
+def _fault(program: Generated) -> str:
+    """Return the run of a copy with mistakes, and the copy after a quick fix."""
+    name = f"fault{Path(program.name).suffix}"
+    _write(name, program, damaged(program.text, program.language, program.seed + 1000))
+    fixed = said("check", "-j", "1", "--fix", name)
+    return fixed + said("run", name, "--until", UNTIL) + Path(name).read_text(encoding="utf-8")
+
+
+def _machine(program: Generated, name: str) -> str:
+    """Return the output of `check` and an editor for a machine file with mistakes."""
+    path = _gallery()[name].with_suffix(".machine.toml")
+    if not path.exists():
+        return ""
+    text = damaged(path.read_text(encoding="utf-8"), "mint", program.seed + 3000, 1)
+    _write(program.name, program, machine=text)
+    source, draw = Source("a.machine.toml", text), Draw(program.seed)
+    found = [text, said("check", "-j", "1", program.name)]
+    for _ in range(6):
+        offset = draw.randrange(len(text) + 1)
+        shown = _fields(hover_machine_file(source, offset)), _fields(complete_machine_file(source, offset))
+        found.append(f"{offset} {shown}\n")
+    return "".join(found)
+
+
+def _variant(program: Generated) -> str:
+    """Write a variant of the program with some larger figures, and return its name."""
+    name = f"variant{Path(program.name).suffix}"
+    draw = Draw(program.seed)
+    varied = re.sub(
+        r"(?<![\w.(])\d\d+(?![\w.])",
+        lambda found: str(int(found[0]) + 1) if draw.chance(0.2) else found[0],
+        program.text,
+    )
+    _write(name, program, varied)
+    return name
+
+
+def _diff(program: Generated) -> str:
+    """Compare the program with a variant."""
+    name = _variant(program)
+    form = ("--format", "json") if program.seed % 3 == 0 else ()
+    return said("diff", program.name, name, "--until", UNTIL, *form)
+
+
+def _compare(program: Generated) -> str:
+    """Compare the program with a recording of a variant."""
+    name = _variant(program)
+    traced = said("run", name, "-q", "--until", UNTIL, "--trace", "r.csv", "--rate", "200")
+    form = ("--format", "json") if program.seed % 3 == 0 else ()
+    return traced + said("compare", program.name, "r.csv", "--until", UNTIL, *form)
+
+
+def _golden(program: Generated) -> str:
+    """Write the golden files of a program, and compare a variant with them."""
+    name = f"golden{Path(program.name).suffix}"
+    limited = f"{LIMITS}\n[run]\nuntil = {UNTIL}\n"
+    _write(name, program, machine=limited)
+    written = said("verify", "-j", "1", "--update", name)
+    _write(name, program, Path(_variant(program)).read_text(encoding="utf-8"), machine=limited)
+    form = (("--review",), (), ("--format", "json"))[program.seed % 3]
+    return written + said("verify", "-j", "1", *form, name)
+
+
+def _init(program: Generated) -> str:
+    """Guess a machine for the program."""
+    name = f"first{Path(program.name).suffix}"
+    _write(name, program)
+    machine = Path(name).with_suffix(".machine.toml")
+    machine.unlink()
+    printed = said("init", name, "--until", UNTIL)
+    return printed + (machine.read_text(encoding="utf-8") if machine.exists() else "no machine file\n")
+
+
+def _profile(program: Generated) -> str:
+    """Return the time profile of a run."""
+    form = (".json", ".trace.json", ".speedscope.json")[program.seed // 4 % 3]
+    return _written(program, f"a{form}", "--profile-to", f"a{form}")
+
+
+def _notebook(program: Generated) -> str:
+    source = Source(program.name, program.text)
+    return run(source, machine=program.machine, until=float(UNTIL), cache=False)._repr_html_()
+
+
+def _motor(program: Generated) -> str:
+    """Run the program with a simulated motor, with or without friction."""
+    name = f"motor{Path(program.name).suffix}"
+    friction = (0.0, 0.01)[program.seed % 2]
+    _write(name, program, machine=f"{LIMITS}\n[axis.1.plant]\n{MOTOR}coulomb = {friction}\n")
+    return said("run", name, "--until", "1", "--format", ("table", "json")[program.seed // 2 % 2])
+
+
+def _sweep(program: Generated) -> str:
+    """Run the program in two variants."""
+    varied = "--vary", "controller.instruction_time=1e-5,1e-4", "--keep", "time,position.0,peak.0,prints"
+    return said("sweep", program.name, "-j", "1", "--until", UNTIL, *varied)
+
+
+def _editor(program: Generated) -> str:
+    """Return the answers of the language server for a copy with mistakes."""
+    text = damaged(program.text, program.language, program.seed + 2000)
+    settings = read_machine(Source("a.machine.toml", program.machine_file))
+    page = Page(Source(program.name, text), dialect(program.language), settings)
+    return text + "".join(f"{line}\n" for line in _answers(page, Draw(program.seed)))
+
+
+def _answers(page: Page, draw: Draw) -> Iterator[object]:
+    """Yield the answers to an editor's requests, some of them at random positions."""
+    found = findings(page)
+    for each in found:
+        yield each.line, each.column, each.length, each.code, each.message, each.hint
+        yield from (_fields(fix) for fix in fixes(page, each))
+    yield from (_fields(symbol) for symbol in navigation.symbols(page))
+    yield navigation.folds(page)
+    yield from formatted_lines(page, "    ")
+    yield list(tokens(page, 1, page.text.count("\n") + 1))
+    for _ in range(8):
+        offset = draw.randrange(len(page.text) + 1)
+        yield (
+            offset,
+            navigation.definition(page, offset),
+            navigation.references(page, offset, draw.chance(0.5)),
+        )
+        yield _fields(hover(page, offset)), _fields(signature(page, offset))
+        try:
+            yield [_fields(edit) for edit in navigation.rename(page, offset, "feed")]
+        except navigation.Refused as reason:
+            yield str(reason)
+        if draw.chance(0.15):
+            yield [_fields(item) for item in complete(page, offset)]
+
+
+def _fields(value: object) -> object:
+    """Return a record as a tuple of its fields; nested records become tuples, too."""
+    if isinstance(value, list):
+        return [_fields(each) for each in value]
+    slots = getattr(type(value), "__slots__", None)
+    return value if slots is None else tuple(_fields(getattr(value, name)) for name in slots)
+
+
+_KINDS: dict[str, Callable[[Generated], str]] = {
+    "damaged": _damaged,
+    "table": lambda program: _run(
+        program, "--paths", "--profile", *(["--all"] if program.seed // 4 % 2 else [])
+    ),
+    "editor": _editor,
+    "trace": lambda program: _written(program, "a.csv", "--trace", "a.csv", "--rate", "25", "--prove"),
+    "fault": _fault,
+    "certify": lambda program: _run(program, "--certify"),
+    "points": lambda program: _written(
+        program,
+        "p.csv",
+        "--trace",
+        "p.csv",
+        "--trajectory-points",
+        "--rate",
+        "50",
+        "--trajectory-rate",
+        "200",
+    ),
+    "diff": _diff,
+    "picture": lambda program: _written(program, "a.html", "--plot", "a.html"),
+    "profile": _profile,
+    "changes": lambda program: _written(program, "a.vcd", "--trace", "a.vcd"),
+    "code": lambda program: said("run", program.name, ("--show-code", "--show-tree")[program.seed // 13 % 2]),
+    "sweep": _sweep,
+    "compare": _compare,
+    "golden": _golden,
+    "init": _init,
+    "notebook": _notebook,
+    "motor": _motor,
+}
+
+
+def write_texts(folder: Path, chosen: list[str]) -> None:
+    """Write the texts of cases into a folder."""
+    for name in chosen:
+        for kind, text in texts(name).items():
+            (folder / f"{name}.{kind}.txt").write_text(text, encoding="utf-8")
+
+
+def main(arguments: list[str]) -> int:
+    """Write the texts of some cases, or of all cases, into a folder."""
+    parser = argparse.ArgumentParser(prog="tests.generated.results")
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("name", nargs="*", help="a case, such as words-17; default: all")
+    parser.add_argument("--commit", help="use the package of this commit instead of this tree's")
+    given = parser.parse_args(arguments)
+    folder = given.folder.absolute()
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as temporary:
+        if given.commit is None:
+            os.environ["MOTIONLANG_CACHE"] = temporary
+            os.chdir(temporary)
+            write_texts(folder, given.name or names())
+            return 0
+        archive = ["git", "archive", given.commit, "motionlang"]
+        packed = subprocess.run(archive, cwd=ROOT, check=True, capture_output=True).stdout
+        with tarfile.open(fileobj=io.BytesIO(packed)) as files:
+            files.extractall(temporary, filter="data")
+        paths = os.pathsep.join((temporary, str(ROOT)))
+        again = [sys.executable, "-m", "tests.generated.results", str(folder), *given.name]
+        return subprocess.run(
+            again, check=False, cwd=temporary, env={**os.environ, "PYTHONPATH": paths}
+        ).returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,42 @@
+"""Programs that poll with a TIMER have the same result without accelerators."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from motionlang.fast.polled_ticks import PolledTicks, Transition
+from tests.generated.handlers import document
+from tests.generated.polls import is_equal, program
+
+# Seeds of the normal run, and of a long one in batches.
+SLICE, BATCHES, BATCH = 40, 30, 100
+
+
+@pytest.mark.slow
+def test_a_slice_of_programs_is_the_same_without_accelerators() -> None:
+    assert [seed for seed in range(SLICE) if not is_equal(seed)] == []
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("batch", range(BATCHES))
+def test_programs_are_the_same_without_accelerators(batch: int) -> None:
+    first = SLICE + batch * BATCH
+    assert [seed for seed in range(first, first + BATCH) if not is_equal(seed)] == []
+
+
+@pytest.mark.slow
+def test_a_quarter_of_the_programs_have_ticks_that_are_skipped(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without skipped ticks the comparison would prove nothing."""
+    found: set[int] = set()
+    passed = PolledTicks._pass
+
+    def counted(self: PolledTicks, steps: list[Transition], *given: Any) -> bool:
+        found.add(seed)
+        return passed(self, steps, *given)
+
+    monkeypatch.setattr(PolledTicks, "_pass", counted)
+    for seed in range(30):
+        document(*program(seed), fast=True)
+    assert len(found) >= 8
