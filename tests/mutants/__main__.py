@@ -47,7 +47,7 @@ from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen, files, woven
 from tests.mutants.recorder import ACTIVE
 
 # Tests that cannot be run on mutants: they test the tests, the wheel, other interpreters, or run for weeks.
-NO_JUDGES = (
+NOT_RUN = (
     "mutants",
     "test_benchmarks.py",
     "test_package.py",
@@ -68,9 +68,9 @@ install()
 """
 
 
-def judges() -> list[str]:
-    """The tests that can be run on mutants, as paths relative to the project."""
-    found = [path for path in (ROOT / "tests").iterdir() if path.name not in NO_JUDGES]
+def default_tests() -> list[str]:
+    """Return the tests that can run against mutants, as paths relative to the project."""
+    found = [path for path in (ROOT / "tests").iterdir() if path.name not in NOT_RUN]
     return sorted(
         path.relative_to(ROOT).as_posix()
         for path in found
@@ -89,7 +89,7 @@ def copied(folder: Path, mutants: list[Mutant], recorded: Iterable[Path] = ()) -
     )
     shutil.copytree(ROOT, tree, ignore=left_out)
     for path in {*recorded, *(mutant.path for mutant in mutants)}:
-        numbers = {mutant.place: number for number, mutant in enumerate(mutants) if mutant.path == path}
+        numbers = {mutant.ordinal: number for number, mutant in enumerate(mutants) if mutant.path == path}
         (tree / path.relative_to(ROOT)).write_text(woven(path, numbers), encoding="utf-8")
     with open(tree / PACKAGE.name / "__init__.py", "a", encoding="utf-8") as package:
         package.write(WOVEN)
@@ -117,7 +117,7 @@ def coverage(jobs: int) -> dict[str, dict[str, Any]]:
     """
     with tempfile.TemporaryDirectory() as folder:
         tree = copied(Path(folder), [], files())
-        for _ in verdicts(tree, [], judges(), jobs):
+        for _ in verdicts(tree, [], default_tests(), jobs):
             raise AssertionError
         found: dict[str, dict[str, Any]] = merged(jobs, tree)["tests"]
         return found
@@ -147,11 +147,11 @@ def verdicts(tree: Path, mutants: list[Mutant], tests: list[str], jobs: int) -> 
         log = (tree / "pytest.log").read_text(errors="replace")
         raise SystemExit(f"the tests did not run: {log[-3000:]}")
     with ThreadPoolExecutor(jobs) as pool:
-        yield from pool.map(lambda number: (mutants[number], judged_alone(tree, tasks[number], jobs)), alone)
+        yield from pool.map(lambda number: (mutants[number], verdict_alone(tree, tasks[number], jobs)), alone)
 
 
-def judged_alone(tree: Path, task: dict[str, Any], jobs: int) -> str:
-    """Return the test that fails with a mutant reached by imports; "" if none does."""
+def verdict_alone(tree: Path, task: dict[str, Any], jobs: int) -> str:
+    """Return the test that fails with a mutant that imports reach; "" if none does."""
     tests = {
         name: each for name, each in merged(jobs, tree)["tests"].items() if task["file"] in each["files"]
     }
@@ -258,4 +258,4 @@ if __name__ == "__main__":
     parser.add_argument("--jobs", metavar="N", type=int, default=os.cpu_count() or 1)
     given = parser.parse_args()
     earlier = given.after.read_text(encoding="utf-8") if given.after is not None else ""
-    sys.exit(main(given.count, given.seed, given.only, given.tests or judges(), earlier, given.jobs))
+    sys.exit(main(given.count, given.seed, given.only, given.tests or default_tests(), earlier, given.jobs))

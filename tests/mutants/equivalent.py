@@ -12,10 +12,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/copley/export.py: _read_back: initial + point.position -> initial - point.position": (
         "the point after an initial position is at that position: its distance is 0"
     ),
-    "motionlang/controller/moves/path_run.py: PathRun: _enter: True -> False": (
-        "a path has as many moves as axes"
-    ),
-    "motionlang/analysis/certificate.py: contradictions: high < float('inf') -> high <= float('inf')": (
+    "motionlang/analysis/certificate.py: contradictions: high < inf -> high <= inf": (
         "what has no end upwards has none downwards either, with any slack"
     ),
     "motionlang/analysis/proof/time_bounds.py: move_time: not a0 and distance < 0.0 -> not a0 or distance < 0.0": (
@@ -27,7 +24,6 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/axes.py: check_profile: order.jerks[0] < inf -> order.jerks[0] <= inf": (
         "an endless jerk adds nothing"
     ),
-    "motionlang/analysis/proof/paths.py: _ends: True -> False": ("a path starts and ends on as many axes"),
     "motionlang/analysis/proof/paths.py: _check_along: span.length <= late -> span.length < late": (
         "just as long as the rounding of its time either is right"
     ),
@@ -43,13 +39,10 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/servo/discrete.py: exponential: 5 -> 6": ("halved and squared once more, which is the same"),
     "motionlang/controller/feedback.py: Feedback: _check_standstill: "
-    "was_calm and (not self.at_standstill) -> was_calm or not self.at_standstill": (
+    "was_at_standstill and (not self.at_standstill) -> was_at_standstill or not self.at_standstill": (
         "one look more at the present sample, which finds nothing new"
     ),
     "motionlang/notes/slip.py: _beyond: 1.0 -> 2.0": ("a piece without an end has one acceleration for ever"),
-    "motionlang/servo/stretch.py: _spans: True -> False": (
-        "between as many turns and one there is one span more"
-    ),
     "motionlang/servo/tuning.py: Suggestion: True -> False #2": (
         "slots: the attributes are the same without"
     ),
@@ -65,16 +58,12 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/cycle/motions.py: Motions: that_ended: found >= 0 -> found > 0": (
         "the motion of number 0 is the last that is looked at"
     ),
-    "motionlang/analysis/compare/recording.py: _names: True -> False": "both rows are as wide as the numbers",
     "motionlang/mint/keywords/buffer.py: read_status: "
     "(a.move.speed is not None) << 0 -> (a.move.speed is not None) >> 0": (
         "by no place to the left or to the right"
     ),
     "motionlang/mint/keywords/camboxes.py: CamBox: _edges: source.per_unit > 0 -> source.per_unit >= 0": (
         "no source has 0 counts in a unit"
-    ),
-    "motionlang/mint/keywords/paths.py: put_arc: True -> False": (
-        "as many places as axes have been asked for before"
     ),
     "motionlang/mint/keywords/terminal.py: ask: 1 -> 2": (
         "of how often something was done only a change is asked"
@@ -93,7 +82,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/planners/segment_speed.py: _farthest: 0.5 -> 1.5 #3": (
         "how soon the secants come near; the halves that follow find the last bit from anywhere"
     ),
-    "motionlang/planners/reparametrised.py: _on: place < 0.0 -> place <= 0.0": (
+    "motionlang/planners/reparametrised.py: _on: distance < 0.0 -> distance <= 0.0": (
         "at 0 the straight continuation and the curve have the same position and slope"
     ),
     "motionlang/planners/curve.py: Profile: positions: len(pieces) - 1 -> len(pieces) + 1": (
@@ -102,7 +91,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/planners/transition.py: initial_steps: bounds.decel * bounds.decel -> bounds.decel / bounds.decel": (
         "v0 beside it is at least as large as what can be lost by rounding there"
     ),
-    "motionlang/planners/formula.py: Formula: _turn: last > 0.0 -> last >= 0.0": (
+    "motionlang/planners/formula.py: Formula: _extremum: last > 0.0 -> last >= 0.0": (
         "a last of 0 has returned in the line before"
     ),
     "motionlang/planners/jerk.py: _directly: 0.5 -> 1.5": (
@@ -120,7 +109,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/planners/jerk.py: peak_speed: low > 0.05 * (high - u) -> low >= 0.05 * (high - u)": (
         "where both are the same Newton's steps come to the same speed from either bound"
     ),
-    "motionlang/planners/lookahead.py: _ramps_of: way * (1.0 + _SLACK) -> way / (1.0 + _SLACK)": (
+    "motionlang/planners/lookahead.py: _ramps_of: distance * (1.0 + _SLACK) -> distance / (1.0 + _SLACK)": (
         "`reaches` allows the slack once more, and the speed asked for has been found to fit without any"
     ),
     "motionlang/planners/ramps.py: _add_trapezoidal: 0.0 -> 1.0 #12": "the frequency of a wave of no height",
@@ -130,4 +119,41 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/planners/sample.py: _sample_short: 0 -> 1": "how many points are worked on at once",
     "motionlang/planners/sample.py: _sample_short: 1 -> 2": "how many points are worked on at once",
     "motionlang/views/csv.py: _Buffer: fill: 1 -> 2 #3": "NumPy takes any negative number for the unknown dimension",
+    "motionlang/analysis/compare/alignment.py: _explained: len(run_times) - 1 -> len(run_times) + 1": (
+        "a longer Fourier transform is padded with zeros"
+    ),
+    "motionlang/fast/command_rounds.py: advanced: many > 1 -> many >= 1": "one step at once is one step",
+    "motionlang/mint/resolve/definitions.py: _Finder: _walk: known[text] is None and "
+    "self.function.scope.find(text.partition('.')[0]) is not None -> known[text] is None or "
+    "self.function.scope.find(text.partition('.')[0]) is not None": (
+        "a name that is not cached is looked up again, with the same result"
+    ),
+    "motionlang/planners/curve.py: Profile: cubic: i + 2 < len(knots) -> i + 2 <= len(knots)": (
+        "the last knot is the duration"
+    ),
+    "motionlang/planners/joint.py: on_line: 0.0 -> 1.0": (
+        "a path without length has a profile without motion, at any scale"
+    ),
+    "motionlang/planners/table.py: _expand: time >= MOMENT -> time > MOMENT": (
+        "exactly at the size of rounding both are right"
+    ),
+    "motionlang/planners/transition.py: profile_of_steps: 0.0 -> 1.0 #3": "the frequency of a wave of no height",
+    "motionlang/planners/transition.py: profile_of_steps: 0.0 -> 1.0 #4": "the phase of a wave of no height",
+    "motionlang/planners/verify.py: _Span: _wave_extrema: abs(offset) > 1.0 -> abs(offset) >= 1.0": (
+        "a derivative that touches 0 keeps its sign, so there is no extremum"
+    ),
+    "motionlang/servo/response.py: _gain_margin: ring.imag[:-1] < 0.0 -> ring.imag[:-1] <= 0.0": (
+        "a response that is real exactly on the grid is found in the interval before"
+    ),
+    "motionlang/views/csv.py: _write: column <= -0.5 * 10.0 ** (-decimals) -> column < -0.5 * 10.0 ** "
+    "(-decimals)": ("the sign of a number that is exactly half a digit comes from `_write_exactly`"),
+    "motionlang/views/csv.py: _write: fractions.max() > near -> fractions.max() >= near": (
+        "no row is beyond the bound, so `_write_exactly` has none to write"
+    ),
+    "motionlang/views/grid.py: decimals_of: 12 -> 13": "values below 1e-9 are 0 with any number of decimals",
+    "motionlang/views/table.py: 2 -> 3 #2": "of two columns that are dropped alike, the first is dropped first",
+    "motionlang/cli/pvt_input.py: Move: True -> False": "slots: the attributes are the same without",
+    "motionlang/views/outline.py: _points: begin > 0.0 -> begin >= 0.0": (
+        "if nothing is in use from 0 on, the window ends at 0, too"
+    ),
 }

@@ -31,7 +31,7 @@ class Mutant(NamedTuple):
     """
 
     path: Path
-    place: int
+    ordinal: int
     name: str
     line: int
     before: str
@@ -44,8 +44,8 @@ class Mutant(NamedTuple):
     @property
     def package(self) -> str:
         """The top-level package of the mutant; "root" for files outside the packages."""
-        parts = self.path.relative_to(PACKAGE).parts
-        return parts[0] if len(parts) > 1 else "root"
+        components = self.path.relative_to(PACKAGE).parts
+        return components[0] if len(components) > 1 else "root"
 
 
 # Derived files: their writers are mutated instead.
@@ -73,13 +73,15 @@ def mutants(path: Path) -> Iterator[Mutant]:
     """Yield the changes of a file in order, except in types, messages and assertions."""
     times: Counter[str] = Counter()
     file = path.relative_to(ROOT)
-    for place, (where, node, after) in enumerate(_changes(ast.parse(path.read_bytes()), "")):
+    for ordinal, (where, node, after) in enumerate(_changes(ast.parse(path.read_bytes()), "")):
         before = ast.unparse(node)
         name = f"{file}: {where}{before} -> {after}"
         times[name] += 1
         name += f" #{times[name]}" if times[name] > 1 else ""
-        imported = not any(part.isidentifier() and part.islower() for part in where.split(": "))
-        yield Mutant(path, place, name, node.lineno, before, after, imported)
+        imported = not any(
+            component.isidentifier() and component.islower() for component in where.split(": ")
+        )
+        yield Mutant(path, ordinal, name, node.lineno, before, after, imported)
 
 
 def woven(path: Path, numbers: Mapping[int, int]) -> str:
@@ -89,9 +91,9 @@ def woven(path: Path, numbers: Mapping[int, int]) -> str:
     """
     tree = ast.parse(path.read_bytes())
     chosen = {
-        id(node): (numbers[place], after)
-        for place, (_, node, after) in enumerate(_changes(tree, ""))
-        if place in numbers
+        id(node): (numbers[ordinal], after)
+        for ordinal, (_, node, after) in enumerate(_changes(tree, ""))
+        if ordinal in numbers
     }
 
     class Weaver(ast.NodeTransformer):
@@ -99,15 +101,15 @@ def woven(path: Path, numbers: Mapping[int, int]) -> str:
             found = chosen.get(id(node))
             node = self.generic_visit(node)
             if isinstance(node, ast.FunctionDef):
-                said = ast.get_docstring(node, clean=False) is not None
+                has_docstring = ast.get_docstring(node, clean=False) is not None
                 node.body.insert(
-                    int(said), *ast.parse(f"__seen__({path.relative_to(ROOT).as_posix()!r})").body
+                    int(has_docstring), *ast.parse(f"__seen__({path.relative_to(ROOT).as_posix()!r})").body
                 )
             if found is None:
                 return node
             assert isinstance(node, ast.expr)
-            asked = ast.parse(f"__mutant__({found[0]})", mode="eval").body
-            return ast.IfExp(asked, ast.parse(found[1], mode="eval").body, node)
+            condition = ast.parse(f"__mutant__({found[0]})", mode="eval").body
+            return ast.IfExp(condition, ast.parse(found[1], mode="eval").body, node)
 
     return ast.unparse(ast.fix_missing_locations(Weaver().visit(tree)))
 
@@ -115,7 +117,7 @@ def woven(path: Path, numbers: Mapping[int, int]) -> str:
 def _changes(tree: ast.AST, where: str) -> Iterator[tuple[str, ast.expr, str]]:
     """Yield the name of each position, its expression, and the replacement."""
     for node in ast.iter_child_nodes(tree):
-        if isinstance(node, ast.Assert | ast.Raise) or _is_for_types(node):
+        if isinstance(node, ast.Assert | ast.Raise) or _is_for_types(node) or _asserts_length(node):
             continue
         if isinstance(node, ast.AnnAssign):
             yield from _changes(ast.Expression(node.value), where) if node.value is not None else ()
@@ -127,8 +129,8 @@ def _changes(tree: ast.AST, where: str) -> Iterator[tuple[str, ast.expr, str]]:
         for changed, after in _of(node):
             yield where, changed, after
         if isinstance(node, ast.FunctionDef):
-            for part in node.body:
-                yield from _changes(ast.Module([part], []), f"{where}{node.name}: ")
+            for statement in node.body:
+                yield from _changes(ast.Module([statement], []), f"{where}{node.name}: ")
         else:
             yield from _changes(node, f"{where}{node.name}: " if isinstance(node, ast.ClassDef) else where)
 
@@ -138,6 +140,11 @@ def _is_for_types(node: ast.AST) -> bool:
         node.test if isinstance(node, ast.If) else node.targets[0] if isinstance(node, ast.Assign) else None
     )
     return what is not None and "TYPE_CHECKING" in ast.unparse(what)
+
+
+def _asserts_length(node: ast.AST) -> bool:
+    """True for the `strict=True` of a zip: different lengths are an internal error."""
+    return isinstance(node, ast.keyword) and node.arg == "strict"
 
 
 def _of(node: ast.AST) -> Iterator[tuple[ast.expr, str]]:

@@ -8,9 +8,10 @@ from typing import Any
 
 import pytest
 
-from tests.mutants.__main__ import BAR, judges, killers, main, table
+from tests.mutants.__main__ import BAR, default_tests, killers, main, table
 from tests.mutants.equivalent import EQUIVALENT
-from tests.mutants.mutate import chosen, every, mutants, woven
+from tests.mutants.forks import BUDGET, NET, within_budget
+from tests.mutants.mutate import ROOT, chosen, every, mutants, woven
 
 TEXT = '''"""A sentence with 3 numbers."""
 from __future__ import annotations
@@ -24,6 +25,7 @@ def f(a, b):
     if a < b and not b:
         raise ValueError(f"{a + 1}")
     return a + b * -1.5 if a == LIMIT else profiles[-1]
+    zip(a, b, strict=True)
 '''
 
 
@@ -54,7 +56,7 @@ def test_what_is_changed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     assert {each.line for each in mutants(path) if each.imported} == {5}
 
 
-def test_the_same_are_chosen_again_from_every_part() -> None:
+def test_the_same_are_chosen_again_from_every_package() -> None:
     once = chosen(300, 0)
     assert chosen(300, 0) == once != chosen(300, 1)
     assert {each.package for each in once} >= {
@@ -66,7 +68,7 @@ def test_the_same_are_chosen_again_from_every_part() -> None:
         "mint",
         "views",
     }
-    assert {"tests/cli", "tests/golden", "tests/test_files.py"} < set(judges())
+    assert {"tests/cli", "tests/golden", "tests/test_files.py"} < set(default_tests())
 
 
 def test_the_score_is_given_by_package() -> None:
@@ -92,7 +94,7 @@ def test_each_change_is_made_where_its_number_is_active(
 ) -> None:
     path = written(tmp_path, monkeypatch)
     found = list(mutants(path))
-    code = compile(woven(path, {each.place: 100 + each.place for each in found}), "a.py", "exec")
+    code = compile(woven(path, {each.ordinal: 100 + each.ordinal for each in found}), "a.py", "exec")
 
     def answers(active: int) -> tuple[object, ...]:
         seen: list[str] = []
@@ -100,25 +102,32 @@ def test_each_change_is_made_where_its_number_is_active(
             "__mutant__": active.__eq__, "__seen__": seen.append, "TYPE_CHECKING": False, "profiles": [7, 8, 9],
         }  # fmt: skip
         exec(code, space)
-        told: list[object] = [space["LIMIT"]]
+        results: list[object] = [space["LIMIT"]]
         for a, b in ((2, 3), (2, 2), (3, 0), (-2, 0), (0, 0), (3, 4)):
             try:
-                told.append(space["f"](a, b))
+                results.append(space["f"](a, b))
             except (ValueError, IndexError) as error:
-                told.append(type(error))
+                results.append(type(error))
         assert set(seen) == {"a.py"}
-        return tuple(told)
+        return tuple(results)
 
     plain = answers(-1)
-    assert [each.name for each in found if answers(100 + each.place) == plain] == []
+    assert [each.name for each in found if answers(100 + each.ordinal) == plain] == []
 
 
-def test_what_is_equivalent_stands_in_the_text() -> None:
+def test_the_net_is_never_left_out() -> None:
+    quick, slow, net = "tests/a.py::test_a", "tests/a.py::test_b", f"{NET}::test_c"
+    durations = {quick: 1.0, slow: BUDGET, net: BUDGET}
+    assert (ROOT / NET).exists()
+    assert within_budget([quick, slow, net], durations) == [quick, net]
+
+
+def test_equivalent_mutants_exist_in_the_sources() -> None:
     names = {each.name for each in every()}
     assert [name for name in EQUIVALENT if name not in names] == []
 
 
-def test_the_tests_that_killed_stand_in_the_output_of_a_run() -> None:
+def test_the_tests_that_killed_are_in_the_output_of_a_run() -> None:
     here = "tests/mutants/test_mutants.py::test_a"
     log = (
         f"1 killed by {here}[1: 2]: motionlang/planners/a.py:3: a -> b\n"
@@ -134,4 +143,4 @@ def test_the_tests_that_killed_stand_in_the_output_of_a_run() -> None:
 @pytest.mark.long
 def test_the_score_reaches_its_bar() -> None:
     assert BAR == 0.88
-    assert main(80, [0], [], judges()) == 0
+    assert main(80, [0], [], default_tests()) == 0
