@@ -27,9 +27,9 @@ from growth import GROWTH
 
 FOLDER = Path(__file__).parent
 # Order: the ones that take seconds first.
-NAMES = ("loop", "mccl", "shift", "start", "compile", "parse", "poll", "sweep", "diff", "plan", "sample", "output",
-         "servo", "serve", "mcapi", "pvt", "watches", "cycle", "events", "editor", "growth", "debug",
-         "proof")  # fmt: skip
+NAMES = ("loop", "keywords", "mccl", "shift", "start", "compile", "parse", "poll", "sweep", "diff", "plan",
+         "sample", "output", "servo", "serve", "mcapi", "pvt", "watches", "cycle", "events", "editor", "growth",
+         "debug", "proof")  # fmt: skip
 
 
 class Bar(NamedTuple):
@@ -65,6 +65,11 @@ BARS: dict[str, Bar] = {
     "loop_while": _most(2.0),
     "loop_shared": _most(2.0),
     "loop_four_tasks": _most(1.1),
+    # A statement against reading POS of an axis at rest.
+    "keyword_inx": _most(1.2),
+    "keyword_adc": _most(1.5),
+    "keyword_outx": _most(1.5),
+    "keyword_time": _most(0.75),
     # Text to code, against Lark and CPython.
     "parse_vs_lark_as_shipped": _least(8.0),
     "parse_vs_lark_gc_off": _least(8.0),
@@ -192,10 +197,10 @@ def prove(names: list[str]) -> int:
     failed = 0
     for name in names:
         try:
-            told = ran(name, FOLDER / "proved").stderr.strip().splitlines()
+            lines = ran(name, FOLDER / "proved").stderr.strip().splitlines()
         except subprocess.CalledProcessError as error:
-            told, failed = error.stderr.strip().splitlines(), 1
-        print(f"{name}: {told[-1] if told else 'no run of a program'}", flush=True)
+            lines, failed = error.stderr.strip().splitlines(), 1
+        print(f"{name}: {lines[-1] if lines else 'no run of a program'}", flush=True)
     return failed
 
 

@@ -114,11 +114,11 @@ class Typist:
         )
         if not sign.isalnum():
             return  # an editor asks within a word
-        place = {
+        position = {
             "textDocument": {"uri": URI},
             "position": {"line": line, "character": column + 1 if sign else 0},
         }
-        self._send({"id": self.version + 1, "method": "textDocument/completion", "params": place})
+        self._send({"id": self.version + 1, "method": "textDocument/completion", "params": position})
 
     def _send(self, message: dict[str, object]) -> None:
         protocol = self.server.protocol

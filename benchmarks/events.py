@@ -29,7 +29,7 @@ PROGRAMS = {
     "quiet": PROGRAM,
     "busy": PROGRAM.replace("WAIT(5150)\n", f"JOG({ALL}) = 1; : WAIT(4800) : STOP({ALL}) : PAUSE {IDLE}\n"),
 }
-TURNS, ROUNDS = 4, 3
+REPEATS, ROUNDS = 4, 3
 # Functions that write events, by their names in modules.
 WRITERS = ("clamped", "note")
 
@@ -92,9 +92,9 @@ class Finder:
         return spec
 
 
-def measure(kind: str, way: str) -> None:
+def measure(kind: str, mode: str) -> None:
     """Print the best CPU time of several rounds, and the number of events."""
-    if way == "without":
+    if mode == "without":
         sys.meta_path.insert(0, Finder())
     from motionlang.execution import run
     from motionlang.report import text
@@ -111,7 +111,7 @@ def measure(kind: str, way: str) -> None:
         gc.enable()
         assert ran.status == "ended", ran.diagnostics
         events = len(ran.machine.log.events)
-    assert bool(events) is (way == "with" and kind == "busy"), events
+    assert bool(events) is (mode == "with" and kind == "busy"), events
     print(best, events)
 
 
@@ -120,13 +120,13 @@ def main() -> None:
     for kind in PROGRAMS:
         best = {"with": float("inf"), "without": float("inf")}
         count = 0
-        for _ in range(TURNS):
-            for way in ("with", "without"):
+        for _ in range(REPEATS):
+            for mode in ("with", "without"):
                 ran = subprocess.run(
-                    [sys.executable, __file__, kind, way], capture_output=True, text=True, check=True
+                    [sys.executable, __file__, kind, mode], capture_output=True, text=True, check=True
                 )
                 seconds, events = ran.stdout.split()
-                best[way] = min(best[way], float(seconds))
+                best[mode] = min(best[mode], float(seconds))
                 count = max(count, int(events))
         print(f"events_{kind}_count {count} events")
         print(f"events_{kind} {best['with'] / best['without']:.3f} x")

@@ -84,16 +84,16 @@ def measure_csv() -> None:
     """Compare the CSV formatter with `np.savetxt`, both to memory with six decimals."""
     data = columns()
     table = np.stack(data, axis=1)
-    part = table[: ROWS // 10]
+    first_rows = table[: ROWS // 10]
     formatter = Formatter([6] * len(data))
     times = best(
         7,
         {
             "csv": lambda: formatter.lines(data),
-            "savetxt": lambda: np.savetxt(io.BytesIO(), part, fmt="%.6f", delimiter=","),
+            "savetxt": lambda: np.savetxt(io.BytesIO(), first_rows, fmt="%.6f", delimiter=","),
         },
     )
-    ours, theirs = times["csv"] / ROWS, times["savetxt"] / len(part)
+    ours, theirs = times["csv"] / ROWS, times["savetxt"] / len(first_rows)
     print(f"output.csv {ours * 1e9:.0f} ns/row")
     print(f"output.savetxt {theirs * 1e9:.0f} ns/row")
     print(f"output.savetxt_over_csv {theirs / ours:.1f} x")

@@ -11,7 +11,7 @@ NAMES = ["x", "y", "count", "goal", "ref", "n", "gap", "most", "moment", "gain",
 SETTINGS = ["MOVEA", "MOVER", "POS", "ENCODER"]
 # Settings with a limited range: they are given a number, not a term that may exceed it.
 BOUNDED = ["SPEED", "ACCEL", "DECEL", "JOG"]
-READINGS = ["POS", "VEL", "FOLERROR", "IDLE", "AXISMODE", "ENCODER"]
+READ_KEYWORDS = ["POS", "VEL", "FOLERROR", "IDLE", "AXISMODE", "ENCODER"]
 COMPARISONS = {"<": "<", ">": ">", "<=": "<=", ">=": ">=", "<>": "!=", "=": "=="}
 Pair = tuple[str, str]  # equal programs in Mint and in Python
 
@@ -64,7 +64,7 @@ class _Writer:
         elif kind < 0.9:
             text = self.random.choice(NAMES)
         else:
-            text = f"{self.random.choice(READINGS)}({self.random.randint(0, 7)})"
+            text = f"{self.random.choice(READ_KEYWORDS)}({self.random.randint(0, 7)})"
         return text, text
 
     def condition(self) -> Pair:
@@ -103,11 +103,11 @@ class _Writer:
     def statement(self, depth: int) -> None:
         kind = self.random.random()
         if kind < 0.76 or depth > 4:
-            parts = [self.simple() for _ in range(1 if self.random.random() < 0.75 else 2)]
-            self.line(depth, " : ".join(part[0] for part in parts), "; ".join(part[1] for part in parts))
+            pairs = [self.simple() for _ in range(1 if self.random.random() < 0.75 else 2)]
+            self.line(depth, " : ".join(pair[0] for pair in pairs), "; ".join(pair[1] for pair in pairs))
         elif kind < 0.82:
-            test, part = self.condition(), self.simple()
-            self.line(depth, f"If {test[0]} Then {part[0]}", f"if {test[1]}: {part[1]}")
+            test, pair = self.condition(), self.simple()
+            self.line(depth, f"If {test[0]} Then {pair[0]}", f"if {test[1]}: {pair[1]}")
         elif kind < 0.88:
             test = self.condition()
             self.wrapped(depth, (f"If {test[0]} Then", f"if {test[1]}:"), "End If")

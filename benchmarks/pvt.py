@@ -43,19 +43,19 @@ def best(rounds: int, job: Callable[[], object]) -> float:
 def history(seconds: float) -> tuple[list[float], list[Profile], float]:
     """Return sinusoidal moves in sequence for about `seconds`, and their end time."""
     draw = np.random.default_rng(3)
-    starts, profiles, time, place = list[float](), list[Profile](), 0.0, 0.0
+    starts, profiles, time, position = list[float](), list[Profile](), 0.0, 0.0
     while time < seconds:
-        move = plan_sinusoidal(place, float(draw.uniform(-20_000, 20_000)), 4e4, 1e5, 1e5)
+        move = plan_sinusoidal(position, float(draw.uniform(-20_000, 20_000)), 4e4, 1e5, 1e5)
         starts.append(time)
         profiles.append(move)
-        time, place = time + move.duration, move.end
+        time, position = time + move.duration, move.end
     return starts, profiles, time
 
 
 def winding() -> tuple[list[float], list[WirePoint]]:
     """Return the positions and points of a move of `POINTS` points, 2 ms apart."""
-    places = [float(round(20_000 * math.sin(0.01 * i) * math.cos(0.0013 * i))) for i in range(POINTS)]
-    return places, to_wire(points_from(places, smooth_velocities(places, 0.002), 0.002))
+    positions = [float(round(20_000 * math.sin(0.01 * i) * math.cos(0.0013 * i))) for i in range(POINTS)]
+    return positions, to_wire(points_from(positions, smooth_velocities(positions, 0.002), 0.002))
 
 
 def stream(points: list[WirePoint]) -> float:
@@ -69,13 +69,13 @@ def stream(points: list[WirePoint]) -> float:
 def main() -> None:
     """Measure and print."""
     starts, profiles, end = history(60.0)
-    places, points = winding()
+    positions, points = winding()
     gc.disable()
     for tolerance in (0.6, 2.0, 20.0):
         count = fit_track(starts, profiles, tolerance, 0.0, end).segments
         seconds = best(3, lambda t=tolerance: fit_track(starts, profiles, t, 0.0, end))  # type: ignore[misc]
         print(f"fit, tolerance {tolerance:g} {end / seconds:.0f} x real time ({count} segments)")
-    print(f"exact velocities {POINTS / best(5, lambda: smooth_velocities(places, 0.002)):.0f} points/s")
+    print(f"exact velocities {POINTS / best(5, lambda: smooth_velocities(positions, 0.002)):.0f} points/s")
     print(f"0x2010 packets {POINTS / best(5, lambda: packet.encode_points(points)):.0f} points/s")
     print(f"0x115 words {POINTS / best(5, lambda: list(map(serial.encode_point, points))):.0f} points/s")
     seconds = best(3, lambda: stream(points))

@@ -23,12 +23,12 @@ POINTS = 1_000_000
 def history() -> tuple[list[float], list[Profile]]:
     """Return 2000 jerk-limited moves of about half a second, in sequence."""
     lengths = np.random.default_rng(3).uniform(5.0, 40.0, 2000)
-    starts, profiles, time, place = [], [], 0.0, 0.0
+    starts, profiles, time, position = [], [], 0.0, 0.0
     for length in lengths:
-        move = plan_jerk(place, place + float(length), 100.0, 500.0, 500.0, 5000.0, 5000.0)
+        move = plan_jerk(position, position + float(length), 100.0, 500.0, 500.0, 5000.0, 5000.0)
         starts.append(time)
         profiles.append(move)
-        time, place = time + move.duration, move.end
+        time, position = time + move.duration, move.end
     return starts, profiles
 
 

@@ -52,13 +52,13 @@ def many_hosts(port: int) -> tuple[float, float, float]:
     The share is that of the slowest host relative to the mean; the wait is in seconds.
     """
     hosts = dict.fromkeys((connect(port) for _ in range(HOSTS)), b"")
-    counts, asked = dict.fromkeys(hosts, 0), dict.fromkeys(hosts, 0.0)
+    counts, sent = dict.fromkeys(hosts, 0), dict.fromkeys(hosts, 0.0)
     longest = 0.0
     with selectors.DefaultSelector() as selector:
         begin = perf_counter()
         for host in hosts:
             selector.register(host, selectors.EVENT_READ, host)
-            asked[host] = perf_counter()
+            sent[host] = perf_counter()
             host.sendall(b"1TP\r")
         while (now := perf_counter()) < begin + SECONDS:
             for key, _ in selector.select(1.0):
@@ -66,8 +66,8 @@ def many_hosts(port: int) -> tuple[float, float, float]:
                 hosts[host] += host.recv(64)
                 if hosts[host] == ANSWER:
                     now = perf_counter()
-                    longest = max(longest, now - asked[host])
-                    hosts[host], asked[host] = b"", now
+                    longest = max(longest, now - sent[host])
+                    hosts[host], sent[host] = b"", now
                     counts[host] += 1
                     host.sendall(b"1TP\r")
     for host in hosts:

@@ -38,7 +38,7 @@ RATE = 4000
 STEPS = SECONDS * RATE
 ROUNDS = 7
 MIN_TIME = 0.02
-ASKED = ("position", "output")
+REQUESTED = ("position", "output")
 LOOP = Loop(0.04, 2e-5, 0.9, integral_limit=5.0)
 MOTOR = Motor()
 AXES = "0, 1, 2, 3, 4, 5, 6, 7"
@@ -76,13 +76,13 @@ def points(kick: float = 0.0) -> Array:
 
 def track() -> Track:
     """Return moves like those of `points`, as profiles of the planner."""
-    starts, profiles, place = [0.0], [hold(0.0)], 0.0
+    starts, profiles, position = [0.0], [hold(0.0)], 0.0
     for k in range(SECONDS):
         target = 4000.0 if k % 2 == 0 else 0.0
-        move = plan_sinusoidal(place, target, 15_000.0, 100_000.0, 100_000.0)
+        move = plan_sinusoidal(position, target, 15_000.0, 100_000.0, 100_000.0)
         starts += [float(k), k + move.duration]
         profiles += [move, hold(target)]
-        place = target
+        position = target
     return Track(starts, profiles)
 
 
@@ -176,7 +176,7 @@ def check(at: Array) -> float:
     It is relative to the travel, or to the output limit.
     """
     positions, outputs = python_loop(interpolated(at), LOOP, MOTOR)
-    position, output = stretch(at, ASKED)
+    position, output = stretch(at, REQUESTED)
     worst = float(np.abs(position - positions).max()) / float(np.abs(at).max())
     return max(worst, float(np.abs(output - outputs).max()) / LOOP.output_limit)
 
@@ -200,30 +200,30 @@ def suggestion(number: int) -> float:
 
 def main() -> None:
     """Measure, and print."""
-    calm, rough = points(), points(500.0)
-    demand, moves = interpolated(calm), track()
+    smooth, rough = points(), points(500.0)
+    demand, moves = interpolated(smooth), track()
     jobs: dict[str, Callable[[], object]] = {
         "python": lambda: python_loop(demand, LOOP, MOTOR),
-        "written": lambda: written_out(demand, LOOP, MOTOR, ASKED),
+        "written": lambda: written_out(demand, LOOP, MOTOR, REQUESTED),
         "written-all": lambda: written_out(demand, LOOP, MOTOR, COLUMNS),
-        "stretch": lambda: stretch(calm, ASKED),
-        "stretch-all": lambda: stretch(calm, COLUMNS),
-        "stretch-limits": lambda: stretch(rough, ASKED),
-        "simulate": lambda: simulate(moves, LOOP, MOTOR, until=SECONDS - 1e-4, columns=ASKED),
-        "quantised": lambda: written_out(demand, LOOP, Motor(quantised=True), ASKED),
-        "friction": lambda: written_out(demand, LOOP, Motor(coulomb=0.003), ASKED),
-        "both": lambda: written_out(demand, LOOP, Motor(coulomb=0.003, quantised=True), ASKED),
+        "stretch": lambda: stretch(smooth, REQUESTED),
+        "stretch-all": lambda: stretch(smooth, COLUMNS),
+        "stretch-limits": lambda: stretch(rough, REQUESTED),
+        "simulate": lambda: simulate(moves, LOOP, MOTOR, until=SECONDS - 1e-4, columns=REQUESTED),
+        "quantised": lambda: written_out(demand, LOOP, Motor(quantised=True), REQUESTED),
+        "friction": lambda: written_out(demand, LOOP, Motor(coulomb=0.003), REQUESTED),
+        "both": lambda: written_out(demand, LOOP, Motor(coulomb=0.003, quantised=True), REQUESTED),
         "both-all": lambda: written_out(demand, LOOP, Motor(coulomb=0.003, quantised=True), COLUMNS),
         "chapter12": lambda: written_out(
             demand,
             Loop(100, 4, 2000, integral_limit=2000, arithmetic="chapter12", dac_bits=12),
             Motor(quantised=True),
-            ASKED,
+            REQUESTED,
         ),
     }
     took = timed(jobs)
-    saturated = int((np.abs(stretch(rough, ASKED)[1]) >= LOOP.output_limit).sum())
-    print(f"difference-to-python {max(check(calm), check(rough)):.2e} of range")
+    saturated = int((np.abs(stretch(rough, REQUESTED)[1]) >= LOOP.output_limit).sum())
+    print(f"difference-to-python {max(check(smooth), check(rough)):.2e} of range")
     for name, seconds in took.items():
         print(f"{name}-step {seconds / STEPS * 1e9:.2f} ns")
     print(f"saturated-steps {saturated} of {STEPS}")

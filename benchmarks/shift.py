@@ -60,8 +60,8 @@ FOUR_TASKS = (
     + "WAIT(28750000)\nEnd\n"
     + "".join(TASK.format(axis=axis, distance=(20, 30, 40, 35)[axis]) for axis in range(4))
 )
-TURNS = 5000
-LOOP = f"Dim n As Integer\nSPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500\nFor n = 1 To {TURNS}\n  {{}}\nNext\n"
+ITERATIONS = 5000
+LOOP = f"Dim n As Integer\nSPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500\nFor n = 1 To {ITERATIONS}\n  {{}}\nNext\n"
 
 
 def core(program: str) -> float:
@@ -108,10 +108,10 @@ def main() -> None:
     print(f"shift_core_speed {result.time / alone:.0f} x_real_time")
     print(f"shift_travel {whole(PROGRAM, TRAVEL)[0] / moves * 1e6:.2f} us/move")
     print(f"shift_four_tasks {whole(FOUR_TASKS)[0] / moves * 1e6:.2f} us/move")
-    turn = core(LOOP.format("n = n"))
-    print(f"shift_wait {(core(LOOP.format('WAIT(5150)')) - turn) / TURNS * 1e6:.2f} us")
-    one = core(LOOP.format("MOVER(0) = 20 : GO(0)\n  PAUSE IDLE(0)")) - turn
-    print(f"shift_move_and_pause {one / TURNS * 1e6:.2f} us")
+    iteration = core(LOOP.format("n = n"))
+    print(f"shift_wait {(core(LOOP.format('WAIT(5150)')) - iteration) / ITERATIONS * 1e6:.2f} us")
+    one = core(LOOP.format("MOVER(0) = 20 : GO(0)\n  PAUSE IDLE(0)")) - iteration
+    print(f"shift_move_and_pause {one / ITERATIONS * 1e6:.2f} us")
 
 
 if __name__ == "__main__":

@@ -41,7 +41,7 @@ def variant() -> None:
     variants = [(n, sweep.space[n]) for n in range(0, 1000, 1000 // RUNS)]
     overrides = [{"rate": float(rate), "gain": float(gain)} for _, (rate, gain) in variants]  # type: ignore[arg-type]
     program = worker._program(worker.source, {}, overrides[0])  # type: ignore[arg-type]
-    bare = kept = float("inf")
+    bare = with_sweep = float("inf")
     for _ in range(ROUNDS):
         began = process_time()
         for values in overrides:
@@ -50,10 +50,10 @@ def variant() -> None:
         began = process_time()
         for each in variants:
             worker.result(each)
-        kept = min(kept, process_time() - began)
+        with_sweep = min(with_sweep, process_time() - began)
     print(f"sweep_bare_run {bare / len(variants) * 1e3:.3f} ms")
-    print(f"sweep_variant {kept / len(variants) * 1e3:.3f} ms")
-    print(f"sweep_variant_by_bare_run {kept / bare:.2f} x")
+    print(f"sweep_variant {with_sweep / len(variants) * 1e3:.3f} ms")
+    print(f"sweep_variant_by_bare_run {with_sweep / bare:.2f} x")
 
 
 def thousand() -> None:

@@ -22,19 +22,19 @@ _count = [0]
 def _proved(scheduler: Scheduler, until: float = float("inf")) -> str:
     machine = scheduler.machine
     controller = machine.controller if isinstance(machine, Machine) else machine
-    orders = controller.orders or ExpectedMotion(controller)
+    expected = controller.expected_motion or ExpectedMotion(controller)
     status = _run(scheduler, until)
-    found = prove(Recorded(controller), orders, controller.clock.now).violations
+    found = prove(Recorded(controller), expected, controller.clock.now).violations
     if found:
         raise SystemExit(f"line {found[0].line}: {found[0].message}; {len(found)} in all")
     _count[0] += 1
     return status
 
 
-def _tell() -> None:
+def _report() -> None:
     if _count[0]:
         sys.stderr.write(f"{_count[0]} runs are proved\n")
 
 
 Scheduler.run = _proved  # type: ignore[assignment,method-assign]
-atexit.register(_tell)
+atexit.register(_report)
