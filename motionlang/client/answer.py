@@ -12,13 +12,22 @@ _CODE = re.compile(r"\?\s*([+-]?\d+)\s*")
 _END = re.compile(r"\r\n|\r|\n")
 
 
-def end_of(data: bytes) -> int:
+def end_of(data: bytes | bytearray, searched: int = 0) -> int:
     """Return the end of a complete answer of a board with a prompt; 0 if incomplete.
 
-    The end is after the first prompt that follows a line end.
+    The end is after the first prompt that follows a line end. The first `searched` bytes contain none.
     """
-    match = _PROMPT.search(data)
+    match = _PROMPT.search(data, max(0, searched - 1))
     return match.end() if match else 0
+
+
+def cancelled_in(data: bytes | bytearray) -> bool:
+    """Return True if a board without a prompt has answered an ESC.
+
+    An idle board sends an empty line.
+    """
+    *lines, _ = _END.split(data.decode("latin-1"))
+    return CANCELLED in lines or "" in lines
 
 
 def version_in(data: bytes) -> tuple[str, int]:
@@ -33,7 +42,7 @@ def version_in(data: bytes) -> tuple[str, int]:
     return "", 0
 
 
-def lines_of(data: bytes, sent: str = "") -> list[str]:
+def lines_of(data: bytes | bytearray, sent: str = "") -> list[str]:
     """Return the lines of an answer, without empty lines, prompts and the echo."""
     found = [line.removeprefix(">") for line in _END.split(data.decode("latin-1"))]
     found = [line for line in found if line]

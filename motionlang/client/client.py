@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Self
 from motionlang.client.answer import (
     CANCELLED,
     VERSION_QUERY,
+    cancelled_in,
     code_of,
     end_of,
     lines_of,
@@ -150,6 +151,7 @@ class Client(Connection):
     def escape(self) -> None:
         """Abandon the board's work for this client, including a wait; motion continues."""
         self._wire.send(ESC)
+        self._await_cancelled()
         self._drain()
 
     # -------------------------------------------------------------------------------------------------- axes
@@ -225,26 +227,41 @@ class Client(Connection):
             lines = ["", *(line for line in lines_of(ended, VERSION_QUERY) if line != CANCELLED)]
 
     def _answer(self, line: str, seconds: float) -> list[str]:
-        wire, data = self._wire, b""
-        end = wire.now() + seconds
+        wire, data = self._wire, bytearray(self._rest)
+        end, self._rest = wire.now() + seconds, b""
         while True:
             left = end - wire.now()
-            ended = data[-1:] in (b"\n", b"\r") and not self.prompts
+            ended = data.endswith((b"\n", b"\r")) and not self.prompts
             received = wire.receive(min(left, QUIET) if ended else left)
+            searched = len(data)
             data += received
-            whole = end_of(data) if self.prompts else len(data) * (ended and not received)
+            whole = end_of(data, searched) if self.prompts else len(data) * (ended and not received)
             if whole:
-                self._rest = data[whole:]
+                self._rest = bytes(data[whole:])
                 return lines_of(data[:whole], line)
             if not received:
                 self.escape()
                 raise NoReply(line, seconds)
 
     def _collect_unasked(self) -> None:
+        """Store the complete lines that have arrived; the rest of a line is still to come."""
         received = self._rest + self._wire.receive(0.0)
-        if received:
-            self.unasked.extend(lines_of(received))
-            self._rest = b""
+        complete = max(received.rfind(b"\n"), received.rfind(b"\r")) + 1
+        self.unasked.extend(lines_of(received[:complete]))
+        self._rest = received[complete:]
+
+    def _await_cancelled(self) -> None:
+        """Read until the board has answered an ESC, at most for the client's time-out.
+
+        Without this, the answer of a busy board could arrive after the next line has been sent, and be taken for the
+        answer to that line.
+        """
+        end, data = self._wire.now() + self.timeout, bytearray()
+        while (left := end - self._wire.now()) > 0.0:
+            searched = len(data)
+            data += self._wire.receive(left)
+            if end_of(data, searched) if self.prompts else cancelled_in(data):
+                return
 
     def _drain(self) -> None:
         """Discard input until the line is silent, at most for `DRAIN` seconds."""

@@ -10,7 +10,9 @@ from __future__ import annotations
 import select
 import selectors
 import socket
+import threading
 import time
+from contextlib import contextmanager
 from traceback import walk_tb
 from typing import TYPE_CHECKING
 
@@ -23,7 +25,7 @@ from motionlang.serve.pace import RealTime
 from motionlang.serve.refusals import Refusals
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from types import TracebackType
     from typing import Any, TypeAlias
 
@@ -45,7 +47,7 @@ class Server:
     """Serves `console`; `complain` is called with lines for the person who started it.
 
     `listen` and `device` open lines for hosts. `run` serves until `stop`, which may be called from a signal handler or
-    another thread. `close` disconnects everything.
+    another thread; `in_thread` does both. `close` disconnects everything.
     """
 
     def __init__(
@@ -118,6 +120,17 @@ class Server:
         """Serve until `stop`."""
         while not self._over:
             self.turn(self._timeout())
+
+    @contextmanager
+    def in_thread(self) -> Iterator[None]:
+        """Serve in a thread of its own while the block of `with` runs, as in a test bench."""
+        thread = threading.Thread(target=self.run, daemon=True)
+        thread.start()
+        try:
+            yield
+        finally:
+            self.stop()
+            thread.join()
 
     def stop(self) -> None:
         """End `run` after its current iteration."""

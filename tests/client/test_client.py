@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 import socket
 import sys
-import threading
 from collections.abc import Callable, Iterator
+from contextlib import nullcontext
 
 import pytest
 
@@ -35,11 +35,8 @@ def open_client(request: pytest.FixtureRequest, console: Console) -> Iterator[Op
         address = server.listen("127.0.0.1", 0)
         over = {"tcp": "", "socket://": "socket://"}.get(request.param)
         where = device(server) if over is None else over + "{}:{}".format(*address)
-        thread = threading.Thread(target=server.run, daemon=True)
-        thread.start()
-        yield lambda: Client.open(where)
-        server.stop()
-        thread.join(20.0)
+        with server.in_thread():
+            yield lambda: Client.open(where)
 
 
 def device(server: Server) -> str:
@@ -110,19 +107,14 @@ def test_a_wait_that_takes_too_long_is_abandoned(console: Console, transport: st
     """
     with Server(console, RealTime(console)) as server:
         address = server.listen("127.0.0.1", 0)
-        thread = threading.Thread(target=server.run, daemon=True)
-        if transport == "tcp":
-            thread.start()
-        with Client.virtual(console) if transport == "virtual" else Client.tcp(*address) as board:
+        serving = server.in_thread() if transport == "tcp" else nullcontext()
+        with serving, Client.tcp(*address) if transport == "tcp" else Client.virtual(console) as board:
             board.send("1MN,1SV10000,1MR90000")
             with pytest.raises(NoReply, match=r"1WS: no answer within 0.1 s"):
                 board.wait_for_stop(1, timeout=0.1)
             assert board.ask("TE") == "-7"
             assert not board.status(1) & Status.STOPPED
             assert 0 < board.position(1) < 90000
-        server.stop()
-        if transport == "tcp":
-            thread.join(20.0)
 
 
 def test_a_wait_that_nothing_can_end(board: Client) -> None:
@@ -161,24 +153,26 @@ def test_output_of_background_tasks_between_lines_is_separate(console: Console) 
 def test_a_board_that_never_keeps_silent(model: str) -> None:
     """A background task prints all the time; answers are found between its lines.
 
-    This works in real time, too.
+    This works in real time, too. How much is printed within an answer and how much before the next line depends on the
+    speed of this computer.
     """
     console = Console(Machine({"controller.model": model}, first_axis=1))
     with Server(console, RealTime(console, 20.0)) as server:
         address = server.listen("127.0.0.1", 0)
-        thread = threading.Thread(target=server.run, daemon=True)
-        thread.start()
-        with Client.tcp(*address) as board:
+        with server.in_thread(), Client.tcp(*address) as board:
             board.send("MD1,2TP,WA0.005,RP")
             board.send("GT1")
+            lines: set[str] = set()
             for _ in range(100):
-                assert "01 0" in board.send("1TP")
+                answer = board.send("1TP")
+                assert "01 0" in answer
+                lines.update(answer)
             with pytest.raises(NoReply):
                 board.send("WN40", timeout=0.05)
             assert "01 0" in board.send("1TP")
-            assert set(board.unasked) == {"02 0"}
-        server.stop()
-        thread.join(20.0)
+            while "02 0" not in lines.union(board.unasked):
+                lines.update(board.send("1TP"))
+            assert lines.union(board.unasked) == {"01 0", "02 0"}
 
 
 def test_only_one_line_at_a_time(board: Client) -> None:
@@ -257,23 +251,16 @@ def test_a_server_without_room() -> None:
     console = Console(Machine(first_axis=1))
     with Server(console, LockStep(console), limits=Limits(hosts=1)) as server:
         address = server.listen("127.0.0.1", 0)
-        thread = threading.Thread(target=server.run, daemon=True)
-        thread.start()
-        with Client.tcp(*address), pytest.raises(ConnectionLost):
+        with server.in_thread(), Client.tcp(*address), pytest.raises(ConnectionLost):
             Client.tcp(*address)
-        server.stop()
-        thread.join(20.0)
 
 
 def test_a_board_that_goes_away() -> None:
     console = Console(Machine(first_axis=1))
     with Server(console, LockStep(console)) as server:
         address = server.listen("127.0.0.1", 0)
-        thread = threading.Thread(target=server.run, daemon=True)
-        thread.start()
-        client = Client.tcp(*address)
-        server.stop()
-        thread.join(20.0)
+        with server.in_thread():
+            client = Client.tcp(*address)
     with pytest.raises(ConnectionLost, match=r"the (board has closed the connection|connection is gone)"):
         client.ask("1TP")
     client.close()

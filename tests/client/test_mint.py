@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterator
 
 import pytest
@@ -38,12 +37,8 @@ def line(request: pytest.FixtureRequest) -> Iterator[MintClient]:
             pytest.importorskip("pty")
         address = server.listen("127.0.0.1", 0)
         where = server.device() if request.param == "device" else "{}:{}".format(*address)
-        thread = threading.Thread(target=server.run, daemon=True)
-        thread.start()
-        with MintClient.open(where, timeout=20.0) as client:
+        with server.in_thread(), MintClient.open(where, timeout=20.0) as client:
             yield client
-        server.stop()
-        thread.join(20.0)
 
 
 def output_until(line: MintClient, mark: str) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import select
-import threading
 from collections.abc import Iterator
 
 import pytest
@@ -21,11 +20,8 @@ def device() -> Iterator[str]:
     console = Console(Machine(first_axis=1))
     with Server(console, LockStep(console)) as server:
         path = server.device()
-        thread = threading.Thread(target=server.run, daemon=True)
-        thread.start()
-        yield path
-        server.stop()
-        thread.join(20.0)
+        with server.in_thread():
+            yield path
 
 
 def until(line: int, mark: bytes) -> bytes:
