@@ -10,6 +10,6 @@ from motionlang.serve.address import BadAddress, parse
 def address(text: str) -> tuple[str, int]:
     """Return host and port of `HOST:PORT`, or of a port number alone."""
     try:
-        return parse(text if ":" in text else ":" + text)
+        return parse(text)
     except BadAddress as problem:
         raise argparse.ArgumentTypeError(str(problem)) from None

@@ -29,7 +29,8 @@ from motionlang.dap.tables import (
     STOPPED,
 )
 from motionlang.debug.checkpoints import HandOver
-from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop, destination
+from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop
+from motionlang.debug.destinations import destination
 from motionlang.debug.expressions import WrongExpression
 from motionlang.errors import ProgramError
 from motionlang.lang.machine.entries import WrongEntry, entries

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from motionlang.lang.dialect import Dialect
     from motionlang.source import Source
 
-# The character that stands for one that could not be decoded.
+# The character in place of one that could not be decoded.
 _UNKNOWN = "\ufffd"
 
 

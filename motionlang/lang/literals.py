@@ -2,7 +2,7 @@
 
     SPEED[0]@12    the number that line 12 writes to SPEED of axis 0; SPEED(0)@12 and SPEED.0@12 are the same
     1SV@3          the parameter of the command 1SV in line 3
-    d@7            the number that line 7 assigns to the variable d, or that a Define stands for
+    d@7            the number that line 7 assigns to the variable d, or that a Define gives
     SPEED[0]       every number that the program writes to SPEED of axis 0
     MOVER[0]@9:2   the second number of an expression, or of several writes in one line
     POS[0]@10      the number with which a condition in line 10 compares POS of axis 0
@@ -244,7 +244,7 @@ def _declared(source: Source, language: Dialect) -> set[str]:
 
 
 def _chosen(found: Sequence[Literal], address: str, source: Source) -> list[Literal]:
-    """Return the literals that an address stands for.
+    """Return the literals that an address means.
 
     Raises ProgramError if there is none, or if the address is ambiguous.
     """

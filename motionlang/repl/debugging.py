@@ -10,7 +10,8 @@ from collections.abc import Sequence
 
 from motionlang.debug import moments
 from motionlang.debug.breakpoints import Breakpoint
-from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop, destination
+from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop
+from motionlang.debug.destinations import destination
 from motionlang.debug.expressions import parse
 from motionlang.debug.values import shown
 from motionlang.errors import Diagnostic, ProgramError

@@ -146,7 +146,7 @@ def test_a_port_that_is_taken(capsys: pytest.CaptureFixture[str]) -> None:
             [],
             "no address for hosts: give --tcp, --mcapi or --modbus with HOST:PORT, --pty, or --can INTERFACE:CHANNEL",
         ),
-        (["--tcp", "nowhere"], "argument --tcp: ':nowhere' is not HOST:PORT with a port from 0"),
+        (["--tcp", "nowhere"], "argument --tcp: 'nowhere' is not HOST:PORT with a port from 0"),
         (["--tcp", "127.0.0.1:70000"], "is not HOST:PORT with a port from 0 (any that is free) to 65535"),
         (["--tcp", "0", "--step", "1"], "--step needs --clock lockstep"),
         (["--tcp", "0", "--clock", "lockstep", "--factor", "2"], "--factor needs --clock real"),

@@ -177,7 +177,10 @@ class Console:
 
 
 class _Gate(Task):
-    """The scheduler's parent task; it is done as soon as its condition holds."""
+    """The scheduler's parent task; it is done as soon as its condition holds.
+
+    It is never resumed: to wake a task and let it wait again would take most of the time of a host's short line.
+    """
 
     def __init__(self) -> None:
         self._is_open: Callable[[], bool] = lambda: False

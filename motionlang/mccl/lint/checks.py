@@ -75,7 +75,7 @@ def _unreachable(why: str, what: str = "command") -> Fault:
 def _reached(line: Line) -> set[int]:
     """Return the indices of the commands that can run.
 
-    The number of commands stands for the end of the line.
+    The number of commands means the end of the line.
     """
     found: set[int] = set()
     stack = [0]
@@ -184,7 +184,7 @@ def _has_moved(command: Command, moved: set[int]) -> bool:
 
 
 def _moved(line: Line, bodies: dict[int | None, Line], seen: set[int]) -> set[int]:
-    """Return the axes that a line moves; 0 stands for all axes or an unknown one."""
+    """Return the axes that a line moves; 0 means all axes or an unknown one."""
     return {axis for command in line.commands for axis in _moved_by(command, bodies, seen)}
 
 

@@ -7,7 +7,7 @@
     LIST          list the chosen one
     RUN           run the configuration, then the program
 
-A line of one blank stands for an empty line of the text. Hosts send empty lines in this form, because an empty line
+A line of one blank represents an empty line of the text. Hosts send empty lines in this form, because an empty line
 ends EDIT.
 """
 
