@@ -25,7 +25,7 @@ _WAITS = {"wait_on": "on", "wait_off": "off"}
 
 def check_channels(lines: list[Line], settings: Mapping[str, object], model: Model, add: Add) -> None:
     """Run both checks, with one diagnostic per command."""
-    commands = [each for line in lines for each in zip(line.commands, line.places, strict=True)]
+    commands = [each for line in lines for each in zip(line.commands, line.offsets, strict=True)]
     made = {command.number for command, _ in commands if command.verb == "channel_output"}
     driven = driven_inputs(settings)
     word = next(row.name for row in table() if row.verb == "channel_output")

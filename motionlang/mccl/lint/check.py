@@ -76,11 +76,11 @@ def _line(source: Source, line: Line, model: Model, axes: int) -> Iterator[Diagn
         fault = _unknown_to(model, command) or problem(command) or _no_axis(command, axes)
         fault = fault or _wrong_here(line, k, command, model)
         if fault is not None:
-            yield _diagnostic(source, line.places[k], fault)
+            yield _diagnostic(source, line.offsets[k], fault)
         elif command.row is not None and not command.row.simulated:
             message = f"{command.name} is not simulated: the command has no effect"
             fault = Fault(0, message, command.row.help, "not-simulated")
-            yield _diagnostic(source, line.places[k], fault, "warning")
+            yield _diagnostic(source, line.offsets[k], fault, "warning")
 
 
 def _unknown_to(model: Model, command: Command) -> Fault | None:
@@ -159,7 +159,7 @@ def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
                 message = f"no line of this file defines macro {number}"
                 yield _diagnostic(
                     source,
-                    line.places[k],
+                    line.offsets[k],
                     Fault(0, message, f"{table().doing(_DEFINES)}{number},... defines it", "unknown-word"),
                     "warning",
                 )

@@ -49,7 +49,7 @@ def lint(lines: list[Line], add: Add) -> None:
         reached = _reached(line)
         if ended and not _is_macro(line):
             ended = False
-            add(line.places[0], _unreachable("the line before repeats forever", "line"))
+            add(line.offsets[0], _unreachable("the line before repeats forever", "line"))
         _unreached_commands(line, reached, add)
         if not _is_macro(line) and len(line.commands) not in reached:
             ended = True
@@ -112,7 +112,7 @@ def _next(line: Line, k: int) -> list[int]:
 
 def _unreached_commands(line: Line, reached: set[int], add: Add) -> None:
     is_reported = False
-    for k, (command, at) in enumerate(zip(line.commands, line.places, strict=True)):
+    for k, (command, at) in enumerate(zip(line.commands, line.offsets, strict=True)):
         if k in reached or command.verb == "nothing":
             is_reported = is_reported and k not in reached
         elif not is_reported:
@@ -156,7 +156,7 @@ def _starts(lines: list[Line], add: Add) -> None:
 
 def _commands(lines: list[Line]) -> Iterator[tuple[Command, int]]:
     for line in lines:
-        yield from zip(line.commands, line.places, strict=True)
+        yield from zip(line.commands, line.offsets, strict=True)
 
 
 # ------------------------------------------------------------------------------------------------------- waits
@@ -172,7 +172,7 @@ def _waits(lines: list[Line], add: Add) -> None:
         repeats = any(command.verb in _REPEATS for command in line.commands)
         if repeats:
             moved |= _moved(line, bodies, set())
-        for command, at in zip(line.commands, line.places, strict=True):
+        for command, at in zip(line.commands, line.offsets, strict=True):
             if command.verb in _WAITS and 0 not in moved and not _has_moved(command, moved):
                 message = f"{command.text} waits for the end of a move, and nothing has moved yet"
                 add(at, Fault(0, message, "move first, as in 1MR1000,1WS", "nothing-to-wait-for"))

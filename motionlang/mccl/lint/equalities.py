@@ -33,7 +33,7 @@ def exact_positions(lines: Iterable[Line], add: Add) -> None:
     for line in lines:
         polls = any(command.verb in _REPEATS for command in line.commands)
         position = False
-        for command, at in zip(line.commands, line.places, strict=True):
+        for command, at in zip(line.commands, line.offsets, strict=True):
             verb = command.verb
             if verb in _EQUALITIES:
                 if position and polls:

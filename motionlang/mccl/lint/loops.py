@@ -58,7 +58,7 @@ def _check(line: Line, begin: int, k: int, add: Add) -> None:
     word = line.commands[k].name
     moves = [
         (each, at)
-        for each, at in zip(line.commands[begin:k], line.places[begin:k], strict=True)
+        for each, at in zip(line.commands[begin:k], line.offsets[begin:k], strict=True)
         if each.verb in _MOVES
     ]
     if moves:
@@ -71,4 +71,4 @@ def _check(line: Line, begin: int, k: int, add: Add) -> None:
         hint = "add WA0.1 before it"
         if line.commands[k].verb == "repeat":
             hint += f", or end after ten repetitions with {word}10"
-        add(line.places[k], Fault(0, message, hint, "endless-loop"))
+        add(line.offsets[k], Fault(0, message, hint, "endless-loop"))

@@ -56,7 +56,7 @@ def running_axes(lines: Iterable[Line], add: Add) -> None:
             for axis in axes.values():
                 axis.running, axis.distance = False, None
             continue
-        for command, at in zip(line.commands, line.places, strict=True):
+        for command, at in zip(line.commands, line.offsets, strict=True):
             for number in _named(command, axes):
                 axis = axes.setdefault(number, _Axis())
                 fault = _after(axis, number, command) or _waits_too_far(axis, number, command)

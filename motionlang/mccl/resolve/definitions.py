@@ -48,7 +48,7 @@ class _Finder:
         """Return the names."""
         for line in lines_of(self.source.text):
             if isinstance(line, Line):
-                for command, at in zip(line.commands, line.places, strict=True):
+                for command, at in zip(line.commands, line.offsets, strict=True):
                     self._command(line, command, at)
             else:
                 self.complete = False
@@ -90,7 +90,7 @@ class _Finder:
             if not made.is_declared:
                 made.declare(span)
                 made.text = line.text
-                first, last = line.places[0], line.places[-1] + len(line.commands[-1].text)
+                first, last = line.offsets[0], line.offsets[-1] + len(line.commands[-1].text)
                 self.blocks.append(Block("macro", str(number), span, (first, last)))
             else:
                 made.fixed = f"macro {number} is defined more than once"

@@ -21,7 +21,7 @@ _MEMO_SIZE = 5_000
 class Line:
     """The commands of one source line, with its `number`.
 
-    `origin` is the text that contained it, beginning at `start`; a macro outlives that text. `places` are the
+    `origin` is the text that contained it, beginning at `start`; a macro outlives that text. `offsets` are the
     offsets of the commands in it. The commands of a macro are those of its line from index `first` on.
     """
 
@@ -30,17 +30,12 @@ class Line:
     def __init__(
         self, commands: tuple[Command, ...], number: int, origin: str, start: int, first: int = 0
     ) -> None:
-        self.commands, self.number, self.origin, self.start, self.first = (
-            commands,
-            number,
-            origin,
-            start,
-            first,
-        )
+        self.commands, self.number, self.first = commands, number, first
+        self.origin, self.start = origin, start
         self._offsets: tuple[int, ...] | None = None
 
     @property
-    def places(self) -> tuple[int, ...]:
+    def offsets(self) -> tuple[int, ...]:
         """The offsets of the commands in `origin`, computed on demand."""
         if self._offsets is None:
             end = self.origin.find("\n", self.start)

@@ -49,7 +49,7 @@ def asked(source: Source) -> Callable[[int], LoopDependencies | None]:
                 reads = frozenset(read for each in commands for read in _read(each))
                 numbers = frozenset((line.number, *(macro.number for macro in called)))
                 why = "in " + ",".join(each.text for each in body)
-                found[own.places[here]] = LoopDependencies(reads, reads, numbers, why)
+                found[own.offsets[here]] = LoopDependencies(reads, reads, numbers, why)
     return found.get
 
 

@@ -35,9 +35,9 @@ class Inspection:
         """
         assert isinstance(task, CommandTask)
         private = [_register(task, number) for number in range(PRIVATE)]
-        found = [Frame(self._title(task.line), task.place if offset is None else offset, private)]
+        found = [Frame(self._title(task.line), task.offset if offset is None else offset, private)]
         for line, pc, _ in reversed(task.calls):
-            at = line.places[pc - 1] if 0 < pc <= len(line.places) else 0
+            at = line.offsets[pc - 1] if 0 < pc <= len(line.offsets) else 0
             found.append(Frame(self._title(line), at, private))
         return found
 

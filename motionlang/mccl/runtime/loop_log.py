@@ -86,7 +86,7 @@ class LoopLog:
 
         The form is that of `Task.loops`.
         """
-        return [(each.line.places[each.here], each.since, each.callers) for each in self.running]
+        return [(each.line.offsets[each.here], each.since, each.callers) for each in self.running]
 
     def find_end(self) -> None:
         """Find the last command of the innermost loop.
@@ -102,5 +102,5 @@ class LoopLog:
         task, loop = self._task, self.running.pop()
         until = task.base + task.count * task.cost
         if until - loop.since > MIN_STATEMENTS * task.cost:
-            at = loop.line.places[loop.here]
+            at = loop.line.offsets[loop.here]
             task.board.machine.log.loops.add((task.name, at, loop.since, until, loop.callers))

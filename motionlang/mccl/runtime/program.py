@@ -33,7 +33,7 @@ class MacroFile(Program):
 
     @property
     def offsets(self) -> list[int]:
-        return [at for line in self.lines if isinstance(line, Line) for at in line.places]
+        return [at for line in self.lines if isinstance(line, Line) for at in line.offsets]
 
     @property
     def entries(self) -> list[int]:
@@ -42,7 +42,7 @@ class MacroFile(Program):
         for line in self.lines:
             if isinstance(line, Line):
                 defining = [each.verb == "define_macro" for each in line.commands]
-                found += [at for at, defined in zip(line.places[1:], defining, strict=False) if defined]
+                found += [at for at, defined in zip(line.offsets[1:], defining, strict=False) if defined]
         return found
 
     @property

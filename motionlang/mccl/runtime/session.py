@@ -43,7 +43,7 @@ class Session(Interactive):
         line = task.line
         if line is not None:
             # The command may be in a macro from an earlier text: its offset is in that text.
-            _, diagnostic.column, diagnostic.length = locate(Source("input", line.origin), task.place)
+            _, diagnostic.column, diagnostic.length = locate(Source("input", line.origin), task.offset)
             diagnostic.line = line.number
         elif isinstance(task, LineTask):
             diagnostic.line, diagnostic.column, diagnostic.length = locate(task.source, task.at)
@@ -71,10 +71,10 @@ class LineTask(CommandTask):
         if self.line is None:
             return self._stray
         if self.line.origin is self.source.text:
-            return self.place
+            return self.offset
         for line, pc, _ in self.calls:
             if line.origin is self.source.text:
-                return line.places[pc - 1]
+                return line.offsets[pc - 1]
         return self._entered
 
     def next_line(self) -> Line | None:
@@ -82,7 +82,7 @@ class LineTask(CommandTask):
         while self._lines:
             line = self._lines.pop(0)
             if isinstance(line, Line):
-                self._entered = line.places[0]
+                self._entered = line.offsets[0]
                 return line
             fault, self._stray, _ = line
             self.line = None

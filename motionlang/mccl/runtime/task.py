@@ -105,24 +105,24 @@ class CommandTask(Task):
 
     @property
     def at(self) -> int:
-        return self.place
+        return self.offset
 
     @property
-    def place(self) -> int:
+    def offset(self) -> int:
         """The offset of the current command in the text that contained its line."""
         line = self.line
-        return line.places[self.here] if line is not None and self.here < len(line.places) else 0
+        return line.offsets[self.here] if line is not None and self.here < len(line.offsets) else 0
 
     @property
     def stack(self) -> tuple[int, ...]:
-        called = (line.places[pc - 1] for line, pc, _ in self.calls if 0 < pc <= len(line.places))
-        return (*called, self.place)
+        called = (line.offsets[pc - 1] for line, pc, _ in self.calls if 0 < pc <= len(line.offsets))
+        return (*called, self.offset)
 
     @property
     def stack_offsets(self) -> tuple[int, tuple[int, ...]]:
         if self.calls:
             return super().stack_offsets
-        return self.place, ()
+        return self.offset, ()
 
     @property
     def loops(self) -> list[tuple[int, float, tuple[int, ...]]]:
@@ -154,8 +154,7 @@ class CommandTask(Task):
             if (wait := self._pass(wait)) is not None:
                 return now, wait
             now = clock.now
-        hook = board.hook
-        if hook is not None:
+        if (hook := board.hook) is not None:
             tally = hook.tally
         loop_log = self.loop_log
         if shared := len(board.tasks) > 1:
@@ -183,7 +182,7 @@ class CommandTask(Task):
             if hook is not None:
                 tally[0] = begun = tally[0] + 1
                 if begun >= tally[1]:
-                    hook.consider(self, now, line.places[pc])
+                    hook.consider(self, now, line.offsets[pc])
             if pc > loop_log.end:
                 loop_log.passed()
             # One command. It is inlined, because a call would be a tenth of its cost.

@@ -114,7 +114,7 @@ class Code:
     """All units of a program, and the data that they need.
 
     `first` sets the initial values of the cells named in `shared`. `specs` describes the `kN`. `blocks` maps "main",
-    "task blink", "event timer" and so on to the names of the functions. `places[n]` is the source offset of line n of
+    "task blink", "event timer" and so on to the names of the functions. `offsets[n]` is the source offset of line n of
     the code. `first_text` is the Python of `first`, which is not cached.
     """
 
