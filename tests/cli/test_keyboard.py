@@ -38,7 +38,7 @@ def run_at_terminal(tmp_path: Path, program: str, *exchanges: tuple[str, str]) -
         for wanted, typed in exchanges:
             assert process.stdout.readline() == wanted
             os.write(ours, typed.encode())
-        out, err = process.communicate(timeout=10)
+        out, err = process.communicate(timeout=60)
     os.close(ours)
     return process.returncode, out, err
 

@@ -109,7 +109,7 @@ def test_a_wait_that_takes_too_long_is_abandoned(console: Console, transport: st
         address = server.listen("127.0.0.1", 0)
         serving = server.in_thread() if transport == "tcp" else nullcontext()
         with serving, Client.tcp(*address) if transport == "tcp" else Client.virtual(console) as board:
-            board.send("1MN,1SV10000,1MR90000")
+            board.send("1MN,1SV1000,1MR90000")
             with pytest.raises(NoReply, match=r"1WS: no answer within 0.1 s"):
                 board.wait_for_stop(1, timeout=0.1)
             assert board.ask("TE") == "-7"

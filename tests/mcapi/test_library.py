@@ -126,7 +126,7 @@ def test_a_server_that_is_killed(serve: Serve, library: Path, tmp_path: Path) ->
         assert done.stdout is not None
         assert done.stdout.readline() == "0\n"
         board.end()
-        rest, _ = done.communicate("\n", timeout=20)
+        rest, _ = done.communicate("\n", timeout=60)
     assert rest == "32 32 0 -32"
     assert done.returncode == 0
 

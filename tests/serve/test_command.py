@@ -52,7 +52,7 @@ def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
         with Client.open(address) as board:
             assert board.send("1TP,TR20") == ["01 800", "7"]
         process.send_signal(end)
-        out, err = process.communicate(timeout=20)
+        out, err = process.communicate(timeout=60)
     assert process.returncode == 0
     assert "served 1 hosts; machine time " in out
     assert "error[unknown-word]: there is no command QQ (?1: unrecognised command)\n" in err
@@ -123,7 +123,7 @@ def test_other_computers_are_let_in_only_when_it_is_said() -> None:
     with running("--tcp", "0.0.0.0:0") as process:
         address = line_with(process, "listening on ")
         process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=20)
+        _, err = process.communicate(timeout=60)
     assert err == (
         f"motionlang serve: warning: any computer that can reach this one can connect to {address}; "
         "there is no password\n"

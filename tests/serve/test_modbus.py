@@ -57,7 +57,7 @@ class Served:
         self.result: Run | None = None
         self._thread = Thread(target=self._run, args=(text, settings or {}), daemon=True)
         self._thread.start()
-        self.client: Any = ModbusTcpClient("127.0.0.1", port=self.server.port, timeout=10)
+        self.client: Any = ModbusTcpClient("127.0.0.1", port=self.server.port, timeout=60)
         assert self.client.connect()  # type: ignore[no-untyped-call,unused-ignore]
 
     def _run(self, text: str, settings: dict[str, object]) -> None:
@@ -131,7 +131,7 @@ def test_what_does_not_exist_is_reported_to_the_client(served: Served) -> None:
 
 def test_another_client_than_pymodbus(served: Served) -> None:
     """pyModbusTCP reads and writes registers, and reads the identification."""
-    client = ModbusClient("127.0.0.1", served.server.port, unit_id=5, timeout=10.0)
+    client = ModbusClient("127.0.0.1", served.server.port, unit_id=5, timeout=60.0)
     try:
         assert client.write_multiple_registers(20, [7, 8])
         assert client.read_holding_registers(20, 2) == [7, 8]
@@ -193,7 +193,7 @@ def test_the_command_serves_until_it_is_told_to_end(tmp_path: Path) -> None:
         with ModbusTcpClient("127.0.0.1", port=int(found[1])) as client:
             assert not client.read_holding_registers(4, count=2).isError()
         os.kill(process.pid, signal.SIGTERM)
-        out, err = process.communicate(timeout=10)
+        out, err = process.communicate(timeout=60)
     assert (process.returncode, out) == (0, "")
     assert re.fullmatch(r"answered 1 requests; machine time \d+\.\d{3} s\n", err)
 
