@@ -189,3 +189,13 @@ class Keyword:
 
     def __repr__(self) -> str:
         return f"Keyword({self.name!r})"
+
+
+def value(
+    name: str, short: str, access: str, index: str, unit: str, actions: Actions, help: str, example: str,
+    default: float = 0.0, low: float | None = None, high: float | None = None, group: str = "",
+) -> Keyword:  # fmt: skip
+    """Return the row of a value: a reading if it can only be read, else a setting."""
+    kind = "reading" if access == "R" else "setting"
+    return Keyword(name, short, kind, access, index, unit, actions, help, example, default=default,
+                   low=low, high=high, group=group)  # fmt: skip

@@ -94,8 +94,11 @@ def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
     title = f"{styled(row.name, 'bold', colour)} · {dialect_name(dialect)} {row.kind}"
     lines = [title, "", *textwrap.wrap(row.help, width - 2, initial_indent="  ", subsequent_indent="  ")]
     if not row.simulated:
-        lines += ["", (f"  {styled('not simulated', 'warning', colour)}: the keyword is recognised, and a program "
-"that uses it gets a message.")]  # fmt: skip
+        unsimulated = styled("not simulated", "warning", colour)
+        lines += [
+            "",
+            f"  {unsimulated}: the keyword is recognised, and a program that uses it gets a message.",
+        ]
     known = [(name, text) for name, text in facts(row, dialect) if text]
     label = max(len(name) for name, _ in known)
     lines.append("")

@@ -117,8 +117,8 @@ def test_the_board_is_that_of_the_options(cache: Path) -> None:
 def test_the_clock_of_the_host_runs_as_fast_as_the_board(cache: Path) -> None:
     """At 20 × real time.
 
-    A host that sleeps for 10 s of its own time sees 10 s of the board pass in half a second. The axis is then at 10 000,
-    or a little less if this computer was too slow; if only the host were fast, it would be at 500.
+    A host that sleeps for 10 s of its own time sees 10 s of the board pass in half a second. The axis is then at
+    10 000, or a little less if this computer was too slow; if only the host were fast, it would be at 500.
     """
     code = (
         "import time; from ctypes import *; l = CDLL(None); h = l.MCOpen(0, 2, None); p = c_double();"

@@ -66,7 +66,7 @@ _row = Group("limits").row
 ROWS = (
     _row("LM", "setting", "W", "axes", "bits", limit_mode,
          "Reaction to a limit: hard 0 motor off, 1 abrupt stop, 2 smooth stop, +128 inverted "
-"switches; soft +0 motor off, +4 abrupt, +8 smooth.", "1LM10", default=0, low=0, high=255),
+         "switches; soft +0 motor off, +4 abrupt, +8 smooth.", "1LM10", default=0, low=0, high=255),
     _row("LN", "command", "W", "axes", "bits", limits_on,
          "Enable limits: 1 hard +, 2 hard -, 4 soft high, 8 soft low; 0 all.", "1LN3", low=0, high=15),
     _row("LF", "command", "W", "axes", "bits", limits_off,

@@ -213,8 +213,8 @@ ROWS = (
             "MOVEBUFFERLOW(0) = 1\nPRINT MOVEBUFFERLOW(0)", default=-1.0, low=-1, high=100, group="buffer"),
     Keyword("TRIGGERMODE", "", "setting", "RW", "axis", "integer", _TRIGGER,
             "Trigger of moves: _trAUTO at once when they are loaded, _trGO at GO, _trINPUT at the input "
-"TRIGGERINPUT, _trPOSITION when TRIGGERCHANNEL passes TRIGGERVALUE. GO starts them in every "
-"mode.",
+            "TRIGGERINPUT, _trPOSITION when TRIGGERCHANNEL passes TRIGGERVALUE. GO starts them in every "
+            "mode.",
             "TRIGGERMODE(0) = _trAUTO\nMOVER(0) = 10\nPAUSE IDLE(0)\nPRINT POS(0)",
             default=1.0, low=0, high=3, group="buffer", effect="hands-over switch"),
     _trigger("TRIGGERINPUT", _TRIGGER, "integer", "The input that starts moves; -1 for none.", -1, 999,

@@ -5,10 +5,11 @@ Nothing is sampled during a capture. A point is computed from the exact motion w
 
 from __future__ import annotations
 
+from functools import partial
 from math import ceil
 
 from motionlang.controller.faults import Rejected
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, value
 from motionlang.mint.keywords import captures_quantities as quantities
 from motionlang.mint.keywords.captures_levels import watch
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
@@ -381,14 +382,7 @@ _RUN = (
     "PRINT {}"
 )
 
-
-def _word(
-    name: str, short: str, access: str, index: str, unit: str, actions: Actions, help: str, example: str,
-    default: float = 0.0, low: float | None = None, high: float | None = None,
-) -> Keyword:  # fmt: skip
-    kind = "reading" if access == "R" else "setting"
-    return Keyword(name, short, kind, access, index, unit, actions, help, example, default=default,
-                   low=low, high=high, group="capture")  # fmt: skip
+_word = partial(value, group="capture")
 
 
 def _channel(

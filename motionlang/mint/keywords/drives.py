@@ -215,7 +215,7 @@ ROWS = (
              _RUN + "SPEEDREF(0) = 500\nSPEEDREFENABLE(0) = 0\nPAUSE IDLE(0)\nPRINT SPEEDREF(0)", 1, 1.0, effect="act"),
     _setting("SPEEDREFSOURCE", "integer",
              "Source of the speed reference: 0 SPEEDREF, n analogue input n - 1, whose 100 % are the "
-"highest speed.",
+             "highest speed.",
              "SPEEDREFSOURCE(0) = 1\nPRINT SPEEDREF(0)", 64, effect="hands-over"),
     _time("SPEEDREFACCELTIME", "Time of a SPEEDREF ramp from rest to the highest speed (DRIVESPEEDMAX, else MAXSPEED, "
                                "else SPEED), ms; 0 uses ACCEL."),

@@ -174,7 +174,7 @@ ROWS = (
             _HALF, default=100.0, low=0.0, high=_MAX_VALUE, group="axis"),
     Keyword("FEEDRATEPARAMETER", "", "setting", "RW", "axis, parameter", "number", _PARAMETER,
             "Parameters of moves loaded from now on: 0 a speed, 1 an acceleration, 2 a deceleration; the "
-"value 0 restores SPEED, ACCEL or DECEL.",
+            "value 0 restores SPEED, ACCEL or DECEL.",
             "FEEDRATEPARAMETER(0, 0) = 25\nMOVER(0) = 100\nGO(0)\nWAIT = 100\nPRINT VEL(0)",
             default=0.0, low=0.0, high=1e12, group="axis"),
     _most("MAXSPEED", "uu/s", _limit("max_speed"),

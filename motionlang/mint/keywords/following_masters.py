@@ -132,7 +132,7 @@ def _setting(
 ROWS = (
     _setting("MASTERSOURCE", "", "integer",
              "Type of MASTERCHANNEL: _msPOS an axis, _msENCODER an encoder, _msAUXENCODER an auxiliary "
-"encoder.",
+             "encoder.",
              0.0, 0, 2),
     _setting("MASTERCHANNEL", "", "integer", "The axis or encoder that the axis follows.", 0.0, 0, 63),
     _setting("MASTERDISTANCE", "", "number",

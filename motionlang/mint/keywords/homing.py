@@ -193,7 +193,7 @@ ROWS = (
             _HOMED.format("HOMESTATUS"), default=0.0, low=0, high=1, group="homing"),
     Keyword("HOMEPHASE", "", "reading", "R", "axis", "integer", Actions(read=of(Homes, Homes.phase)),
             "Phase of homing: 0 complete, 1 search, 2 stopping on the switch, 3 leaving it, 4 looking "
-"for the index, 5 stopping behind the datum, 6 moving to HOMEOFFSET.",
+            "for the index, 5 stopping behind the datum, 6 moving to HOMEOFFSET.",
             _HOMED.format("HOMEPHASE"), default=0.0, group="homing"),
     Keyword("HOMEINPUT", "hi", "setting", "RW", "axis", "integer", SWITCH_INPUT,
             "The input that is the home switch of the axis; -1 for none.",

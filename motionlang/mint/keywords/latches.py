@@ -236,7 +236,7 @@ ROWS = (
              "The edge that triggers a latch: 0 becoming active, 1 becoming inactive, 2 both.", 2),
     _setting("LATCHSOURCE", "source", "latch", "integer", "1",
              "Quantity that a latch captures: 0 the position of an axis in user units, 1 its encoder "
-"value.", 1),
+             "value.", 1),
     _setting("LATCHSOURCECHANNEL", "axis", "latch", "integer", "1", "The axis whose position a latch catches.", 63),
     _setting("LATCHMODE", "again", "latch", "integer", "1",
              "0: a latch catches once and must be enabled again; 1: it stays enabled, and reading LATCH resets it.", 1),

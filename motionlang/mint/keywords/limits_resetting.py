@@ -93,7 +93,7 @@ _STOP_MODE = Actions(read=setting_reader(StopModes), write=setting_writer(StopMo
 ROWS = (
     Keyword("STOPINPUTMODE", "", "setting", "RW", "axis", "integer", _STOP_MODE,
             "Reaction of the axis when its stop input becomes active: _emIGNORE only the event STOP, "
-"_emCRASH_STOP a crash stop, _emERROR_DECEL a stop at ERRORDECEL.",
+            "_emCRASH_STOP a crash stop, _emERROR_DECEL a stop at ERRORDECEL.",
             "STOPINPUT(0) = 3\nSTOPINPUTMODE(0) = _emCRASH_STOP\nPRINT STOPINPUTMODE(0)",
             default=float(STOP_INPUT_MODE), low=0, high=3, group="limits"),
     Keyword("STOP", "ST", "command", "C", "axes", "",

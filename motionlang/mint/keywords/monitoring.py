@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from functools import partial
 from math import inf
 
 from motionlang.controller.faults import ANALOGUE_LIMIT
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, value
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import FATAL_ERROR, MODES
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
@@ -242,23 +243,16 @@ _MISC_DISABLE = Actions(
 _ADC = "ADCMIN(2) = 10\nADCMAX(2) = 90\nADCMONITOR(0) = 4\nPRINT {}"
 _FAIL = "{}SPEED(0) = 0\nMOVER(0) = 1\nGO(0)\nPRINT IDLE(0)\nEnd\nEvent ONERROR\n  PRINT ERRCODE\nEnd Event"
 
-
-def _word(
-    name: str, short: str, access: str, index: str, unit: str, actions: Actions, help: str, example: str,
-    default: float = 0.0, low: float | None = None, high: float | None = None, group: str = "errors",
-) -> Keyword:  # fmt: skip
-    kind = "reading" if access == "R" else "setting"
-    return Keyword(name, short, kind, access, index, unit, actions, help, example, default=default, low=low, high=high,
-                   group=group)  # fmt: skip
+_word = partial(value, group="errors")
 
 
 ROWS = (
     _word("ADCMAX", "", "RW", "channel", "%", _LIMIT,
           "The highest value of an analogue input without error.",
-          _ADC.format("ADCMAX(2)"), 100.0, -100.0, 100.0, "io"),
+          _ADC.format("ADCMAX(2)"), 100.0, -100.0, 100.0, group="io"),
     _word("ADCMIN", "", "RW", "channel", "%", _LIMIT,
           "The lowest value of an analogue input without error.",
-          _ADC.format("ADCMIN(2)"), -100.0, -100.0, 100.0, "io"),
+          _ADC.format("ADCMIN(2)"), -100.0, -100.0, 100.0, group="io"),
     _word("ADCMONITOR", "", "RW", "axis", "bits", _MINDED,
           "Bit pattern of the analogue inputs that the axis minds: beyond ADCMIN and ADCMAX they are an error of it.",
           _ADC.format("ADCMONITOR(0)"), group="io"),
@@ -267,16 +261,18 @@ ROWS = (
           _ADC.format("ADCERROR(0)"), group="io"),
     _word("ADCERRORMODE", "", "RW", "axis", "integer", ERROR_MODE,
           "Reaction of the axis when an analogue input that it monitors leaves its limits: one of "
-"_emIGNORE, _emCRASH_STOP, _emCRASH_STOP_DISABLE, _emERROR_DECEL, _emERROR_DECEL_DISABLE, "
-"_emCALL_EVENT.",
-          "ADCERRORMODE(0) = _emERROR_DECEL\nPRINT ADCERRORMODE(0)", float(MODES["ADCERRORMODE"]), 0, 5, "limits"),
+          "_emIGNORE, _emCRASH_STOP, _emCRASH_STOP_DISABLE, _emERROR_DECEL, _emERROR_DECEL_DISABLE, "
+          "_emCALL_EVENT.",
+          "ADCERRORMODE(0) = _emERROR_DECEL\nPRINT ADCERRORMODE(0)", float(MODES["ADCERRORMODE"]), 0, 5,
+          group="limits"),
     Keyword("ADCOFFSETTRIM", "", "command", "C", "channel", "", Actions(do=of(Environment, do_trim)),
             "Make what an analogue input shows now its zero, by its ADCOFFSET.",
             "ADCOFFSETTRIM(0)\nPRINT ADC(0)", group="io"),
     _word("FOLERRORWARNING", "", "RW", "axis", "uu",
           Actions(read=of(Environment, read_level), write=of_word(Environment, write_level)),
           "The following error beyond which the axis warns, in AXISWARNING; only a simulated motor has one.",
-          "FOLERRORWARNING(0) = 2\nPRINT FOLERRORWARNING(0)", FATAL_ERROR, 0.0, 8388607.0, "servo"),
+          "FOLERRORWARNING(0) = 2\nPRINT FOLERRORWARNING(0)", FATAL_ERROR, 0.0, 8388607.0,
+          group="servo"),
     _word("AXISWARNING", "", "RW", "axis", "bits", _WARNING,
           "Warnings of the axis: bit 0, its following error was beyond FOLERRORWARNING. Writing 0 clears them.",
           "AXISWARNING(0) = 0\nPRINT AXISWARNING(0)", 0.0, 0, 0),

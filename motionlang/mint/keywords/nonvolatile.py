@@ -40,6 +40,6 @@ ROWS = (
             "NVLONG(5) = NVLONG(5) + 1\nPRINT NVLONG(5)", default=0.0, group="control"),
     Keyword("NVFLOAT", "", "setting", "RW", "address", "number", _REAL,
             "NVLONG's memory as single-precision numbers: NVLONG and NVFLOAT of one address share their "
-"bits.",
+            "bits.",
             "NVFLOAT(7) = 2.5\nPRINT NVFLOAT(7)", default=0.0, group="control"),
 )  # fmt: skip

@@ -161,7 +161,7 @@ ROWS = (
              "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, 1),
     _setting("BLENDDISTANCE", "number", "blend_distance",
              "Remaining length of a path when the next one begins, in user units; at most half of the "
-"path.",
+             "path.",
              "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, _MAX_VALUE),
     Keyword("BLEND", "", "command", "C", "axes", "", Actions(do=on_axes(lambda e, axis: e.controller.blend(axis))),
             "Begin the next path now, on top of what remains of the present one; at most two paths overlap.",

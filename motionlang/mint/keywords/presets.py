@@ -209,7 +209,7 @@ def _setting(
 ROWS = (
     _format("PRESETMOVETYPE", "integer",
             "Type of a preset: 1 HOME, 2 JOG, 3 MOVEA, 4 MOVER, 5 POS, 6 SPEEDREF, 7 TORQUEREF, 8 STOP, "
-"9 SUSPEND, 10 CANCEL; 0 none.", 10, "parameter"),
+            "9 SUSPEND, 10 CANCEL; 0 none.", 10, "parameter"),
     _entry("PRESETMOVEPOSITION", "number", "Position or distance of a preset, in user units of its axis.", -_MAX_VALUE,
            _MAX_VALUE),
     _entry("PRESETMOVESPEED", "number", "The speed of a preset that moves or is a speed reference; 0 for SPEED.",
@@ -229,7 +229,7 @@ ROWS = (
          _RUN.format("") + "\nPRESETINDEX(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)", 0, 63, group="motion", effect="act"),
     _setting("PRESETINDEXMODE",
              "Action after a preset: 0 keep it selected, 1 select the next one in the table, 2 select the "
-"next one and start it after PRESETDWELLTIME.", 0, 2),
+             "next one and start it after PRESETDWELLTIME.", 0, 2),
     _setting("PRESETINDEXSOURCE", "Selector of presets: 0 PRESETINDEX, 1 the inputs from PRESETSELECTORINPUT on.", 0,
              1),
     _setting("PRESETDWELLTIME", "Milliseconds of rest between presets that follow each other by themselves.", 0,

@@ -5,8 +5,10 @@ Relays and spare analogue outputs have channels of their own, from `FIRST` on, i
 
 from __future__ import annotations
 
+from functools import partial
+
 from motionlang.controller.clock import Event
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, value
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE
 from motionlang.mint.runtime.binding import ByNumber, of, of_word
@@ -186,14 +188,7 @@ _BRAKE_DELAY = Actions(
 
 _BRAKE = "MOTORBRAKEOUTPUT(0) = 4\nMOTORBRAKEMODE(0) = 1\nDRIVEENABLE(0) = _OFF\nPRINT OUTX(4)"
 
-
-def _word(
-    name: str, short: str, access: str, index: str, unit: str, actions: Actions, help: str, example: str,
-    default: float = 0.0, low: float | None = None, high: float | None = None,
-) -> Keyword:  # fmt: skip
-    kind = "reading" if access == "R" else "setting"
-    return Keyword(name, short, kind, access, index, unit, actions, help, example, default=default,
-                   low=low, high=high, group="io")  # fmt: skip
+_word = partial(value, group="io")
 
 
 ROWS = (

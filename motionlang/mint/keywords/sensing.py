@@ -385,7 +385,7 @@ ROWS = (
     _reading("POSACHIEVED", "", "bool", IS_IDLE, "1 when the axis has come to the end of its moves, as IDLE is."),
     _window("IDLEMODE", "integer",
             "Conditions of IDLE in addition to the end of the move: bit 0 following error within "
-"IDLEPOS, bit 1 speed within IDLEVEL, either for IDLETIME; 0 none.", 3),
+            "IDLEPOS, bit 1 speed within IDLEVEL, either for IDLETIME; 0 none.", 3),
     _window("IDLEPOS", "uu", "Following error up to which an axis counts as idle.", 8388607.0),
     _window("IDLEVEL", "uu/s", "Speed up to which an axis counts as idle.", 8388607.0),
     _window("IDLETIME", "integer", "Milliseconds that an axis must be inside its windows to be idle.",
