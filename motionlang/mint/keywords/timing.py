@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import of, unchecked
-from motionlang.mint.runtime.environment import MILLISECOND, Environment
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -13,15 +13,8 @@ if TYPE_CHECKING:
 
 def read_time(environment: Environment, row: Keyword) -> Operation:
     """TIME: make an operation that reads the count of the running task."""
-    dependencies, elapsed, clock = environment.dependencies, environment.elapsed, environment.clock
-
-    def read(level: float | None = None) -> int:
-        base = environment.task.timer[0]
-        if dependencies.notes is not None:
-            return elapsed(base, level)
-        return int((clock.now - base) * 1000.0 + MILLISECOND)
-
-    return read
+    elapsed = environment.elapsed
+    return lambda level=None: elapsed(environment.task.timer[0], level)
 
 
 def write_time(environment: Environment, value: int) -> None:
