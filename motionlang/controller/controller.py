@@ -7,7 +7,7 @@ is imported when first needed.
 
 from __future__ import annotations
 
-from motionlang.controller import readers
+from motionlang.controller import moves, readers
 from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.controller.axis_verbs import SETTINGS, AxisVerbs
 from motionlang.controller.clock import INFINITY, Clock
@@ -124,17 +124,13 @@ class Controller(AxisVerbs):
         self, axes: Sequence[int], targets: Sequence[float], command: str = "", line: int = 0
     ) -> None:
         """Load a straight line of several axes to `targets`; the first axis is the master."""
-        from motionlang.controller.moves import path
-
-        path.load_line(self, axes, targets, command, line)
+        moves.path.load_line(self, axes, targets, command, line)
 
     def load_line_by(
         self, axes: Sequence[int], distances: Sequence[float], command: str = "", line: int = 0
     ) -> None:
         """Load a straight line of several axes by `distances`."""
-        from motionlang.controller.moves import path
-
-        path.load_line_by(self, axes, distances, command, line)
+        moves.path.load_line_by(self, axes, distances, command, line)
 
     def load_arc(
         self,
@@ -147,9 +143,7 @@ class Controller(AxisVerbs):
         line: int = 0,
     ) -> None:
         """Load an arc by `angle` degrees, or a helix if further axes move to `rest`."""
-        from motionlang.controller.moves import path
-
-        path.load_arc(self, axes, centre, angle, rest, relative, command, line)
+        moves.path.load_arc(self, axes, centre, angle, rest, relative, command, line)
 
     def load_guided(
         self,
@@ -160,40 +154,30 @@ class Controller(AxisVerbs):
         line: int = 0,
     ) -> None:
         """Load a path whose speed, rates and joins are set by its policy."""
-        from motionlang.controller.moves import path
-
-        path.load_guided(self, axes, geometry, policy, command, line)
+        moves.path.load_guided(self, axes, geometry, policy, command, line)
 
     def replan_path(self, axis: int) -> None:
         """Replan the present path of the axis with the present pace of its policy."""
-        from motionlang.controller.moves.path import run_of
-
-        run = run_of(self.axes[axis])
+        run = moves.path.run_of(self.axes[axis])
         if run is not None:
             run.replan()
 
     def blend(self, axis: int) -> None:
         """Begin the next path of the axis now, superposed on the rest of the present one."""
-        from motionlang.controller.moves.path import run_of
-
         if self.expected_motion is not None:
             self.expected_motion.prompt(self.axes[axis], "blend")
-        run = run_of(self.axes[axis])
+        run = moves.path.run_of(self.axes[axis])
         if run is not None:
             run.blend()
 
     def path_speed(self, axis: int) -> float:
         """Return the speed along the present path of the axis, user units/s."""
-        from motionlang.controller.moves.path import run_of
-
-        run = run_of(self.axes[axis])
+        run = moves.path.run_of(self.axes[axis])
         return run.present.speed if run is not None else 0.0
 
     def path_remaining(self, axis: int) -> float:
         """Return the remaining distance along the present path of the axis, user units."""
-        from motionlang.controller.moves.path import run_of
-
-        run = run_of(self.axes[axis])
+        run = moves.path.run_of(self.axes[axis])
         return run.present.remaining if run is not None else 0.0
 
     # ------------------------------------------------------------------------------------------------ references

@@ -330,8 +330,9 @@ class Profile:
         end = start + self.distance * factor if self.distance and factor else start
         recipe = self._recipe
         if len(recipe) > 2:
-            ramps = tuple([v if i % 3 else v * factor for i, v in enumerate(recipe)])
-            made = Profile(self.shape, start, end, self.duration, ramps)
+            ramps = list(recipe)
+            ramps[::3] = [velocity * factor for velocity in recipe[::3]]
+            made = Profile(self.shape, start, end, self.duration, tuple(ramps))
             if not hasattr(self, "_curve"):
                 return made
         else:

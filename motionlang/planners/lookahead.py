@@ -8,7 +8,7 @@ speeds. At a join the acceleration of every shape but the trapezoid is zero.
 
 from __future__ import annotations
 
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import inf, sqrt
 
 from motionlang.planners.curve import Profile
@@ -210,13 +210,16 @@ def _joined(
         if rows and _goes_on(rows[-1], ramp):
             ramp = (rows[-1][0], rows.pop()[1] + ramp[1], 0.0, ramp[3])
         rows.append(ramp)
-    transition = profile_of_steps(start, v0, a0, steps, rows[0][0] if rows else 0.0)
-    recipe = (*(value for row in rows for value in row[:3]), rows[-1][3]) if rows else (0.0, 0.0, 0.0, 0.0)
-    duration = total(row[1] for row in rows)
+    recipe = (*chain.from_iterable([row[:3] for row in rows]), rows[-1][3]) if rows else (0.0, 0.0, 0.0, 0.0)
+    duration = total([row[1] for row in rows])
+    if not steps:
+        if not duration < inf:
+            raise too_large()
+        return Profile(shape, start, end, duration, recipe)
+    transition = profile_of_steps(start, v0, a0, steps, recipe[0])
     if not duration + transition.duration < inf:
         raise too_large()
-    rest = Profile(shape, transition.end, end, duration, recipe)
-    return transition.then(rest) if steps else rest
+    return transition.then(Profile(shape, transition.end, end, duration, recipe))
 
 
 def _goes_on(before: Ramp, ramp: Ramp) -> bool:

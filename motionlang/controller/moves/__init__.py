@@ -6,9 +6,9 @@ from motionlang.controller import lazy_family
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.controller.moves import buffer
+    from motionlang.controller.moves import buffer, path
 
 # A program with plain moves only needs none of these.
-__getattr__ = lazy_family(__name__, "buffer")
+__getattr__ = lazy_family(__name__, "buffer", "path")
 
-__all__ = ["buffer"]
+__all__ = ["buffer", "path"]

@@ -129,56 +129,71 @@ class Arc:
 
     def ends(self, starts: Sequence[float], scales: Sequence[float]) -> Sequence[float]:
         """Return the end positions, counts."""
-        start, _ = self._split(starts)
-        if self.arrives is not None:
-            return self._joined(self.arrives, self.rest)
-        if self.angle % 360.0 == 0.0:
-            return self._joined(start, self.rest)
-        (cx, cy), (kx, ky) = self.centre, self._split(scales)[0]
-        x, y = rotated((start[0] - cx) / kx, (start[1] - cy) / ky, self.angle)
-        return self._joined((cx + x * kx, cy + y * ky), self.rest)
+        start, scale = self._split(starts)[0], self._split(scales)[0]
+        _, last = self._radii(start, scale)
+        return self._joined(self._end(start, last, scale), self.rest)
 
     def lay(self, starts: Sequence[float], scales: Sequence[float]) -> Segment:
         """Return the segment from `starts`."""
-        (cx, cy), ((kx, ky), along) = self.centre, self._split(scales)
-        start, others = self._split(starts)
-        x, y = (start[0] - cx) / kx, (start[1] - cy) / ky
+        (start, others), (scale, along) = self._split(starts), self._split(scales)
+        (x, y), (out_x, out_y) = self._radii(start, scale)
         radius, sweep = hypot(x, y), radians(self.angle)
         climbs = [(end - start) / k for start, end, k in zip(others, self.rest, along, strict=True)]
         round_ = radius * abs(sweep)
         length = hypot(round_, *climbs) if self.length is None else self.length
-        ends = self.ends(starts, scales)
+        end = self._end(start, (out_x, out_y), scale)
+        ends = self._joined(end, self.rest)
         if length == 0.0:
             return Segment(0.0, (), ends, (), ())
         if round_ == 0.0:
             return Line(ends, self.length).lay(starts, scales)
-        angle, (end_x, end_y) = direction(x, y), self._split(ends)[0]
+        angle = direction(x, y)
         curves = self._joined(
-            (
-                arc_over(length, cx, radius * kx, angle, sweep, end_x, True),
-                arc_over(length, cy, radius * ky, angle, sweep, end_y, False),
-            ),
+            [
+                arc_over(length, self.centre[i], radius * scale[i], angle, sweep, end[i], cosine=i == 0)
+                for i in (0, 1)
+            ],
             [line_over(length, a, b) for a, b in zip(others, self.rest, strict=True)],
         )
         slopes = [climb / length for climb in climbs]
         flat = (round_ / length) * (1.0 if sweep > 0.0 else -1.0)
-        out_x, out_y = rotated(x, y, self.angle)
         entry = self._joined((-y / radius * flat, x / radius * flat), slopes)
         leaving = self._joined((-out_y / radius * flat, out_x / radius * flat), slopes)
         laid = Segment(length, curves, ends, entry, leaving, abs(sweep) / length)
         laid.starts = starts if self.arrives is not None else None
         return laid
 
+    def _radii(
+        self, start: Sequence[float], scale: Sequence[float]
+    ) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Return the vectors from the centre to both ends of the arc, user units."""
+        (cx, cy), (kx, ky) = self.centre, scale
+        x, y = (start[0] - cx) / kx, (start[1] - cy) / ky
+        return (x, y), rotated(x, y, self.angle)
+
+    def _end(self, start: Sequence[float], last: Sequence[float], scale: Sequence[float]) -> Sequence[float]:
+        """Return the end of the arc, counts; `last` leads there from the centre, user units."""
+        if self.arrives is not None:
+            return self.arrives
+        if self.angle % 360.0 == 0.0:
+            return start
+        (cx, cy), (kx, ky) = self.centre, scale
+        return cx + last[0] * kx, cy + last[1] * ky
+
     def _split(self, values: Sequence[float]) -> tuple[tuple[float, float], list[float]]:
         """Return the values of the two axes of the circle and of the other axes."""
         i, j = self.plane
-        return (values[i], values[j]), [each for k, each in enumerate(values) if k not in self.plane]
+        others = list(values)
+        del others[max(i, j)], others[min(i, j)]
+        return (values[i], values[j]), others
 
     def _joined(self, plane: Sequence[_Value], others: Sequence[_Value]) -> list[_Value]:
         """Merge the values of the circle and of the other axes, one for each axis."""
-        left = iter(others)
         i, j = self.plane
-        return [plane[0] if k == i else plane[1] if k == j else next(left) for k in range(2 + len(others))]
+        values = list(others)
+        values.insert(min(i, j), plane[0 if i < j else 1])
+        values.insert(max(i, j), plane[1 if i < j else 0])
+        return values
 
 
 def corner(before: Segment, after: Segment) -> float:

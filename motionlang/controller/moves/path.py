@@ -109,6 +109,8 @@ class PathMove(Action):
 
     def _limits(self, segment: Segment) -> tuple[float, float, float]:
         axes = self.axes
+        if not any(a.limited for a in axes):
+            return INFINITY, INFINITY, INFINITY
         speeds, accels = [a.max_speed for a in axes], [a.max_accel for a in axes]
         return limits(segment, speeds, accels, [a.max_decel for a in axes])
 
@@ -237,8 +239,9 @@ def load_line_by(
 ) -> None:
     """Load a straight line by `distances` from the ends of the moves before it."""
     members = _members(controller, axes)
-    targets = [start + distance for start, distance in zip(_starts(members), distances, strict=True)]
-    _put(members, Line(list(distances)), targets, command, line, relative=True)
+    starts = _starts(members)
+    targets = [start + distance for start, distance in zip(starts, distances, strict=True)]
+    _put(members, Line(list(distances)), targets, command, line, starts)
 
 
 def load_arc(
@@ -262,7 +265,7 @@ def load_arc(
     geometry = Arc((centre[0], centre[1]), angle, list(rest))
     laid = geometry.moved(starts) if relative else geometry
     ends = laid.ends(starts, [a.scale.counts for a in members])
-    _put(members, geometry, ends, command, line, relative)
+    _put(members, geometry, ends, command, line, starts if relative else None)
 
 
 def load_guided(
@@ -297,12 +300,12 @@ def _put(
     targets: Sequence[float],
     command: str,
     line: int,
-    relative: bool = False,
+    bases: Sequence[float] | None = None,
     policy: PathPolicy | None = None,
 ) -> None:
     """Load a path into the buffers of its axes.
 
-    `targets` are its ends, counted from the ends of the entries before.
+    `targets` are its ends. Those of a relative path count from `bases`, the ends of the entries before.
     """
     for a, target in zip(members, targets, strict=True):
         if len(a.buffer) >= a.buffer_size:
@@ -310,11 +313,11 @@ def _put(
         if not abs(target) < 1e300:
             raise Rejected("range", f"axis {a.index} cannot move to {target:g}")
     moves = [Move(a.index, command, line, target) for a, target in zip(members, targets, strict=True)]
-    action = PathMove(members, moves, geometry, relative, policy)
-    for a, move in zip(members, moves, strict=True):
+    action = PathMove(members, moves, geometry, bases is not None, policy)
+    for k, (a, move) in enumerate(zip(members, moves, strict=True)):
         move.action = action
-        move.base = buffer.end(a) if relative else None
-        buffer.put(a, move)
+        move.base = None if bases is None else bases[k]
+        a.buffer.append(buffer.stamped(a, move))
 
 
 def run_of(a: Axis) -> PathRun | None:

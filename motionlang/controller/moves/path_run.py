@@ -242,8 +242,8 @@ class PathRun:
             course.here.policy.begins()
         course.follow(course.profile, course.goal)
         with controller.together():
-            for k, (a, move) in enumerate(zip(self.axes, course.here.moves, strict=True)):
-                move.target = course.ends[k]
+            for k, (a, move, end) in enumerate(zip(self.axes, course.here.moves, course.ends, strict=True)):
+                move.target = end
                 move.ended = self.ended
                 made = course.of(k)
                 controller.log_move(a, move, made)

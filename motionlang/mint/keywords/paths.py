@@ -16,20 +16,22 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Maker, Operation
 
 
-def _ready(environment: Environment, row: Keyword, axes: Sequence[int], values: Sequence[float]) -> bool:
-    """True if the buffers of all axes have space.
+def _ready(
+    environment: Environment, name: str, units: Sequence[str], axes: Sequence[int], values: Sequence[float]
+) -> bool:
+    """True if the buffers of all axes have space for a path with values in `units`.
 
     Raises Rejected if the number of axes or values is wrong, which is possible if AXES names the axes.
     """
-    units = row.unit.split(", ")
     wanted, count = (units.count("uu"), len(units)) if len(units) > 1 else (max(2, len(axes)), len(axes))
     if len(axes) != wanted or len(values) != count:
-        words = f"{row.name} is given {len(axes)} axes and {len(values)} values"
+        words = f"{name} is given {len(axes)} axes and {len(values)} values"
         raise Rejected("values", words, f"it takes {wanted} axes and {count} values")
     for axis in axes:
         scale_of(environment, axis)
         refuse_stopping(environment, axis)
-    return all(environment.controller.room(axis) > 0 for axis in axes)
+    room = environment.controller.room
+    return all(room(axis) > 0 for axis in axes)
 
 
 def loads(put: Callable[..., None]) -> Maker:
@@ -39,8 +41,10 @@ def loads(put: Callable[..., None]) -> Maker:
     """
 
     def made(environment: Environment, row: Keyword) -> Operation:
+        units = row.unit.split(", ")
+
         def load(axes: Sequence[int], values: Sequence[float], line: int) -> bool:
-            if not _ready(environment, row, axes, values):
+            if not _ready(environment, row.name, units, axes, values):
                 return True
             put(environment, row, axes, values, line)
             if environment.loaded is not None:
@@ -59,7 +63,7 @@ def put_line(
     controller, counts = environment.controller, []
     relative = row.name.endswith("R")
     for axis, value in zip(axes, values, strict=True):
-        scale = scale_of(environment, axis)
+        scale = controller.axes[axis].scale
         coordinate = (
             scale.to_counts(value)
             if relative
@@ -76,14 +80,14 @@ def put_arc(
 
     The centre is in user units, the angle in degrees.
     """
-    relative, counts = row.name.endswith("R"), []
+    controller, relative, counts = environment.controller, row.name.endswith("R"), []
     x, y, angle, *rest = values
     if environment.machine.assumptions.get("mint.circle-sense") == "clockwise":
         angle = -angle
     for axis, value in zip(axes, (x, y, *rest), strict=True):
-        scale = scale_of(environment, axis)
+        scale = controller.axes[axis].scale
         counts.append(scale.to_counts(value) if relative else scale.position_to_counts(value))
-    environment.controller.load_arc(axes, counts[:2], angle, counts[2:], relative, row.name, line)
+    controller.load_arc(axes, counts[:2], angle, counts[2:], relative, row.name, line)
 
 
 _MODES = {"CONTOURMODE": "contour_mode", "BLENDMODE": "blend_mode"}
