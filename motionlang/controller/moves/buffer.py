@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import islice
+
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action, Move
@@ -9,6 +11,8 @@ from motionlang.planners.dwell import rest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
 
@@ -95,9 +99,14 @@ def taken(controller: Core, a: Axis) -> None:
         controller.notify("buffer-low", a.index)
 
 
-def motions(a: Axis) -> list[Move]:
+def motions(a: Axis) -> Iterator[Move]:
     """Return the entries other than outputs, which do not delay a path."""
-    return [move for move in a.buffer if not isinstance(move.action, (Outputs, Pulse))]
+    return (move for move in a.buffer if not isinstance(move.action, (Outputs, Pulse)))
+
+
+def motion_at(a: Axis, index: int) -> Move | None:
+    """Return the entry with this index among `motions`; None if there is none."""
+    return next(islice(motions(a), index, None), None)
 
 
 def reach(controller: Core, a: Axis, move: Move) -> None:

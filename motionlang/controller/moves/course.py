@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.controller.moves.buffer import motions
+from motionlang.controller.moves.buffer import motion_at
 from motionlang.controller.moves.geometry import corner
 from motionlang.planners import Profile, hold
 from motionlang.planners.dwell import with_rest
@@ -95,8 +95,8 @@ class Course:
 
     def following(self) -> PathMove | None:
         """The next path, if it has the same axes, is released and is next on all of them."""
-        entries = motions(self.axes[0])
-        action = entries[0].action if entries else None
+        entry = motion_at(self.axes[0], 0)
+        action = None if entry is None else entry.action
         return action if _continues(action, self.axes, 0) else None  # type: ignore[return-value]
 
     @property
@@ -221,9 +221,8 @@ class Course:
         if not self.here.may_join or self.is_stopping:
             return
         before = self.ahead[-1] if self.ahead else (self.here, self.segment)
-        entries = motions(self.axes[0])
-        while len(entries) > (index := len(self.ahead) + begins):
-            action = entries[index].action
+        while (entry := motion_at(self.axes[0], index := len(self.ahead) + begins)) is not None:
+            action = entry.action
             if not _continues(action, self.axes, index):
                 return
             segment = action.lay(before[1].ends)  # type: ignore[union-attr]

@@ -142,7 +142,7 @@ class PathMove(Action):
     def is_next_at(self, index: int) -> bool:
         """True if it is released and has `index` in every buffer, not counting outputs."""
         return all(
-            move.released and buffer.motions(a)[index : index + 1] == [move]
+            move.released and buffer.motion_at(a, index) is move
             for a, move in zip(self.axes, self.moves, strict=True)
         )
 
