@@ -122,8 +122,9 @@ def _ramps_of(
 ) -> tuple[int, Steps, list[Ramp]] | None:
     """Return the ramps of a run, and how many first stretches are run as one."""
     ramps = [pace.ramps() for pace in paces]
-    if all(each.squares is not None for each in ramps):
-        speeds = _by_squares(lengths, ramps, caps, v0)
+    factors = [each.squares for each in ramps if each.squares is not None]
+    if len(factors) == len(ramps):
+        speeds = _by_squares(lengths, factors, caps, v0)
         return None if speeds is None else (1, *_between_all(lengths, paces, ramps, speeds, a0))
     latest = _back(lengths, paces, ramps, caps)
     for k in range(1, len(lengths) + 1):
@@ -144,16 +145,18 @@ def _ramps_of(
     return None
 
 
-def _by_squares(lengths: list[float], ramps: list[Ramps], caps: list[float], v0: float) -> list[float] | None:
-    """Return the speeds at both ends and at the joins; None if it cannot stop in time."""
-    factors = [each.squares for each in ramps]
+def _by_squares(
+    lengths: list[float], factors: list[tuple[float, float]], caps: list[float], v0: float
+) -> list[float] | None:
+    """Return the speeds at both ends and at the joins; None if it cannot stop in time.
+
+    `factors` are the `squares` of the ramps of each segment.
+    """
     latest = [0.0]
     for length, factor, cap in reversed(list(zip(lengths[1:], factors[1:], caps, strict=True))):
-        assert factor is not None
         latest.append(min(cap * cap, latest[-1] + 2.0 * length / factor[1]))
     squares, last = [v0 * v0], 0.0
     for length, factor in zip(lengths, factors, strict=True):
-        assert factor is not None
         before = squares[-1]
         fastest = min(latest.pop(), before + 2.0 * length / factor[0])
         squares.append(max(fastest, before - 2.0 * length / factor[1]))

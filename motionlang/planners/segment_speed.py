@@ -64,12 +64,11 @@ def between(
     `reaches`); a difference due to rounding is made to fit.
     """
     top = _top(ramps, length, speed, v0, a0, v1)
-    steps, v, used = _lead(ramps, v0, a0, top)
-    first = _ramp(ramps, v, top)
+    steps, first, used = _lead(ramps, v0, a0, top)
     last = _ramp(ramps, top, v1)
     left = length - used - ramp_distance(*last)
-    if left < 0.0 and not steps and top in (v, v1):
-        return (), [_fitting(last if top == v else first, length)]
+    if left < 0.0 and not steps and top in (v0, v1):
+        return (), [_fitting(last if top == v0 else first, length)]
     slew = left / top if left > _SLACK * length and top else 0.0
     return steps, [first, (top, slew, 0.0, top), last]
 
@@ -96,17 +95,19 @@ def _top(ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: fl
     return _farthest(v1, min(eased, speed), beyond) if beyond(v1) <= 0.0 else v1
 
 
-def _lead(ramps: Ramps, v0: float, a0: float, v: float) -> tuple[Steps, float, float]:
+def _lead(ramps: Ramps, v0: float, a0: float, v: float) -> tuple[Steps, Ramp, float]:
     """Return the motion from v0 and a0 to speed v.
 
-    It is returned as the sections that ramp the acceleration down, the speed after them, and the distance of the
+    It is returned as the sections that ramp the acceleration down, the ramp after them, and the distance of the
     complete motion.
     """
     if not a0 or ramps.bounds is None:
-        return (), v0, _ramp_length(ramps, v0, v)
+        ramp = _ramp(ramps, v0, v)
+        return (), ramp, ramp_distance(*ramp)
     steps, after = initial_steps(ramps.bounds, v0, a0, v)
-    rest = _ramp_length(ramps, after, v) if after != v else 0.0
-    return steps, after, distance_of_steps(v0, a0, steps) + rest
+    ramp = _ramp(ramps, after, v)
+    rest = ramp_distance(*ramp) if after != v else 0.0
+    return steps, ramp, distance_of_steps(v0, a0, steps) + rest
 
 
 def _lead_length(ramps: Ramps, v0: float, a0: float, v: float) -> float:
