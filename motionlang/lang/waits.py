@@ -182,8 +182,8 @@ def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait
     waited = tuple(axes)
     return Wait(
         since,
-        lambda: all(controller.is_at_standstill(axis) for axis in waited),
-        lambda: max((controller.standstill_time(axis) for axis in waited), default=since),
+        lambda: all(map(controller.is_at_standstill, waited)),
+        lambda: max(map(controller.standstill_time, waited), default=since),
         until_idle(waited),
         "axis",
         waited,
