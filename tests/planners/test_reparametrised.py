@@ -383,3 +383,271 @@ def test_the_knots_of_a_sequence_that_grows_are_found_once_for_each_part(
         )
         assert len(ProfileSequence("trapezoid", segments).knots) == 2 * len(segments) + 1
     assert len(searched) == 20
+
+
+# 1 + x + x² + x³ over 0 to 2, from 1 to 15; beyond its ends straight, with the slopes 1 and 17.
+LIFTED = from_curve(
+    "fly", 1.0, 15.0, ((0.0, 2.0), ((1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0),), (("fly", 0),)), 1.0, 17.0
+)
+# At 2 along the curve, from 4 before it.
+UNIFORM = from_curve(
+    "jog", -4.0, 16.0, ((0.0, 10.0), ((-4.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0),), (("slew", 0),)), 2.0, 2.0
+)
+
+
+def test_a_state_follows_the_chain_rule() -> None:
+    """At distance 1 + 2t + t² + t³ on 1 + x + x² + x³ + 5, at t = 0.
+
+    There f = 4, f' = 6, f'' = 8 and f''' = 6; s' = 2, s'' = 2 and s''' = 6. So v = 6 * 2, a = 8 * 2² + 6 * 2 and
+    j = 6 * 2³ + 3 * 8 * 2 * 2 + 6 * 6. Farther on the curve is straight: at t = 1 it is 3 beyond the end, with
+    s' = 7, s'' = 8 and s''' = 6.
+    """
+    along = from_curve(
+        "scurve", 1.0, 5.0, ((0.0, 1.0), ((1.0, 2.0, 1.0, 1.0, 0.0, 0.0, 0.0),), (("accel", 0),)), 2.0, 7.0
+    )
+    made = Reparametrised(along, LIFTED, "cam", 5.0)
+    cases = (
+        (0.0, (9.0, 12.0, 44.0, 180.0)),
+        (1.0 - 1e-12, (15.0 + 17.0 * 3.0 + 5.0, 17.0 * 7.0, 17.0 * 8.0, 17.0 * 6.0)),
+    )
+    for time, expected in cases:
+        state = made.at(time)
+        assert (state.position, state.velocity, state.acceleration, state.jerk) == pytest.approx(expected), (
+            time
+        )
+    assert (made.start, made.end, made.start_velocity, made.end_velocity) == (9.0, 71.0, 12.0, 119.0)
+
+
+@pytest.mark.parametrize(
+    ("position", "after", "expected"),
+    [
+        (3.0, 0.0, 0.5),  # 3 before the curve, on its straight continuation
+        (6.0, 0.0, 2.0),  # where the curve begins
+        (9.0, 0.0, 2.5),  # on the curve: 1 + 1 + 1 + 1 + 5
+        (9.0, 2.6, None),  # it is there once: its continuations have 9 at distances on the curve
+        (20.0, 0.0, 3.0),  # where the curve ends
+        (54.0, 0.0, 4.0),  # 2 beyond: 15 + 17 * 2 + 5
+        (54.0, 4.1, None),
+        (1.0, 0.0, None),  # before the motion begins
+    ],
+)
+def test_a_curve_and_its_straight_continuations_are_crossed_once(
+    position: float, after: float, expected: float | None
+) -> None:
+    """The distance is -4 + 2t. Before the curve the position is 6 + x, beyond it 20 + 17 * (x - 2)."""
+    found = Reparametrised(UNIFORM, LIFTED, "cam", 5.0).crossing(position, after)
+    assert found == (None if expected is None else pytest.approx(expected))
+
+
+def test_a_curve_that_begins_and_ends_level_is_crossed_on_the_curve_alone() -> None:
+    """The cubic rises by 10 over 4, and is at 5 in its middle."""
+    level = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
+    made = Reparametrised(UNIFORM, level)
+    assert made.crossing(5.0) == pytest.approx(3.0)
+    assert (made.crossing(-1.0), made.crossing(11.0)) == (None, None)
+    assert made.extrema() == (0.0, 10.0)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "expected"),
+    [
+        (-4.0, 16.0, (2.0, 258.0)),  # 6 - 4 and 20 + 17 * 14
+        (-4.0, 1.0, (2.0, 9.0)),
+        (1.0, 4.0, (9.0, 54.0)),
+    ],
+)
+def test_the_figures_of_a_curve_at_uniform_speed(
+    low: float, high: float, expected: tuple[float, float]
+) -> None:
+    """At 2 along 1 + x + x² + x³: the slope grows from 1 to 17, the second derivative from 2 to 14.
+
+    The knots are those of the motion, and the times at which it is at the ends of the curve.
+    """
+    made = Reparametrised(UNIFORM.cut((high + 4.0) / 2.0).after((low + 4.0) / 2.0), LIFTED, "cam", 5.0)
+    slope, bend = (17.0, 14.0) if high > 2.0 else (6.0, 8.0)
+    assert made.extrema() == pytest.approx(expected)
+    assert (made.peak_speed, made.peak_acceleration) == pytest.approx((2.0 * slope, 4.0 * bend))
+    assert made.speed_bound == 34.0
+    ends = [distance for distance in (0.0, 2.0) if low < distance < high]
+    assert made.knots == pytest.approx([(distance - low) / 2.0 for distance in (low, *ends, high)])
+    (phase,) = made.phases
+    assert (phase.duration, phase.distance) == pytest.approx(((high - low) / 2.0, expected[1] - expected[0]))
+    assert (phase.start_velocity, phase.end_velocity) == (made.start_velocity, made.end_velocity)
+    back = Reparametrised(UNIFORM.scaled(high, -1.0).cut((high - low) / 2.0), LIFTED, "cam", 5.0)
+    assert back.extrema() == pytest.approx(expected)
+    assert (back.peak_speed, back.crossing(expected[1])) == pytest.approx((2.0 * slope, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "is_plain"),
+    [
+        (0.0, 3.0, True),
+        (1.0, 3.0, True),
+        (3.0, 5.0, False),
+        (3.0, 4.0, False),
+        (5.0, 9.0, True),
+        (6.0, 9.0, True),
+        (-2.0, 1.0, True),
+        (2.0, 5.0, False),
+        (4.0, 6.0, False),
+    ],
+)
+@pytest.mark.parametrize("shape", ["", "cam"])
+def test_a_straight_section_of_a_curve_makes_plain_pieces(
+    low: float, high: float, is_plain: bool, shape: str
+) -> None:
+    """Straight up to 3 with slope 2, curved up to 5, straight from there with slope 4; raised by 7.
+
+    2 * 3 = 6 at the first knot; 6 + 2 * 2 + 0.5 * 2² = 12 at the second.
+    """
+    curve = from_curve(
+        "fly",
+        0.0,
+        24.0,
+        (
+            (0.0, 3.0, 5.0, 8.0),
+            (
+                (0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+                (6.0, 2.0, 0.5, 0.0, 0.0, 0.0, 0.0),
+                (12.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+            ),
+            (("fly", 0),),
+        ),
+        2.0,
+        4.0,
+    )
+    made = travelled(plan_trapezoid(low, high, 10.0, 100.0, 100.0), curve, shape, 7.0)
+    assert (type(made) is Profile) == is_plain
+    assert made.shape == (shape or "trapezoid")
+
+    def on(x: float) -> float:
+        return 7.0 + (
+            2.0 * x
+            if x < 3.0
+            else 12.0 + 4.0 * (x - 5.0)
+            if x > 5.0
+            else 6.0 + 2.0 * (x - 3.0) + 0.5 * (x - 3.0) ** 2
+        )
+
+    assert (made.start, made.end) == pytest.approx((on(low), on(high)))
+    assert made.position(0.5 * made.duration) == pytest.approx(on(0.5 * (low + high)))
+
+
+@pytest.mark.parametrize(
+    ("distance", "slope", "bend"),
+    [
+        (-3.0, 1.0, 0.0),
+        (-3e-9, 1.0, 0.0),
+        (-1.5e-9, 1.0, 2.0),  # within rounding of the beginning
+        (0.0, 1.0, 2.0),
+        (0.5, 2.75, 5.0),
+        (2.0, 17.0, 14.0),
+        (2.0 + 1.5e-9, 17.0, 14.0),  # within rounding of the end
+        (2.0 + 3e-9, 17.0, 0.0),
+        (4.0, 17.0, 0.0),
+    ],
+)
+def test_the_curvature_ends_with_the_curve(distance: float, slope: float, bend: float) -> None:
+    """At s' = 3, s'' = 2 and s''' = 6: v = 3 f', a = 9 f'' + 2 f', j = 27 f''' + 18 f'' + 6 f'.
+
+    f' = 1 + 2x + 3x² and f'' = 2 + 6x on the curve. f''' = 6 belongs to the inside alone, where the position is
+    f + 5; the straight continuations are 6 + x and 20 + 17 (x - 2).
+    """
+    piece = (distance, 3.0, 1.0, 1.0, 0.0, 0.0, 0.0)
+    along = from_curve("cam", distance, distance + 5.0, ((0.0, 1.0), (piece,), (("accel", 0),)), 3.0, 8.0)
+    state = Reparametrised(along, LIFTED, "cam", 5.0).at(0.0)
+    third = 6.0 if 0.0 <= distance < 2.0 else 0.0
+    assert (state.velocity, state.acceleration) == pytest.approx((3.0 * slope, 9.0 * bend + 2.0 * slope))
+    assert state.jerk == pytest.approx(27.0 * third + 18.0 * bend + 6.0 * slope)
+    x = distance
+    inside = 6.0 + x + x * x + x * x * x
+    assert state.position == pytest.approx(
+        6.0 + x if x < 0.0 else inside if x < 2.0 else 20.0 + 17.0 * (x - 2.0)
+    )
+
+
+def test_the_last_phase_of_an_endless_motion_ends_at_its_velocity() -> None:
+    """From 2 to 4 at 2/s² in 1 s, over 3; then the curve is passed, and left with a slope of 17."""
+    made = Reparametrised(plan_velocity("trapezoid", -4.0, 2.0, 4.0, 2.0, 50.0), LIFTED, "cam", 5.0)
+    accel, slew = made.phases
+    assert (accel.name, accel.duration, accel.distance) == ("accel", 1.0, 3.0)
+    assert (accel.start_velocity, accel.end_velocity) == (2.0, 4.0)
+    assert (slew.name, slew.duration, slew.distance) == ("slew", math.inf, math.inf)
+    assert (slew.start_velocity, slew.end_velocity) == (4.0, 68.0)
+
+
+@pytest.mark.parametrize("factor", [1.0, 2.0, -3.0])
+def test_a_scaled_curve_keeps_its_form(factor: float) -> None:
+    """Every distance from the start, 9, is multiplied; the new start is 30."""
+    made = Reparametrised(UNIFORM.after(2.5), LIFTED, "cam", 5.0)
+    scaled = made.scaled(30.0, factor)
+    assert (scaled.start, scaled.shape) == (30.0, "cam")
+    for time in (0.0, 0.3, 1.0, 4.0):
+        assert scaled.position(time) == pytest.approx(30.0 + factor * (made.position(time) - 9.0)), time
+        assert scaled.velocity(time) == pytest.approx(factor * made.velocity(time)), time
+
+
+def test_the_ends_of_a_motion_cut_nothing_off() -> None:
+    made = Reparametrised(UNIFORM, LIFTED, "cam", 5.0)
+    assert made.cut(made.duration) is made.after(0.0) is made
+    assert made.after(0.5).start == 3.0
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "expected"),
+    [
+        (-3.0, 0.0, (2.0, 0.0)),  # up to the beginning, where the slope is 1
+        (2.0, 4.0, (34.0, 0.0)),  # from the end on, where it is 17
+        (0.0, 2.0, (34.0, 56.0)),
+        (0.0, 0.5, (5.5, 20.0)),  # 1 + 1 + 0.75 and 2 + 3
+        (0.5, 2.0, (34.0, 56.0)),
+        (0.5, 0.75, (2.0 * 4.1875, 26.0)),  # 1 + 1.5 + 1.6875 and 2 + 4.5
+    ],
+)
+def test_only_the_section_travelled_has_peaks(low: float, high: float, expected: tuple[float, float]) -> None:
+    along = UNIFORM.cut((high + 4.0) / 2.0).after((low + 4.0) / 2.0)
+    made = Reparametrised(along, LIFTED, "cam", 5.0)
+    assert (made.peak_speed, made.peak_acceleration) == pytest.approx(expected)
+
+
+def test_the_steepest_point_before_the_section_travelled_does_not_count() -> None:
+    """The cubic is steepest at 2. From 3 to 3.5 its slope falls from 60/16 * 3 - 60/64 * 3² = 45/16.
+
+    Its second derivative is 60/16 - 120/64 * 3.5 = -45/16 at 3.5. Both are passed at 2.
+    """
+    level = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
+    made = Reparametrised(UNIFORM.cut(3.75).after(3.5), level)
+    assert (made.peak_speed, made.peak_acceleration) == pytest.approx((45.0 / 8.0, 45.0 / 4.0))
+
+
+def test_the_knots_of_a_curve_are_its_pieces_and_its_extrema() -> None:
+    """Up to 1 it rises; then 1 + 2x - x² has its extremum 1 later, and the next piece 2 x² - x at 0.25."""
+    curve = from_curve(
+        "fly",
+        0.0,
+        8.0,
+        (
+            (0.0, 1.0, 4.0, 6.0),
+            (
+                (0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+                (1.0, 2.0, -1.0, 0.0, 0.0, 0.0, 0.0),
+                (-2.0, -1.0, 2.0, 0.0, 0.0, 0.0, 0.0),
+            ),
+            (("fly", 0),),
+        ),
+        1.0,
+        7.0,
+    )
+    assert reparametrised.knot_distances(curve) == pytest.approx([0.0, 1.0, 2.0, 4.0, 4.25, 6.0])
+
+
+def test_a_crossing_at_rest_counts_once_and_later_ones_are_found() -> None:
+    """Out to 10 and back in 1.1 s each, with a rest of 2 s between them; at 10/s and 100/s²."""
+    out, back = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0), plan_trapezoid(10.0, 0.0, 10.0, 100.0, 100.0)
+    rest = from_curve(
+        "hold", 10.0, 10.0, ((0.0, 2.0), ((10.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),), (("hold", 0),)), 0.0, 0.0
+    )
+    made = out.then(rest).then(back).then(out)
+    assert crossings(made, 10.0) == pytest.approx([1.1, 5.3])
+    assert crossings(made, 0.0) == pytest.approx([0.0, 4.2])
+    assert crossings(made, 9.5) == pytest.approx([1.0, 3.2, 5.2])
