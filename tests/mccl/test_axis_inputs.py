@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from math import inf
 
+import pytest
+
+from motionlang.controller.move import Move
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.axis import inputs
 from motionlang.mccl.axis.status import word
 from motionlang.mccl.runtime.board import Board
-
-if TYPE_CHECKING:
-    import pytest
+from motionlang.planners import plan_velocity
 
 HOME = inputs.channel_of(1, "home")
 
@@ -38,3 +39,34 @@ def test_an_input_of_the_program_is_on_while_it_is_driven() -> None:
         board.controller.inputs[HOME] = level
         found.append(inputs.is_active(board, axis, "home"))
     assert found == [False, True, False]
+
+
+@pytest.mark.parametrize("velocity", [100.0, -100.0])
+@pytest.mark.parametrize(
+    ("position", "is_on", "up", "down"),
+    [
+        (250.0, True, 250.5, 249.5),
+        (250.4, True, 250.5, 249.5),
+        (249.6, True, 250.5, 249.5),
+        (250.6, False, 349.5, 250.5),
+        (299.0, False, 349.5, 250.5),
+        (301.0, False, 349.5, 250.5),
+        (349.0, False, 349.5, 250.5),
+        (30.0, False, 49.5, -49.5),
+    ],
+)
+def test_the_index_is_on_at_a_mark_until_its_edge(
+    velocity: float, position: float, is_on: bool, up: float, down: float
+) -> None:
+    """Marks are every 100 counts, also at 7 + 43, and 1 count wide; the axis runs at 100 counts/s."""
+    board = Board(Machine(first_axis=1))
+    axis, a = board.axes[1], board.controller.axes[1]
+    assert inputs.index_input(board, axis) == (False, inf)  # an encoder without marks
+    a.index_every, a.datum, a.index_origin = 100.0, 7.0, 43.0
+    profile = plan_velocity("trapezoid", position, velocity, velocity, 1000.0, 1000.0)
+    assert inputs.index_input(board, axis)[1] == inf
+    board.controller.run_profile(a, Move(1, "JOG", 0, profile.end), profile)
+    now_on, until = inputs.index_input(board, axis)
+    assert now_on is is_on
+    edge = up if velocity > 0.0 else down
+    assert until == pytest.approx((edge - position) / velocity)

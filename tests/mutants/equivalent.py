@@ -156,4 +156,48 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/views/outline.py: _points: begin > 0.0 -> begin >= 0.0": (
         "if nothing is in use from 0 on, the window ends at 0, too"
     ),
+    "motionlang/mint/keywords/paths.py: put_arc: scale.to_counts(value) if relative else "
+    "scale.position_to_counts(value) -> scale.position_to_counts(value) if relative else scale.to_counts(value)": (
+        "a scale of Mint has no zero, so lengths and positions are the same counts"
+    ),
+    "motionlang/mint/keywords/paths.py: put_arc: 2 -> 3": "the centre of an arc is read from two coordinates alone",
+    "motionlang/mint/syntax/layout.py: layout: token.at >= len(spans) -> token.at > len(spans)": (
+        "the kinds behind the last span are the end of the text, which is no token of a block"
+    ),
+    "motionlang/mint/resolve/names.py: Names: __init__: 0 -> 1 #2": (
+        "the numbers appended to generated names only have to differ"
+    ),
+    "motionlang/mccl/axis/inputs.py: _between: mark < here -> mark <= here": (
+        "a position on a mark is not between two marks"
+    ),
+    "motionlang/mint/compile/intervals.py: _whole: a < 0 -> a <= 0": "a quotient of 0 has no sign",
+    "motionlang/mint/compile/intervals.py: _whole: b < 0 -> b <= 0": "the divisors are positive",
+    "motionlang/mint/compile/intervals.py: _whole: 0 -> 1": "a quotient of 0 has no sign",
+    "motionlang/mint/compile/intervals.py: _whole: 0 -> 1 #2": "the smallest divisor of that range is 1",
+    "motionlang/mint/compile/intervals.py: remainder: a[0] < 0 -> a[0] <= 0": "max(0, -most) is 0, too",
+    "motionlang/mint/compile/intervals.py: remainder: a[1] > 0 -> a[1] >= 0": "min(0, most) is 0, too",
+    "motionlang/mint/compile/intervals.py: narrow: 0 -> 1 #6": "both bounds of a constant are the same",
+    "motionlang/mint/compile/intervals.py: narrow: 0 -> 1 #7": "both bounds of a constant are the same",
+    "motionlang/planners/reparametrised.py: Reparametrised: _distances_at: distance < edge -> distance <= edge": (
+        "the end itself is among the crossings of the curve"
+    ),
+    "motionlang/planners/reparametrised.py: Reparametrised: _distances_at: distance > edge -> distance >= edge": (
+        "the end itself is among the crossings of the curve"
+    ),
+    "motionlang/planners/reparametrised.py: Reparametrised: peak_speed: low < 0.0 -> low <= 0.0": (
+        "the section travelled has the slope at its beginning"
+    ),
+    "motionlang/planners/reparametrised.py: Reparametrised: peak_speed: high > self.path.duration -> "
+    "high >= self.path.duration": "the section travelled has the slope at its end",
+    "motionlang/planners/reparametrised.py: Reparametrised: _travelled_section: high < length -> "
+    "high <= length": "a curve that is cut at its end is the same curve",
+    "motionlang/planners/reparametrised.py: Reparametrised: _travelled_section: low > 0.0 -> low >= 0.0": (
+        "what is left of a curve after 0 is the same curve"
+    ),
+    "motionlang/planners/reparametrised.py: _on: distance > path.duration -> distance >= path.duration": (
+        "at its end the curve and the straight continuation have the same position and slope"
+    ),
+    "motionlang/planners/reparametrised.py: crossings: 1000000.0 -> 1000001.0": (
+        "how near two crossings of a very long profile may be"
+    ),
 }

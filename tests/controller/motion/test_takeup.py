@@ -6,6 +6,7 @@ import pytest
 
 from motionlang import run
 from motionlang.controller.motion.takeup import Takeup
+from motionlang.planners import plan_trapezoid
 from motionlang.source import Source
 from tests.controller.machines import machine, until
 from tests.fuzz.guard import bounded
@@ -21,6 +22,39 @@ def test_play_is_taken_up_while_the_axis_moves_and_at_its_rate() -> None:
     assert (play.advance(1.0, True), play.rate()) == (5.0, 5.0)
     until(c, 2.0)
     assert (play.advance(2.0, True), play.rate()) == pytest.approx((6.5, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("size", "asked", "taken"),
+    [
+        (10.0, (3.2, 4.3, 5.4), (5.0, 0.5, 5.0)),
+        (10.0, (4.3,), (0.5,)),
+        (10.0, (4.25, 4.3), (0.25, 0.5)),
+        (10.0, (2.0, 3.1, 3.2, 4.2, 5.3), (0.0, 5.5, 5.0, 0.0, 5.5)),
+        (10.0, (6.5,), (0.0,)),
+        (-10.0, (3.1, 3.2, 4.2, 4.3, 5.3), (0.0, -0.5, -5.5, -5.0, 0.0)),
+        (20.0, (3.2, 4.1, 5.3, 6.0, 6.5), (10.0, 1.0, 11.0, 4.0, 0.0)),
+    ],
+)
+def test_play_is_taken_up_forward_and_given_back(
+    size: float, asked: tuple[float, ...], taken: tuple[float, ...]
+) -> None:
+    """From 2 s on the axis goes out and back, out and back, each leg 10 counts at 10/s in 1.1 s.
+
+    The play takes 2 s of motion in one direction, so a leg takes up 0.55 of it: 5.5 of 10. The axis turns at 3.1, 4.2
+    and 5.3 s and rests at 6.4 s. A negative play is taken up on the way back. A reading changes no later one.
+    """
+    c = machine(1)
+    play = Takeup(c.axes[0], 0.0)
+    play.size, play.ramp = size, 2.0
+    until(c, 2.0)
+    out, back = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0), plan_trapezoid(10.0, 0.0, 10.0, 100.0, 100.0)
+    c.play(0, out.then(back).then(out).then(back))
+    found = []
+    for time in asked:
+        until(c, time)
+        found.append(play.advance(time, True))
+    assert found == pytest.approx(taken, abs=1e-9)
 
 
 def test_no_play_is_taken_up_while_a_spline_stands_on_its_way() -> None:
