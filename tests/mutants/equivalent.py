@@ -200,4 +200,15 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/planners/reparametrised.py: crossings: 1000000.0 -> 1000001.0": (
         "how near two crossings of a very long profile may be"
     ),
+    "motionlang/lang/machine/operator.py: Operator: __init__: 1.0 -> 2.0": (
+        "any time before the run is one at which no key is held"
+    ),
+    "motionlang/serve/server.py: Server: turn: 1 -> 2 #2": (
+        "a single host comes first whichever number it should have"
+    ),
+    "motionlang/planners/jerk.py: _back: -b > decel -> -b >= decel": (
+        "at the limit itself the search comes to the same plan as the closed form"
+    ),
+    "motionlang/controller/clock.py: WatchedClock: advance_to_news: (due := self.next_time()) < end -> "
+    "(due := self.next_time()) <= end": "the end is watched once, by the loop or behind it",
 }

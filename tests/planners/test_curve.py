@@ -208,3 +208,24 @@ def test_a_profile_with_another_name_makes_its_pieces_when_they_are_needed() -> 
     assert made.position(2.1) == pytest.approx(20.0)
     again = relabelled(made, "gear")
     assert again.curve is made.curve
+
+
+@pytest.mark.parametrize("jump", [5.0, -5.0])
+def test_a_jump_to_a_position_reaches_it(jump: float) -> None:
+    """From 0 it moves by 0.2 in 1 s, on the way to or from the position; then it is there at once, and rests."""
+    for slope in (0.2, -0.2, 0.0):
+        made = from_curve(
+            "pvt",
+            0.0,
+            jump,
+            (
+                (0.0, 1.0, 2.0),
+                ((0.0, slope, 0.0, 0.0, 0.0, 0.0, 0.0), (jump, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)),
+                (("segment", 0), ("segment", 1)),
+            ),
+            slope,
+            0.0,
+        )
+        assert made.crossing(jump) == 1.0
+        assert made.crossing(jump, 1.5) == 1.5
+        assert made.crossing(2.0 * jump) is None

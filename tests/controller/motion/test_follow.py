@@ -532,3 +532,25 @@ def test_a_tie_that_lasts_goes_on_as_another_entry_of_the_log(monkeypatch: pytes
     assert len(entries) > 1
     assert {each.command for each in entries} == {"FOLLOW"}
     assert c.position(1) == pytest.approx(c.position(0))
+
+
+def test_a_second_offset_on_a_cam_replaces_the_first_on_its_way() -> None:
+    """The first offset of 6 begins at 1 s at up to 10 counts/s; 0.35 s later 3 counts of it are covered.
+
+    The second one of -2 makes 4 of it in all. Both begin late, so their own times differ from the machine's.
+    """
+    c, plain = machine(), machine()
+    for each in (c, plain):
+        each.cam(1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], kind="cubic", cyclic=True)
+        each.jog(0, 10.0)
+    until(c, 1.0).offset(1, 6.0)
+    until(c, 1.35)
+    assert c.offset_remaining(1) == pytest.approx(3.0)
+    c.offset(1, -2.0)
+    assert c.offset_remaining(1) == pytest.approx(1.0)
+    until(c, 6.0)
+    until(plain, 6.0)
+    for k in range(200, 600):
+        assert at(c, 1, 0.01 * k) == pytest.approx(at(plain, 1, 0.01 * k) + 4.0, abs=1e-9)
+    for k in range(600):
+        assert abs(at(c, 1, 0.01 * k + 0.01) - at(c, 1, 0.01 * k)) < 0.35
