@@ -236,3 +236,21 @@ def test_what_has_no_closed_form_is_run_by_steps(loop: Loop, plant: Motor) -> No
     seen = looked(ClosedFormServo(loop, plant, track()), [900])
     assert all(seen[name].tolist() == stepped[name].tolist() for name in ("velocity", "error", "output"))
     assert speculative.seen_of(stepped)[0].tolist() == seen["encoder"].tolist()
+
+
+@pytest.mark.parametrize(
+    ("done", "begin"), [(0, 0), (1, 4), (3, 4), (4, 8), (5, 8), (7, 8), (8, 8), (11, 12), (12, 16), (16, 16)]
+)
+def test_the_closed_form_waits_for_a_sample_of_the_derivative(done: int, begin: int) -> None:
+    """The derivative is sampled every 8 samples; between two of them plain steps run to the end of a cycle of 4."""
+    loop, motor = Loop(0.004, 0.0, 0.02, derivative_every=8), Motor()
+    form = closed_form(loop, motor)
+    assert form is not None
+    servo = ClosedFormServo(
+        loop, motor, Track([0.0], [plan_trapezoid(0.0, 9e4, 12_000.0, 90_000.0, 90_000.0)])
+    )
+    if done:
+        servo._loop = loop  # it has been in control for a long time
+        servo.run_block(done)
+    cubic, first, past = servo._next_cubic(form, 400)
+    assert (first, (cubic is None), past > first) == (begin, done % 8 != 0, done % 8 == 0)

@@ -274,3 +274,30 @@ def test_where_there_is_no_room_the_source_goes_before_the_name_of_the_sub() -> 
     assert head in narrow
     assert "MOVER(0) = 10 : GO(0)" in wide
     assert "MOVER(0) = 10 : GO(0)" not in narrow
+
+
+def test_a_task_lives_from_its_start_to_its_end() -> None:
+    """One waits 100 ms from 50 ms on; one computes and ends at once; one waits to the end of the program, at 0.3 s.
+
+    A statement takes 10 µs: 2000 iterations take 20 ms, and waits are up to 2 ms late, because the tasks share time.
+    """
+    made = profiled(
+        "WAIT(50)\nRun brief\nRun quick\nRun patient\nWAIT(250)\nEnd\n"
+        "Task brief\n  WAIT(100)\nEnd Task\n"
+        "Task quick\n  Dim i As Integer\n  For i = 1 To 2000\n  Next\nEnd Task\n"
+        "Task patient\n  WAIT(20)\n  PAUSE INX(3)\nEnd Task\n"
+    )
+    found = {task.name: (task.begin, task.end, task.waiting) for task in made.tasks}
+    expected = {
+        "ParentTask": (0.0, 0.3, {"time": 0.3}),
+        "brief": (0.05, 0.15, {"time": 0.1}),
+        "quick": (0.05, 0.07, {}),
+        "patient": (0.05, 0.3, {"time": 0.02, "condition": 0.23}),
+    }
+    assert list(found) == list(expected)
+    for name, (begin, end, waiting) in expected.items():
+        assert found[name][:2] == pytest.approx((begin, end), abs=2e-3), name
+        assert found[name][2] == pytest.approx(waiting, abs=2e-3), name
+    computing = {"ParentTask": 0.0, "brief": 0.0, "quick": 0.02, "patient": 0.0}
+    assert {task.name: task.computing for task in made.tasks} == pytest.approx(computing, abs=1e-3)
+    assert all(life(task) == pytest.approx(task.end - task.begin) for task in made.tasks)
