@@ -126,6 +126,43 @@ def test_brackets_are_written_where_python_would_group_differently(written: str,
     assert f"v_z = {python}" in text_of(program)
 
 
+@pytest.mark.parametrize(
+    ("dividend", "divisor", "is_plain"),
+    [(0, 1, True), (1, 1, True), (5, 2, True), (-1, 1, False), (0, 0, False), (0, -3, False)],
+)
+@pytest.mark.parametrize(("op", "python"), [("\\", "//"), ("Mod", "%")])
+def test_numbers_without_a_sign_are_divided_like_those_of_python(
+    dividend: int, divisor: int, is_plain: bool, op: str, python: str
+) -> None:
+    """The dividend and the divisor begin there. Mint rounds a negative quotient toward zero, Python down.
+
+    A divisor of 0 is an error that the program can handle.
+    """
+    loops = f"For i = {dividend} To 10\n  For j = {divisor} To 3\n    k = i {op} j\n  Next\nNext"
+    text = text_of(f"Dim i As Integer, j As Integer, k As Integer\n{loops}")
+    assert (f"v_i {python} v_j" in text) == is_plain
+
+
+@pytest.mark.parametrize(
+    ("first", "bits", "is_plain"),
+    [
+        (0, "& 7", True),
+        (1, "& 7", True),
+        (0, "& 8", False),
+        (-1, "& 7", False),
+        (0, "| 7", False),
+        (0, "& -1", False),
+    ],
+)
+def test_a_mask_without_a_sign_bounds_its_result(first: int, bits: str, is_plain: bool) -> None:
+    """300 000 000 times 7 fits into 32 bits, times 8 does not. A mask of -1 has no effect."""
+    text = text_of(
+        f"Dim i As Integer, y As Integer\nFor i = {first} To 10\n  y = (i {bits}) * 300000000\nNext"
+    )
+    assert ("v_y = (v_i & 7) * 300000000" in text) == is_plain
+    assert ("z :=" in text) != is_plain
+
+
 def test_what_fails_under_onerror_leaves_what_was() -> None:
     """The condition of the If fails, so neither branch is executed."""
     text = """
