@@ -12,6 +12,7 @@ import pytest
 from motionlang.analysis.proof.axes import _check_knots
 from motionlang.analysis.proof.checker import Proof, position
 from motionlang.analysis.proof.followers import FOUR, _check_table, _moments, _wanted
+from motionlang.analysis.proof.outputs import check_trace
 from motionlang.analysis.proof.path_layout import PathLayout
 from motionlang.analysis.proof.paths import _check_along, _counts, spans_along
 from motionlang.analysis.proof.segments import Span, _from
@@ -19,6 +20,7 @@ from motionlang.analysis.proof.time_bounds import Law, lead
 from motionlang.execution import run
 from motionlang.log.history import MoveFigures, servo_traces
 from motionlang.log.order import Order, PathOrder, Tie
+from motionlang.log.trace import Column
 from motionlang.log.track import WholeTrack
 from motionlang.planners import hold, plan_trapezoid
 from motionlang.planners.sequence import chained
@@ -81,6 +83,46 @@ def test_just_at_a_new_zero_a_track_is_where_it_came_from_for_what_ends_there() 
     for time in (1000.0, nextafter(1000.0, inf)):
         assert (position(track, time), position(track, time, ending=True)) == (7.0, 0.0)
     assert position(track, 1000.1, ending=True) == 7.0
+
+
+@pytest.mark.parametrize(
+    ("row", "value", "message"),
+    [
+        (0, 0.5, ""),
+        (0, 0.5 + 5e-10, ""),
+        (0, 0.6, "axis 0 at 0.250000 s: the trace has it at 2.4, the track at 2"),
+        (0, -0.5, "axis 0 at 0.250000 s: the trace has it at -2, the track at 2"),
+        (1, 1.0, ""),  # just before the new zero: 4 counts
+        (1, 12.5, ""),  # just after it
+        (1, 9.0, "axis 0 at 1.000000 s: the trace has it at 36, the track at 50"),
+        (2, 12.5, ""),
+        (2, 1.0, "axis 0 at 2.000000 s: the trace has it at 4, the track at 50"),
+    ],
+)
+def test_a_row_of_a_trace_at_a_new_zero_may_be_before_or_after_it(
+    row: int, value: float, message: str
+) -> None:
+    """A unit has 4 counts from 8 on. A move of 4 at 10/s and 100/s² takes 0.5 s, and is at 2 after half of it.
+
+    At 1 s the program sets the position to 50. The other rows are right; velocities are not compared.
+    """
+    c = machine(1)
+    c.axes[0].scale.set(4.0, zero=8.0)
+    c.move_to(0, 4.0)
+    until(c, 1.0).define_position(0, 50.0)
+    until(c, 3.0)
+    values = [0.5 - 2.0, 12.5 - 2.0, 12.5 - 2.0]
+    values[row] = value - 2.0
+    column = Column("axis0_position_uu", "position", "uu", 0)
+    time = Column("time_s", "time", "s", None)
+    times = np.array([0.25, 1.0, 2.0])
+    run_of: Any = SimpleNamespace(axes=[WholeTrack(c.axes[0])])
+    speed = Column("axis0_velocity_uu_s", "velocity", "uu/s", 0)
+    data = times, np.full(3, 1e9), np.array(values)
+    samples: Any = SimpleNamespace(columns=(time, speed, column), data=data, time=times)
+    proof = Proof()
+    check_trace(proof, run_of, samples)
+    assert [each.message for each in proof.violations] == [message] * bool(message)
 
 
 @pytest.mark.parametrize(("gap", "count"), [(0.01, 0), (0.02, 1)])
