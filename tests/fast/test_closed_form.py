@@ -242,7 +242,10 @@ def test_what_has_no_closed_form_is_run_by_steps(loop: Loop, plant: Motor) -> No
     ("done", "begin"), [(0, 0), (1, 4), (3, 4), (4, 8), (5, 8), (7, 8), (8, 8), (11, 12), (12, 16), (16, 16)]
 )
 def test_the_closed_form_waits_for_a_sample_of_the_derivative(done: int, begin: int) -> None:
-    """The derivative is sampled every 8 samples; between two of them plain steps run to the end of a cycle of 4."""
+    """The derivative is sampled every 8 samples, and a cycle has 4 samples.
+
+    Between two samples of the derivative, plain steps run to the end of a cycle.
+    """
     loop, motor = Loop(0.004, 0.0, 0.02, derivative_every=8), Motor()
     form = closed_form(loop, motor)
     assert form is not None

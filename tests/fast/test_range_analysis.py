@@ -134,7 +134,7 @@ def test_brackets_are_written_where_python_would_group_differently(written: str,
 def test_numbers_without_a_sign_are_divided_like_those_of_python(
     dividend: int, divisor: int, is_plain: bool, op: str, python: str
 ) -> None:
-    """The dividend and the divisor begin there. Mint rounds a negative quotient toward zero, Python down.
+    """Mint rounds a negative quotient toward zero, and Python rounds it down.
 
     A divisor of 0 is an error that the program can handle.
     """
@@ -155,7 +155,10 @@ def test_numbers_without_a_sign_are_divided_like_those_of_python(
     ],
 )
 def test_a_mask_without_a_sign_bounds_its_result(first: int, bits: str, is_plain: bool) -> None:
-    """300 000 000 times 7 fits into 32 bits, times 8 does not. A mask of -1 has no effect."""
+    """300 000 000 times 7 fits into 32 bits, times 8 does not.
+
+    A mask of -1 has no effect.
+    """
     text = text_of(
         f"Dim i As Integer, y As Integer\nFor i = {first} To 10\n  y = (i {bits}) * 300000000\nNext"
     )

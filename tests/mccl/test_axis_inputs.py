@@ -58,7 +58,10 @@ def test_an_input_of_the_program_is_on_while_it_is_driven() -> None:
 def test_the_index_is_on_at_a_mark_until_its_edge(
     velocity: float, position: float, is_on: bool, up: float, down: float
 ) -> None:
-    """Marks are every 100 counts, also at 7 + 43, and 1 count wide; the axis runs at 100 counts/s."""
+    """Marks are 1 count wide and every 100 counts, one of them at 7 + 43.
+
+    The axis runs at 100 counts/s.
+    """
     board = Board(Machine(first_axis=1))
     axis, a = board.axes[1], board.controller.axes[1]
     assert inputs.index_input(board, axis) == (False, inf)  # an encoder without marks

@@ -212,7 +212,7 @@ def test_a_profile_with_another_name_makes_its_pieces_when_they_are_needed() -> 
 
 @pytest.mark.parametrize("jump", [5.0, -5.0])
 def test_a_jump_to_a_position_reaches_it(jump: float) -> None:
-    """From 0 it moves by 0.2 in 1 s, on the way to or from the position; then it is there at once, and rests."""
+    """From 0 it moves by 0.2 in 1 s, jumps to the position, and rests there."""
     for slope in (0.2, -0.2, 0.0):
         made = from_curve(
             "pvt",

@@ -434,7 +434,10 @@ def test_a_state_follows_the_chain_rule() -> None:
 def test_a_curve_and_its_straight_continuations_are_crossed_once(
     position: float, after: float, expected: float | None
 ) -> None:
-    """The distance is -4 + 2t. Before the curve the position is 6 + x, beyond it 20 + 17 * (x - 2)."""
+    """The position is 6 + x before the curve, and 20 + 17 * (x - 2) beyond it.
+
+    The distance x is -4 + 2t.
+    """
     found = Reparametrised(UNIFORM, LIFTED, "cam", 5.0).crossing(position, after)
     assert found == (None if expected is None else pytest.approx(expected))
 
@@ -459,8 +462,9 @@ def test_a_curve_that_begins_and_ends_level_is_crossed_on_the_curve_alone() -> N
 def test_the_figures_of_a_curve_at_uniform_speed(
     low: float, high: float, expected: tuple[float, float]
 ) -> None:
-    """At 2 along 1 + x + x² + x³: the slope grows from 1 to 17, the second derivative from 2 to 14.
+    """On 1 + x + x² + x³ the slope grows from 1 to 17, and f'' from 2 to 14.
 
+    The speed along it is 2.
     The knots are those of the motion, and the times at which it is at the ends of the curve.
     """
     made = Reparametrised(UNIFORM.cut((high + 4.0) / 2.0).after((low + 4.0) / 2.0), LIFTED, "cam", 5.0)
@@ -496,8 +500,9 @@ def test_the_figures_of_a_curve_at_uniform_speed(
 def test_a_straight_section_of_a_curve_makes_plain_pieces(
     low: float, high: float, is_plain: bool, shape: str
 ) -> None:
-    """Straight up to 3 with slope 2, curved up to 5, straight from there with slope 4; raised by 7.
+    """Straight up to 3 with slope 2, curved up to 5, straight from there with slope 4.
 
+    It is raised by 7.
     2 * 3 = 6 at the first knot; 6 + 2 * 2 + 0.5 * 2² = 12 at the second.
     """
     curve = from_curve(
@@ -548,8 +553,9 @@ def test_a_straight_section_of_a_curve_makes_plain_pieces(
     ],
 )
 def test_the_curvature_ends_with_the_curve(distance: float, slope: float, bend: float) -> None:
-    """At s' = 3, s'' = 2 and s''' = 6: v = 3 f', a = 9 f'' + 2 f', j = 27 f''' + 18 f'' + 6 f'.
+    """Velocity is 3 f', acceleration 9 f'' + 2 f', jerk 27 f''' + 18 f'' + 6 f'.
 
+    Here s' = 3, s'' = 2 and s''' = 6.
     f' = 1 + 2x + 3x² and f'' = 2 + 6x on the curve. f''' = 6 belongs to the inside alone, where the position is
     f + 5; the straight continuations are 6 + x and 20 + 17 (x - 2).
     """
@@ -567,7 +573,7 @@ def test_the_curvature_ends_with_the_curve(distance: float, slope: float, bend: 
 
 
 def test_the_last_phase_of_an_endless_motion_ends_at_its_velocity() -> None:
-    """From 2 to 4 at 2/s² in 1 s, over 3; then the curve is passed, and left with a slope of 17."""
+    """From 2 to 4 at 2/s² in 1 s and over 3; the curve is left with a slope of 17."""
     made = Reparametrised(plan_velocity("trapezoid", -4.0, 2.0, 4.0, 2.0, 50.0), LIFTED, "cam", 5.0)
     accel, slew = made.phases
     assert (accel.name, accel.duration, accel.distance) == ("accel", 1.0, 3.0)
@@ -611,8 +617,9 @@ def test_only_the_section_travelled_has_peaks(low: float, high: float, expected:
 
 
 def test_the_steepest_point_before_the_section_travelled_does_not_count() -> None:
-    """The cubic is steepest at 2. From 3 to 3.5 its slope falls from 60/16 * 3 - 60/64 * 3² = 45/16.
+    """From 3 to 3.5 the slope falls from 60/16 * 3 - 60/64 * 3² = 45/16.
 
+    The cubic is steepest at 2.
     Its second derivative is 60/16 - 120/64 * 3.5 = -45/16 at 3.5. Both are passed at 2.
     """
     level = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
@@ -621,7 +628,10 @@ def test_the_steepest_point_before_the_section_travelled_does_not_count() -> Non
 
 
 def test_the_knots_of_a_curve_are_its_pieces_and_its_extrema() -> None:
-    """Up to 1 it rises; then 1 + 2x - x² has its extremum 1 later, and the next piece 2 x² - x at 0.25."""
+    """The piece 1 + 2x - x² has its extremum at 1, and 2x² - x at 0.25.
+
+    The first piece is straight.
+    """
     curve = from_curve(
         "fly",
         0.0,
@@ -642,7 +652,10 @@ def test_the_knots_of_a_curve_are_its_pieces_and_its_extrema() -> None:
 
 
 def test_a_crossing_at_rest_counts_once_and_later_ones_are_found() -> None:
-    """Out to 10 and back in 1.1 s each, with a rest of 2 s between them; at 10/s and 100/s²."""
+    """Out to 10 in 1.1 s, a rest of 2 s, back in 1.1 s, and out again.
+
+    The speed is 10/s, the rates are 100/s².
+    """
     out, back = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0), plan_trapezoid(10.0, 0.0, 10.0, 100.0, 100.0)
     rest = from_curve(
         "hold", 10.0, 10.0, ((0.0, 2.0), ((10.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),), (("hold", 0),)), 0.0, 0.0

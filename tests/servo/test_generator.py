@@ -45,7 +45,7 @@ def by_hand(time: float) -> float:
 
 @pytest.mark.parametrize("period", [0.1, 0.025])
 def test_a_point_is_that_of_the_end_of_its_cycle_in_the_profile_before_it(period: float) -> None:
-    """The profile that begins at 0.55 s takes effect in the first cycle that begins after that."""
+    """The profile from 0.55 s on takes effect in the first cycle that begins later."""
     generator = Generator(TRACK, period)
     count = round(3.0 / period)
     expected = [
@@ -95,8 +95,9 @@ def test_a_cubic_is_counted_from_a_later_time() -> None:
 
 
 def test_a_new_zero_is_no_step_of_the_command() -> None:
-    """At 1 s the position 5 becomes 2, at 2 s 2 becomes 8: the points go on at 5, with offsets of 3 and -3.
+    """At 1 s the position 5 becomes 2, at 2 s it becomes 8: the points stay at 5.
 
+    The offsets are 3 and -3.
     A change of rounding is none. A sample exactly at the time of a change is before it.
     """
     track = Track([0.0, 1.0, 2.0, 3.0], [hold(5.0), hold(2.0), hold(8.0), hold(8.0 + 1e-9)])
@@ -131,7 +132,7 @@ def test_closing_a_loop_sets_the_offset_from_there_on() -> None:
 
 
 def test_a_new_zero_in_motion_is_none_of_the_motion() -> None:
-    """At 10 counts/s; after 1 s and another 0.5 s the position is set to 3 and to 1, in motion each time."""
+    """At 10 counts/s, the position is set to 3 after 1 s and to 1 after 1.5 s."""
     move = plan_velocity("trapezoid", 0.0, 10.0, 10.0, 100.0, 100.0)
     track = Track([2.0, 3.0, 3.5], [move, move.shifted(3.0), move.shifted(1.0)])
     generator = Generator(track, 0.1)
@@ -142,7 +143,8 @@ def test_a_new_zero_in_motion_is_none_of_the_motion() -> None:
     assert list(generator.points(36, 4)) == pytest.approx(expected[16:20])
     assert generator.table(20, 30).tolist() == pytest.approx(expected)
     cubic, until = cubic_behind(generator, 32)
-    assert (cubic, until) == (pytest.approx((12.0, 1.0, 0.0, 0.0)), 36)
+    assert cubic == pytest.approx((12.0, 1.0, 0.0, 0.0))
+    assert until == 36
     generator.rebase(38, 100.0)
     assert generator.point(37) == pytest.approx(100.0)
     assert generator.point(38) == pytest.approx(101.0)
@@ -157,7 +159,10 @@ def test_a_track_has_a_profile_for_each_start(starts: list[float], count: int) -
 
 
 def test_the_first_cycle_of_the_next_profile() -> None:
-    """Those that begin at 0.5, 0.55 and 0.6 s take effect in cycles 6, 6 and 7: one at its time is too late."""
+    """Profiles from 0.5, 0.55 and 0.6 s on take effect in cycles 6, 6 and 7.
+
+    A profile that begins exactly with a cycle takes effect in the next one.
+    """
     generator = Generator(Track([0.0, 0.5, 0.55, 0.6], [hold(0.0)] * 4), 0.1)
     assert [generator.past(k) for k in range(4)] == [6, 6, 7, FOR_EVER]
     assert [generator.in_force(cycle) for cycle in (0, 5, 6, 7, 100)] == [0, 0, 2, 3, 3]

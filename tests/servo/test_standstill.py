@@ -35,8 +35,11 @@ def test_the_extent_of_samples() -> None:
 def test_a_motor_rests_when_a_block_is_no_wider_than_the_one_before(
     blocks: tuple[tuple[float, ...] | None, ...], expected: tuple[bool, ...]
 ) -> None:
-    """Before any command it is at rest, too; None is a block in which the command moved."""
-    detector, found = StandstillDetector(), []
+    """None is a block in which the command moved.
+
+    Before any command the motor is at rest, too.
+    """
+    detector, found = StandstillDetector(), list[bool]()
     assert detector.at_standstill
     detector.disturb()
     assert not detector.at_standstill
@@ -47,12 +50,13 @@ def test_a_motor_rests_when_a_block_is_no_wider_than_the_one_before(
 
 
 def test_a_motor_that_hunts_rests_after_20_seconds_in_its_range() -> None:
-    """It goes to and fro between two ranges, so each block exceeds the last; a wider one counts as motion.
+    """It alternates between two ranges, so each block exceeds the one before.
 
+    A wider block counts as motion.
     Blocks take 5 s, so the fifth is the first after more than 20 s.
     """
     assert HUNTING == 20.0  # seconds
-    detector, found = StandstillDetector(), []
+    detector, found = StandstillDetector(), list[bool]()
     detector.disturb()
     for number in range(10):
         detector.check((-5.0, 6.0, 0.0, 0.0) if number % 2 else (-4.0, 5.0, 0.0, 0.0), 5.0)

@@ -6,6 +6,7 @@ The trajectory has 100 points a second and the servo 400 samples, so a cycle of 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -28,8 +29,8 @@ from motionlang.servo.stretch import (
 
 # The point before, the beginning, and the end of 5 cycles: at 0, 4, 8, 8, -8 and -8 counts a cycle.
 POINTS = [0.0, 0.0, 4.0, 12.0, 20.0, 12.0, 4.0]
-RATES = {"servo_rate": 400.0, "trajectory_rate": 100.0}
-SLOW = {"servo_rate": 100.0, "trajectory_rate": 100.0}
+RATES: dict[str, Any] = {"servo_rate": 400.0, "trajectory_rate": 100.0}
+SLOW: dict[str, Any] = {"servo_rate": 100.0, "trajectory_rate": 100.0}
 # A quarter of a cycle later is a quarter of the way.
 DEMAND = [
     *(0.0, 1.0, 2.0, 3.0),
@@ -56,16 +57,17 @@ BY_ACCELERATION = [4.0, 4.0, 0.0, -16.0, 0.0]
         ({}, []),
     ],
 )
-def test_feed_forward_of_each_cycle(gains: dict[str, float], volts: list[float]) -> None:
-    loop = Loop(**gains, **RATES)  # type: ignore[arg-type]
+def test_feed_forward_of_each_cycle(gains: dict[str, Any], volts: list[float]) -> None:
+    loop = Loop(**gains, **RATES)
     if gains:
         assert _feed(loop, POINTS) == pytest.approx(volts)
     assert _feeds(loop, np.diff(np.array(POINTS))).tolist() == pytest.approx(volts)
 
 
 def test_an_axis_that_slows_down_has_the_gain_of_deceleration() -> None:
-    """By 1, 3, 2, -1, -4 and -2 counts a cycle. The changes of 2, -1, -3, -3 and 2 are 20 000 to 30 000 counts/s².
+    """The axis moves by 1, 3, 2, -1, -4 and -2 counts a cycle.
 
+    A change of 1 is 10 000 counts/s².
     From 3 to 2, from 2 to -1 and from -4 to -2 the speed falls: 2, 3 and 2 times the gain of 0.0005.
     """
     points = [0.0, 1.0, 4.0, 6.0, 5.0, 1.0, -1.0]
@@ -80,22 +82,26 @@ def test_an_axis_that_slows_down_has_the_gain_of_deceleration() -> None:
 @pytest.mark.parametrize("samples", [slice(0, 20), slice(0, 16), slice(3, 9), slice(4, 5), slice(7, 20)])
 @pytest.mark.parametrize("gains", [{}, {"velocity_ff": 0.01}])
 def test_the_command_of_a_sample_is_on_the_line_between_two_points(
-    samples: slice, gains: dict[str, float]
+    samples: slice, gains: dict[str, Any]
 ) -> None:
-    loop = Loop(**gains, **RATES)  # type: ignore[arg-type]
+    loop = Loop(**gains, **RATES)
     volts = [volt for volt in BY_VELOCITY for _ in range(4)][samples] if gains else []
-    for given, points in ((_given, POINTS), (_given_at_once, np.array(POINTS))):
-        demand, feed = given(loop, points, samples)  # type: ignore[operator]
+    both: Any = ((_given, POINTS), (_given_at_once, np.array(POINTS)))
+    for given, points in both:
+        demand, feed = given(loop, points, samples)
         assert demand == DEMAND[samples]
         assert feed == pytest.approx(volts)
         if samples == slice(0, 20):
-            slow, volts_of_cycles = given(Loop(**gains, **SLOW), points, slice(1, 5))  # type: ignore[arg-type, operator]
+            slow, volts_of_cycles = given(Loop(**gains, **SLOW), points, slice(1, 5))
             assert slow == [4.0, 12.0, 20.0, 12.0]
             assert volts_of_cycles == pytest.approx([8.0, 8.0, -8.0, -8.0] if gains else [])
 
 
 def test_a_stretch_knows_its_commands_and_marks() -> None:
-    """It begins with the third sample of its first cycle; the mark at 0 has no point before it."""
+    """It begins with the third sample of its first cycle.
+
+    The mark at 0 has no point before it.
+    """
     states = [(float(n),) for n in range(3)]
     stretch = Stretch(POINTS[1:], 2, 4, [], list(zip((0, 2, 10), states, strict=True)))
     assert stretch.demand(12).tolist() == DEMAND[2:14]
@@ -117,7 +123,7 @@ def test_a_stretch_knows_its_commands_and_marks() -> None:
     ("mode", "acting"),
     [
         ("always", [True]),
-        ("steady", [True, False, False, True, False]),  # cycles of which the next one is as fast
+        ("steady", [True, False, False, True, False]),  # cycles that the next one equals in speed
         ("stopped", [True, False, False, False, True]),
         ("zeroed", [True, False, False, False, True]),
     ],
@@ -156,7 +162,7 @@ def test_samples_are_run_in_spans_with_and_without_the_integral(
 def test_chunks_do_not_change_a_run(
     form: Callable[[list[float]], list[float]], mode: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """18 samples from the third one on, in chunks of 5 and marked every 3, give the columns of one run."""
+    """18 samples in chunks of 5, marked every 3, have the columns of one run."""
     loop = Loop(
         proportional=0.5, integral=0.1, velocity_ff=0.01, integral_mode=mode, integral_limit=100.0, **RATES
     )

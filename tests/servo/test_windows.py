@@ -1,4 +1,4 @@
-"""When a simulated motor has settled, and when it reaches a level: tables of cases by hand."""
+"""Settling of a simulated motor, and levels that it reaches, by hand."""
 
 from __future__ import annotations
 
@@ -42,7 +42,10 @@ def block(first: int, error: list[float], velocity: list[float] | None = None) -
 def test_a_motor_settles_after_its_hold_in_the_window(
     at_target: bool, error: list[float], onsets: list[tuple[int, int]], settled: tuple[float, float]
 ) -> None:
-    """Samples 50 to 53 at 1000 a second; the hold of 2 ms is two samples. An error of 1 is inside."""
+    """Of samples 50 to 53 at 1000 a second, the hold of 2 ms is two samples.
+
+    An error of 1 is inside.
+    """
     window = Window(error=1.0, hold=0.002, at_target=at_target)
     samples = block(50, [9.0] * 4 if at_target else error)
     samples.rows[0] = 100.0 - np.array(error)
@@ -169,7 +172,7 @@ def test_a_value_leaves_its_side(values: list[float], level: float, found: int |
 
 
 def test_a_rest_is_seen_ahead_of_its_time() -> None:
-    """A move of 10 in 1.1 s, then a rest that begins then, later, a nanosecond too soon, or elsewhere."""
+    """A move of 10 in 1.1 s, and a rest that begins then, too soon, or elsewhere."""
     move = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0)
     assert rests_as_seen(Track([0.0, 1.1], [move, hold(10.0)]))
     assert rests_as_seen(Track([5.0, 5.0, 7.0], [hold(0.0), move, hold(10.0)]))

@@ -1,4 +1,4 @@
-"""Artists of a panel: positions in the units of the time axis, margins, labels and shades.
+"""Elements of a panel: positions, margins, labels and shades.
 
 The figure is 10 inches wide and its axes fill it, so it shows 720 points; the time axis is in milliseconds.
 """
@@ -62,7 +62,7 @@ def test_channels_are_bars_in_their_rows(axes: Axes) -> None:
     rules = [each for each in axes.collections if isinstance(each, LineCollection)]
     found = [np.asarray(each.get_segments()[0]).tolist() for each in rules]
     assert found == [[[300.0, 0.34], [1000.0, 0.34]], [[300.0, 1.34], [1000.0, 1.34]]]
-    assert axes.get_ylim() == (pytest.approx(1.6), -0.6)
+    assert axes.get_ylim() == pytest.approx((1.6, -0.6))
     assert [label.get_text() for label in axes.get_yticklabels()] == ["start", "stop"]
     assert not axes.spines["top"].get_visible()
     assert axes.spines["left"].get_visible()
@@ -110,8 +110,9 @@ def test_a_million_counts_have_a_power_of_ten(axes: Axes, size: float, style: st
     ],
 )
 def test_curves_of_a_panel(axes: Axes, quantity: str, first: float, last: float, place: int) -> None:
-    """The legend is at the lower right (4) if the curve ends above the middle, 3.25, and at the upper right (1) if not.
+    """The legend is at the lower right (4) if the curve ends above the middle, 3.25.
 
+    If not, it is at the upper right (1).
     Of a velocity the peak of the last curve is given, and zero has a line.
     """
     times = np.array([0.0, 0.5, 1.0])
@@ -137,7 +138,10 @@ def test_curves_of_a_panel(axes: Axes, quantity: str, first: float, last: float,
 
 
 def test_phases_are_shaded_and_short_ones_are_a_point_wide(axes: Axes) -> None:
-    """From 1 s on for 0.1, 0.3 and 0.001 s. A point of 2 s over 720 is longer than the last one."""
+    """The phases from 1 s on take 0.1, 0.3 and 0.001 s.
+
+    A point, 2 s over 720, is longer than the last one.
+    """
     curve = Curve(np.array([0.0, 2.0]), np.array([0.0, 1.0]), "#000000")
     rows = [move(3, 1.0, 0.1, 0.3, 0.001)]
     plot_panel.draw_panel(axes, Panel("position", "uu", (curve,)), rows, (0.0, 2.0), MS)

@@ -1,4 +1,4 @@
-"""The styles of all figures: sizes of type and lines, order, grids, ticks, frames and legends.
+"""Styles of all figures: sizes of type and lines, grids, ticks, frames, legends.
 
 The golden file lists each style of a figure once. `--update` rewrites it. The data of figures, and their texts and
 colours, are in the digests of `tests/generated`.
@@ -92,7 +92,7 @@ def artist_style(artist: Any) -> Iterator[str]:
 
 
 def text_style(kind: str, text: Any) -> str:
-    """Return the style of a text; texts of programs and axes must not be read as formulas."""
+    """Return the style of a text, and True if it may be read as a formula."""
     shift = tuple(map(float, text.xyann)) if getattr(text, "textcoords", "data") == "offset points" else ""
     return f"{kind} {text.get_fontsize():g} {text.get_fontweight()} {text.get_parse_math()} {shift}".rstrip()
 

@@ -277,8 +277,9 @@ def test_where_there_is_no_room_the_source_goes_before_the_name_of_the_sub() -> 
 
 
 def test_a_task_lives_from_its_start_to_its_end() -> None:
-    """One waits 100 ms from 50 ms on; one computes and ends at once; one waits to the end of the program, at 0.3 s.
+    """Three tasks begin at 50 ms: one waits 100 ms, one computes, one waits to 0.3 s.
 
+    The program ends then, too.
     A statement takes 10 µs: 2000 iterations take 20 ms, and waits are up to 2 ms late, because the tasks share time.
     """
     made = profiled(

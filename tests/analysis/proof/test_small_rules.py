@@ -102,8 +102,9 @@ def test_just_at_a_new_zero_a_track_is_where_it_came_from_for_what_ends_there() 
 def test_a_row_of_a_trace_at_a_new_zero_may_be_before_or_after_it(
     row: int, value: float, message: str
 ) -> None:
-    """A unit has 4 counts from 8 on. A move of 4 at 10/s and 100/s² takes 0.5 s, and is at 2 after half of it.
+    """A unit has 4 counts, and position 0 is at 8 counts.
 
+    A move of 4 counts at 10/s and 100/s² takes 0.5 s, and is at 2 after half of it.
     At 1 s the program sets the position to 50. The other rows are right; velocities are not compared.
     """
     c = machine(1)

@@ -535,7 +535,7 @@ def test_a_tie_that_lasts_goes_on_as_another_entry_of_the_log(monkeypatch: pytes
 
 
 def test_a_second_offset_on_a_cam_replaces_the_first_on_its_way() -> None:
-    """The first offset of 6 begins at 1 s at up to 10 counts/s; 0.35 s later 3 counts of it are covered.
+    """An offset of 6 begins at 1 s; 0.35 s later 3 counts of it are covered.
 
     The second one of -2 makes 4 of it in all. Both begin late, so their own times differ from the machine's.
     """

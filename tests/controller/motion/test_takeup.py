@@ -39,10 +39,10 @@ def test_play_is_taken_up_while_the_axis_moves_and_at_its_rate() -> None:
 def test_play_is_taken_up_forward_and_given_back(
     size: float, asked: tuple[float, ...], taken: tuple[float, ...]
 ) -> None:
-    """From 2 s on the axis goes out and back, out and back, each leg 10 counts at 10/s in 1.1 s.
+    """From 2 s on the axis goes out and back twice, 10 counts in 1.1 s each time.
 
     The play takes 2 s of motion in one direction, so a leg takes up 0.55 of it: 5.5 of 10. The axis turns at 3.1, 4.2
-    and 5.3 s and rests at 6.4 s. A negative play is taken up on the way back. A reading changes no later one.
+    and 5.3 s and rests at 6.4 s. A negative play is taken up in reverse motion. A reading changes no later one.
     """
     c = machine(1)
     play = Takeup(c.axes[0], 0.0)

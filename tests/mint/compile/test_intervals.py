@@ -1,4 +1,4 @@
-"""The range of an operation contains its result for every pair of operands, and no more.
+"""The range of an operation is that of its results for all pairs of operands.
 
 The expected ranges are found by trying all operands.
 """

@@ -1,4 +1,4 @@
-"""Paths end where their coordinates say, in user units, on axes whose positions were set.
+"""Paths end at their coordinates, in user units, after positions were set.
 
 Axis 0 is at 5, axis 1 at -7 and axis 2 at 2 when a path begins; a unit of axis 0 has 4 counts.
 """

@@ -1,4 +1,4 @@
-"""Where a spline goes: positions of its table by mode, from SPLINESTART to SPLINEEND.
+"""Points of a spline by its mode, from SPLINESTART to SPLINEEND.
 
 The table has 10, 30, 45 and 50; a unit has 4 counts, and the axis is at 100 when the spline begins.
 """
