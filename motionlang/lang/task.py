@@ -38,6 +38,9 @@ WATCH = 0.03
 MIN_STATEMENTS = 100.0
 # The first letter of the names of functions in generated code that are a part of another one.
 CHUNK = "q"
+# The number of frames, from the running code outwards, whose calls are looked up each time. Calls further out
+# are cached.
+NEAR = range(16)
 
 
 class Task:
@@ -148,7 +151,7 @@ class GeneratorTask(Task):
     `n`.
     """
 
-    __slots__ = ("_calls", "_file", "_generator", "_make", "_offsets")
+    __slots__ = ("_calls", "_deep", "_file", "_generator", "_make", "_offsets")
 
     # The code of `resume`, below which there is no further code of a program.
     resumes: CodeType
@@ -163,6 +166,8 @@ class GeneratorTask(Task):
         self._generator: Steps | None = None
         # The source positions of calls, by the identity of their code and the offset in it.
         self._calls: dict[tuple[int, int], tuple[CodeType, int]] = {}
+        # The calls that led to some frames of deep recursions.
+        self._deep: dict[FrameType, tuple[int, ...]] = {}
 
     @property
     def at(self) -> int:
@@ -198,18 +203,44 @@ class GeneratorTask(Task):
         """
         if _getframe(above + 1).f_code is self.resumes:
             return ()
-        frame: FrameType | None = _getframe(above)
+        frame = _getframe(above)
         # A recursion may be a thousand calls deep: only a call that is new costs one of `_offset_of`.
-        calls, file, found = self._calls, self._file, []
-        while frame is not None:
+        calls, file = self._calls, self._file
+        found: list[int] = []
+        for _ in NEAR:
             caller = frame.f_back
             if caller is None or (code := caller.f_code).co_filename != file:
-                break
+                return tuple(found[::-1])
             if frame.f_code.co_name[0] != CHUNK:
                 known = calls.get((id(code), caller.f_lasti))
                 found.append(known[1] if known is not None else self._offset_of(caller))
             frame = caller
-        return tuple(found[::-1])
+        return (*self._callers_of(frame), *found[::-1])
+
+    def _callers_of(self, frame: FrameType) -> tuple[int, ...]:
+        """Return the calls that led to a frame far from the running code.
+
+        They do not change while the frame lasts, so those of one frame in `len(NEAR)` are cached. Leaving n nested
+        calls then takes time proportional to n, not to its square.
+        """
+        cached, file, passed = self._deep, self._file, []
+        above = cached.get(frame)
+        while above is None:
+            caller = frame.f_back
+            if caller is None or caller.f_code.co_filename != file:
+                above = ()
+                break
+            passed.append((frame, caller))
+            frame = caller
+            above = cached.get(frame)
+        if len(cached) > len(NEAR) * len(NEAR):
+            cached.clear()  # most of these frames have ended
+        for count, (frame, caller) in enumerate(reversed(passed), 1):
+            if frame.f_code.co_name[0] != CHUNK:
+                above = (*above, self._offset_of(caller))
+            if not count % len(NEAR):
+                cached[frame] = above
+        return above
 
     def _offset_of(self, frame: FrameType) -> int:
         """Return the source position of a call, cached.
