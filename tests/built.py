@@ -24,6 +24,15 @@ IGNORED = (
 )
 
 
+def copy_with_bytecode(source: Path, target: Path, *left_out: str) -> None:
+    """Copy a folder of modules, so that processes which import the copy need not compile it.
+
+    Bytecode stays valid because files keep their times. Bytecode that another process is writing has a longer
+    name, and is left out.
+    """
+    shutil.copytree(source, target, ignore=shutil.ignore_patterns("*.pyc.*", *left_out))
+
+
 def distributions(folder: Path, *kinds: str) -> list[Path]:
     """Build in an empty `folder`; return one file for each kind, "sdist" or "wheel"."""
     pytest.importorskip("setuptools", minversion="77")

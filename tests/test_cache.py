@@ -15,6 +15,7 @@ import pytest
 from motionlang import cache, execution
 from motionlang.cache import Entry, machine_entry, program_entry
 from motionlang.source import Source
+from tests.built import copy_with_bytecode
 
 PACKAGE = Path(execution.__file__).parent
 HELLO = Source("hello.mnt", 'PRINT "hello"\n')
@@ -126,7 +127,7 @@ print(*(m.__file__ for n, m in sys.modules.items() if n.startswith('motionlang')
 
 def installed(root: Path) -> Path:
     """Return a copy of the package in the form of an installation."""
-    shutil.copytree(PACKAGE, root / "motionlang", ignore=shutil.ignore_patterns("__pycache__"))
+    copy_with_bytecode(PACKAGE, root / "motionlang")
     return root / "motionlang"
 
 

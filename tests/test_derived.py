@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from tests import keyword_index
+from tests.built import copy_with_bytecode
 
 ROOT = Path(__file__).parent.parent
 # The files that the recipe touches, and that the writers read.
@@ -50,11 +51,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a copy of the project in which a keyword was added by the recipe."""
     folder = tmp_path_factory.mktemp("recipe")
     for name in COPIED:
-        shutil.copytree(
-            ROOT / name,
-            folder / name,
-            ignore=shutil.ignore_patterns("__pycache__", "golden", "node_modules", "dist"),
-        )
+        copy_with_bytecode(ROOT / name, folder / name, "golden", "node_modules", "dist")
     shutil.copy(ROOT / "mkdocs.yml", folder)
     mint, mccl = folder / "motionlang/mint/keywords", folder / "motionlang/mccl/keywords"
     row = (

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -14,6 +13,7 @@ from motionlang import execution
 from motionlang.controller.accelerators import NO_ACCELERATORS
 from motionlang.report import text
 from motionlang.source import Source
+from tests.built import copy_with_bytecode
 from tests.cases import cases
 
 PACKAGE = Path(execution.__file__).parent
@@ -66,7 +66,7 @@ def test_a_compiled_program_is_cached_for_each_setting(
 @pytest.mark.slow
 def test_the_engine_runs_the_gallery_without_the_folder(tmp_path: Path) -> None:
     root = tmp_path / "motionlang"
-    shutil.copytree(PACKAGE, root, ignore=shutil.ignore_patterns("__pycache__", "fast"))
+    copy_with_bytecode(PACKAGE, root, "fast")
     command = [sys.executable, "-m", "motionlang", "verify", str(GALLERY), "--jobs", "2"]
     ran = subprocess.run(
         command,

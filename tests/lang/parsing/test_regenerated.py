@@ -7,13 +7,14 @@ of the package, writes the tables and runs a program.
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
+from tests.built import copy_with_bytecode
 
 ROOT = Path(__file__).parents[3]
 # Runs the command line, for a package that is not installed.
@@ -26,7 +27,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a copy of the package and the grammars."""
     folder = tmp_path_factory.mktemp("copy")
     for name in ("motionlang", "grammars"):
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+        copy_with_bytecode(ROOT / name, folder / name)
     return folder
 
 
