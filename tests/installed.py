@@ -204,15 +204,19 @@ def helps() -> list[str]:
     return [f"{command} --help" for command in HELP]
 
 
-def check(ran: Mapping[str, tuple[int, str, str]], uses: Mapping[str, str], absent: set[str]) -> None:
-    """Check that each help is shown, and each use works or names the missing extra.
-
-    The message must also name the command that installs the extra.
-    """
+def check_helps(ran: Mapping[str, tuple[int, str, str]]) -> None:
+    """Check that the help of each command is shown."""
     for command in helps():
         status, out, err = ran[command]
         assert (status, err) == (0, ""), command
         assert out.startswith("usage: motionlang"), command
+
+
+def check_uses(ran: Mapping[str, tuple[int, str, str]], uses: Mapping[str, str], absent: set[str]) -> None:
+    """Check that each use works or names the missing extra.
+
+    The message must also name the command that installs the extra.
+    """
     for command, extra in uses.items():
         status, out, err = ran[command]
         if extra in absent:

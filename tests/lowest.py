@@ -19,7 +19,7 @@ from packaging.requirements import Requirement
 from packaging.version import Version
 
 from tests.built import distributions
-from tests.installed import DRIVER, PROJECT, check, drive, helps, needed, write_files
+from tests.installed import DRIVER, PROJECT, check_helps, check_uses, drive, helps, needed, write_files
 
 SUPPORTED = ("3.11", "3.12", "3.13", "3.14")
 PIP = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--only-binary", ":all:")
@@ -57,7 +57,9 @@ def run(python: str, wheel: Path, folder: Path) -> str:
     environment |= {"MOTIONLANG_CACHE": str(folder / "cache"), "PYTHONUTF8": "1"}
     uses = {use: extra for use, extra in needed().items() if not extra}
     command = [installed, "-X", "dev", "-W", "error", str(folder / "driver.py")]
-    check(drive(command, [*helps(), *uses], work, environment), uses, set())
+    ran = drive(command, [*helps(), *uses], work, environment)
+    check_helps(ran)
+    check_uses(ran, uses, set())
     return f"Python {version} with {', '.join(versions)}: {len(helps())} helps, {len(uses)} uses"
 
 

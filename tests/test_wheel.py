@@ -17,7 +17,18 @@ from motionlang.client import Client
 from motionlang.errors import LIBRARIES
 from tests.built import ROOT
 from tests.cli.programs import MAX_SECONDS
-from tests.installed import EXTRAS, PROJECT, USED, Install, check, closure, first_uses, helps, needed
+from tests.installed import (
+    EXTRAS,
+    PROJECT,
+    USED,
+    Install,
+    check_helps,
+    check_uses,
+    closure,
+    first_uses,
+    helps,
+    needed,
+)
 from tests.lowest import SUPPORTED, lowest
 
 # Extras that the package itself does not import: for developers, and Dask, whose executor users pass in.
@@ -29,17 +40,22 @@ links = pytest.mark.skipif(os.name == "nt", reason="links need a privilege on Wi
 def test_every_command_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
     install = Install(tmp_path, wheel, closure(PROJECT["dependencies"]))
     uses = needed()
-    check(install([*helps(), *uses]), uses, set(USED))
+    ran = install([*helps(), *uses])
+    check_helps(ran)
+    check_uses(ran, uses, set(USED))
 
 
 @links
 @pytest.mark.parametrize("absent", USED)
 def test_every_command_without_one_extra(absent: str, wheel: Path, tmp_path: Path) -> None:
-    """It runs the first use of each command, and those that need the extra."""
+    """It runs the first use of each command, and those that need the extra.
+
+    The helps need no extra, because they are shown without all of them.
+    """
     present = [each for extra in USED if extra != absent for each in EXTRAS[extra]]
     install = Install(tmp_path, wheel, closure([*PROJECT["dependencies"], *present]))
     uses = {use: extra for use, extra in needed().items() if extra == absent or use in first_uses()}
-    check(install([*helps(), *uses]), uses, {absent})
+    check_uses(install(uses), uses, {absent})
 
 
 # Uses that need numpy among those that need no extra, and some more: by the option or command in the message.

@@ -5,15 +5,31 @@ from __future__ import annotations
 import pytest
 
 from motionlang.fast.recurrence import Recurrence
-from tests.generated.tasks import document, is_equal, program
+from tests.generated.tasks import is_equal
 
 # Seeds of the normal run, and of a long one in batches.
 SLICE, BATCHES, BATCH = 60, 20, 100
 
 
 @pytest.mark.slow
-def test_a_slice_of_programs_does_the_same_with_loops_skipped() -> None:
-    assert [seed for seed in range(SLICE) if not is_equal(seed)] == []
+def test_a_slice_of_programs_does_the_same_with_loops_skipped(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Periods are skipped in a third of the programs.
+
+    Without that, the comparison would prove nothing.
+    """
+    found: set[int] = set()
+    skips = Recurrence._skips
+
+    def counted(self: Recurrence, *given: object) -> bool:
+        skipped = skips(self, *given)  # type: ignore[arg-type]
+        if skipped:
+            found.add(seed)
+        return skipped
+
+    monkeypatch.setattr(Recurrence, "_skips", counted)
+    for seed in range(SLICE):
+        assert is_equal(seed), seed
+    assert len(found) >= SLICE // 3
 
 
 def test_a_statement_at_the_end_of_a_wait_comes_after_it_with_loops_skipped() -> None:
@@ -29,20 +45,3 @@ def test_a_statement_at_the_end_of_a_wait_comes_after_it_with_loops_skipped() ->
 def test_programs_do_the_same_with_loops_skipped(batch: int) -> None:
     first = 1000 + batch * BATCH
     assert [seed for seed in range(first, first + BATCH) if not is_equal(seed)] == []
-
-
-def test_a_third_of_the_programs_have_periods_that_are_skipped(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without skipped periods the comparison would prove nothing."""
-    found: set[int] = set()
-    skips = Recurrence._skips
-
-    def counted(self: Recurrence, *given: object) -> bool:
-        skipped = skips(self, *given)  # type: ignore[arg-type]
-        if skipped:
-            found.add(seed)
-        return skipped
-
-    monkeypatch.setattr(Recurrence, "_skips", counted)
-    for seed in range(30):
-        document(*program(seed))
-    assert len(found) > 10
