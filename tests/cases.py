@@ -20,6 +20,15 @@ import pytest
 FAILURES = (Exception, pytest.fail.Exception)
 
 
+# A property draws one in this many of its examples.
+draws_one_in = 2
+
+
+def examples(count: int) -> int:
+    """Return how many of `count` examples the normal run draws; with `--all-examples` all of them."""
+    return count // draws_one_in
+
+
 def one_in(number: int, values: Iterable[Any]) -> list[Any]:
     """Return `values` for `parametrize`, all marked `long` except one in `number`."""
     return [

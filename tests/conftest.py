@@ -12,6 +12,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 
+from tests import cases
 from tests.built import distributions
 
 TYPE_CHECKING = False
@@ -38,14 +39,21 @@ for _name in ("SIGINT", "SIGTERM", "SIGHUP"):
 # draw constants of those modules of the package that earlier tests have imported.
 if hasattr(providers, "_local_constants"):  # private, so a later version may not have it
     providers._get_local_constants = lambda: providers._local_constants
-settings.register_profile(
-    "motionlang",
-    deadline=None,
-    derandomize=True,
-    database=None,
-    suppress_health_check=[HealthCheck.too_slow],
-)
-settings.load_profile("motionlang")
+
+
+def _draw_examples(all_of_them: bool) -> None:
+    """Let properties draw half of their examples, or all; before test modules are imported."""
+    if all_of_them:
+        cases.draws_one_in = 1
+    settings.register_profile(
+        "motionlang",
+        deadline=None,
+        derandomize=True,
+        database=None,
+        max_examples=cases.examples(100),
+        suppress_health_check=[HealthCheck.too_slow],
+    )
+    settings.load_profile("motionlang")
 
 
 def _prove_every_run() -> None:
@@ -79,6 +87,7 @@ def _prove_every_run() -> None:
 
 def pytest_configure(config: pytest.Config) -> None:
     """Prove every run of the complete suite; with `--prove`, also of selected tests."""
+    _draw_examples(config.option.all_examples or "long" in config.option.markexpr)
     if config.args_source is pytest.Config.ArgsSource.TESTPATHS:
         config.option.prove = True
     if config.option.prove:
@@ -93,6 +102,9 @@ def pytest_collection_finish() -> None:
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--update", action="store_true", help="write golden files and transcripts anew")
+    parser.addoption(
+        "--all-examples", action="store_true", help="draw all examples of properties instead of half of them"
+    )
     parser.addoption("--prove", action="store_true", help="prove every run; always on in the whole suite")
 
 

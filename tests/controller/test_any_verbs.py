@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Rejected
+from tests.cases import examples
 from tests.controller.machines import machine, until
 
 if TYPE_CHECKING:
@@ -103,7 +104,7 @@ def jumps(c: Controller, axis: int) -> float:
     return worst
 
 
-@settings(max_examples=400)
+@settings(max_examples=examples(400))
 @given(SEEDS)
 def test_positions_never_jump(seed: int) -> None:
     r = Random(seed)
@@ -125,7 +126,7 @@ def test_positions_never_jump(seed: int) -> None:
         assert all(math.isfinite(c.axes[axis].position(0.25 * k)) for k in range(40))
 
 
-@settings(max_examples=100)
+@settings(max_examples=examples(100))
 @given(SEEDS)
 def test_the_trace_and_the_log_are_the_track(seed: int) -> None:
     r = Random(seed)

@@ -194,8 +194,16 @@ def test_reports_as_json() -> None:
     assert streamed["error"] < 1e-9
 
 
-@pytest.mark.parametrize("name", ["move.png", "move.svg"])
-@pytest.mark.parametrize("command", ["plot", "refine", "export", "stream"])
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [
+        ("plot", "move.png"),
+        ("plot", "move.svg"),
+        ("refine", "move.png"),
+        ("export", "move.svg"),
+        ("stream", "move.png"),
+    ],
+)
 def test_every_command_draws(command: str, name: str, tmp_path: Path) -> None:
     file = tmp_path / name
     words = ["--positions", "0,5000,15000,20000", "--time", "10", "--plot", str(file)]

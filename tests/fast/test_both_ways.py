@@ -16,6 +16,7 @@ from motionlang.controller.feedback import Feedback
 from motionlang.fast.closed_form import ClosedFormServo
 from motionlang.servo.speculative import SpeculativeServo
 from motionlang.source import Source
+from tests.cases import examples
 
 if TYPE_CHECKING:
     Act = Callable[[Controller], object]
@@ -110,7 +111,7 @@ def responses(
         ("far", 0.25),
     ],
 )
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 def test_values_are_equal_and_trips_occur_at_the_same_sample(
     plant: dict[str, object], section: dict[str, object], limit: float, acts: list[tuple[str, float]]
 ) -> None:

@@ -62,9 +62,18 @@ def test_a_counter_has_counted_every_tick_of_a_move(skipped: Callable[[], int]) 
 
 
 @cases(
-    "body", ("", "If INX(5) Then STOP(0)", "If INX(5) Then STOP(0)\n  If INX(6) Then STOP(0)", "m = POS(1)")
+    "body, cost",
+    (
+        ("", 1e-5),
+        ("", 0.7310585e-5),
+        ("If INX(5) Then STOP(0)", 0.7310585e-5),
+        ("If INX(5) Then STOP(0)", 4e-5),
+        ("If INX(5) Then STOP(0)\n  If INX(6) Then STOP(0)", 4e-5),
+        ("If INX(5) Then STOP(0)\n  If INX(6) Then STOP(0)", 3e-6),
+        ("m = POS(1)", 3e-6),
+        ("m = POS(1)", 1e-5),
+    ),
 )
-@cases("cost", (1e-5, 0.7310585e-5, 4e-5, 3e-6))
 def test_iterations_of_any_length_are_interrupted_at_the_same_statement(
     body: str, cost: float, skipped: Callable[[], int]
 ) -> None:

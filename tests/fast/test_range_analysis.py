@@ -16,6 +16,7 @@ from motionlang.mint.compile import intervals
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
+from tests.cases import examples
 from tests.mint.programs import Writer
 from tests.mint.reference import Reference
 
@@ -39,7 +40,7 @@ def compare(text: str, written: str = "") -> None:
     assert bool(fast.diagnostics) is bool(slow.trouble), text
 
 
-@settings(max_examples=100)
+@settings(max_examples=examples(100))
 @given(st.integers(0, 10**9))
 def test_compiled_programs_agree_with_a_plain_interpreter(seed: int) -> None:
     compare(Writer(Random(seed)).program())
@@ -51,7 +52,7 @@ def with_labels(text: str) -> str:
     return ENDS.sub(lambda match: f"#here{next(count)}\n{match[1]}", text)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(st.integers(0, 10**9))
 def test_programs_of_jumps_agree_with_a_plain_interpreter(seed: int) -> None:
     text = Writer(Random(seed)).program()

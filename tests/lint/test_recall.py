@@ -17,6 +17,7 @@ import pytest
 from motionlang.mint.lint import check
 from motionlang.record import as_dict
 from motionlang.source import Source
+from tests.cases import one_in
 
 GALLERY = Path(__file__).parents[2] / "scripts" / "mint"
 PROGRAM = """\
@@ -47,6 +48,9 @@ ADDED = (
     "Event ONERROR", "End Event", "Sub fill(n)", "End Sub", "fill(1)", "load", "If POS(0) = 5 Then Print 3",
     "MOVEA(0) = ", "mover(0) 5",
 )  # fmt: skip
+
+# Seeds of the edits in the normal run, and in a long one.
+SLICE, MORE = range(24), range(24, 40)
 
 
 def found(text: str, known: dict[object, object] | None = None) -> list[dict[str, object]]:
@@ -161,7 +165,7 @@ def test_a_half_typed_line_forgets_nothing() -> None:
         assert known == before
 
 
-@pytest.mark.parametrize("path", sorted(GALLERY.rglob("*.mnt")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", one_in(2, sorted(GALLERY.rglob("*.mnt"))), ids=lambda path: path.stem)
 def test_gallery_programs_with_edits(path: Path) -> None:
     random = Random(path.stem)
     lines = path.read_text(encoding="utf-8").split("\n")
@@ -172,7 +176,17 @@ def test_gallery_programs_with_edits(path: Path) -> None:
         lines = edited(lines, random)
 
 
-@pytest.mark.parametrize("seed", range(40))
+def test_the_edits_of_the_normal_run_add_every_line() -> None:
+    seen = set()
+    for seed in SLICE:
+        random, lines = Random(seed), PROGRAM.split("\n")
+        for _ in range(22):
+            lines = edited(lines, random)
+            seen.update(lines)
+    assert seen >= set(ADDED)
+
+
+@pytest.mark.parametrize("seed", [*SLICE, *(pytest.param(seed, marks=pytest.mark.long) for seed in MORE)])
 def test_generated_programs_with_edits(seed: int) -> None:
     random = Random(seed)
     lines = PROGRAM.split("\n")

@@ -13,6 +13,7 @@ from motionlang.errors import Diagnostic
 from motionlang.mint import DIALECT
 from motionlang.result import Run
 from motionlang.source import Source
+from tests.cases import examples
 
 Lines = list[str]
 
@@ -87,7 +88,7 @@ def warned(text: str, code: str) -> list[Diagnostic]:
     return [each for each in DIALECT.check(Source("random.mnt", text)) if each.code == code]
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(programs())
 def test_what_is_unreachable_is_never_done(text: str) -> None:
     output = ran(text).output
@@ -95,7 +96,7 @@ def test_what_is_unreachable_is_never_done(text: str) -> None:
         assert f"line {each.line}" not in output
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(programs())
 def test_what_is_never_started_never_moves(text: str) -> None:
     lines = {move.line for move in ran(text).controller.log.moves}
@@ -103,7 +104,7 @@ def test_what_is_never_started_never_moves(text: str) -> None:
         assert each.line not in lines
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(programs())
 def test_what_has_no_speed_never_moves(text: str) -> None:
     text = text.replace("SPEED(0) = 100", "SPEED(0) = 0").replace("SPEED(1) = 200", "SPEED(1) = 0")
@@ -112,7 +113,7 @@ def test_what_has_no_speed_never_moves(text: str) -> None:
         assert each.line not in lines
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(programs())
 def test_an_overfilled_buffer_ends_the_run_there(text: str) -> None:
     result = ran(text)
@@ -124,7 +125,7 @@ def test_an_overfilled_buffer_ends_the_run_there(text: str) -> None:
             assert end.line in lines
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(programs())
 def test_a_position_that_is_read_too_soon_is_read_in_motion(text: str) -> None:
     for each in warned(text, "in-motion"):
@@ -133,7 +134,7 @@ def test_a_position_that_is_read_too_soon_is_read_in_motion(text: str) -> None:
         assert all(line.startswith("read 0") for line in read)
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(programs())
 def test_without_an_unused_setting_every_move_is_the_same(text: str) -> None:
     for each in warned(text, "unused-setting"):
@@ -145,7 +146,7 @@ def test_without_an_unused_setting_every_move_is_the_same(text: str) -> None:
         assert [move[2:] for move in after] == [pytest.approx(move[2:], abs=1e-3) for move in before]
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(programs())
 def test_without_a_go_that_starts_nothing_every_move_is_the_same(text: str) -> None:
     lines = text.split("\n")

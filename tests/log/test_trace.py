@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from motionlang.controller.controller import Controller
 from motionlang.log import trace as module
 from motionlang.log.trace import Trace
+from tests.cases import examples
 
 
 def ballscrew(start: float = 0.0) -> Controller:
@@ -121,7 +122,7 @@ def test_what_does_not_fit_into_memory_is_refused() -> None:
         ballscrew().trace.sample(1.0, until=-1.0)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(
     targets=st.lists(st.floats(-1e6, 1e6), min_size=1, max_size=5),
     gaps=st.lists(st.floats(0.0, 3.0), min_size=5, max_size=5),

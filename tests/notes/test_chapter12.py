@@ -18,6 +18,7 @@ from motionlang.notes.slip import check_profile, check_trace, check_track
 from motionlang.planners import dissect, hold, plan
 from motionlang.servo import Drive, Loop, simulate
 from motionlang.servo.demand import Track
+from tests.cases import examples
 
 LIMIT = dissect.slip_acceleration(0.1, 32.2)
 SPEED = 100.0 / 60.0
@@ -102,7 +103,7 @@ def test_the_discrete_trapezoid_is_the_chapters_progression() -> None:
 
 
 @given(st.integers(1, 50_000), st.integers(1, 300), st.integers(1, 50))
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 def test_the_progression_ends_exactly(distance: int, speed: int, accel: int) -> None:
     made = dissect.discrete_trapezoid(distance, speed, accel)
     velocities = [0, *(v for v, _ in made)]
@@ -146,7 +147,7 @@ def test_the_listing_arrives() -> None:
     st.integers(1, 5),
     st.sampled_from([0, 8, 64]),
 )
-@settings(max_examples=100)
+@settings(max_examples=examples(100))
 def test_the_listing_never_overshoots_its_trajectory(
     distance: int, speed: int, accel: int, hold_steps: int, steps: int
 ) -> None:

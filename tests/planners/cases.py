@@ -10,8 +10,9 @@ from hypothesis import settings
 from hypothesis import strategies as st
 
 from motionlang.planners import Profile, plan
+from tests.cases import examples
 
-quick = settings(max_examples=150)
+quick = settings(max_examples=examples(150))
 
 SHAPES = ("trapezoid", "sinusoidal", "ratio", "jerk", "parabolic")
 

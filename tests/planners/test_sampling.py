@@ -19,6 +19,7 @@ from motionlang.planners import (
     table,
 )
 from motionlang.planners.sample import PieceTable, sample_profile, sample_track
+from tests.cases import examples
 from tests.planners.cases import Move, moves, quick
 
 
@@ -87,7 +88,7 @@ def test_nothing_to_sample() -> None:
     assert sample_profile(plan_trapezoid(2.0, 2.0, 1.0, 1.0, 1.0), 3, 0.1).tolist() == [2.0, 2.0, 2.0]
 
 
-@settings(quick, max_examples=40)
+@settings(quick, max_examples=examples(40))
 @given(st.lists(moves(), min_size=24, max_size=40))
 @pytest.mark.slow
 def test_many_profiles_expanded_at_once_are_the_same_curve(many: list[Move]) -> None:

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from motionlang.execution import dialect
 from motionlang.repl.session import Session
+from tests.cases import examples
 
 PIECES = {
     "mint": (
@@ -37,7 +38,7 @@ PROMPTS = (
 
 
 @pytest.mark.parametrize("name", sorted(PIECES))
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(data=st.data())
 def test_any_input_is_answered(name: str, data: st.DataObject) -> None:
     piece = st.one_of(st.sampled_from(PIECES[name]), st.sampled_from(PROMPTS), st.text(max_size=8))

@@ -19,7 +19,7 @@ from motionlang.servo.speculative import SpeculativeServo
 from motionlang.servo.speculative_points import SpeculativeGenerator
 from motionlang.servo.steps import COLUMNS, initial_state
 from motionlang.servo.stretch import MARKED, run_steps
-from tests.cases import cases
+from tests.cases import cases, examples
 from tests.fast.test_closed_form import track
 from tests.servo.test_oracle import LOOPS, PLANTS, WHOLE
 
@@ -77,7 +77,7 @@ def test_steps_along_an_array_are_those_along_a_list(name: str, ratio: int, phas
     name=st.sampled_from(sorted(ALL)),
     plant=st.sampled_from(sorted(PLANTS)),
 )
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 def test_what_is_run_again_is_what_was_seen(seen: int, count: int, name: str, plant: str) -> None:
     """This includes plain steps: a linear loop gets a nonlinear plant."""
     if PLANTS[plant].is_linear and ALL[name].is_linear:

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from motionlang.planners import hold, plan_trapezoid
 from motionlang.servo import Drive, Loop, Motor, Servo, Track, simulate
+from tests.cases import examples
 
 PID = Loop(0.04, 2e-5, 0.9, integral_limit=5.0)
 OUT = plan_trapezoid(0.0, 3000.0, 20_000.0, 200_000.0, 200_000.0)
@@ -39,7 +40,7 @@ def test_any_cut_gives_the_same_readings(plant: Motor) -> None:
 
 
 @given(st.lists(st.floats(0.0, 1.0), min_size=1, max_size=6))
-@settings(max_examples=25)
+@settings(max_examples=examples(25))
 def test_cuts_do_not_matter(cuts: list[float]) -> None:
     servo = Servo(PID, Motor(), track(), record=True)
     for to in sorted(cuts):

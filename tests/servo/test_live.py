@@ -19,6 +19,7 @@ from motionlang.result import Run
 from motionlang.servo import Drive, Motor, Servo, lookahead, simulate
 from motionlang.servo.speculative import SpeculativeServo
 from motionlang.source import Source
+from tests.cases import examples
 
 MOTOR: dict[str, object] = {"load_inertia": 4e-5, "viscous": 2e-5}
 ROUGH: dict[str, object] = {**MOTOR, "coulomb": 0.003, "quantised": True}
@@ -77,7 +78,7 @@ DRIVE: dict[str, object] = {"kind": "drive", "quantised": True}
     ids=["linear", "rough", "chapter 12"],
 )
 @given(cuts=st.lists(st.floats(0.0, 0.9), min_size=1, max_size=12), stops=st.booleans())
-@settings(max_examples=25)
+@settings(max_examples=examples(25))
 def test_what_is_read_live_is_what_a_later_simulation_gives(
     plant: dict[str, object], section: dict[str, object], cuts: list[float], stops: bool
 ) -> None:

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.views.csv import BLOCK, DECIMALS, LONG_REST, Formatter, decimals_for
+from tests.cases import examples
 
 
 def lines(columns: list[list[float]], decimals: list[int]) -> list[str]:
@@ -102,7 +103,7 @@ def test_a_thousandth_of_a_count_is_shown(resolution: float, decimals: int) -> N
     assert decimals_for(resolution) == decimals
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(
     st.lists(st.floats(-9e5, 9e5).map(lambda x: round(x, 9)), min_size=1, max_size=30),
     st.sampled_from(DECIMALS),

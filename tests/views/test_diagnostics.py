@@ -10,6 +10,7 @@ from motionlang.errors import Diagnostic
 from motionlang.source import Source
 from motionlang.views.diagnostics import render, render_all, tally
 from motionlang.views.terminal import cells
+from tests.cases import examples
 
 PROGRAM = Source(
     "pick.mnt",
@@ -147,7 +148,7 @@ def test_several_are_separated_and_counted() -> None:
     assert tally([]) == ""
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(
     text=st.text(st.characters(codec="utf-8"), max_size=300),
     column=st.integers(0, 400),

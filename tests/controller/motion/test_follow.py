@@ -16,9 +16,10 @@ from hypothesis import strategies as st
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.encoder import turns, wrapped
+from tests.cases import examples
 from tests.controller.machines import machine, until
 
-quick = settings(max_examples=60)
+quick = settings(max_examples=examples(60))
 
 
 def at(c: Controller, axis: int, time: float) -> float:

@@ -10,9 +10,10 @@ from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
 from motionlang.planners.table_motion import table_curve
+from tests.cases import examples
 from tests.controller.machines import machine, until
 
-quick = settings(max_examples=60)
+quick = settings(max_examples=examples(60))
 TIMES = [0.0, 0.5, 1.0, 1.5, 2.0]
 
 

@@ -15,6 +15,7 @@ from motionlang.controller.controller import Controller
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.planners.extrapolation import Extrapolated
 from motionlang.planners.rate import Rate
+from tests.cases import examples
 
 Crossings = list[tuple[float, int]]
 
@@ -115,7 +116,7 @@ EDGES = st.lists(st.integers(-40, 40), min_size=1, max_size=6, unique=True).map(
 MOVES = st.lists(st.tuples(st.integers(-50, 50), st.integers(1, 60)), min_size=1, max_size=6)
 
 
-@settings(max_examples=120)
+@settings(max_examples=examples(120))
 @given(edges=EDGES, moves=MOVES, wraps=st.booleans())
 def test_any_motion_is_always_in_the_reported_stretch(
     edges: list[int], moves: list[tuple[int, int]], wraps: bool

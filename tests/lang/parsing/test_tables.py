@@ -21,6 +21,7 @@ from motionlang.mint.syntax import build, nodes
 from motionlang.mint.syntax import tables as mint_tables
 from motionlang.mint.syntax.actions import ACTIONS
 from motionlang.mint.syntax.tables import TABLES
+from tests.cases import examples
 from tests.mint.syntax.test_parser_spec import samples
 
 SCRIPTS = Path(__file__).parents[3] / "scripts" / "mint"
@@ -152,21 +153,21 @@ LINES = [
 ]
 
 
-@settings(max_examples=150)
+@settings(max_examples=examples(150))
 @given(st.lists(st.sampled_from(LINES), max_size=8))
 def test_lines_in_any_order(lines: list[str]) -> None:
     text = "\n".join(lines)
     assert ours(text) == by_reference(text)
 
 
-@settings(max_examples=250)
+@settings(max_examples=examples(250))
 @given(st.lists(st.sampled_from(PIECES), max_size=14))
 def test_tokens_in_any_order(pieces: list[str]) -> None:
     text = " ".join(pieces)
     assert ours(text) == by_reference(text)
 
 
-@settings(max_examples=250)
+@settings(max_examples=examples(250))
 @given(
     st.sampled_from(sorted(samples().values())),
     st.integers(0, 400),
@@ -212,14 +213,14 @@ EXPRESSIONS = st.recursive(
 )
 
 
-@settings(max_examples=250)
+@settings(max_examples=examples(250))
 @given(EXPRESSIONS)
 def test_expressions(text: str) -> None:
     assert ours(f"x = {text}") == by_reference(f"x = {text}")
     assert ours(f"Fill {text}, 2") == by_reference(f"Fill {text}, 2")
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 @given(st.text(st.sampled_from("aREMrem019.xX_e+-'\"`\\:;,()=<> \t\n#?"), max_size=24))
 def test_any_text(text: str) -> None:
     assert ours(text) == by_reference(text)

@@ -13,6 +13,7 @@ from motionlang.mccl import DIALECT as MCCL
 from motionlang.mccl.hosts.console import Console
 from motionlang.mccl.hosts.port import Port
 from motionlang.source import Source
+from tests.cases import examples
 
 
 def board(model: str = "multiflex", echo: bool | None = False) -> tuple[Console, Port]:
@@ -190,7 +191,7 @@ def test_a_task_that_polls_does_not_hold_others_up() -> None:
     assert ask(console, port, b"CN33,WA0.1,TR20\r") == b"7\n>"
 
 
-@settings(max_examples=150)
+@settings(max_examples=examples(150))
 @given(st.lists(st.binary(max_size=40), max_size=8))
 def test_any_characters(sent: list[bytes]) -> None:
     console, port = board(echo=None)

@@ -14,11 +14,12 @@ from motionlang.mccl.axis.launch import _going_on, _stepped
 from motionlang.planners import Profile
 from motionlang.planners.verify import verify
 from motionlang.source import Source
+from tests.cases import examples
 
 rates = st.floats(100.0, 1e5)
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(
     st.integers(-(10**6), 10**6),
     st.integers(1, 10**6),
@@ -55,7 +56,7 @@ def test_it_is_faster_than_from_rest_by_what_is_left_out() -> None:
     assert profile.duration == pytest.approx(2.0 / 3.0)
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(st.integers(1, 10**6), st.booleans(), st.floats(0.01, 1.0), st.floats(0.0, 1.0), rates, rates, rates)
 def test_from_motion_it_ends_at_its_step_and_keeps_its_limits(
     distance: int, back: bool, fraction: float, share: float, speed: float, accel: float, decel: float

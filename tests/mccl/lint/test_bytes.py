@@ -9,6 +9,7 @@ from motionlang import run
 from motionlang.mccl import DIALECT
 from motionlang.mccl.keywords import table
 from motionlang.source import Source
+from tests.cases import examples
 
 names = st.sampled_from([row.name for row in table()])
 numbers = st.one_of(
@@ -30,13 +31,13 @@ def survives(source: Source) -> None:
     assert "".join(text for _, text, _ in DIALECT.tokens(source.text)) == source.text
 
 
-@settings(max_examples=150)
+@settings(max_examples=examples(150))
 @given(st.binary(max_size=200))
 def test_any_bytes(data: bytes) -> None:
     survives(Source.from_bytes("any.mcl", data))
 
 
-@settings(max_examples=250)
+@settings(max_examples=examples(250))
 @given(programs)
 def test_any_commands(text: str) -> None:
     survives(Source("any.mcl", "MN\n" + text))

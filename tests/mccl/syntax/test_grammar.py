@@ -16,6 +16,7 @@ from motionlang.mccl.keywords import table
 from motionlang.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.resolve.line import Line, lines_of
+from tests.cases import examples
 
 GRAMMAR = build_lark("mccl.lark", lexer="contextual", keep_all_tokens=False)
 KINDS = {"WHOLE": NUMBER, "REAL": NUMBER, "REGISTER": REGISTER, "TEXT": TEXT}
@@ -93,7 +94,7 @@ def is_form(text: str) -> bool:
     return True
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(files)
 def test_both_ways_read_the_same(text: str) -> None:
     own = by_pattern(text)
@@ -104,7 +105,7 @@ def test_both_ways_read_the_same(text: str) -> None:
             assert (own_kind, own_value) in ((kind, value), (NONE, 0))
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(st.text(alphabet='1aM.@",; -+e#\n', max_size=12))
 def test_what_one_way_refuses_the_other_refuses(text: str) -> None:
     try:

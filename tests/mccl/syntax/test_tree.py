@@ -10,7 +10,7 @@ from motionlang.errors import ProgramError
 from motionlang.lang.dialect import dialect
 from motionlang.mccl.syntax.tree import Command, Line, Module, Register
 from motionlang.mint.syntax import nodes
-from tests.cases import cases
+from tests.cases import cases, examples
 from tests.mccl.syntax.test_grammar import Read, by_grammar, files
 
 # The four commands that TN1069 prints: their forms, an example and its tree.
@@ -52,7 +52,7 @@ def test_the_profile_commands_have_the_forms_that_are_printed(name: str) -> None
     assert motionlang.parse(text, "mccl") == Module([Line(1, [tree])])
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 @given(files)
 def test_the_tree_is_that_of_the_grammar(text: str) -> None:
     module = motionlang.parse(text, "mccl")

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from motionlang import run
 from motionlang.source import Source
+from tests.cases import examples
 
 POSITIONS = st.lists(st.integers(-60, 60), min_size=2, max_size=8, unique=True).map(
     lambda found: sorted(found)[: len(found) & ~1]
@@ -69,7 +70,7 @@ def check(positions: list[int], seen: list[tuple[float, int]]) -> None:
             assert on == inside, (position, on)
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(positions=POSITIONS, steps=STEPS, scale=st.sampled_from([1.0, 250.0, 0.5]))
 def test_output_is_on_between_the_positions_of_the_table(
     positions: list[int], steps: list[str], scale: float
@@ -77,7 +78,7 @@ def test_output_is_on_between_the_positions_of_the_table(
     check(positions, switched(positions, steps, "POS(0) = 0", scale))
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(positions=WITHIN_WRAP, steps=STEPS, scale=st.sampled_from([1.0, 250.0]))
 def test_output_is_on_there_in_every_revolution(positions: list[int], steps: list[str], scale: float) -> None:
     check(positions, switched(positions, steps, "POSWRAP(0) = 80", scale))

@@ -14,6 +14,7 @@ from motionlang.mint import DIALECT
 from motionlang.mint.keywords.io_inputs import Inputs
 from motionlang.mint.runtime.environment import Environment
 from motionlang.source import Source
+from tests.cases import examples
 
 edges = st.lists(st.integers(1, 200), min_size=1, max_size=12, unique=True).map(sorted)
 
@@ -34,7 +35,7 @@ def sampled(times: list[int], samples: int) -> list[tuple[int, bool]]:
     return found
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 @given(edges, st.integers(1, 10))
 def test_debouncing_is_what_sampling_would_see(times: list[int], samples: int) -> None:
     machine = Machine()

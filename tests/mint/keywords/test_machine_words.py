@@ -30,6 +30,7 @@ from motionlang.mint.keywords import (
 )
 from motionlang.mint.keywords import event_flags as pending
 from motionlang.source import Source
+from tests.cases import examples
 
 GROUPS = (
     camboxes, captures, comms, fastaux, homing, io_inputs, io_outputs, io_signals, latches, latches_position_compare,
@@ -82,7 +83,7 @@ def statements(draw: st.DrawFn) -> str:
 programs = st.lists(statements() | st.sampled_from(MOTION), min_size=1, max_size=12)
 
 
-@settings(max_examples=300, suppress_health_check=list(HealthCheck))
+@settings(max_examples=examples(300), suppress_health_check=list(HealthCheck))
 @given(programs)
 def test_no_program_ends_in_a_traceback(lines: list[str]) -> None:
     text = "\n".join([NAMES, *lines, "WAIT = 3000", "End", *HANDLERS])

@@ -15,6 +15,7 @@ from motionlang.mint.keywords import correction as correcting
 from motionlang.mint.keywords import drives, jogging, presets, torque
 from motionlang.mint.keywords import hold_to_analogue as holding
 from motionlang.source import Source
+from tests.cases import examples
 
 WORDS = [row for group in (correcting, drives, holding, jogging, presets, torque) for row in group.ROWS]
 WORLD = {
@@ -61,7 +62,7 @@ HANDLER = "Event ONERROR\n  While ERRORREADNEXT(_egALL, 0)\n    PRINT ERRCODE\n 
 
 
 @pytest.mark.parametrize("motor", [{}, MOTOR], ids=["no motor", "a motor"])
-@settings(max_examples=100, suppress_health_check=list(HealthCheck))
+@settings(max_examples=examples(100), suppress_health_check=list(HealthCheck))
 @given(lines=programs)
 def test_no_program_ends_in_a_traceback(motor: dict[str, object], lines: list[str]) -> None:
     text = "\n".join(

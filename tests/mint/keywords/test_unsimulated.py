@@ -20,7 +20,7 @@ from motionlang.mint.keywords.unsimulated import COMMAND, MOTION, VALUE
 from motionlang.repl.runner import Runner
 from motionlang.result import Run
 from motionlang.source import Source
-from tests.cases import cases
+from tests.cases import cases, examples
 
 MEANINGLESS = "listed by the type library without a meaning"
 OTHERS = [row for row in table() if not row.simulated]
@@ -234,7 +234,7 @@ def statements(draw: st.DrawFn) -> str:
     return f"PRINT {use}"
 
 
-@settings(max_examples=200, suppress_health_check=list(HealthCheck))
+@settings(max_examples=examples(200), suppress_health_check=list(HealthCheck))
 @given(st.lists(statements(), min_size=1, max_size=8))
 def test_no_program_ends_in_a_traceback(lines: list[str]) -> None:
     first = "Dim n As Integer = 3, x As Float = 2.5, less As Integer = -1"

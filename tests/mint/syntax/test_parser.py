@@ -13,6 +13,7 @@ from motionlang.errors import Diagnostic, ProgramError
 from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.parser import is_complete, parse, tokens
 from motionlang.source import Source
+from tests.cases import examples
 from tests.mint.syntax.test_parser_errors import samples as broken
 from tests.mint.syntax.test_parser_spec import samples
 
@@ -89,7 +90,7 @@ SOUP = st.text(st.sampled_from("IfThenEndSubForNext x1.+-*/=<>()[],;:#?'\"`\\_~!
 LINES = [line for text in [*samples().values(), *broken().values()] for line in text.split("\n")]
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(st.one_of(SOUP, st.lists(st.sampled_from(LINES), max_size=10).map("\n".join)))
 def test_any_text_is_answered(text: str) -> None:
     """The result is a tree, or diagnostics inside the text without duplicates."""
@@ -111,7 +112,7 @@ def mistakes(text: str) -> list[Diagnostic]:
 BLOCKS = ["For i = 1 To 3|Next", "While a|End While", "If a Then|End If", "Repeat|Until a", "Loop|End Loop"]
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 @given(st.lists(st.tuples(st.sampled_from(BLOCKS), st.integers(0, 6)), min_size=1, max_size=7), st.data())
 def test_one_line_missing_is_one_diagnostic(shape: list[tuple[str, int]], data: st.DataObject) -> None:
     """If a block lacks its opener or closer, one diagnostic names its line.

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from motionlang.planners import Profile, hold, plan_jerk, plan_parabolic, plan_sinusoidal, plan_trapezoid
 from motionlang.planners.pvt.fit import OutOfTolerance, fit_profile, fit_track, least_tolerance
 from motionlang.planners.pvt.points import plan_points
+from tests.cases import examples
 
 LIMITS = (40_000.0, 100_000.0, 100_000.0)
 SHAPES = {
@@ -82,7 +83,7 @@ def _close(motion: Profile, p: list[int], v: list[float], i: int, j: int, tolera
     return True
 
 
-@settings(max_examples=12)
+@settings(max_examples=examples(12))
 @given(st.floats(30.0, 400.0), st.floats(0.51, 3.0), st.floats(1e5, 4e5))
 def test_no_choice_of_knots_takes_fewer_segments(distance: float, tolerance: float, accel: float) -> None:
     motion = plan_sinusoidal(0.0, distance, 1e5, accel, accel)
