@@ -22,7 +22,7 @@ from tests.built import distributions
 from tests.installed import DRIVER, PROJECT, check_helps, check_uses, drive, helps, needed, write_files
 
 SUPPORTED = ("3.11", "3.12", "3.13", "3.14")
-PIP = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--only-binary", ":all:")
+PIP = ("install", "--quiet", "--disable-pip-version-check", "--only-binary", ":all:", "--no-compile")
 VERSION = "import platform; print(platform.python_version())"
 
 
@@ -46,9 +46,11 @@ def run(python: str, wheel: Path, folder: Path) -> str:
     folder.mkdir()
     version = subprocess.check_output([python, "-c", VERSION], text=True).strip()
     versions = lowest(version)
-    subprocess.run([python, "-m", "venv", str(folder / "env")], check=True)
+    # This Python's pip serves the environment, which saves the installation of another one.
+    subprocess.run([python, "-m", "venv", "--without-pip", str(folder / "env")], check=True)
     installed = str(folder / "env" / ("Scripts" if os.name == "nt" else "bin") / "python")
-    subprocess.run([installed, *PIP, str(wheel), *versions], check=True)
+    pip = [sys.executable, "-m", "pip", "--python", installed, *PIP]
+    subprocess.run([*pip, str(wheel), *versions], check=True)
     work = folder / "work"
     work.mkdir()
     write_files(work)
