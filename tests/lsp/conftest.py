@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import sys
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable, Coroutine, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -64,8 +64,12 @@ def insertion(line: int, character: int, text: str) -> types.TextDocumentContent
     return types.TextDocumentContentChangePartial(types.Range(at(line, character), at(line, character)), text)
 
 
+Work = Callable[[Editor], Coroutine[Any, Any, None]]
+InOneServer = Callable[[Work, Path], None]
+
+
 def session(
-    work: Callable[[Editor], Coroutine[Any, Any, None]],
+    work: Work,
     folder: Path,
     *,
     editor: str = "visual-studio-code",
@@ -75,25 +79,50 @@ def session(
     """Run `work` with an editor and its server; return the server's exit status."""
 
     async def whole() -> int:
-        client = make_test_lsp_client()
-        shown = Editor(client, (folder / name).as_uri())
-
-        def register(params: types.RegistrationParams) -> None:
-            shown.registered += params.registrations
-
-        client.feature(types.CLIENT_REGISTER_CAPABILITY)(register)
-
-        await client.start_io(sys.executable, "-m", "motionlang", "lsp", cwd=str(ROOT))
-        capabilities = client_capabilities(editor)
-        await client.initialize_session(
-            types.InitializeParams(capabilities, workspace_folders=[], initialization_options=options)
-        )
+        shown = Editor(make_test_lsp_client(), (folder / name).as_uri())
+        await start(shown, editor, options)
         try:
             await work(shown)
         finally:
-            await client.shutdown_session()
-        process = client._server
-        assert process is not None
-        return await process.wait()
+            status = await stop(shown.client)
+        return status
 
     return asyncio.run(asyncio.wait_for(whole(), MAX_SECONDS))
+
+
+async def start(shown: Editor, editor: str = "visual-studio-code", options: object = None) -> None:
+    """Start the server of an editor."""
+    client = shown.client
+
+    def register(params: types.RegistrationParams) -> None:
+        shown.registered += params.registrations
+
+    client.feature(types.CLIENT_REGISTER_CAPABILITY)(register)
+    await client.start_io(sys.executable, "-m", "motionlang", "lsp", cwd=str(ROOT))
+    await client.initialize_session(
+        types.InitializeParams(
+            client_capabilities(editor), workspace_folders=[], initialization_options=options
+        )
+    )
+
+
+async def stop(client: LanguageClient) -> int:
+    """Shut down a server and return its exit status."""
+    await client.shutdown_session()
+    process = client._server
+    assert process is not None
+    return await process.wait()
+
+
+@pytest.fixture(scope="module")
+def in_one_server() -> Iterator[InOneServer]:
+    """Yield a function that runs `work` with the text at a path, in one server for a module."""
+    with asyncio.Runner() as runner:
+        first = Editor(make_test_lsp_client(), "")
+        runner.run(asyncio.wait_for(start(first), MAX_SECONDS))
+
+        def use(work: Work, path: Path) -> None:
+            runner.run(asyncio.wait_for(work(Editor(first.client, path.as_uri())), MAX_SECONDS))
+
+        yield use
+        assert runner.run(asyncio.wait_for(stop(first.client), MAX_SECONDS)) == 0

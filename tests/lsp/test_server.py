@@ -10,7 +10,7 @@ import pytest
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 
-from tests.lsp.conftest import Editor, at, insertion, session
+from tests.lsp.conftest import Editor, InOneServer, at, insertion, session
 
 EDITORS = ("visual-studio-code", "neovim", "emacs")
 PROGRAM = """\
@@ -91,7 +91,7 @@ def test_a_session_of_an_editor(editor: str, tmp_path: Path) -> None:
     assert session(work, tmp_path, editor=editor) == 0
 
 
-def test_mccl_and_machine_files(tmp_path: Path) -> None:
+def test_mccl_and_machine_files(in_one_server: InOneServer, tmp_path: Path) -> None:
     async def work(client: Editor) -> None:
         assert await client.open("MD1,1MN,1MR100,1WS\nMC1\n", "mccl") == []
         edit = await client.client.text_document_rename_async(
@@ -116,17 +116,19 @@ def test_mccl_and_machine_files(tmp_path: Path) -> None:
             == []
         )
 
-    assert session(work, tmp_path, name="a.mcl") == 0
+    in_one_server(work, tmp_path / "a.mcl")
 
 
-def test_a_program_is_checked_with_the_machine_file_next_to_it(tmp_path: Path) -> None:
+def test_a_program_is_checked_with_the_machine_file_next_to_it(
+    in_one_server: InOneServer, tmp_path: Path
+) -> None:
     (tmp_path / "a.machine.toml").write_text("[axis.0]\ntravel = [0, 100]\n", encoding="utf-8")
 
     async def work(client: Editor) -> None:
         (found,) = await client.open("MOVEA(0) = 500 : GO(0)\n")
         assert found.code == "beyond-travel"
 
-    assert session(work, tmp_path) == 0
+    in_one_server(work, tmp_path / "a.mnt")
 
 
 def test_a_machine_file_that_changes_on_disk_checks_the_program_again(tmp_path: Path) -> None:
@@ -146,7 +148,9 @@ def test_a_machine_file_that_changes_on_disk_checks_the_program_again(tmp_path: 
     assert session(work, tmp_path) == 0
 
 
-def test_a_machine_file_in_latin_1_is_read_as_a_run_reads_it(tmp_path: Path) -> None:
+def test_a_machine_file_in_latin_1_is_read_as_a_run_reads_it(
+    in_one_server: InOneServer, tmp_path: Path
+) -> None:
     text = "# Fräse\n[axis.0]\ntravel = [0, 100]\n"
     (tmp_path / "a.machine.toml").write_bytes(text.encode("latin-1"))
 
@@ -154,10 +158,10 @@ def test_a_machine_file_in_latin_1_is_read_as_a_run_reads_it(tmp_path: Path) -> 
         (found,) = await client.open("MOVEA(0) = 500 : GO(0)\n")
         assert found.code == "beyond-travel"
 
-    assert session(work, tmp_path) == 0
+    in_one_server(work, tmp_path / "a.mnt")
 
 
-def test_a_text_in_a_wrong_encoding_has_one_diagnostic(tmp_path: Path) -> None:
+def test_a_text_in_a_wrong_encoding_has_one_diagnostic(in_one_server: InOneServer, tmp_path: Path) -> None:
     """Editors replace bytes that they cannot decode, here letters of Latin-1."""
 
     async def work(client: Editor) -> None:
@@ -170,7 +174,7 @@ def test_a_text_in_a_wrong_encoding_has_one_diagnostic(tmp_path: Path) -> None:
         (found,) = await machine.open("# Fr\ufffdse\n[axis.0]\ntravel = [0, 100]\n", "toml")
         assert found.message.startswith("1 character has been lost")
 
-    assert session(work, tmp_path) == 0
+    in_one_server(work, tmp_path / "a.mnt")
 
 
 def test_without_pygls_the_command_names_the_package_to_install() -> None:
@@ -184,7 +188,7 @@ def test_without_pygls_the_command_names_the_package_to_install() -> None:
     assert "Traceback" not in done.stderr
 
 
-def test_positions_are_in_units_of_utf_16(tmp_path: Path) -> None:
+def test_positions_are_in_units_of_utf_16(in_one_server: InOneServer, tmp_path: Path) -> None:
     """The symbol before the name is one character, but two UTF-16 units."""
 
     async def work(client: Editor) -> None:
@@ -199,7 +203,7 @@ def test_positions_are_in_units_of_utf_16(tmp_path: Path) -> None:
         found = await client.change(insertion(1, 26, "(1)"))
         assert [each.range.start.character for each in found] == [29]  # the name is behind the brackets
 
-    assert session(work, tmp_path) == 0
+    in_one_server(work, tmp_path / "a.mnt")
 
 
 def test_lenses_are_for_editors_that_have_their_commands(tmp_path: Path) -> None:
@@ -212,7 +216,7 @@ def test_lenses_are_for_editors_that_have_their_commands(tmp_path: Path) -> None
     assert session(work, tmp_path, options=options) == 0
 
 
-def test_tokens_are_sent_whole_and_as_a_difference(tmp_path: Path) -> None:
+def test_tokens_are_sent_whole_and_as_a_difference(in_one_server: InOneServer, tmp_path: Path) -> None:
     async def work(client: Editor) -> None:
         await client.open("Print 1\nPrint 2\n")
         server = client.client
@@ -235,4 +239,4 @@ def test_tokens_are_sent_whole_and_as_a_difference(tmp_path: Path) -> None:
         assert again is not None
         assert data == list(again.data)
 
-    assert session(work, tmp_path) == 0
+    in_one_server(work, tmp_path / "a.mnt")
