@@ -138,8 +138,7 @@ def write_velocity(drives: Drives, row: Keyword, axis: int, value: float, line: 
 def write_position(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
     """POSREF: write a position reference."""
     controller = environment.controller
-    counts = controller.axes[axis].scale.position_to_counts(value + environment.wrap_start(axis))
-    controller.refer_position(axis, counts, row.name, line)
+    controller.refer_position(axis, environment.absolute_counts(axis, value), row.name, line)
 
 
 def read_position(environment: Environment, axis: int) -> float:

@@ -32,8 +32,7 @@ def load_move(relative: bool) -> Maker:
             if relative:
                 controller.load_by(axis, value * scale.counts, name, line)
             else:
-                counts = scale.position_to_counts(value + environment.wrap_start(axis))
-                controller.load_to(axis, counts, name, line)
+                controller.load_to(axis, environment.absolute_counts(axis, value), name, line)
             if environment.loaded is not None:
                 environment.loaded(axis)
             return False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.motion import finite
-from motionlang.mint.runtime.binding import of, of_word, scale_of
+from motionlang.mint.runtime.binding import axis_of, of, of_word, scale_of
 from motionlang.mint.runtime.environment import Environment
 
 
@@ -18,7 +18,7 @@ def write_by(environment: Environment, row: Keyword, axis: int, value: float, li
 def write_to(environment: Environment, row: Keyword, axis: int, value: float, line: int) -> None:
     """INCA: set a new target in user units, even while in motion."""
     finite(row, value)
-    counts = scale_of(environment, axis).position_to_counts(value + environment.wrap_start(axis))
+    counts = environment.absolute_counts(axis_of(environment, axis), value)
     environment.controller.retarget_to(axis, counts, row.name, line)
 
 

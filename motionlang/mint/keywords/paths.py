@@ -60,16 +60,8 @@ def put_line(
     environment: Environment, row: Keyword, axes: Sequence[int], values: Sequence[float], line: int
 ) -> None:
     """VECTORA and VECTORR: load a line in user units of each axis."""
-    controller, counts = environment.controller, []
-    relative = row.name.endswith("R")
-    for axis, value in zip(axes, values, strict=True):
-        scale = controller.axes[axis].scale
-        coordinate = (
-            scale.to_counts(value)
-            if relative
-            else scale.position_to_counts(value + environment.wrap_start(axis))
-        )
-        counts.append(coordinate)
+    controller, relative = environment.controller, row.name.endswith("R")
+    counts = _in_counts(environment, relative, axes, values)
     (controller.load_line_by if relative else controller.load_line)(axes, counts, row.name, line)
 
 
@@ -80,14 +72,22 @@ def put_arc(
 
     The centre is in user units, the angle in degrees.
     """
-    controller, relative, counts = environment.controller, row.name.endswith("R"), []
+    controller, relative = environment.controller, row.name.endswith("R")
     x, y, angle, *rest = values
     if environment.machine.assumptions.get("mint.circle-sense") == "clockwise":
         angle = -angle
-    for axis, value in zip(axes, (x, y, *rest), strict=True):
-        scale = controller.axes[axis].scale
-        counts.append(scale.to_counts(value) if relative else scale.position_to_counts(value))
+    counts = _in_counts(environment, relative, axes, (x, y, *rest))
     controller.load_arc(axes, counts[:2], angle, counts[2:], relative, row.name, line)
+
+
+def _in_counts(
+    environment: Environment, relative: bool, axes: Sequence[int], values: Sequence[float]
+) -> list[float]:
+    """Return distances or positions of axes in counts; `values` are in user units."""
+    if not relative:
+        return [environment.absolute_counts(axis, value) for axis, value in zip(axes, values, strict=True)]
+    scales = [environment.controller.axes[axis].scale for axis in axes]
+    return [scale.to_counts(value) for scale, value in zip(scales, values, strict=True)]
 
 
 _MODES = {"CONTOURMODE": "contour_mode", "BLENDMODE": "blend_mode"}

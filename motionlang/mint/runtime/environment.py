@@ -324,18 +324,17 @@ class Environment(Waits):
         position, wrap = self.controller.axes[axis].scale.position_to_user(counts), self.wraps.get(axis)
         return position % wrap if wrap else position
 
-    def wrap_start(self, axis: int) -> float:
-        """Return the start of the wrap in which the axis will be when its buffer is empty.
+    def absolute_counts(self, axis: int, value: float) -> float:
+        """Return an absolute position of a move in counts; `value` is in user units.
 
-        It is in user units, and 0 if the axis does not wrap.
+        On an axis that wraps it is a position in the wrap in which the axis will be when its buffer is empty.
         """
-        wrap = self.wraps.get(axis)
-        if not wrap:
-            return 0.0
-        from motionlang.controller.moves.buffer import end
+        a, wrap = self.controller.axes[axis], self.wraps.get(axis)
+        if wrap:
+            from motionlang.controller.moves.buffer import end
 
-        a = self.controller.axes[axis]
-        return a.scale.position_to_user(end(a)) // wrap * wrap
+            value += a.scale.position_to_user(end(a)) // wrap * wrap
+        return a.scale.position_to_counts(value)
 
     def restore_variable(self, name: str, variable: list[object]) -> None:
         """`Dim nv`: set a variable to the value it had in the previous run."""

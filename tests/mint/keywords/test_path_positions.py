@@ -48,6 +48,10 @@ def test_a_path_ends_at_its_coordinates(path: str, ends: tuple[float, ...]) -> N
         ("VECTORA(0, 1) = 0, 10", 720.0),
         ("VECTORR(0, 1) = 100, 0", 900.0),
         ("MOVEA(0) = 100", 820.0),
+        ("CIRCLEA(0, 1) = 80, 10, 90", 810.0),  # the centre is 10 above the axis, at 800
+        ("CIRCLEA(0, 1) = 70, 0, 180", 780.0),  # 10 below it, at 790
+        ("CIRCLER(0, 1) = -10, 0, 180", 780.0),
+        ("HELIXA(0, 1, 2) = 80, 10, 90, 5", 810.0),
     ],
 )
 def test_an_absolute_path_of_an_axis_that_wraps_stays_in_the_wrap_where_it_begins(
