@@ -25,10 +25,10 @@ IGNORED = (
 
 
 def copy_with_bytecode(source: Path, target: Path, *left_out: str) -> None:
-    """Copy a folder of modules, so that processes which import the copy need not compile it.
+    """Copy a folder of modules with their bytecode.
 
-    Bytecode stays valid because files keep their times. Bytecode that another process is writing has a longer
-    name, and is left out.
+    Processes that import the copy need not compile it. Bytecode stays valid because files keep their times.
+    Bytecode that another process is writing has a longer name, and is left out.
     """
     shutil.copytree(source, target, ignore=shutil.ignore_patterns("*.pyc.*", *left_out))
 

@@ -25,7 +25,10 @@ draws_one_in = 2
 
 
 def examples(count: int) -> int:
-    """Return how many of `count` examples the normal run draws; with `--all-examples` all of them."""
+    """Return how many of `count` examples a property draws.
+
+    The normal run draws half of them, and one with `--all-examples` all.
+    """
     return count // draws_one_in
 
 

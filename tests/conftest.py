@@ -42,7 +42,10 @@ if hasattr(providers, "_local_constants"):  # private, so a later version may no
 
 
 def _draw_examples(all_of_them: bool) -> None:
-    """Let properties draw half of their examples, or all; before test modules are imported."""
+    """Let properties draw half of their examples, or all.
+
+    It is called before test modules are imported.
+    """
     if all_of_them:
         cases.draws_one_in = 1
     settings.register_profile(

@@ -116,7 +116,10 @@ async def stop(client: LanguageClient) -> int:
 
 @pytest.fixture(scope="module")
 def in_one_server() -> Iterator[InOneServer]:
-    """Yield a function that runs `work` with the text at a path, in one server for a module."""
+    """Yield a function that runs `work` with the text at a path.
+
+    All tests of a module share one server.
+    """
     with asyncio.Runner() as runner:
         first = Editor(make_test_lsp_client(), "")
         runner.run(asyncio.wait_for(start(first), MAX_SECONDS))

@@ -378,7 +378,10 @@ def _at_moment(kind: Kind, cause: str, action: str, motor: bool) -> tuple[Contro
 
 
 def half_of_actions(name: str, cause: str, half: int) -> tuple[str, ...]:
-    """Return every second action, so that any two of motion, cause and action meet in each half."""
+    """Return every second action.
+
+    In each half, any two of motion, cause and action meet.
+    """
     return ACTIONS[(list(KINDS).index(name) + CAUSES.index(cause) + half) % 2 :: 2]
 
 

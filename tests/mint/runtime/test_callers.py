@@ -45,7 +45,7 @@ def waits_of(n: int, side: int, calls: tuple[int, ...]) -> Iterator[tuple[int, .
 
 
 def test_each_wait_of_a_recursion_has_the_calls_that_led_to_it() -> None:
-    """Returning and calling from another line changes the calls; what is cached must follow."""
+    """Calls from another line replace the cached ones."""
     source = Source("a.mnt", DOWN)
     waits = run(source, cache=False).machine.log.waits
     found = [tuple(MINT.locate(source, at)[0] for at in wait.callers) for wait in waits]
@@ -66,7 +66,10 @@ End Sub
 
 
 def lines_to_find_calls(depth: int) -> int:
-    """Return how many lines of `task.py` a run executes that leaves `depth` loops in nested calls."""
+    """Return how many lines of `task.py` a run executes.
+
+    The run leaves `depth` loops, each in a call of its own.
+    """
     lines = 0
 
     def line(_frame: FrameType, _event: str, _argument: object) -> Any:
