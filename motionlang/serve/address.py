@@ -13,7 +13,7 @@ class BadAddress(ValueError):
 
 
 def parse(text: str) -> tuple[str, int]:
-    """Return host and port of `HOST:PORT`, or of a port number on the loopback interface.
+    """Return host and port of `HOST:PORT`; the default host is the loopback interface.
 
     Raises `BadAddress` if the text is invalid.
     """

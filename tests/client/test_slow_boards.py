@@ -1,4 +1,7 @@
-"""What a slow board sends arrives in pieces, and late; no line gets the answer of another."""
+"""Answers of a slow board, which arrive in pieces and late.
+
+No line gets the answer of another.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,7 @@ Pieces = list[tuple[float, bytes]]
 
 
 class ScriptedWire:
-    """A line whose board answers each `send` with the next list of pieces, in simulated time."""
+    """A line whose board answers each `send` with its next pieces, in simulated time."""
 
     fresh = True
 
@@ -53,7 +56,10 @@ def noise(seconds: float, end: bytes = b"\n") -> Pieces:
 
 
 def test_a_line_that_arrives_in_pieces() -> None:
-    """The first half of `02 0` has arrived before the next line is sent; it is one line of output."""
+    """The first half of `02 0` arrives before the next line is sent.
+
+    It is one line of output.
+    """
     wire = ScriptedWire(
         [(0.0, VERSION)], [(0.0, b"\n>02 0\n02"), (0.1, b" 0\n01 "), (0.1, b"0\n"), (0.1, b">")]
     )
@@ -65,7 +71,10 @@ def test_a_line_that_arrives_in_pieces() -> None:
 
 
 def test_the_answer_to_an_escape_arrives_late() -> None:
-    """The board answers ESC after 2 s, which is longer than the output of a background task is drained."""
+    """The board answers ESC after 2 s.
+
+    That is longer than the output of a background task is drained.
+    """
     wire = ScriptedWire(
         [(0.0, VERSION)],
         noise(0.3),
@@ -80,7 +89,10 @@ def test_the_answer_to_an_escape_arrives_late() -> None:
 
 @pytest.mark.parametrize("late", [b"?-7\r\n", b"\r\n"], ids=["busy", "idle"])
 def test_a_late_answer_without_a_prompt(late: bytes) -> None:
-    """A board without a prompt answers ESC with `?-7`, or with an empty line if it was idle."""
+    """A board without a prompt answers ESC with `?-7`.
+
+    If it was idle, it sends an empty line.
+    """
     wire = ScriptedWire(
         [(0.0, VERSION_WITHOUT_PROMPT)],
         [(0.0, b"")],

@@ -156,10 +156,6 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/views/outline.py: _points: begin > 0.0 -> begin >= 0.0": (
         "if nothing is in use from 0 on, the window ends at 0, too"
     ),
-    "motionlang/mint/keywords/paths.py: put_arc: scale.to_counts(value) if relative else "
-    "scale.position_to_counts(value) -> scale.position_to_counts(value) if relative else scale.to_counts(value)": (
-        "a scale of Mint has no zero, so lengths and positions are the same counts"
-    ),
     "motionlang/mint/keywords/paths.py: put_arc: 2 -> 3": "the centre of an arc is read from two coordinates alone",
     "motionlang/mint/syntax/layout.py: layout: token.at >= len(spans) -> token.at > len(spans)": (
         "the kinds behind the last span are the end of the text, which is no token of a block"

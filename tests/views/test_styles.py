@@ -101,7 +101,10 @@ def text_style(kind: str, text: Any) -> str:
 
 
 def golden() -> dict[str, str]:
-    """Return the sections of the golden file by their names; none for another version of matplotlib."""
+    """Return the sections of the golden file by their names.
+
+    There are none for another version of matplotlib.
+    """
     version, *sections = GOLDEN.read_text(encoding="utf-8").split("# ") if GOLDEN.exists() else [""]
     return dict(section.split("\n", 1) for section in sections) if version.strip() == VERSION else {}
 

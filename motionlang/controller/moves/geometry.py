@@ -172,7 +172,10 @@ class Arc:
         return (x, y), rotated(x, y, self.angle)
 
     def _end(self, start: Sequence[float], last: Sequence[float], scale: Sequence[float]) -> Sequence[float]:
-        """Return the end of the arc, counts; `last` leads there from the centre, user units."""
+        """Return the end of the arc, counts.
+
+        `last` leads there from the centre, in user units.
+        """
         if self.arrives is not None:
             return self.arrives
         if self.angle % 360.0 == 0.0:
