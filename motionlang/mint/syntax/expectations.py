@@ -126,6 +126,4 @@ def _names_of(kinds: set[str]) -> list[str]:
     if left & SEPARATORS:
         left -= SEPARATORS
         names.append("the end of the line")
-    if END in left:
-        left.discard(END)
     return names + sorted(f"`{SPELLINGS[kind]}`" for kind in left if kind in SPELLINGS)
