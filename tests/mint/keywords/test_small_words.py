@@ -59,7 +59,28 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         "WAIT 300\nEnd\nEvent COMMS5\n  PRINT 5\nEnd Event\nEvent COMMS6\n  PRINT 6\nEnd Event", ["5"],
         {"controller.model": "NextMove ESB-2",
          "comms": [{"at": 0.1, "element": each, "value": 1} for each in (5, 6)]}),
+    "zero has no sign, whether it is known before the run or not": (
+        "Dim a As Float = 0\nPRINT Sgn(0), Sgn(0.0), Sgn(a), Sgn(-0.5), Sgn(0.5)", ["000-11"], {}),
+    "a comparison of texts is no text": (
+        'Const EQUAL_TEXTS = "a" = "a"\nConst BOTH = "a" + "b"\nConst ALSO = "a" & "b"\n'
+        "PRINT EQUAL_TEXTS, BOTH, ALSO", ["1abab"], {}),
+    "the last of 32 groups is the sign of the bits of a node": (
+        "GROUP(1, 31, 7) = 1 : GROUP(1, 0, 8) = 1 : PRINT GROUPINFO(1, 7), GROUPINFO(1, 8)", ["-21474836481"],
+        {}),
+    # The nut is at 0 and 101 for 0 and 100 of the motor in forward motion, 1 lower in reverse. The motor
+    # stays at 0 when the tables come into force.
+    "before its first move an axis is compensated as in forward motion": (
+        RATES + "Dim forward(3) As Float = 2, 0, 101\nDim back(3) As Float = 2, -1, 100\n"
+        "PRECISIONTABLE(0, forward, back) : PRECISIONINCREMENT(0) = 100 : PRECISIONMODE(0) = _lsDUAL_TABLE\n"
+        "PRINT ENCODER(0) : MOVEA(0) = 101 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0)\n"
+        "MOVEA(0) = 100 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0)", ["0.0000", "100.0000", "100.0000"], {}),
 }  # fmt: skip
+# A keyword whose number is just outside its range, and the message.
+OUTSIDE = {
+    "PRINT GROUPSTATUS(1, 32)": "there is no group 32",
+    "PRINT GROUPSTATUS(1, -1)": "there is no group -1",
+    "GROUPCOMMS(1, 32, 9) = 4.5": "there is no group 32",
+}
 
 
 @pytest.mark.parametrize("rule", WORDS)
@@ -68,3 +89,9 @@ def test_what_it_prints(rule: str) -> None:
     result = run(Source("a.mnt", text), machine=machine, cache=False, until=10.0)
     assert [each.message for each in result.diagnostics] == []
     assert result.output == expected
+
+
+@pytest.mark.parametrize("text", OUTSIDE)
+def test_a_number_outside_its_range_is_refused(text: str) -> None:
+    result = run(Source("a.mnt", text), cache=False, until=10.0)
+    assert [each.message for each in result.diagnostics] == [OUTSIDE[text]]
