@@ -54,6 +54,17 @@ def test_the_current_of_a_motor_without_inductance() -> None:
     assert row == pytest.approx((0.0, -0.05 / 2.0 * 2.0 * math.pi / 4000.0, 1.2, 0.0))
 
 
+@pytest.mark.parametrize(("encoder", "resonance", "apart"), [
+    ("load", 20.0, True), ("load", 0.0, False), ("motor", 20.0, False), ("motor", 0.0, False)])  # fmt: skip
+def test_an_encoder_on_the_load_of_a_rigid_coupling_is_one_on_the_motor(
+    encoder: str, resonance: float, apart: bool
+) -> None:
+    """Without a resonance the two sides have one position, and the plant has no twist."""
+    made = discretise(Motor(load_inertia=1e-5, encoder=encoder, resonance=resonance), 1e-3)
+    assert made.load_encoder is apart
+    assert ("twist" in made.names) is (resonance > 0.0)
+
+
 @pytest.mark.parametrize("load", [0.0, 0.01])
 @pytest.mark.parametrize("inductance", [0.0, 1e-3])
 def test_the_onset_is_the_acceleration_by_the_torque_of_that_moment(inductance: float, load: float) -> None:

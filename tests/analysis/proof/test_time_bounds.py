@@ -10,7 +10,7 @@ from random import Random
 
 import pytest
 
-from motionlang.analysis.proof.time_bounds import Law, law, lead, move_time, ramp
+from motionlang.analysis.proof.time_bounds import Law, law, lead, move_time, ramp, top_speed
 from motionlang.planners import plan, plan_jerk, plan_velocity
 from tests.planners.test_states import State
 
@@ -75,3 +75,40 @@ def test_a_move_from_a_standstill_that_speeds_up_takes_as_long_as_is_due(a0: flo
     by = Law((100.0, 80.0), (400.0, 100.0))
     made = plan_jerk(0.0, distance, 50.0, *by.rates, *by.jerks, 0.0, a0)
     assert made.duration == pytest.approx(move_time(0.0, a0, distance, 50.0, by), rel=1e-7)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+@pytest.mark.parametrize(
+    ("v0", "a0", "distance", "expected"),
+    [
+        (0.0, 0.0, 100.0, 200.0),
+        (100.0, 0.0, 87.5, 200.0),
+        (0.0, 0.0, 5000.0, 1000.0),
+        (200.0, 0.0, 50.0, 200.0),
+        (200.0, 0.0, 49.0, 1000.0),
+        (-200.0, 0.0, 100.0, 1000.0),
+    ],
+)
+def test_the_top_speed_of_a_move_by_hand(
+    way: float, v0: float, a0: float, distance: float, expected: float
+) -> None:
+    """With rates of 400 a ramp from u to v needs |v² - u²|/800.
+
+    From rest 50 + 50 reach 200; from 100 it is 37.5 + 50. A velocity of 200 stops in exactly 50. A move that overshoots
+    or reverses is bounded by the commanded speed alone.
+    """
+    by = Law((400.0, 400.0))
+    found = top_speed(way * v0, way * a0, way * distance, 1000.0, by)
+    assert found == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_the_top_speed_from_an_acceleration_by_hand(way: float) -> None:
+    """From rest with an acceleration of 200 to 140, at a jerk of 1000.
+
+    The acceleration rises to 400 in 0.2 s: 60 is reached after 16/3. It falls to 0 in 0.4 s, over 24 + 32 - 32/3.
+    The stop from 140 < 400²/1000 takes 2 sqrt(0.14) s at a mean velocity of 70.
+    """
+    by = Law((400.0, 400.0), (1000.0, 1000.0))
+    distance = 152.0 / 3.0 + 140.0 * 0.14**0.5
+    assert top_speed(0.0, way * 200.0, way * distance, 1000.0, by) == pytest.approx(140.0, rel=1e-9)
