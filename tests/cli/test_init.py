@@ -29,6 +29,18 @@ def test_an_input_that_is_waited_for_comes_shortly_after(cell: Cell) -> None:
     assert inputs(cell, "WAIT = 700\nPAUSE INX.2\n") == [{"channel": 2, "at": 1.0}]
 
 
+@pytest.mark.parametrize(("since", "at"), [(5.9, 6.2), (6.1, 0.0)])
+def test_a_wait_that_begins_shortly_before_the_end_may_still_end(cell: Cell, since: float, at: float) -> None:
+    """The run ends at 10 s.
+
+    A wait of 4 s gets an input 0.3 s after its beginning, a shorter one does not.
+    """
+    cell.write("old.prg", f"WAIT = {1000 * since:.0f}\nPAUSE INX.2\n")
+    assert cell("init", "old.prg", "--until", "10", "--format", "none").status == 0
+    machine = (cell.folder / "old.machine.toml").read_text()
+    assert f"{{ channel = 2, at = {at}, guess = true }}" in machine
+
+
 def test_an_input_after_an_output_follows_it(cell: Cell) -> None:
     text = "OUTX.4 = 1\nPAUSE INX.2\nOUTX.4 = 0\nPAUSE INX.2 = 0\nOUTX.5 = 1\nOUTX.5 = 0\nPAUSE INX.3\n"
     assert inputs(cell, text) == [
