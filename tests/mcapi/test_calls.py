@@ -318,6 +318,36 @@ def test_modules_and_abilities() -> None:
     assert (axis.MotorType, axis.ModuleType) == (mc.MC_TYPE_STEPPER, mc.MC150)
 
 
+# The capabilities of each model: gains with fractions, scaling, contouring, other profiles, other rates, tasks, a bit
+# for the target, and switches of the output.
+ABILITIES = {
+    "dcx-pc100": (0, 0, 0, 0, 0, 0, 0, 0),
+    "dcx-pci100": (0, 1, 1, 0, 0, 1, 0, 0),
+    "dcx-at200": (1, 1, 1, 1, 1, 1, 0, 0),
+    "dcx-pci300": (1, 1, 1, 1, 1, 1, 0, 0),
+    "multiflex": (1, 1, 1, 1, 1, 1, 1, 1),
+}
+
+
+@pytest.mark.parametrize("model", ABILITIES)
+def test_the_capabilities_of_a_model(model: str) -> None:
+    """Analogue inputs and outputs of every model have 12 bits for -10 V to 10 V."""
+    host = opened({"controller.model": model, "controller.axes": 3, "axis.2.motor": "stepper"})
+    param, old = mc.MCPARAMEX(), mc.MCPARAM()
+    host.GetConfigurationEx(param)
+    assert (param.AnalogInpMin, param.AnalogInpMax, param.AnalogInpRes) == (-10.0, 10.0, 12)
+    assert (param.AnalogOutMin, param.AnalogOutMax, param.AnalogOutRes) == (-10.0, 10.0, 12)
+    precision, *abilities, at_target, switches = ABILITIES[model]
+    assert (param.Precision, param.AtTarget, param.OutputControl) == (precision, at_target, switches)
+    host.GetConfiguration(old)
+    for each in (param, old):
+        scaling, contouring = each.CanDoScaling, each.CanDoContouring
+        profile, rates = each.CanChangeProfile, each.CanChangeRates
+        assert [scaling, contouring, profile, rates, each.MultiTasking] == abilities
+        assert (each.ID, each.SoftLimits, each.AmpFault, each.PointStorage) == (0, 1, 1, 256)
+    assert list(old.AxisType) == [mc.MC_TYPE_SERVO, mc.MC_TYPE_STEPPER, mc.MC_TYPE_SERVO, 0, 0, 0, 0, 0]
+
+
 def test_a_board_with_rates_gives_all_three_and_a_stepper_its_three_ranges() -> None:
     """A MultiFlex has loop rates of 4, 2 and 1 kHz; ranges are 1, 1/8, 1/64 of 5 MHz."""
     host, axis = opened({"axis.2.motor": "stepper"}), mc.MCAXISCONFIG()
