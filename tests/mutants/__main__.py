@@ -152,9 +152,7 @@ def verdicts(tree: Path, mutants: list[Mutant], tests: list[str], jobs: int) -> 
 
 def verdict_alone(tree: Path, task: dict[str, Any], jobs: int) -> str:
     """Return the test that fails with a mutant that imports reach; "" if none does."""
-    tests = {
-        name: each for name, each in merged(jobs, tree)["tests"].items() if task["file"] in each["files"]
-    }
+    tests = that_reach(task["file"], merged(jobs, tree)["tests"])
     durations = {name: tests[name]["cpu"] for name in by_likelihood(tests)}
     durations = {name: durations[name] for name in within_budget(list(durations), durations)}
     while by := failing(tree, task["number"], durations):
@@ -162,6 +160,14 @@ def verdict_alone(tree: Path, task: dict[str, Any], jobs: int) -> str:
             break
         del durations[by]  # it fails in a process of its own without the mutant, too
     return by
+
+
+def that_reach(file: str, tests: dict[str, dict[str, Any]]) -> dict[str, dict[str, Any]]:
+    """Return the tests that call a function of a file; all tests if none does.
+
+    A file may have constants alone, whose use is not recorded.
+    """
+    return {name: each for name, each in tests.items() if file in each["files"]} or tests
 
 
 def failing(tree: Path, number: int, durations: dict[str, float], active: int | None = None) -> str:

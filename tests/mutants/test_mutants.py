@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.mutants.__main__ import BAR, default_tests, killers, main, table
+from tests.mutants.__main__ import BAR, default_tests, killers, main, table, that_reach
 from tests.mutants.equivalent import EQUIVALENT
 from tests.mutants.forks import BUDGET, NET, within_budget
 from tests.mutants.mutate import ROOT, chosen, every, mutants, woven
@@ -120,6 +120,13 @@ def test_the_net_is_never_left_out() -> None:
     durations = {quick: 1.0, slow: BUDGET, net: BUDGET}
     assert (ROOT / NET).exists()
     assert within_budget([quick, slow, net], durations) == [quick, net]
+
+
+def test_constants_may_be_tested_by_any_test() -> None:
+    """No test is recorded for a file without functions."""
+    tests = {name: {"cpu": 1.0, "files": [file]} for name, file in (("test_a", "a.py"), ("test_b", "b.py"))}
+    assert list(that_reach("a.py", tests)) == ["test_a"]
+    assert list(that_reach("constants.py", tests)) == ["test_a", "test_b"]
 
 
 def test_equivalent_mutants_exist_in_the_sources() -> None:
