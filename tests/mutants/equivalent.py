@@ -207,4 +207,30 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/controller/clock.py: WatchedClock: advance_to_news: (due := self.next_time()) < end -> "
     "(due := self.next_time()) <= end": "the end is watched once, by the loop or behind it",
+    "motionlang/mint/runtime/power_up.py: PowerUp: __init__: 0 -> 1": (
+        "no setting with a default uses the line of its write while the axis is at rest"
+    ),
+    "motionlang/planners/jerk.py: plan_jerk: gain >= accel * rise -> gain > accel * rise": (
+        "a ramp that just reaches its rate takes 2 A/J, which is 2 sqrt(V/J) for V = A²/J"
+    ),
+    "motionlang/planners/jerk.py: plan_jerk: gain >= accel * rise -> gain > accel * rise #2": (
+        "a ramp that just reaches its rate takes 2 A/J, which is 2 sqrt(V/J) for V = A²/J"
+    ),
+    "motionlang/planners/jerk.py: plan_jerk: gain >= accel * rise -> gain > accel * rise #3": (
+        "the acceleration of a ramp that just reaches its rate rises during half of it"
+    ),
+    "motionlang/planners/jerk.py: plan_jerk: speed >= decel * fall -> speed > decel * fall": (
+        "a ramp that just reaches its rate takes 2 A/J, which is 2 sqrt(V/J) for V = A²/J"
+    ),
+    "motionlang/planners/jerk.py: plan_jerk: speed >= decel * fall -> speed > decel * fall #2": (
+        "a ramp that just reaches its rate takes 2 A/J, which is 2 sqrt(V/J) for V = A²/J"
+    ),
+    "motionlang/planners/jerk.py: plan_jerk: speed >= decel * fall -> speed > decel * fall #3": (
+        "the deceleration of a ramp that just reaches its rate rises during half of it"
+    ),
+    "motionlang/analysis/proof/blends.py: _check_begin: 0 -> 1": (
+        "before the second order of an axis only a path that took no time can have ended"
+    ),
+    "motionlang/debug/debugger.py: 65536 -> 65537": "how many of the last statements are recorded at a time",
+    "motionlang/mcapi/calls/controller.py: old_configuration: 8 -> 9": "of the types filled up, the first 8 are taken",
 }
