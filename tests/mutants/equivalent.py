@@ -231,6 +231,6 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/blends.py: _check_begin: 0 -> 1": (
         "before the second order of an axis only a path that took no time can have ended"
     ),
-    "motionlang/debug/debugger.py: 65536 -> 65537": "how many of the last statements are recorded at a time",
+    "motionlang/debug/debugger.py: 65536 -> 65537": "a caller further back is found in the complete history",
     "motionlang/mcapi/calls/controller.py: old_configuration: 8 -> 9": "of the types filled up, the first 8 are taken",
 }
