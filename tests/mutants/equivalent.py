@@ -233,4 +233,6 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/debug/debugger.py: 65536 -> 65537": "a caller further back is found in the complete history",
     "motionlang/mcapi/calls/controller.py: old_configuration: 8 -> 9": "of the types filled up, the first 8 are taken",
+    "motionlang/controller/motion/follow.py: Gear: _log_offset: entry is None or entry.profile is None -> "
+    "entry is None and entry.profile is None": "no program is known whose offset has no entry with a profile",
 }
