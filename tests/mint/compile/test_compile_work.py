@@ -176,6 +176,25 @@ def test_suggestions_are_searched_for_the_first_mistakes_alone(write: object) ->
     assert twice < 2.2 * once
 
 
+def test_each_of_the_first_mistakes_has_a_suggestion() -> None:
+    """Of 5 findings more than are shown, the last 5 have none.
+
+    A declared variable that nothing reads is not compared with others, so it uses up no suggestion.
+    """
+    found = check(
+        Source(
+            "a.mnt",
+            "".join(
+                f"Dim part{i}x, part{i}y As Integer\nPRINT part{i}x\npart{i}y = 1\n"
+                for i in range(MAX_PROBLEMS + 5)
+            ),
+        )
+    )
+    hints = [each.hint for each in found if each.code == "no-value"]
+    assert hints[0] == "did you mean part0y in its assignment?"
+    assert [hint.startswith("did you mean part") for hint in hints] == [True] * MAX_PROBLEMS + [False] * 5
+
+
 def test_the_words_to_compare_with_are_collected_only_for_reported_mistakes() -> None:
     problems = Problems(parse(Source("a.mnt", "a = 1\n" * MAX_PROBLEMS)))
     collected = []
