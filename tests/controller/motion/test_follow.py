@@ -113,6 +113,32 @@ def test_with_a_ramp_the_slave_catches_up_with_the_velocity_at_its_own_rate() ->
     assert until(c, 3.0).velocity(1) == pytest.approx(5.0)
 
 
+@pytest.mark.parametrize(("speed", "back"), [(9.0, 0.0), (-9.0, 0.0), (6.0, -2.0)])
+def test_a_ramp_may_take_up_to_a_million_seconds(speed: float, back: float) -> None:
+    """At 1e-5 counts/s² a velocity of 9 takes 900 000 s; from -2 to 6 it is 800 000 s."""
+    c = machine()
+    c.configure(1, "accel", 1e-5)
+    c.configure(1, "decel", 1e-5)
+    c.jog(0, 2.0)
+    until(c, 1.0)
+    if back:
+        c.gear(1, 0, back / 2.0)
+    c.gear(1, 0, speed / 2.0, ramp=True)
+    end = 1.0 + 1e5 * abs(speed - back)
+    assert until(c, 0.5 * end).velocity(1) == pytest.approx(0.5 * (speed + back), abs=1e-4)
+    assert until(c, end + 1.0).velocity(1) == pytest.approx(speed)
+
+
+@pytest.mark.parametrize("speed", [15.0, -15.0])
+def test_a_ramp_of_more_than_a_million_seconds_is_refused(speed: float) -> None:
+    """At 1e-5 counts/s² a velocity of 15 takes 1.5 million s."""
+    c = machine()
+    c.configure(1, "accel", 1e-5)
+    c.jog(0, 10.0)
+    with pytest.raises(Rejected, match=f"axis 1 cannot ramp to {speed:g} counts/s, the speed of its master"):
+        until(c, 1.0).gear(1, 0, speed / 10.0, ramp=True)
+
+
 def test_a_master_that_changes_during_the_ramp_is_met_all_the_same() -> None:
     c = machine()
     c.configure(1, "accel", 20.0)
