@@ -328,11 +328,15 @@ SHIFTED = {
     "memory for a host": "SPEED = 1 : ACCEL = 10 : DECEL = 10 : MOVER = 500 : GO\n"
     "While POS < 399.95 : COMMS(1) = POS + 1 : End While",
     "a counter": "Dim n As Integer\nWhile n < 20000000 : n = n + 1 : End While",
+    "a copy of a reading": "Dim x As Float\nSPEED = 1 : ACCEL = 10 : DECEL = 10 : MOVER = 500 : GO\n"
+    "While POS < 399.95 : x = POS : End While",
+    "the highest reading": "Dim x As Float\nSPEED = 1 : ACCEL = 10 : DECEL = 10 : MOVER = 500 : GO\n"
+    "While POS < 399.95\nIf POS > x Then x = POS\nEnd While",
 }
 
 
 @pytest.mark.parametrize("name", SHIFTED)
-def test_sums_counters_and_host_memory_cost_no_more_than_a_reading(
+def test_sums_counters_copies_and_host_memory_cost_no_more_than_a_reading(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     result, count = effort(f"{SHIFTED[name]}\nPRINT TIME\nCANCEL(0)", monkeypatch)
