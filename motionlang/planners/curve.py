@@ -227,8 +227,7 @@ class Profile:
         knots, pieces, _ = self.curve
         i = self._index(time)
         c0, c1, c2, c3, amplitude, _, _ = pieces[i]
-        until = knots[i + 1] if i + 2 < len(knots) else self.duration
-        return None if amplitude else (knots[i], until, (c0, c1, c2, c3))
+        return None if amplitude else (knots[i], knots[i + 1], (c0, c1, c2, c3))
 
     def acceleration(self, time: float) -> float:
         """Return the acceleration at `time`.

@@ -128,9 +128,6 @@ EQUIVALENT: dict[str, str] = {
     "self.function.scope.find(text.partition('.')[0]) is not None": (
         "a name that is not cached is looked up again, with the same result"
     ),
-    "motionlang/planners/curve.py: Profile: cubic: i + 2 < len(knots) -> i + 2 <= len(knots)": (
-        "the last knot is the duration"
-    ),
     "motionlang/planners/joint.py: on_line: 0.0 -> 1.0": (
         "a path without length has a profile without motion, at any scale"
     ),
