@@ -65,6 +65,9 @@ LAYOUTS = (
     ("#WIND\nGO.0\nRETURN\n#NEXT\nEND\n", "#WIND\n  GO.0\nRETURN\n#NEXT\nEND\n"),
     ("Loop\nx = 1 + _\n      2\nEnd Loop\n", "Loop\n  x = 1 + _\n      2\nEnd Loop\n"),
     ("Loop\n\"a\n", "Loop\n\"a\n"),
+    # The keywords of declarations may be names of variables.
+    ("event = 3\ntask(1) = 4\ntype.x = 5\nk = 0\n", "event = 3\ntask(1) = 4\ntype.x = 5\nk = 0\n"),
+    ("Event TIMER\nk = 1 : event = 3\nEnd Event\n", "Event TIMER\n  k = 1 : event = 3\nEnd Event\n"),
 )  # fmt: skip
 
 
