@@ -232,4 +232,8 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mcapi/calls/controller.py: old_configuration: 8 -> 9": "of the types filled up, the first 8 are taken",
     "motionlang/controller/motion/follow.py: Gear: _log_offset: entry is None or entry.profile is None -> "
     "entry is None and entry.profile is None": "no program is known whose offset has no entry with a profile",
+    "motionlang/controller/io/sensor.py: _last: 1 -> 2": "the loop that follows counts down from any later tick",
+    "motionlang/mccl/resolve/decode.py: _no_command: False -> True": (
+        "the command has no effect to count: its fault ends the line"
+    ),
 }
