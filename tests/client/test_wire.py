@@ -10,7 +10,7 @@ serial = pytest.importorskip("serial")
 
 
 class Line:
-    """A line with some bytes on it; a read of more than there are waits for its time-out."""
+    """A line with some bytes on it; a read of more of them waits for its time-out."""
 
     def __init__(self, data: bytes) -> None:
         self.data, self.timeout, self.waited = data, 0.0, 0.0

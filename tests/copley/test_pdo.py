@@ -1,4 +1,4 @@
-"""The times of a transmit PDO: when it is sent, and when its drive is checked again."""
+"""The times of a transmit PDO, and those at which its drive is checked."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_a_pdo_is_due_between_its_inhibit_time_and_its_timer(
     ],
 )
 def test_a_pdo_is_checked_again_when_its_timer_ends(kind: int, timer: float, at: float, time: float) -> None:
-    """`at` is its last transmission: without one, or without a timer, only data send it."""
+    """`at` is its last transmission; without one or a timer, only data send it."""
     assert Sent(0x182, kind, 0.0, timer, [], at=at).next_time() == time
 
 

@@ -27,7 +27,7 @@ def test_a_reading_is_that_of_the_last_tick(time: float, tick: float) -> None:
 
 
 def test_before_its_first_tick_the_sample_of_the_begin_is_read() -> None:
-    """The jog begins between two ticks, at 0 counts: the reading is 3 + 2 · (0 - 1) = 1.
+    """The jog begins between two ticks, at 0 counts: it reads 3 + 2 · (0 - 1) = 1.
 
     It begins at 0.2501 s, so at the first tick, at 0.251 s, the axis is at 50 · 0.0009² counts.
     """
