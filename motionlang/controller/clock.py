@@ -191,22 +191,22 @@ class WatchedClock(Clock):
 
     def advance(self, time: float) -> None:
         """Advance like `Clock.advance`, one time after the other."""
-        while (due := self.next_time()) < time:
+        while (due := self.horizon) < time:
             self._watch(due)
-            super().advance(due)
+            Clock.advance(self, due)
         if time > self.now or due == time:
             self._watch(time)
-        super().advance(time)
+        Clock.advance(self, time)
 
     def advance_to_news(self, end: float) -> bool:
         """Advance like `Clock.advance_to_news`, one time after the other."""
-        while (due := self.next_time()) < end:
+        while (due := self.horizon) < end:
             self._watch(due)
-            if not super().advance_to_news(due):
+            if not Clock.advance_to_news(self, due):
                 return False
         if end > self.now or due == end:
             self._watch(end)
-        return super().advance_to_news(end)
+        return Clock.advance_to_news(self, end)
 
     def reach(self, event: Event) -> bool:
         self._watch(event.time)

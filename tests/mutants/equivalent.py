@@ -202,8 +202,8 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/planners/jerk.py: _back: -b > decel -> -b >= decel": (
         "at the limit itself the search comes to the same plan as the closed form"
     ),
-    "motionlang/controller/clock.py: WatchedClock: advance_to_news: (due := self.next_time()) < end -> "
-    "(due := self.next_time()) <= end": "the end is watched once, by the loop or behind it",
+    "motionlang/controller/clock.py: WatchedClock: advance_to_news: (due := self.horizon) < end -> "
+    "(due := self.horizon) <= end": "the end is watched once, by the loop or behind it",
     "motionlang/mint/runtime/power_up.py: PowerUp: __init__: 0 -> 1": (
         "no setting with a default uses the line of its write while the axis is at rest"
     ),
