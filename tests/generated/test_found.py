@@ -1227,3 +1227,16 @@ def test_a_stop_keeps_a_ramp_whose_move_would_run_back_for_less_than_a_count() -
     )
     last = result.moves[-1]
     assert last.duration == pytest.approx(20e-6 + 0.005 / 500.0, abs=1e-12)
+
+
+def test_a_path_keeps_a_deceleration_that_a_lower_rate_could_not_reduce_before_rest() -> None:
+    """SRAMP 100 at 20 and 100: a jerk of 100²/20 = 500, a ramp of 4 in 0.4 s.
+
+    40 ms after it began to brake, the path decelerates at 20 from 19.6. At a rate of 10 the jerk is 5. It would
+    reduce that deceleration to zero in 4 s, which takes 40 from the velocity, and the path would run back. So
+    its deceleration goes on to rise to 100, and it takes 2/20 + 2 * 0.4 s.
+    """
+    move = "SRAMP(0) = 100\nVECTORR(0, 1) = 6, 8 : GO(0)\nWAIT = 540\nDECEL(0) = 10\nPAUSE IDLE(0)\n"
+    result = proved(RATES + move)
+    assert positions(result, 0, 1) == pytest.approx([6.0, 8.0])
+    assert result.time == pytest.approx(0.9)

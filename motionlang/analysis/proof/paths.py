@@ -120,7 +120,7 @@ def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: i
 def stops_within(run: Run, wanted: Order, time: float) -> bool:
     """True if a path could stop in time by an order given at `time`.
 
-    It has to stop before its end, or before the end of the paths that it continues into.
+    It has to stop before its end, or before the end of the paths that it continues into, and may not run back.
     """
     path = wanted.path
     assert path is not None
@@ -139,6 +139,8 @@ def stops_within(run: Run, wanted: Order, time: float) -> bool:
         left += before.length
     by = _least(wanted, layout)[1]
     by = by._replace(rates=(by.rates[0], _gentlest(wanted, layout, by.rates[1])))
+    if not path.comes_to_rest and _runs_back(first[1], first[2], by):
+        return False
     # A path that does stop has just the distance left that it needs.
     return lead(first[1], first[2] if by.smooth else 0.0, 0.0, by)[1] <= left * (1.0 + SLACK)
 
@@ -213,9 +215,14 @@ def _cannot_stop(order: Order, layout: PathLayout, along: list[Span], beyond: fl
     travelled, v0, a0, _ = along[0].at(0.0)
     by = _least(order, layout)[1]
     left = layout.length - travelled + beyond
-    if by.smooth and a0 < 0.0 and 0.5 * a0 * a0 / by.jerks[1] >= v0 * (1.0 - SLACK):
+    if _runs_back(v0, a0, by):
         return True
     return by.rates[1] > 0.0 and lead(v0, a0 if by.smooth else 0.0, 0.0, by)[1] > left * (1.0 + SLACK)
+
+
+def _runs_back(v0: float, a0: float, by: Law) -> bool:
+    """True if a path comes to rest before its deceleration could be zero."""
+    return by.smooth and a0 < 0.0 and 0.5 * a0 * a0 / by.jerks[1] >= v0 * (1.0 - SLACK)
 
 
 def plan_in_force(run: Run, a: WholeTrack, i: int, order: Order) -> Order:
