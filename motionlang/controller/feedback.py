@@ -32,8 +32,9 @@ Invariants.
 - A future time is exact, or, if the block does not show it, the time at which to check again.
 
 Cost. Nothing is computed before the first command that moves the motor; then the samples since power-up are
-computed at once. The first block after a change has `SpeculativeServo.short` samples and each further one four
-times as many, up to `LONG` seconds: frequent changes waste little, and undisturbed motion has little overhead. A
+computed at once. The first `FIRST` samples after a change may be several blocks (`SpeculativeServo.first_blocks`), and
+each further block is four times as long, up to `LONG` seconds: frequent changes waste little, and undisturbed motion
+has little overhead. Standstill is detected by the long blocks, whose ends depend on the time of the change alone. A
 rollback repeats at most the last block. A motor that has come to a standstill for good (`StandstillDetector`)
 costs nothing until something affects it.
 """
@@ -63,7 +64,7 @@ from motionlang.servo.lookahead import (
 )
 from motionlang.servo.replay import apply, run_to, sample_at, stays_at_rest
 from motionlang.servo.settings import make_plant
-from motionlang.servo.speculative import SpeculativeServo, seen_of
+from motionlang.servo.speculative import FIRST, SpeculativeServo, seen_of
 from motionlang.servo.standstill import StandstillDetector, extent
 
 if TYPE_CHECKING:
@@ -117,6 +118,8 @@ class Feedback:
         self._gains: Gains = {}
         self._servo: SpeculativeServo | None = None
         self._samples: SampleBlock | None = None
+        # The first blocks after a change that have not run, and the sizes of the next one and of a long one.
+        self._first: list[int] = []
         self._size = self._long = 0
         # The event of the next check, and its sample.
         self._event: Event | None = None
@@ -378,8 +381,8 @@ class Feedback:
             apply(servo, change)
         last = run_to(servo, self._now) or last
         assert last is not None
-        self._size = servo.short
-        self._long = max(round(LONG * self._rate), self._size)
+        self._long = max(round(LONG * self._rate), 1)
+        self._begin_short(servo)
         self._samples = SampleBlock(servo.sample - len(last), seen_of(last))
         self._samples.keep(self._now, servo.sample)
         self.scanned = self._now
@@ -415,10 +418,17 @@ class Feedback:
         for window in self.windows.values():
             window.pass_by(samples, self._target, first + 1)
         samples.keep(first, samples.end)
+        if self._first:
+            samples.extend(servo.run_block(self._first.pop(0)))
+            return
         samples.extend(servo.run_block(self._size))
         if self._size == self._long:
             self._check_standstill(samples, now)
         self._size = min(4 * self._size, self._long)
+
+    def _begin_short(self, servo: SpeculativeServo) -> None:
+        """Make the next blocks short ones, as after a change."""
+        self._first, self._size = list(servo.first_blocks), min(4 * FIRST, self._long)
 
     def _check_standstill(self, samples: SampleBlock, now: int) -> None:
         """Decide whether the motor is at standstill for good.
@@ -448,7 +458,7 @@ class Feedback:
         if until < samples.end:
             servo.back(until)
             samples.keep(samples.first, until)
-        self._size = servo.short
+        self._begin_short(servo)
         self.search_again()
 
     # ------------------------------------------------------------------------------------------------- events

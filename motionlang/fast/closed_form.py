@@ -32,7 +32,7 @@ import numpy as np
 from motionlang.servo.cubics import cubic_behind, moved, value
 from motionlang.servo.discrete import discretise
 from motionlang.servo.linear import Probe, remembered_states
-from motionlang.servo.speculative import SEEN, SHORT, SpeculativeServo
+from motionlang.servo.speculative import FIRST, SEEN, SpeculativeServo
 from motionlang.servo.steps import MEMORY
 
 if TYPE_CHECKING:
@@ -54,8 +54,6 @@ _NOTHING = 1e-30
 # Beyond this a loop that diverges is left to the plain steps.
 _FAR = 1e250
 _WAIT = MEMORY.index("derivative_wait") - len(MEMORY)
-# Samples of the first block, which are cheap in the closed form compared with the block itself.
-_SHORT = 256
 # Samples of a cubic from which the closed form is quicker than plain steps.
 _WORTHWHILE = 48
 # Samples of plain steps after one that exceeds a limit; each premature retry doubles them, up to the maximum.
@@ -256,12 +254,12 @@ class ClosedFormServo(SpeculativeServo):
     _stays = 0
 
     @property
-    def short(self) -> int:
-        """Number of samples in the first block after a change.
+    def first_blocks(self) -> tuple[int, ...]:
+        """The sizes of the blocks of the first `FIRST` samples after a change.
 
-        Another change may follow soon, so the block is short.
+        In closed form one block costs less than two.
         """
-        return SHORT if self._form(self._sample + _SHORT) is None else _SHORT
+        return super().first_blocks if self._form(self._sample + FIRST) is None else (FIRST,)
 
     def run_block(self, count: int) -> Array:
         """Run `count` samples and return a row for each of `SEEN`, in motor coordinates."""

@@ -31,7 +31,9 @@ if TYPE_CHECKING:
 
 SEEN = ("encoder", "velocity", "error", "output", "current")
 """The columns of a sample: motor position (counts), counts/s, counts, V, A."""
-SHORT = 64
+FIRST = 256
+"""Samples after a change whose blocks may be short."""
+_SHORT = 64
 
 
 class SpeculativeServo(Servo):
@@ -40,12 +42,12 @@ class SpeculativeServo(Servo):
     points_of = SpeculativeGenerator
 
     @property
-    def short(self) -> int:
-        """Number of samples in the first block after a change.
+    def first_blocks(self) -> tuple[int, ...]:
+        """The sizes of the blocks of the first `FIRST` samples after a change.
 
-        Another change may follow soon, so the block is short.
+        Another change may follow soon, so the first one is short.
         """
-        return SHORT
+        return _SHORT, FIRST - _SHORT
 
     # The states at the beginning of each stretch of the last block.
     _marks: Sequence[Mark] = ()

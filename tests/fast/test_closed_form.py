@@ -10,10 +10,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from motionlang import run
 from motionlang.fast.closed_form import ClosedFormServo, closed_form
 from motionlang.planners import hold, plan_ratio, plan_sinusoidal, plan_trapezoid
 from motionlang.servo import Drive, Loop, Motor, Track, speculative
 from motionlang.servo.speculative import SEEN, SpeculativeServo
+from motionlang.source import Source
 from tests.cases import cases
 from tests.servo.plain import run_plain
 from tests.servo.test_oracle import LOOPS, PID, PLANTS, points_of
@@ -257,3 +259,17 @@ def test_the_closed_form_waits_for_a_sample_of_the_derivative(done: int, begin: 
         servo.run_block(done)
     cubic, first, past = servo._next_cubic(form, 400)
     assert (first, (cubic is None), past > first) == (begin, done % 8 != 0, done % 8 == 0)
+
+
+@pytest.mark.parametrize("fast", [True, False])
+def test_a_program_that_is_stuck_ends_when_its_motor_has_come_to_rest(fast: bool) -> None:
+    """Two blocks of 500 ms after the first 256 ms show that the motor stays.
+
+    The second one is computed at the end of the first one, which begins 256 ms after the stop at 50 ms.
+    """
+    program = "ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVER(0) = 1000 : GO(0)\nWAIT(50)\nSTOP(0)\nPAUSE IN(3)\n"
+    motor = {"kind": "brushless", "torque_constant": 0.06, "inertia": 3e-5, "amplifier_gain": 6.0}
+    machine = {f"axis.0.plant.{name}": value for name, value in motor.items()}
+    result = run(Source("stuck.mnt", program), machine=machine, cache=False, fast=fast)
+    assert [each.code for each in result.diagnostics] == ["never"]
+    assert result.time == pytest.approx(0.806, abs=1e-3)
