@@ -6,7 +6,8 @@ from motionlang.mcapi import constants as mc
 from motionlang.mcapi.command import command
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import commands, query
-from motionlang.mccl.keywords.motion_record import PERIOD, recorded_times
+from motionlang.mccl.axis.status import RECORD_PERIOD
+from motionlang.mccl.keywords.motion_record import recorded_times
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ def captured(interface: Interface, axis: int, type: int, start: int, points: int
 @query("MCGetCaptureSettings")
 def capture_settings(interface: Interface, axis: int) -> tuple[int, float, float, int]:
     _, points = interface.board.records.get(axis, (0.0, 0))
-    return points, PERIOD, 0.0, len(recorded_times(interface.board, axis))
+    return points, RECORD_PERIOD, 0.0, len(recorded_times(interface.board, axis))
 
 
 @query("MCGetCount")

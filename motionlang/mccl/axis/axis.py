@@ -99,7 +99,6 @@ class AxisState:
         "on_arc",
         "on_line",
         "play",
-        "recording",
         "rested",
         "reversed_phase",
         "running",
@@ -140,7 +139,6 @@ class AxisState:
         self.vector = VectorSettings()
         self.segments, self.synchronised, self.on_arc, self.on_line = 0, False, False, False
         self.jog, self.jogging = JogSettings(), False
-        self.recording = False
         self.half_steps = self.reversed_phase = False
         # The velocity at which a stepper starts and stops.
         self.minimum = 0.0

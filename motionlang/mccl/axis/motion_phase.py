@@ -35,15 +35,13 @@ def next_reversal(controller: Controller, axis: int) -> float:
     return INFINITY
 
 
-def heading(controller: Controller, axis: int) -> int:
-    """Return the direction of the current or last motion, +1 or -1."""
+def is_backward(controller: Controller, axis: int) -> bool:
+    """True if the current or last motion is in the negative direction."""
     velocity = controller.demand_velocity(axis)
     if velocity:
-        return 1 if velocity > 0 else -1
-    for profile in reversed(controller.axes[axis].profiles[-4:]):
-        if profile.shape != "hold" and profile.distance:
-            return 1 if profile.distance > 0 else -1
-    return 1
+        return velocity < 0.0
+    profiles = reversed(controller.axes[axis].profiles[-4:])
+    return next((each.distance < 0.0 for each in profiles if each.distance), False)
 
 
 def band_entry(controller: Controller, axis: int, band: float) -> float:

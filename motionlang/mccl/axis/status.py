@@ -22,7 +22,7 @@ from motionlang.mccl.axis.flags import (
     VELOCITY_MODE,
 )
 from motionlang.mccl.axis.inputs import active_bits, index_input
-from motionlang.mccl.axis.motion_phase import at_target_time, heading, next_reversal, phase
+from motionlang.mccl.axis.motion_phase import at_target_time, is_backward, next_reversal, phase
 from motionlang.mccl.codes import Fault
 
 TYPE_CHECKING = False
@@ -43,6 +43,8 @@ ACCELERATING, STOPPING = 8, 16
 FULL_STEP, HALF_STEP, JOGGING, PROGRAMMED_NEGATIVE = 1, 2, 4, 1 << 10
 RECORDING, SYNCHRONISED = 1 << 12, 1 << 13
 INDEX_FOUND, EDGE_FOUND = 1 << 15, 1 << 18
+# Motion is recorded at the period of the trajectory: 1 kHz (TN1069).
+RECORD_PERIOD = 1e-3
 
 
 def word(board: Board, axis: AxisState, which: int) -> tuple[int, float]:
@@ -72,7 +74,7 @@ def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
         bits |= TRAJECTORY_COMPLETE
     else:
         until = next_reversal(controller, number)
-    if heading(controller, number) < 0:
+    if is_backward(controller, number):
         bits |= DIRECTION
     if board.model.at_target:
         time = at_target_time(controller, axis)
@@ -92,20 +94,23 @@ def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
 
 
 def _auxiliary(board: Board, axis: AxisState) -> tuple[int, float]:
-    bits = HALF_STEP if axis.half_steps else FULL_STEP
+    bits, until = HALF_STEP if axis.half_steps else FULL_STEP, INFINITY
     if axis.jogging:
         bits |= JOGGING
     if axis.direction < 0:
         bits |= PROGRAMMED_NEGATIVE
-    if axis.recording:
-        bits |= RECORDING
+    if axis.number in board.records:
+        start, count = board.records[axis.number]
+        end = start + (count - 1) * RECORD_PERIOD
+        if board.controller.clock.now < end:
+            bits, until = bits | RECORDING, end
     if axis.synchronised:
         bits |= SYNCHRONISED
     if axis.index_found:
         bits |= INDEX_FOUND
     if axis.edge_found:
         bits |= EDGE_FOUND
-    return bits, INFINITY
+    return bits, until
 
 
 def _profile(board: Board, axis: AxisState) -> tuple[int, float]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import real
+from motionlang.mccl.axis.status import RECORD_PERIOD
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
 
@@ -19,9 +20,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.board import Board
     from motionlang.mccl.runtime.task import Action, CommandTask
-
-# The recording period is that of the trajectory: 1 kHz (TN1069).
-PERIOD = 1e-3
 
 
 def record(task: CommandTask, command: Command) -> None:
@@ -63,11 +61,11 @@ def recorded_times(board: Board, axis: int) -> list[float]:
     if axis not in board.records:
         return []
     start, most = board.records[axis]
-    return [start + k * PERIOD for k in range(_taken(board.controller.clock.now - start, most))]
+    return [start + k * RECORD_PERIOD for k in range(_taken(board.controller.clock.now - start, most))]
 
 
 def _taken(elapsed: float, most: int) -> int:
-    return min(most, int(elapsed / PERIOD + 1e-9) + 1)
+    return min(most, int(elapsed / RECORD_PERIOD + 1e-9) + 1)
 
 
 def _optimal(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:

@@ -14,7 +14,7 @@ from motionlang.mccl.axis.launch import _going_on, _stepped
 from motionlang.planners import Profile
 from motionlang.planners.verify import verify
 from motionlang.source import Source
-from tests.cases import examples
+from tests.cases import cases, examples
 
 rates = st.floats(100.0, 1e5)
 
@@ -115,3 +115,69 @@ def test_what_is_left_of_a_move_at_a_new_zero_is_held_to_what_it_was_planned_wit
     run_on = "1MN,1SV5000,1SA20000,1DS10000,1MV1000\n1MR4000\nWA0.2,1SV100,1DH5,1WS\n"
     result = run(Source("zero.mcl", run_on), cache=False, prove=True)
     assert result.proof().violations == []
+
+
+def ended(text: str) -> tuple[float, float]:
+    """Return the end and the duration of the last move of a program, counts and seconds."""
+    moves = run(Source("step.mcl", text), cache=False).controller.log.moves
+    profile = moves[-1].profile
+    assert profile is not None
+    return profile.end, profile.duration
+
+
+@cases(
+    "commands, end, duration",
+    [
+        # At or below MV the velocity never changes: 1000 counts at SV.
+        ("1SV1000,1MV1000,1MR1000", 1000.0, 1.0),
+        ("1SV500,1MV1000,1MR1000", 1000.0, 2.0),
+        ("1SV500,1MV1000,1MR-1000", -1000.0, 2.0),
+        # The least MV: 0.1 s at 1 count/s less than from rest, where it is 1 s + 0.5 s of ramps.
+        ("1SV1,1SA2,1DS2,1MV1,1MR1", 1.0, 1.0),
+        ("1SV1,1SA2,1DS2,1MV0,1MR1", 1.0, 1.5),
+        # From 1000 to 2000 counts/s at 10000 and 5000 counts/s2: 0.1 and 0.2 s, 150 and 300 counts.
+        ("1SV2000,1MV1000,1MR650", 650.0, 0.1 + 0.1 + 0.2),
+        # The same when the peak is just SV, and when it is below: v2 = 1e6 + 96 * 2 / (1/10000 + 1/5000) = 1640000.
+        ("1SV2000,1MV1000,1MR450", 450.0, 0.3),
+        ("1SV2000,1MV1000,1MR96", 96.0, (sqrt(1640000.0) - 1000.0) * (1 / 10000 + 1 / 5000)),
+        # A slope of PS or PP, and MV0: from rest. The area under a sine is half of the trapezoid's ramp.
+        ("1SV2000,1MV1000,1PP,1MR2000,1PT,1MV0", 2000.0, 1.0 + 0.2 * 2 / 3 + 0.4 * 2 / 3),
+    ],
+)  # fmt: skip
+def test_a_move_from_rest(commands: str, end: float, duration: float) -> None:
+    assert ended(f"1MN,1SA10000,1DS5000,{commands},1WS") == pytest.approx((end, duration), rel=1e-9)
+
+
+@cases(
+    "then, end, duration",
+    [
+        # On the way at MV itself: 500 counts are left, and another 1000.
+        ("1SV1000,1MR1000,WA0.5,1MR1000", 2000.0, 1.5),
+        # At 500 counts/s, below MV, after 250 counts: an ordinary move from that velocity. 0.05 s and 37.5 counts up,
+        # 0.2 s and 100 counts down; the rest at 1000 counts/s.
+        (
+            "1MV0,1SV500,1SA1000000,1MR1000,WA0.5,1SA10000,1SV1000,1MV1000,1MA1387",
+            1387.0,
+            0.05 + 0.9995 + 0.2,
+        ),
+    ],
+)
+def test_a_further_target_in_motion(then: str, end: float, duration: float) -> None:
+    found = ended(f"1MN,1SA10000,1DS5000,1MV1000,{then},1WS")
+    assert found == pytest.approx((end, duration), abs=1e-3)
+
+
+@cases("setting", ["1SV0", "1SA0", "1DS0"])
+def test_no_velocity_or_ramp_is_a_parameter_error_with_a_minimum_velocity_too(setting: str) -> None:
+    result = run(Source("step.mcl", f"1MN,1MV1000,{setting},1MR10\n1TP"), cache=False)
+    assert result.output == ["?-1", "01 0"]
+
+
+def test_a_move_to_where_the_axis_is_takes_no_time() -> None:
+    result = run(Source("step.mcl", "1MN,1MV1000,1MR0,1TS,1TV"), cache=False)
+    assert result.output == ["01 4110", "01 0"]
+
+
+def test_an_axis_that_is_off_does_not_step() -> None:
+    result = run(Source("step.mcl", "1MV1000,1MR500,WA0.1,1TV,1WS,1TP"), cache=False)
+    assert result.output == ["01 0", "01 0"]
