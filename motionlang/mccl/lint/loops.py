@@ -33,7 +33,7 @@ def endless_lines(lines: Iterable[Line], add: Add) -> None:
 
 
 def _repeats_from(line: Line, k: int, command: Command) -> int | None:
-    """Return the index to which a command always jumps back, or None.
+    """Return the index to which a command always jumps back, or its own, or None.
 
     An `MJ` to the macro that contains it repeats the macro.
     """
@@ -46,11 +46,15 @@ def _repeats_from(line: Line, k: int, command: Command) -> int | None:
         return first
     if verb in ("jump", "jump_by") and number is not None:
         target = first + number if verb == "jump" else k + number
-        return target if target < k else None
+        return target if target <= k else None
     return None
 
 
 def _check(line: Line, begin: int, k: int, add: Add) -> None:
+    if begin == k:
+        message = f"{line.commands[k].text} jumps to itself forever"
+        add(line.offsets[k], Fault(0, message, "jump to another command", "endless-loop"))
+        return
     first = int(line.commands[0].verb == "define_macro")
     body = line.commands[first:k]
     if any(each.verb.startswith(_LEAVES) for each in body):
