@@ -313,3 +313,103 @@ def test_the_wait_between_two_lines_has_a_constant_location() -> None:
         assert wait is not None
         assert wait.cause == "host"
         assert wait.location == port.task.stack_offsets == (0, ())
+
+
+def test_entries_end_with_a_carriage_return_or_a_line_feed() -> None:
+    """A line feed behind a carriage return ends nothing."""
+    _, port = board()
+    assert port.next_entry(b"1TP\r2TP\r") == (b"1TP\r", True)
+    assert port.next_entry(b"\n2TP\r") == (b"\n", False)
+    assert port.next_entry(b"2TP\n\n") == (b"2TP\n", True)
+    assert port.next_entry(b"\n") == (b"\n", True)
+    assert port.next_entry(b"\r") == (b"\r", True)
+    assert port.next_entry(b"1T") == (b"1T", False)
+    assert port.next_entry(b"\n") == (b"\n", True)
+    assert port.next_entry(b"") == (b"", False)
+    assert port.next_entry(b"1TP\r") == (b"1TP\r", True)
+    assert port.next_entry(b"2\nTP\r") == (b"2\n", True)
+
+
+def test_what_a_busy_port_accepts() -> None:
+    """ESC, and at the beginning the control characters and blanks; one key while it single-steps."""
+    console, port = board()
+    assert port.accepts(b"1TP\r")
+    waiting = bytearray(b"1TP\r\x1b2TP\r\x1b3TP\r")
+    port.drop_abandoned(waiting)
+    assert waiting == b"1TP\r\x1b2TP\r\x1b3TP\r"
+    port.feed(b"WA9\r")
+    console.run(1.0)
+    assert not port.accepts(b"1TP\r")
+    assert port.accepts(b"1TP\r\x1b")
+    port.drop_abandoned(waiting)
+    assert waiting == b"\x1b3TP\r"
+    del waiting[0]
+    port.drop_abandoned(waiting)
+    assert waiting == b"3TP\r"
+    assert port.at_once(b"\x02\x11\x13 1TP\r") == b"\x02\x11\x13 "
+    assert port.at_once(b"1 ") == b""
+    assert port.at_once(b"  ") == b"  "
+    assert port.at_once(b"\x1b\x1b") == b"\x1b"
+    port.feed(b"\x02")
+    assert port.at_once(b"xy") == b"x"
+
+
+def test_unread_output_suspends_the_port_from_65536_characters_on() -> None:
+    _, port = board()
+    port.send("x" * 65535)
+    assert not port.full
+    port.send("x")
+    assert port.full
+    port.take()
+    assert not port.full
+
+
+def test_output_is_lost_from_half_a_million_characters_on() -> None:
+    _, port = board()
+    port.send("x" * (8 * 65536 - 1))
+    port.send("yz")
+    port.send("lost")
+    assert port.take()[-3:] == b"xyz"
+
+
+@pytest.mark.parametrize(
+    ("sent", "prompt"),
+    [("PC62", b">"), ("PC0", b""), ("PC31", b""), ("PC32", b" "), ("PC33", b"!"), ("PC126", b"~")],
+)
+def test_the_prompt_is_a_printable_character(sent: str, prompt: bytes) -> None:
+    console, port = board()
+    assert ask(console, port, sent.encode() + b"\r") == b"\n" + prompt
+
+
+def test_echo_is_switched_off_and_on_again() -> None:
+    console, port = board(echo=None)
+    assert ask(console, port, b"EF\r") == b"EF\n>"
+    assert ask(console, port, b"EN\r") == b"\n>"
+    assert ask(console, port, b"1TP\r") == b"1TP\n01 0\n>"
+
+
+def test_codes_of_flow_control() -> None:
+    """XF and XN choose them, and 0 is none: NUL is an ordinary character then."""
+    console, port = board()
+    assert ask(console, port, b"XF65,XN66\r") == b"\n>"
+    assert ask(console, port, b"A1TP\r") == b""
+    assert ask(console, port, b"B") == b"01 0\n>"
+    assert ask(console, port, b"XF0,XN0\r") == b"\n>"
+    assert ask(console, port, b"\x00\x131TP\r")[-5:] == b"1 0\n>"
+
+
+def test_a_line_of_4096_characters_waits_and_no_more() -> None:
+    console, port = board()
+    port.feed(b"WA1\r")
+    assert port.feed(b"x" * 4095) == 4095
+    assert port.feed(b"xyz") == 1
+    assert port.feed(b"\x1b") == 1
+    assert port.feed(b"1TP\r") == 4
+    console.settle()
+    assert port.take().endswith(b"?-7\n>01 0\n>")
+
+
+def test_a_blank_before_a_line_does_not_pause_an_idle_port() -> None:
+    console, port = board()
+    assert ask(console, port, b" 1TP\r") == b"01 0\n>"
+    assert not port.task.paused

@@ -8,6 +8,7 @@ from math import hypot, pi
 import pytest
 
 from motionlang import Run
+from tests.cases import cases
 from tests.mccl.conftest import Runner
 
 HEAD = "1MN,2MN,1CM1,2CM1,1VV20000,1VA200000,1VD200000\n"
@@ -265,3 +266,59 @@ def test_a_path_cannot_begin_where_an_axis_runs_on_for_ever(mccl: Runner) -> Non
     result = mccl(f"{HEAD}3MN,2SM3,3VM,3DI0,3GO,1CP1,1MA500,2MA500", until=1.0)
     assert result.output == ["?-2"]
     assert "axis 2 is jogging: no contour path can start from there" in result.diagnostics[0].message
+
+
+@cases(
+    "between, is_run_through",
+    [("NO", True), ("1VV20000", True), ("1VV10000", False), ("1VA100000", False), ("1VD100000", False), ("1PS", False),
+     ("1VO0.5", True)],
+)  # fmt: skip
+def test_paths_with_other_vector_settings_are_not_joined(
+    between: str, is_run_through: bool, mccl: Runner
+) -> None:
+    """The second path goes on in the same direction; VO applies to both."""
+    result = mccl(f"{HEAD}1CP1,1MA10000,2MA0\n{between}\n1CP1,1MA20000,2MA0\n1WS,1TP")
+    assert result.output == ["01 20000"]
+    first = result.controller.log.moves[0].profile
+    assert first is not None
+    assert (first.end_velocity > 0.0) is is_run_through
+
+
+@cases(
+    "then, end",
+    [
+        # After 0.5 s at 20000 counts/s less 1000 for the ramp; 1000 counts to stop.
+        ("1ST,1WS", 10000.0), ("1AB", 9000.0), ("1MF", 9000.0), ("1VO0.5,1WS", 30000.0), ("1WS", 30000.0),
+    ],
+)  # fmt: skip
+def test_a_contour_of_one_axis(then: str, end: float, mccl: Runner) -> None:
+    result = mccl(f"1MN,1CM1,1VV20000,1VA200000,1VD200000\n1CP1,1MA30000\nWA0.5,{then},1TP")
+    assert int(result.output[0].split()[1]) == pytest.approx(end, abs=3)
+
+
+@cases(
+    "text, output",
+    [
+        # VO without a number is 1; the length of 50000 counts at 5000, 10000, 20000 counts/s and a ramp.
+        ("1VO0.5,1VO", "01 10000"), ("1VO0.5", "01 5000"), ("VO0.5", "01 5000"), ("1VO10,1VO1", "01 10000"),
+        ("1VO11", "?-1"), ("1VO-1", "?-1"),
+    ],
+)  # fmt: skip
+def test_the_override_without_a_number_is_one(text: str, output: str, mccl: Runner) -> None:
+    result = mccl(f"1MN,1CM1,1VV10000,1VA1000000,1VD1000000\n{text}\n1CP1,1MA50000,WA1,1TV,1AB")
+    assert result.output[0] == output
+
+
+@cases(
+    "text, code",
+    [("1CM2\n1CM1", -16), ("1CM2\n1PM\n1CM1", 0), ("1CM1\n1CM1", 0), ("1CM9", -15), ("1CM1\n2CP1", -15), ("1CP1", -15),
+     ("1CM2\n1CP1", -15), ("1MR9999,1CM1", -2), ("1CM1.5", -1), ("1CM0", -15)],
+)  # fmt: skip
+def test_which_axes_join_a_contour(text: str, code: int, mccl: Runner) -> None:
+    assert mccl(f"1MN,2MN\n{text}").output == ([f"?{code}"] if code else [])
+
+
+def test_segments_are_counted_and_paths_of_no_length_are(mccl: Runner) -> None:
+    """A path that leads nowhere takes no time; a path that is stopped does not count."""
+    result = mccl(f"{HEAD}1CP1,1MR0,2MR0\n1CP1,1MR10,2MR0\n1WS,1TX,1CP1,1MR9999,2MR0\n1ST,1WS,1TX")
+    assert result.output == ["01 2", "01 2"]
