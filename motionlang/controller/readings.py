@@ -290,13 +290,6 @@ class Readings:
             until = since - c2 / (3.0 * c3)
         return start + (until if found is None else min(found, until))
 
-    def turns(self, channel: int) -> bool:
-        """True if an encoder channel is moving."""
-        a = self.encoder(channel)
-        profile = a.profiles[-1]
-        over = self.clock.now - a.starts[-1] >= profile.duration
-        return bool(profile.end_velocity if over else profile.peak_speed)
-
     def watch(self, axis: int, position: float, call: Callable[[int], None], physical: bool = False) -> Watch:
         """Call `call(direction)` whenever the axis passes `position`, until `unwatch`."""
         a = self.axes[axis]

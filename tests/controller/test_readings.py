@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, sqrt
 
 import pytest
 
 from motionlang.controller.controller import Controller
+from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action
 from motionlang.lang.machine.machine import Machine
+from tests.cases import cases
 
 
 def controller() -> Controller:
@@ -79,3 +81,139 @@ def test_what_remains_of_a_motion_is_that_of_the_last_one() -> None:
     assert left.end == pytest.approx(-40.0)
     assert left.velocity(0.0) == pytest.approx(a.velocity(5.5)) != 0.0
     assert left.duration == pytest.approx(a.end_of_motion() - 5.5)
+
+
+def test_times_at_which_axes_will_be_idle() -> None:
+    """30 at 50 with rates of 100 takes 0.5 + 0.1 + 0.5 s, and 12.5 takes 2 sqrt(12.5 / 100)."""
+    c = controller()
+    assert (c.idle_time(0), c.standstill_time(0), c.rest_time(0), c.settled_time(0)) == (0.0, 0.0, 0.0, 0.0)
+    assert (c.moving(), c.settling(), c.settled_since(0)) == ([], [], 0.0)
+    assert c.end_of_moves((0,))() == -1.0
+    assert c.end_of_moves((0, 1))() == -1.0
+    assert c.end_of_moves(())() == -1.0
+    c.move_to(1, 30.0)
+    c.clock.advance(0.2)
+    assert (c.idle_time(0), c.standstill_time(0)) == (0.2, 0.2)
+    assert c.idle_time(1) == c.standstill_time(1) == pytest.approx(1.1)
+    assert c.moving() == [1]
+    c.move_to(0, 12.5)
+    end = 0.2 + 2.0 * sqrt(12.5 / 100.0)
+    assert c.end_of_moves((0,))() == pytest.approx(end)
+    assert c.end_of_moves((0, 1))() == pytest.approx(1.1)
+    assert c.moving() == [0, 1]
+    c.clock.advance(1.0)
+    assert c.end_of_moves((0, 1))() == pytest.approx(1.1)
+    assert c.moving() == [1]
+    c.jog(0, -20.0)
+    assert c.idle_time(0) == c.standstill_time(0) == c.end_of_moves((0, 1))() == inf
+    assert not c.is_still(0)
+
+
+@cases(
+    "velocities, angle",
+    [((30.0, 40.0), 85.71084), ((-30.0, 40.0), 94.28916), ((30.0, -40.0), -85.71084), ((0.0, 40.0), 90.0),
+     ((30.0, 0.0), 0.0),
+     ((-30.0, 0.0), 180.0), ((0.0, 0.0), 0.0)],
+)  # fmt: skip
+def test_the_direction_of_two_axes_is_that_in_user_units(
+    velocities: tuple[float, float], angle: float
+) -> None:
+    """The first axis has 10 counts per unit: atan2(40, 3) is 85.71084°."""
+    c = controller()
+    c.set_scale(0, 10.0)
+    for axis, velocity in enumerate(velocities):
+        if velocity:
+            c.jog(axis, velocity)
+    c.clock.advance(2.0)
+    assert c.vector_angle(0, 1) == pytest.approx(angle, abs=1e-5)
+
+
+def test_crossing_times_of_a_position() -> None:
+    """50 t² during the first 0.5 s, then 50 counts/s, and 0.5 s down; infinity is the next reversal."""
+    c = controller()
+    assert c.crossing_time(0, 5.0) == inf
+    assert c.crossing_time(0, inf) == 0.0
+    c.move_to(0, 30.0)
+    c.clock.advance(0.2)
+    for position, time in (
+        (4.5, 0.3),
+        (12.5, 0.5),
+        (17.5, 0.6),
+        (30.0, 1.1),
+        (31.0, inf),
+        (1.0, inf),
+        (inf, 1.1),
+    ):
+        assert c.crossing_time(0, position) == c.demand_crossing_time(0, position) == pytest.approx(time)
+    for left, time in ((25.5, 0.3), (17.5, 0.5), (0.0, 1.1), (inf, 0.2), (-1.0, inf)):
+        assert c.remaining_crossing_time(0, left) == pytest.approx(time)
+    assert c.error_crossing_time(0, 1.0) == inf
+    assert c.error_crossing_time(0, inf) == c.error_crossing_time(0, -inf) == 0.2
+    assert c.velocity_crossing_time(0, 30.0) == pytest.approx(0.3)
+    c.clock.advance(2.0)
+    assert c.crossing_time(0, 30.0) == inf
+    assert c.demand_velocity_crossing_time(0, 0.0) == inf
+
+
+def test_the_reversal_of_a_motion() -> None:
+    """At 0.2 s the axis has 20 counts/s and is at 2; it stops in 0.2 s and turns back."""
+    c = controller()
+    c.move_to(0, 30.0)
+    c.clock.advance(0.2)
+    c.move_to(0, -30.0)
+    assert c.crossing_time(0, inf) == pytest.approx(0.4)
+    assert c.crossing_time(0, 3.5) == pytest.approx(0.3)
+    c.clock.advance(0.45)
+    assert c.crossing_time(0, 3.5) == pytest.approx(0.5)
+
+
+def test_an_encoder_from_outside() -> None:
+    c = controller()
+    assert (c.encoder_position(7), c.encoder_velocity(7), c.encoder_crossing_time(7, 5.0)) == (0.0, 0.0, inf)
+    c.drive_encoder(7, 50.0, 100.0)
+    assert c.encoder_crossing_time(7, 12.5) == pytest.approx(0.5)
+    c.clock.advance(1.0)
+    assert (c.encoder_position(7), c.encoder_velocity(7)) == pytest.approx((37.5, 50.0))
+    assert c.encoder_crossing_time(7, 62.5) == pytest.approx(1.5)
+    c.drive_encoder(7, 0.0, 100.0)
+    c.clock.advance(1.6)
+    assert c.encoder_position(7) == pytest.approx(50.0)
+
+
+def test_a_pulse_is_prolonged_by_another_one() -> None:
+    c = controller()
+    c.pulse(3, 0.5)
+    c.clock.advance(0.3)
+    c.pulse(3, 0.5)
+    c.pulse(4, 0.1)
+    c.clock.advance(2.0)
+    c.pulse(3, 0.25)
+    c.clock.advance(3.0)
+    assert [(round(time, 9), channel, value) for time, channel, value in c.log.outputs] == [
+        (0.0, 3, 1), (0.3, 4, 1), (0.4, 4, 0), (0.8, 3, 0), (2.0, 3, 1), (2.25, 3, 0),
+    ]  # fmt: skip
+    assert [c.set_output(3, 1), c.set_output(3, 1), c.set_output(3, 0), c.set_output(5, 0)] == [
+        True, False, True, False,
+    ]  # fmt: skip
+
+
+def test_a_fault_that_nothing_handles_is_raised() -> None:
+    c, seen = controller(), list[str]()
+    rejected = Rejected("range", "too far")
+    with pytest.raises(Rejected):
+        c.run_time_fault(rejected)
+    c.fault_handler = lambda fault: seen.append(fault.code) or True  # type: ignore[func-returns-value]
+    c.run_time_fault(rejected)
+    assert seen == ["range"]
+    c.fault_handler = lambda fault: False
+    with pytest.raises(Rejected):
+        c.run_time_fault(rejected)
+
+
+def test_without_a_motor_there_is_no_output_and_no_error() -> None:
+    c = controller()
+    c.move_to(0, 30.0)
+    c.clock.advance(0.2)
+    assert (c.following_error(0), c.servo_output(0), c.motor_current(0)) == (0.0, 0.0, 0.0)
+    assert (c.has_motor(0), c.is_open(0)) == (False, False)
+    assert (c.position(0), c.velocity(0)) == (c.demand(0), c.demand_velocity(0)) == pytest.approx((2.0, 20.0))

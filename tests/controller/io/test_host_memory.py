@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 
 from motionlang.controller.clock import Clock
 from motionlang.controller.faults import Rejected
-from motionlang.controller.io.host_memory import HostMemory
+from motionlang.controller.io.host_memory import HostMemory, packed, product
+from tests.cases import cases
 
 words = st.integers(-(2**31), 2**31 - 1)
 
@@ -125,3 +126,108 @@ def test_the_machine_file_writes_at_its_time() -> None:
     )
     clock.advance(1.5)
     assert (memory.real("comms", 1), memory.integer("netdata", 2)) == (3.0, 3)
+
+
+@cases("area, first, last", [("comms", 1, 99), ("netdata", 0, 999), ("dpr", 0, 4095)])
+def test_the_first_and_the_last_element_of_each_area(area: str, first: int, last: int) -> None:
+    memory = HostMemory()
+    for element in (first, last):
+        memory.set_integer(area, element, element - 5)
+        assert memory.integer(area, element) == element - 5
+        assert memory.has_registers(area, 2 * element, 2)
+    for element in (first - 1, last + 1):
+        with pytest.raises(Rejected) as rejected:
+            memory.integer(area, element)
+        assert rejected.value.hint.endswith(f" are {first} to {last}")
+        assert not memory.has_registers(area, 2 * element, 2)
+    assert not memory.has_registers(area, 2 * last, 3)
+    assert memory.has_registers(area, 2 * first, 2 * (last - first + 1))
+
+
+@cases(
+    "value, read",
+    [
+        (3.4028234663852886e38, 3.4028234663852886e38),
+        (math.nextafter(3.4028235677973366e38, 0.0), 3.4028234663852886e38),
+        (3.4028235677973366e38, math.inf), (-3.4028235677973366e38, -math.inf), (math.inf, math.inf),
+        (-math.inf, -math.inf), (0.0, 0.0), (-1.5, -1.5),
+    ],
+)  # fmt: skip
+def test_numbers_beyond_the_largest_float_of_32_bits_are_infinite(value: float, read: float) -> None:
+    memory = HostMemory()
+    memory.set_real("comms", 1, value)
+    assert memory.real("comms", 1) == read
+
+
+def test_no_number_stays_no_number() -> None:
+    memory = HostMemory()
+    memory.set_real("comms", 1, math.nan)
+    assert math.isnan(memory.real("comms", 1))
+
+
+@cases(
+    "length, text",
+    [(0, ""), (1, "A"), (3, "ABC"), (4, "ABCD"), (5, "ABCDE"), (7, "ABCDEFG"), (8, "ABCDEFGH"),
+     (9, "ABCDEFGH"), (12, "ABCDEFGH")],
+)  # fmt: skip
+def test_a_text_is_cut_off_at_its_length(length: int, text: str) -> None:
+    memory = HostMemory()
+    memory.set_text("netdata", 998, "ABCDEFGH")
+    if length <= 8:
+        assert memory.text("netdata", 998, length) == text
+    else:
+        with pytest.raises(Rejected):
+            memory.text("netdata", 998, length)
+    memory.set_text("netdata", 1, "ABCDEFGH")
+    assert memory.text("netdata", 1, length) == text
+
+
+@cases("text, expected", [("", []), ("A", [0x41000000]), ("ABCD", [0x41424344]), ("ABCDE", [0x41424344, 0x45000000]),
+                          ("\xff", [0xFF000000 - (1 << 32)]), ("\u20ac", [0x3F000000])])  # fmt: skip
+def test_packed_texts(text: str, expected: list[int]) -> None:
+    """Four characters in a word, the first one highest; `?` for one that Latin-1 does not have."""
+    assert packed(text) == expected
+
+
+@cases(
+    "model, name",
+    [
+        ("", "e100"), ("NextMove e100", "e100"), ("NextMove ES", "es"), ("NextMove ESB-2", "es"),
+        ("MicroFlex e150", "e150"),
+        ("MotiFlex e180", "e180"), ("e190", "e190"), ("MicroFlex e190-3A", "e190"), ("other", "e100"),
+    ],
+)  # fmt: skip
+def test_products_by_the_names_of_models(model: str, name: str) -> None:
+    assert product(model) == name
+
+
+def test_registers_from_an_odd_one_to_an_even_one_change_two_halves() -> None:
+    memory = HostMemory()
+    for element in (3, 4, 5):
+        memory.set_integer("netdata", element, -1)
+    memory.write_registers("netdata", 7, [0x8000, 0x7FFF])
+    assert [memory.integer("netdata", n) for n in (2, 3, 4, 5)] == [
+        0,
+        0x8000FFFF - (1 << 32),
+        0xFFFF7FFF - (1 << 32),
+        -1,
+    ]
+    assert memory.registers("netdata", 7, 3) == [0x8000, 0x7FFF, 0xFFFF]
+
+
+def test_how_values_of_the_machine_file_are_stored() -> None:
+    """An integer in the comms array is a float unless it says otherwise; elsewhere it is an integer."""
+    clock, memory = Clock(), HostMemory()
+    clock.advance(2.0)
+    entries: list[tuple[str, dict[str, object]]] = [
+        ("comms", {"element": 1, "value": 3}), ("comms", {"element": 2, "value": 3, "as": "integer"}),
+        ("netdata", {"element": 1, "value": -3}), ("netdata", {"element": 2, "value": 3.0}),
+        ("dpr", {"address": 0, "value": 0x80000000}), ("dpr", {"address": 1, "value": 3, "as": "float", "at": 1.0}),
+    ]  # fmt: skip
+    for area, entry in entries:
+        memory.schedule(clock, area, entry)
+    assert memory.real("comms", 1) == 0.0
+    clock.advance(2.0)
+    assert (memory.real("comms", 1), memory.integer("comms", 2)) == (3.0, 3)
+    assert (memory.integer("netdata", 1), memory.real("netdata", 2)) == (-3, 3.0)
+    assert (memory.integer("dpr", 0), memory.real("dpr", 1)) == (-(1 << 31), 3.0)
