@@ -437,6 +437,7 @@ class BackgroundTask(CommandTask):
     def __init__(self, number: int, board: Board, macro: Line) -> None:
         super().__init__(f"task {number}", board)
         self._number = number
+        self.base = board.controller.clock.now
         self.enter(macro)
 
     def end(self) -> None:

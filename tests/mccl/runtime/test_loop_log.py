@@ -1,0 +1,53 @@
+"""The loops in the log: from when to when each took, and who called it."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.cases import cases
+from tests.mccl.conftest import Runner
+
+# Program, and for each loop the command that jumps back, its begin and end, and the calls around it, s. A command takes
+# 10 us. A loop from the beginning of a line begins with it, any other with its first jump back.
+LOOPS: list[tuple[str, list[tuple[str, float, float, tuple[str, ...]]]]] = [
+    ("AL0\nAA1,WA0.1,IB5,JR-3,NO,TR0", [("JR-3", 0.0, 0.5, ())]),
+    ("AL0,AR20\nNO,RA20,AA1,AR20,WA0.1,IB3,JR-5,NO,TR20", [("JR-5", 0.1, 0.3, ())]),
+    ("WA0.1,RP2,WA0.1,RP1", [("RP2", 0.0, 0.3, ()), ("RP1", 0.0, 0.8, ())]),
+    ("WA0.5\nWA0.1,RP1,WA0.5", [("RP1", 0.5, 0.7, ())]),
+    ("MD1,WA0.1,RP1\nMC1,RP1;", [("RP1\n", 0.0, 0.2, ("MC1",)), ("RP1\n", 0.2, 0.4, ("MC1",)), ("RP1;", 0.0, 0.4, ())]),
+    ("MD1,WA0.1,RP1\nMD2,MC1,WA0.1\nMC2,WA0.5", [("RP1", 0.0, 0.2, ("MC2", "MC1"))]),
+    ("MD1,RA20,AA1,AR20,WA0.1,IB3,MJ1,NO\nMJ1\nWA0.5", [("MJ1,", 0.0, 0.3, ())]),
+    ("MD1,RA20,AA1,AR20,WA0.1,IB3,MJ1,NO\nMC1\nWA0.5", [("MJ1", 0.0, 0.3, ("MC1",))]),
+    ("AL0,WA0.1,AA1,IB2,JP1,NO,WA0.1,AA1,IB4,JP1,NO,WA1", [("JP1,NO,WA0", 0.1, 0.2, ()), ("JP1,NO,WA1", 0.3, 0.5, ())]),
+    # Less than a hundred commands leave no record.
+    ("NO,RP49", []),
+    ("NO,RP60", [("RP60", 0.0, 0.00122, ())]),
+    # An error leaves the line, BK the line or the macro.
+    ("WA0.1,AA1,IB3,RP,NO,TR999,WA9", [("RP", 0.0, 0.3, ())]),
+    ("MD1,WA0.1,AA1,IE3,BK,NO,RP\nMC1,WA9", [("RP", 0.0, 0.3, ("MC1",))]),
+]  # fmt: skip
+
+
+@cases("text, expected", LOOPS)
+def test_the_loops_of_a_program(
+    text: str, expected: list[tuple[str, float, float, tuple[str, ...]]], mccl: Runner
+) -> None:
+    found = sorted(mccl(text).machine.log.loops, key=lambda each: each.until)
+    assert [each.at for each in found] == [text.index(jump) for jump, *_ in expected]
+    for each, (_, since, until, callers) in zip(found, expected, strict=True):
+        assert (each.since, each.until) == pytest.approx((since, until), abs=0.0004)
+        assert each.callers == tuple(text.rindex(call) for call in callers)
+        assert each.task == "test.mcl"
+
+
+def test_a_background_task_has_loops_of_its_own_from_its_start_on(mccl: Runner) -> None:
+    """Two tasks are started 0.05 s apart, and each waits three times 0.1 s."""
+    result = mccl("MD1,WA0.1,RP2\nGT1,WA0.05,RP1")
+    found = [(each.task, each.at, each.since, each.until) for each in result.machine.log.loops]
+    for name, at, since, until in (
+        ("test.mcl", 25, 0.0, 0.1),
+        ("task 1", 10, 0.0, 0.3),
+        ("task 2", 10, 0.05, 0.35),
+    ):
+        (loop,) = [each for each in found if each[0] == name]
+        assert loop[1:] == (at, pytest.approx(since, abs=2e-4), pytest.approx(until, abs=4e-4))
