@@ -28,8 +28,20 @@ CHANNELS = frozenset(("do_if_on", "do_if_off", "if_on", "if_off"))
 # Commands that leave the accumulator alone, those that set it, and those that govern the next ones.
 NEUTRAL = JUMPS | CHANNELS | {"nothing", "channel_on", "channel_off"}
 SETS = frozenset(
-    ("load", "recall", "look_up", "get_analog", "read_byte", "read_word", "read_long", "read_real")
+    (
+        "load",
+        "recall",
+        "look_up",
+        "get_analog",
+        "read_byte",
+        "read_word",
+        "read_long",
+        "read_float",
+        "read_double",
+    )
 )
+# Commands that read the low bits of a value, which pass a number each time they wrap.
+LOW_BITS = frozenset(("read_byte", "read_word"))
 CONDITIONS = COMPARES | BIT_TESTS | {"if_on", "if_off"}
 # Commands that continue somewhere else or later.
 LEAVES = frozenset(("call_macro", "jump_macro", "leave", "wait"))
@@ -59,7 +71,8 @@ def tests_of(commands: Sequence[Command], governs: int) -> Tests | None:
         if verb in SETS:
             end = next((k for k in range(here + 1, len(verbs)) if certain[k] and straight), len(verbs))
             uses = [k for k in range(here + 1, end) if verbs[k] not in NEUTRAL]
-            is_tested = all(verbs[k] in COMPARES or verbs[k] in BIT_TESTS for k in uses)
+            allowed = BIT_TESTS if verb in LOW_BITS else COMPARES | BIT_TESTS
+            is_tested = all(verbs[k] in allowed for k in uses)
             is_tested = is_tested and not any(map(_takes_accumulator, commands[here + 1 : end]))
             found[here] = tuple([commands[k] for k in uses]) if is_tested else None
     return found

@@ -29,6 +29,8 @@ PROGRAMS = {
     ),
     "the target band": f"1MN,1DB100,1DT0.02,1MR5000\n{POLL.replace('IC3', 'IC2')},1TP",
     "the direction while it reverses": f"1MN,1MR5000,WA0.1,1ST\n{POLL}\n1MR-50,{POLL.replace('IC3', 'IC4')},1TP,1WS",
+    "the direction of an axis that turns round in velocity mode": "1MN,1SV1000,1SA2000,1MR50,1WS,1MR-50,1WS\n"
+    f"1VM,1GO,WA0.1,1DI1,1GO\n{POLL.replace('IC3', 'IC4')},1TP,1DI0,1GO\n{POLL.replace('IC3', 'IS4')},1TP,1ST",
     "an input that another task sets": "MD1,WA0.1,CN33,WA0.1,CF33\nGT1\nIF33,JR-1,NO,IN33,JR-1,NO,TC33",
     "a register that another task sets": "MD1,WA0.1,AL7,AR20\nGT1\nRA20,IU7,JR-2,NO,TR20",
     "a position": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,IB250,JR-2,NO,1TP,1RV@20,IB400.5,JR-2,NO,1TP',
@@ -45,6 +47,11 @@ PROGRAMS = {
     "a lamp in the background": "MD5,IN5,CN34,NO,IF5,CF34,NO,RP\n1MN,1SV1000\nGT5,AR30\n"
     "1MR500,1WS,TC34,1MR-100,1WS,TC34,WA0.013,ET@30",
     "a stop by an input": 'LU"STATUS",AR21\n1MN,1SV1000,1MR5000\nIN5,1ST,NO,1RL@21,IC3,JR-5,NO,1TP',
+    "the low byte of a position": 'LU"POSITION",AR20\n1MN,1SV1000,1MR900,1WP300\n1RB@20,IB200,JR-2,NO,1TP,1WS',
+    "the low word of a position": 'LU"POSITION",AR20\n1MN,1SV200000,1SA1000000,1MR100000,1WP40000\n'
+    "1RW@20,IB20000,JR-2,NO,1TP,1WS",
+    "a real position and another one": 'LU"POSITION",AR20\n1MN,1MR500\n'
+    "1RV@20,IB200.25,JR-2,NO,1TP,1RD@20,IB400.75,JR-2,NO,1TP,1WS",
     "a velocity": 'LU"VELOCITY",AR20\n1MN,1SV1000,1SA5000,1MR500\n1RL@20,IB900,JR-2,NO,1TP\n'
     "1RL@20,IG450.5,JR-2,NO,1TP,1WS",
     "a velocity and a position": 'LU"VELOCITY",AR20,LU"POSITION",AR21\n1MN,1SV1000,1SA5000,1MR500\n'
@@ -95,6 +102,23 @@ def test_skipping_changes_nothing(name: str, mccl: Runner, monkeypatch: pytest.M
     monkeypatch.setattr(Poll, "again", lambda self: None)
     assert outcome(mccl, PROGRAMS[name]) == skipped
     assert skipped["output"]
+
+
+@pytest.mark.parametrize("read", ["RL", "RV", "RD"])
+def test_an_iteration_that_reads_a_position_is_skipped_whatever_the_type(
+    read: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """50 s of polling are a million iterations of four commands; a few hundred are carried out."""
+    rounds, again = [0], Poll.again
+
+    def count(poll: Poll) -> object:
+        rounds[0] += 1
+        return again(poll)
+
+    monkeypatch.setattr(Poll, "again", count)
+    result = mccl(f'LU"POSITION",AR20\n1MN,1SV1000,1MR50000\n1{read}@20,IB45000.5,JR-2,NO,1TP,1WS')
+    assert result.output == ["01 45001"]
+    assert rounds[0] < 1000
 
 
 def test_eight_hours_of_polling(mccl: Runner) -> None:
