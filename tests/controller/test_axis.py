@@ -147,3 +147,16 @@ def test_index_marks_are_apart_by_whole_counts_whatever_the_sign_of_the_scale() 
     a.index_every = 2.5
     a.scale.set(-4.0)
     assert a.index_pitch == 10.0
+
+
+def test_at_the_time_of_a_crossing_the_position_is_exactly_the_one_crossed() -> None:
+    """At 1 s the axis is at 9.5 counts; the time of a crossing is rounded, its position is not."""
+    c = machine(1)
+    c.jog(0, 10.0)
+    a = until(c, 1.0).axes[0]
+    a.cross(1.0, 9.5000001)
+    assert (a.here(1.0), c.demand(0), c.position(0)) == (9.5000001, 9.5000001, 9.5000001)
+    assert a.here(1.1) == a.position(1.1) == pytest.approx(10.5)
+    assert a.position(1.0) == pytest.approx(9.5, abs=1e-12)
+    a.put_on(a.starts[-1], a.profiles[-1].shifted(1.0))
+    assert a.here(1.0) == pytest.approx(10.5, abs=1e-12)
