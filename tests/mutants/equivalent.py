@@ -236,4 +236,55 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mccl/resolve/decode.py: _no_command: False -> True": (
         "the command has no effect to count: its fault ends the line"
     ),
+    "motionlang/mccl/motion/arcs.py: centre_between: abs(reach - radius) <= _EVEN * radius -> "
+    "abs(reach - radius) < _EVEN * radius": ("at the size of rounding both centres are the same"),
+    "motionlang/mccl/motion/arcs.py: centre_between: _EVEN * radius -> _EVEN / radius": (
+        "at the size of rounding both centres are the same"
+    ),
+    "motionlang/mccl/motion/arcs.py: centre_between: abs(angle_to(start, end, centre, sense)) > 180.0 -> "
+    "abs(angle_to(start, end, centre, sense)) >= 180.0": (
+        "at a half circle the correction is half of the miss, which is allowed"
+    ),
+    "motionlang/mccl/motion/arcs.py: centre_between: 180.0 -> 181.0": (
+        "just beyond a half circle the correction is half of the miss, which is allowed"
+    ),
+    "motionlang/mccl/motion/arcs.py: centre_between: abs(share) * hypot(dx, dy) > _MISS * radius -> "
+    "abs(share) * hypot(dx, dy) >= _MISS * radius": (
+        "only rounding decides if a correction is just as large as allowed"
+    ),
+    "motionlang/mccl/motion/arcs.py: end_of: 12 -> 13": ("the digits that rounding leaves"),
+    "motionlang/mccl/motion/arcs.py: end_of: 12 -> 13 #2": ("the digits that rounding leaves"),
+    "motionlang/mccl/motion/arcs.py: centre_by_radius: chord > 2.0 * abs(radius) * (1.0 + 1e-09) -> "
+    "chord >= 2.0 * abs(radius) * (1.0 + 1e-09)": ("the limit is a diameter and an allowance for rounding"),
+    "motionlang/mccl/motion/arcs.py: centre_by_radius: radius > 0.0 -> radius >= 0.0": (
+        "a radius of 0 is too small for any chord"
+    ),
+    "motionlang/mccl/motion/arcs.py: _round: angle * sense -> angle / sense": ("the sense is 1 or -1"),
+    "motionlang/mccl/motion/arcs.py: _round: found < _NONE -> found <= _NONE": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/mccl/motion/arcs.py: _round: found > 360.0 - _NONE -> found >= 360.0 - _NONE": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/controller/moves/geometry.py: Arc: shift: 2 -> 3": (
+        "the axes are numbered in order, so another one behind the last changes no index"
+    ),
+    "motionlang/controller/moves/geometry.py: Arc: lay: round_ / length * (1.0 if sweep > 0.0 else -1.0) -> "
+    "round_ / length / (1.0 if sweep > 0.0 else -1.0)": ("the sign is 1 or -1"),
+    "motionlang/controller/moves/geometry.py: Arc: lay: sweep > 0.0 -> sweep >= 0.0": (
+        "an arc of no angle is laid as a line before"
+    ),
+    "motionlang/controller/moves/geometry.py: Arc: _joined: i < j -> i <= j": ("the plane has two axes"),
+    "motionlang/controller/moves/geometry.py: Arc: _joined: i < j -> i <= j #2": ("the plane has two axes"),
+    "motionlang/controller/moves/geometry.py: corner: cosine > 0.9 -> cosine >= 0.9": (
+        "both formulas give the angle there"
+    ),
+    "motionlang/controller/axis.py: Axis: velocity: time >= began -> time > began": (
+        "the profile in force at its beginning is the same one"
+    ),
+    "motionlang/controller/axis.py: Axis: position: time >= began -> time > began": (
+        "the profile in force at its beginning is the same one"
+    ),
+    "motionlang/mccl/keywords/flow_waits.py: passing: ready: (position - controller.position(number)) * side -> "
+    "(position - controller.position(number)) / side": ("the side is 1 or -1"),
 }

@@ -170,6 +170,7 @@ def test_the_centre_of_an_arc_is_shifted_in_its_own_axis() -> None:
 def test_an_arc_of_no_angle_is_the_line_of_its_other_axes() -> None:
     nothing = Arc((0.0, 0.0), 0.0).lay((100.0, 0.0), (10.0, 10.0))
     assert (nothing.length, list(nothing.curves), list(nothing.ends)) == (0.0, [], [100.0, 0.0])
+    assert Arc((0.0, 0.0), 90.0, length=0.0).lay((100.0, 0.0), (10.0, 10.0)).length == 0.0
     for arc in (Arc((0.0, 0.0), 0.0, [50.0]), Arc((100.0, 0.0), 90.0, [50.0])):  # no angle, or no radius
         climb = arc.lay((100.0, 0.0, 20.0), (10.0, 10.0, 10.0))
         assert (climb.length, climb.entry) == (3.0, [0.0, 0.0, 1.0])

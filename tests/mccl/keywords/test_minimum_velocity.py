@@ -132,9 +132,9 @@ def ended(text: str) -> tuple[float, float]:
         ("1SV1000,1MV1000,1MR1000", 1000.0, 1.0),
         ("1SV500,1MV1000,1MR1000", 1000.0, 2.0),
         ("1SV500,1MV1000,1MR-1000", -1000.0, 2.0),
-        # The least MV: 0.1 s at 1 count/s less than from rest, where it is 1 s + 0.5 s of ramps.
-        ("1SV1,1SA2,1DS2,1MV1,1MR1", 1.0, 1.0),
-        ("1SV1,1SA2,1DS2,1MV0,1MR1", 1.0, 1.5),
+        # The least numbers: 1 s at 1 count/s, or from rest 1 s up and 1 s down.
+        ("1SV1,1SA1,1DS1,1MV1,1MR1", 1.0, 1.0),
+        ("1SV1,1SA1,1DS1,1MV0,1MR1", 1.0, 2.0),
         # From 1000 to 2000 counts/s at 10000 and 5000 counts/s2: 0.1 and 0.2 s, 150 and 300 counts.
         ("1SV2000,1MV1000,1MR650", 650.0, 0.1 + 0.1 + 0.2),
         # The same when the peak is just SV, and when it is below: v2 = 1e6 + 96 * 2 / (1/10000 + 1/5000) = 1640000.
@@ -153,6 +153,8 @@ def test_a_move_from_rest(commands: str, end: float, duration: float) -> None:
     [
         # On the way at MV itself: 500 counts are left, and another 1000.
         ("1SV1000,1MR1000,WA0.5,1MR1000", 2000.0, 1.5),
+        # The same on the way back.
+        ("1SV1000,1MA2000,1WS,1MR-1000,WA0.5,1MR-500", 500.0, 1.0),
         # At 500 counts/s, below MV, after 250 counts: an ordinary move from that velocity. 0.05 s and 37.5 counts up,
         # 0.2 s and 100 counts down; the rest at 1000 counts/s.
         (
