@@ -40,13 +40,16 @@ def eds() -> str:
             dictionary[first + number][1].default_raw = f"$NODEID+0x{can_id:X}"
     for (index, sub), value in ObjectServer(Drive()).values.items():
         found = dictionary[index]
-        (found if isinstance(found, ODVariable) else found[sub]).default = value
+        variable = found if isinstance(found, ODVariable) else found[sub]
+        variable.default = value
+        if value < 0:
+            variable.default_raw = str(value)  # the library would write 0x-3
     text = StringIO()
     info = {
         "FileName": "drive.eds",
         "FileVersion": 1,
         "FileRevision": 1,
-        "EDSVersion": "4.0",
+        "EdsVersion": "4.0",  # spelt as in the library, which otherwise adds a second one
         "Description": NAME,
         "CreatedBy": "motionlang",
         "ModifiedBy": "motionlang",

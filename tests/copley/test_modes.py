@@ -132,6 +132,80 @@ def test_speed_and_rates_of_a_set_point_are_those_written_before_it() -> None:
     assert axis.at(2.0) == 500
 
 
+def test_each_rate_is_that_of_its_side() -> None:
+    """10 000/s up at 50 000/s² takes 0.2 s and 1000 counts, down at 200 000/s² 50 ms and 250.
+
+    Between them are 0.4 s and 4000 counts.
+    """
+    axis = Axis(PP)
+    axis.write(ACCEL, 5000)
+    axis.write(0x6084, 20_000)
+    axis.move(5250)
+    assert [axis.at(t) for t in (0.1, 0.2, 0.6, 0.65)] == [250, 1000, 5000, 5250]
+
+
+def test_halt_brakes_at_the_deceleration_of_set_points() -> None:
+    """From 10 000/s at 200 000/s² it stops in 50 ms and 250 counts."""
+    axis = Axis(PP)
+    axis.write(0x6084, 20_000)
+    axis.move(5000)
+    axis.at(0.3)
+    axis.write(CONTROL, 0x10F)
+    assert axis.at(0.35) == 2750
+    assert axis.drive.velocity == 0.0
+
+
+def test_halt_at_rest_starts_no_motion_when_it_ends() -> None:
+    axis = Axis(PP)
+    axis.write(TARGET, 5000)
+    axis.write(CONTROL, 0x10F)
+    axis.write(CONTROL, 0x0F)
+    assert axis.has(REACHED, BIT_12) == [True, False]
+    assert axis.at(1.0) == 0
+
+
+def test_a_set_point_while_halted_is_ignored() -> None:
+    """Bit 4 rises while bit 8 is set, and does not rise again when bit 8 falls."""
+    axis = Axis(PP)
+    axis.write(TARGET, 5000)
+    axis.write(CONTROL, 0x10F)
+    axis.write(CONTROL, 0x11F)
+    axis.write(CONTROL, 0x1F)
+    assert axis.has(REACHED, BIT_12) == [True, False]
+    assert axis.at(1.0) == 0
+
+
+def test_the_acknowledge_stays_while_bit_4_is_set_although_the_second_move_begins() -> None:
+    axis = Axis(PP)
+    axis.move(5000)
+    axis.write(TARGET, 9000)
+    axis.write(CONTROL, 0x1F)
+    axis.at(0.7)
+    assert axis.has(BIT_12) == [True]
+    axis.write(CONTROL, 0x0F)
+    assert axis.has(REACHED, BIT_12) == [False, False]
+    assert axis.at(2.0) == 9000
+
+
+def test_a_set_point_at_once_is_ignored_while_another_one_waits() -> None:
+    """The drive cannot acknowledge it: bit 12 is still set for the one that waits, 0."""
+    axis = Axis(PP)
+    axis.move(5000)
+    axis.move(0)
+    axis.at(0.3)
+    axis.move(9000, 0x3F)
+    assert [axis.at(0.6), axis.at(1.2)] == [5000, 0]
+
+
+def test_a_relative_set_point_at_once_counts_from_the_target_in_force() -> None:
+    """The target is 5000, the position 2500."""
+    axis = Axis(PP)
+    axis.move(5000)
+    axis.at(0.3)
+    axis.move(1000, 0x7F)
+    assert axis.at(3.0) == 6000
+
+
 def test_a_limit_switch_ends_the_motion_towards_it_only() -> None:
     """At the switch, 1000, it has 10 000/s; at 1 000 000/s² it stops 50 counts later."""
     axis = Axis(PP, Switches(positive=1000.0))
@@ -145,6 +219,61 @@ def test_a_limit_switch_ends_the_motion_towards_it_only() -> None:
     axis.move(0)
     assert axis.at(3.0) == 0
     assert axis.has(LIMIT) == [False]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_motion_may_end_on_a_limit_switch_but_not_begin_there(sign: int) -> None:
+    """The switches are 1000 counts from the start. Bit 0 or 1 of 0x60FD shows one that is active."""
+    axis = Axis(PP, Switches(negative=-1000.0, positive=1000.0))
+    axis.move(999 * sign)
+    assert axis.at(1.0) == 999 * sign
+    assert axis.objects.read(0x60FD, 0) == 0
+    axis.move(1000 * sign)
+    assert axis.at(2.0) == 1000 * sign
+    assert axis.has(REACHED, LIMIT) == [True, False]
+    assert axis.objects.read(0x60FD, 0) == (2 if sign > 0 else 1)
+    axis.move(1001 * sign)
+    assert axis.at(3.0) == 1000 * sign
+    assert axis.has(REACHED, LIMIT) == [True, True]
+    assert axis.errors == [0x8612]
+    axis.move(0)
+    assert axis.at(4.0) == 0
+    assert axis.has(REACHED, LIMIT) == [True, False]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_limit_switch_ends_a_velocity_towards_it(sign: int) -> None:
+    """At 1 000 000/s² a stop from 5000/s takes 12.5 counts behind the switch at 1000."""
+    axis = Axis(PV, Switches(negative=-1000.0, positive=1000.0))
+    axis.write(TARGET_VELOCITY, 50_000 * sign)
+    assert axis.at(0.1) == 375 * sign
+    axis.at(1.0)
+    assert axis.drive.position == pytest.approx(1012.5 * sign)
+    assert axis.has(LIMIT) == [True]
+    axis.write(TARGET_VELOCITY, -50_000 * sign)
+    assert axis.has(LIMIT) == [False]
+    axis.at(1.05)
+    assert axis.drive.position == pytest.approx((1012.5 - 125.0) * sign)
+
+
+def test_the_switches_belong_to_the_machine_and_not_to_the_zero_position() -> None:
+    """After homing at 800 the positive switch, 3000 on the machine, is at 2200 of the drive.
+
+    The stop behind it takes 50 counts; there the home switch, bit 2, is active, too.
+    """
+    axis = Axis(HM, MACHINE)
+    axis.write(METHOD, 19)
+    axis.write(CONTROL, 0x1F)
+    axis.at(10.0)
+    assert axis.objects.read(0x60FD, 0) == 0b100
+    axis.write(CONTROL, 0x0F)
+    axis.write(MODE, PP)
+    axis.move(9000)
+    assert axis.at(20.0) == 2250
+    assert axis.objects.read(0x60FD, 0) == 0b110
+    axis.move(-9000)
+    assert axis.at(30.0) == -2850
+    assert axis.objects.read(0x60FD, 0) == 0b001
 
 
 def test_a_set_point_at_the_present_position_is_no_motion_towards_a_limit_switch() -> None:
@@ -173,6 +302,52 @@ def test_a_velocity_is_followed_as_soon_as_it_is_written() -> None:
     axis.write(TARGET_VELOCITY, 0)
     assert [axis.at(1.15), axis.at(9.0)] == [4750, 4750]
     assert axis.drive.state == IDLE
+
+
+def test_each_rate_of_a_velocity_is_that_of_its_side() -> None:
+    """Up at 50 000/s² 5000/s take 0.1 s and 250 counts, down at 200 000/s² 25 ms and 62.5."""
+    axis = Axis(PV)
+    axis.write(ACCEL, 5000)
+    axis.write(0x6084, 20_000)
+    axis.write(TARGET_VELOCITY, 50_000)
+    assert [axis.at(0.1), axis.at(0.2)] == [250, 750]
+    axis.write(TARGET_VELOCITY, 0)
+    axis.at(0.225)
+    assert (axis.drive.position, axis.drive.state) == (pytest.approx(812.5), IDLE)
+
+
+def test_the_mode_starts_with_the_velocity_that_was_written_before_it() -> None:
+    axis = Axis(PP)
+    axis.write(TARGET_VELOCITY, 50_000)
+    assert axis.at(1.0) == 0
+    axis.write(MODE, PV)
+    assert axis.at(1.05) == 125
+
+
+def test_a_velocity_waits_until_operation_is_enabled() -> None:
+    axis = Axis(PV)
+    axis.write(CONTROL, 0x07)
+    axis.write(TARGET_VELOCITY, 50_000)
+    assert axis.at(1.0) == 0
+    axis.write(CONTROL, 0x0F)
+    assert axis.at(1.05) == 125
+
+
+def test_an_axis_at_rest_has_reached_its_velocity_before_it_is_enabled() -> None:
+    objects = ObjectServer(Drive())
+    objects.write(MODE, 0, PV)
+    objects.write(TARGET_VELOCITY, 0, 50_000)
+    assert objects.read(STATUS, 0) & (REACHED | BIT_12) == REACHED | BIT_12
+
+
+def test_the_present_velocity_written_again_changes_nothing() -> None:
+    axis = Axis(PV)
+    axis.write(TARGET_VELOCITY, 50_000)
+    axis.at(0.02)
+    profiles = len(axis.drive.profiles)
+    axis.write(TARGET_VELOCITY, 50_000)
+    assert len(axis.drive.profiles) == profiles
+    assert axis.at(0.05) == 125
 
 
 def test_halt_and_disabling_bring_a_velocity_to_rest() -> None:
@@ -240,6 +415,110 @@ def test_the_time_of_a_search() -> None:
     assert axis.has(REACHED, BIT_12) == [False, False]
     axis.at(1.0)
     assert axis.has(REACHED, BIT_12) == [True, True]
+
+
+def test_a_search_may_end_within_a_count() -> None:
+    """At 1 count/s it takes half a second to the index mark at -0.5; the ramp takes 10 µs."""
+    axis = Axis(HM, Switches(index=0.5))
+    axis.write(0x6099, 10, 2)
+    axis.write(METHOD, 33)
+    axis.write(CONTROL, 0x1F)
+    axis.at(0.4)
+    assert axis.has(BIT_12) == [False]
+    axis.at(0.6)
+    assert axis.has(BIT_12) == [True]
+    assert axis.drive.datum == -0.5
+
+
+@pytest.mark.parametrize(("method", "sign"), [(19, 1), (20, 1), (18, 1), (17, -1)])
+def test_the_time_of_a_search_for_a_switch(method: int, sign: int) -> None:
+    """The switch is 800 counts away, or the axis leaves it at once.
+
+    Up to 5000/s at 100 000/s² takes 50 ms and 125 counts, the other 675 take 135 ms. The stop takes 50 ms and 125
+    counts, and the return at 500/s 5 ms for 1.25 counts and 247.5 ms for 123.75. So it is back at 0.4875 s, stops
+    5 ms and 1.25 counts later, and returns these in 2 sqrt(1.25 / 100 000) s = 7.07 ms.
+    """
+    axis = Axis(HM, Switches(negative=-800.0, positive=800.0, home=800.0))
+    axis.write(METHOD, method)
+    axis.write(CONTROL, 0x1F)
+    if method == 20:  # The switch is not active, so the axis looks for its edge forwards and slowly.
+        assert axis.at(1.6025) == 800
+        assert axis.has(BIT_12) == [False]
+        axis.at(1.62)
+    else:
+        times = (0.05, 0.185, 0.235, 0.4875, 0.4925)
+        positions = (125.0, 800.0, 925.0, 800.0, 798.75)
+        for time, position in zip(times, positions, strict=True):
+            axis.at(time)
+            assert axis.drive.position == pytest.approx(sign * position, abs=1e-3)
+        axis.at(0.499)
+        assert axis.has(REACHED, BIT_12) == [False, False]
+        axis.at(0.5)
+    assert axis.has(REACHED, BIT_12) == [True, True]
+    assert (axis.drive.datum, axis.objects.read(POSITION, 0)) == (sign * 800.0, 0)
+
+
+@pytest.mark.parametrize("method", [1, 2, 17, 18, 19, 20, 33, 34, 35, 37])
+def test_homing_again_ends_at_a_position_on_the_machine(method: int) -> None:
+    """The first homing moves the zero position to 3000, and leaves the axis on two switches.
+
+    The next one starts there. The index marks next to it are 2700, and 3300 behind the limit.
+    """
+    axis = Axis(HM, MACHINE)
+    for each in (18, method):
+        axis.write(METHOD, each)
+        axis.write(CONTROL, 0x1F)
+        axis.at(axis.drive.now + 60.0)
+        axis.write(CONTROL, 0x0F)
+    ends = {1: -1800, 2: 2700, 17: -2000, 18: 3000, 19: 800, 20: 800, 33: 2700, 34: 3000, 35: 3000, 37: 3000}
+    homed = method != 34
+    assert axis.has(REACHED, BIT_12, BIT_13) == [True, homed, not homed]
+    assert axis.drive.datum + axis.objects.read(POSITION, 0) == ends[method]
+    assert axis.drive.datum == ends[method]
+    assert axis.errors == ([] if homed else [0x8612])
+
+
+@pytest.mark.parametrize(("method", "position"), [(33, -100), (34, 200), (1, -900), (2, 600)])
+def test_the_next_index_mark_is_beyond_the_one_that_the_axis_is_on(method: int, position: int) -> None:
+    """Marks are 100 counts apart. The axis is on one: 0, for method 34 100, and the limits -1000 and 700."""
+    axis = Axis(HM, Switches(negative=-1000.0, positive=700.0, index=100.0))
+    if method == 34:
+        axis.drive.shift(-100.0)
+        axis.drive.datum = 0.0
+    axis.write(METHOD, method)
+    axis.write(CONTROL, 0x1F)
+    axis.at(60.0)
+    assert axis.drive.datum == position
+
+
+def test_the_home_offset_is_that_of_the_home_position_wherever_it_is() -> None:
+    """The switch at 800 on the machine becomes -250; the axis stops on it."""
+    axis = Axis(HM, MACHINE)
+    axis.write(0x607C, 250)
+    axis.write(METHOD, 19)
+    axis.write(CONTROL, 0x1F)
+    assert axis.at(60.0) == -250
+    assert axis.drive.datum == 1050.0
+
+
+def test_halt_interrupts_homing() -> None:
+    axis = Axis(HM, MACHINE)
+    axis.write(METHOD, 18)
+    axis.write(CONTROL, 0x1F)
+    axis.at(0.1)
+    axis.write(CONTROL, 0x11F)
+    axis.at(1.0)
+    assert axis.has(REACHED, BIT_12, BIT_13) == [True, False, False]
+    assert axis.drive.state == IDLE
+
+
+def test_a_new_homing_forgets_the_result_of_the_last_one() -> None:
+    axis = Axis(HM, MACHINE)
+    for method, bits in ((35, [True, False]), (0, [False, True]), (37, [True, False])):
+        axis.write(METHOD, method)
+        axis.write(CONTROL, 0x0F)
+        axis.write(CONTROL, 0x1F)
+        assert axis.has(BIT_12, BIT_13) == bits
 
 
 def test_the_home_offset_shifts_the_zero_position() -> None:
@@ -341,6 +620,141 @@ def test_values_that_are_not_simulated_are_refused(index: int, sub: int, value: 
     with pytest.raises(Abort) as refused:
         axis.write(index, value, sub)
     assert refused.value.code == 0x06090030
+
+
+def test_a_quick_stop_of_a_stopped_drive_disables_at_once() -> None:
+    """With option 2, and only with it; bit 5 of the status word is clear in a quick stop."""
+    for option, status in ((2, 0x40), (6, 0x07)):
+        axis = Axis(PP)
+        axis.write(0x605A, option)
+        axis.write(CONTROL, 0x0B)
+        assert axis.objects.read(STATUS, 0) & 0x6F == status
+
+
+# The state after the way to each of them, a control word, and the state of the drive after it.
+DISABLED, READY, ON, ENABLED, STOPPED = 0x40, 0x21, 0x23, 0x27, 0x07
+
+
+@pytest.mark.parametrize(
+    ("way", "control", "state"),
+    [
+        ([], 0x06, READY),
+        ([], 0x07, DISABLED),
+        ([], 0x0F, DISABLED),
+        ([0x06], 0x07, ON),
+        ([0x06], 0x0F, ENABLED),
+        ([0x06], 0x0E, READY),
+        ([0x06, 0x07], 0x06, READY),
+        ([0x06, 0x0F], 0x07, ON),
+        ([0x06, 0x0F], 0x06, READY),
+        ([0x06, 0x0F], 0x0D, DISABLED),
+        ([0x06, 0x0F], 0x0B, STOPPED),
+        ([0x06, 0x07], 0x0B, DISABLED),
+        ([0x06], 0x02, DISABLED),
+        ([0x06, 0x0F, 0x0B], 0x0B, STOPPED),
+        ([0x06, 0x0F, 0x0B], 0x07, STOPPED),
+        ([0x06, 0x0F, 0x0B], 0x0E, STOPPED),
+        ([0x06, 0x0F, 0x0B], 0x0F, ENABLED),
+        ([0x06, 0x0F, 0x0B], 0x00, DISABLED),
+    ],
+)
+def test_transitions_of_the_state_machine(way: list[int], control: int, state: int) -> None:
+    """Bits 0 to 3: switch on, voltage, no quick stop, enable. Option 6 stays in the quick stop."""
+    axis = Axis(PP)
+    axis.write(CONTROL, 0)
+    axis.write(0x605A, 6)
+    for each in (*way, control):
+        axis.write(CONTROL, each)
+    mask = 0x4F if state == DISABLED else 0x6F
+    assert axis.objects.read(STATUS, 0) & mask == state
+
+
+def test_a_fault_ends_when_bit_7_rises_and_not_while_it_is_set() -> None:
+    axis = Axis(PP)
+    axis.write(CONTROL, 0x8F)
+    axis.objects.trip(0x8130)
+    axis.write(CONTROL, 0x8F)
+    assert axis.objects.read(STATUS, 0) & 0x4F == 0x08
+    axis.write(CONTROL, 0x0F)
+    axis.write(CONTROL, 0x8F)
+    assert axis.objects.read(STATUS, 0) & 0x4F == 0x40
+    assert axis.objects.read(0x603F, 0) == 0
+
+
+def test_a_reset_restores_the_values_at_power_up() -> None:
+    """The table is that of the objects that can be written, with speeds in 0.1 counts/s.
+
+    The control word is among them, so the drive is disabled. The position stays.
+    """
+    axis = Axis(PP)
+    axis.move(700)
+    axis.at(1.0)
+    changed = {
+        SPEED: 5,
+        ACCEL: 6,
+        0x6084: 7,
+        0x609A: 8,
+        0x607C: 9,
+        METHOD: 35,
+        TARGET_VELOCITY: 10,
+        0x605A: 6,
+    }
+    for index, value in changed.items():
+        axis.write(index, value)
+        assert axis.objects.read(index, 0) == value
+    axis.write(0x6099, 11, 1)
+    axis.write(0x6099, 12, 2)
+    assert [axis.objects.read(0x6099, sub) for sub in (1, 2)] == [11, 12]
+    axis.objects.trip(0x8130)
+    axis.objects.reset()
+    after = {SPEED: 100_000, ACCEL: 10_000, 0x6084: 10_000, 0x609A: 10_000, 0x607C: 0, METHOD: 0,
+             TARGET_VELOCITY: 0, 0x605A: 2, TARGET: 0, MODE: 0, CONTROL: 0, 0x6086: 0, 0x603F: 0,
+             POSITION: 700}  # fmt: skip
+    assert {index: axis.objects.read(index, 0) for index in after} == after
+    assert [axis.objects.read(0x6099, sub) for sub in (1, 2)] == [50_000, 5000]
+    assert [axis.objects.read(0x60C1, sub) for sub in (1, 2, 3)] == [0, 0, 0]
+    assert [axis.objects.read(0x60C2, sub) for sub in (1, 2)] == [1, -3]
+    assert (axis.objects.read(0x60C0, 0), axis.drive.steering) == (0, True)
+    assert axis.objects.read(STATUS, 0) & 0x4F == 0x40
+
+
+@pytest.mark.parametrize(
+    ("index", "value", "message"),
+    [
+        (0x6086, 3, "object 0x6086 takes 0, not 3"),
+        (0x605A, 1, "object 0x605a takes 2, 6, not 1"),
+        (METHOD, 3, "object 0x6098 takes 0, 1, 2, 17, 18, 19, 20, 33, 34, 35, 37, not 3"),
+        (SPEED, 0, "object 0x6081 must be greater than zero"),
+        (ACCEL, 0, "object 0x6083 must be greater than zero"),
+        (0x6084, 0, "object 0x6084 must be greater than zero"),
+        (0x609A, 0, "object 0x609a must be greater than zero"),
+        (0x6085, 0, "the quick stop deceleration must be greater than zero"),
+        (POSITION, 0, "object 0x6064 can only be read"),
+    ],
+)
+def test_a_refusal_names_the_object(index: int, value: int, message: str) -> None:
+    axis = Axis(PP)
+    with pytest.raises(Abort) as refused:
+        axis.write(index, value)
+    assert str(refused.value) == message
+    if index not in (0x6085, POSITION, 0x6086, METHOD, 0x605A):
+        axis.write(index, 1)
+        assert axis.objects.read(index, 0) == 1
+
+
+@pytest.mark.parametrize(
+    ("position", "shown"),
+    [
+        (2.0**31 - 1.0, 2**31 - 1),
+        (2.0**31, -(2**31)),
+        (-(2.0**31), -(2**31)),
+        (-(2.0**31) - 1.0, 2**31 - 1),
+        (2.0**32 + 5.0, 5),
+    ],
+)
+def test_positions_wrap_at_32_bits(position: float, shown: int) -> None:
+    objects = ObjectServer(Drive(position))
+    assert [objects.read(index, 0) for index in (0x6062, 0x6063, POSITION)] == [shown] * 3
 
 
 @pytest.mark.parametrize(

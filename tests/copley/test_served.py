@@ -178,6 +178,139 @@ def test_a_synchronous_pdo_shows_the_position_at_the_sync(bus: Bus) -> None:
     assert positions == [500, 1500, 2500]
 
 
+def test_only_frames_of_masters_are_counted(bus: Bus) -> None:
+    """Standard data frames count, of any identifier with bit 7 clear, and SYNC."""
+    assert bus.server.frames == 0
+    for can_id in (0x000, 0x201, 0x601, 0x77F, 0x080):
+        bus.send(can_id, 0, 0)
+    assert bus.server.frames == 5
+    for can_id in (0x081, 0x181, 0x5FF):
+        bus.send(can_id, 0, 0)
+    bus.master.send(can.Message(arbitration_id=0x201, data=[6, 0], is_extended_id=True))
+    bus.master.send(can.Message(arbitration_id=0x201, is_remote_frame=True, is_extended_id=False))
+    bus.until(0.05)
+    assert bus.server.frames == 5
+
+
+def test_a_reset_of_the_communication_keeps_the_motion_and_the_values(bus: Bus) -> None:
+    """Command 130 restores the objects of communication alone, 129 all of them."""
+    bus.ask(1, 0x2F, 0x60, 0x60, 0, 3)
+    for control in (6, 7, 15):
+        bus.ask(1, 0x2B, 0x40, 0x60, 0, control)
+    bus.ask(1, 0x23, 0xFF, 0x60, 0, *(100_000).to_bytes(4, "little"))
+    bus.ask(1, 0x2B, 0x17, 0x10, 0, 50)
+    bus.send(0, 130, 1)
+    frames = bus.until(0.5)
+    assert frames.count((0x701, b"\0")) == 1
+    assert (0x701, b"\x7f") not in frames
+    assert bus.ask(1, 0x40, 0x17, 0x10)[4:6] == bytes(2)
+    assert bus.ask(1, 0x40, 0x60, 0x60)[4] == 3
+    assert int.from_bytes(bus.ask(1, 0x40, 0x6C, 0x60)[4:], "little") == 100_000
+    bus.send(0, 129, 0)
+    bus.until(1.0)
+    assert bus.ask(1, 0x40, 0x60, 0x60)[4] == 0
+    assert int.from_bytes(bus.ask(1, 0x40, 0x6C, 0x60)[4:], "little") == 0
+
+
+def test_the_time_from_a_reset_to_the_boot_up_message(bus: Bus) -> None:
+    """It is 20 ms; other nodes do not take part."""
+    bus.until(0.01)
+    bus.send(0, 129, 1)
+    assert bus.until(0.029) == []
+    assert bus.until(0.031) == [(0x701, b"\0")]
+
+
+def test_a_heartbeat_of_period_0_ends_it(bus: Bus) -> None:
+    bus.ask(1, 0x2B, 0x17, 0x10, 0, 20)
+    assert bus.until(0.0501) == [(0x701, b"\x7f")] * 2
+    bus.ask(1, 0x2B, 0x17, 0x10, 0, 0)
+    assert bus.until(0.5) == []
+
+
+@pytest.mark.parametrize("value", [[0, 0, 0x7F, 0], [100, 0, 0, 0]], ids=["no time", "no node"])
+def test_a_heartbeat_is_expected_only_of_a_node_within_a_time(value: list[int], bus: Bus) -> None:
+    """Writing 0 for one of them ends the monitoring of node 7F."""
+    bus.ask(1, 0x23, 0x16, 0x10, 1, 100, 0, 0x7F, 0)
+    bus.send(0x77F, 5)
+    bus.ask(1, 0x23, 0x16, 0x10, 1, *value)
+    bus.send(0x77F, 5)
+    assert 0x81 not in dict(bus.until(1.0))
+
+
+def test_objects_of_the_communication_refuse_what_does_not_fit(bus: Bus) -> None:
+    """The heartbeat time has 16 bits, and the identity is read only."""
+    assert bus.ask(1, 0x2F, 0x17, 0x10, 0, 50)[4:] == (0x06070010).to_bytes(4, "little")
+    assert bus.ask(1, 0x23, 0x18, 0x10, 4, 1, 0, 0, 0)[4:] == (0x06010002).to_bytes(4, "little")
+    assert bus.ask(1, 0x2B, 0x60, 0x60, 0, 3, 0)[4:] == (0x06070010).to_bytes(4, "little")
+
+
+@pytest.mark.parametrize(
+    ("kind", "answer"), [(0xFB, 0x60), (0xFC, 0x80), (0xFD, 0x80), (0xFE, 0x60), (1, 0x60)]
+)
+def test_a_pdo_is_not_sent_on_a_remote_frame(kind: int, answer: int, bus: Bus) -> None:
+    """The transmission types 252 and 253 are refused for a PDO that is sent, not for one that is received."""
+    refused = bus.ask(1, 0x2F, 0x01, 0x18, 2, kind)
+    assert refused[0] == answer
+    if answer == 0x80:
+        assert refused[4:] == (0x06090030).to_bytes(4, "little")
+    assert bus.ask(1, 0x2F, 0x01, 0x14, 2, kind)[0] == 0x60
+
+
+def test_eight_objects_of_a_byte_fit_a_pdo_and_five_of_sixteen_bits_do_not(bus: Bus) -> None:
+    """A PDO has 64 bits, in at most eight objects. Of the mapping the first `n` entries count."""
+    for sub in range(1, 9):
+        assert bus.ask(1, 0x23, 0x01, 0x1A, sub, 0x08, 0, 0x61, 0x60)[0] == 0x60
+    assert bus.ask(1, 0x2F, 0x01, 0x1A, 0, 8)[0] == 0x60
+    for sub in range(1, 6):
+        assert bus.ask(1, 0x23, 0x02, 0x1A, sub, 0x10, 0, 0x41, 0x60)[0] == 0x60
+    assert bus.ask(1, 0x2F, 0x02, 0x1A, 0, 4)[0] == 0x60
+    assert bus.ask(1, 0x2F, 0x02, 0x1A, 0, 5)[4:] == (0x06040042).to_bytes(4, "little")
+
+
+@pytest.mark.parametrize(
+    ("mapping", "entry", "fits"),
+    [
+        (0x1A01, 0x1001_00_08, True),
+        (0x1A01, 0x1001_00_10, False),
+        (0x1601, 0x1001_00_08, False),
+        (0x1A01, 0x6099_01_20, True),
+        (0x1A01, 0x2010_00_40, False),
+        (0x1601, 0x2010_00_40, True),
+        (0x1601, 0x6064_00_20, False),
+        (0x1601, 0, True),
+        (0x1A01, 0x1017_00_10, False),
+    ],
+)
+def test_what_a_pdo_may_carry(mapping: int, entry: int, fits: bool, bus: Bus) -> None:
+    """An entry has index, sub-index and bits; 0 is no object."""
+    answer = bus.ask(1, 0x23, mapping & 0xFF, mapping >> 8, 1, *entry.to_bytes(4, "little"))
+    assert (answer[0] == 0x60) is fits
+    if not fits:
+        assert answer[4:] == (0x06040041).to_bytes(4, "little")
+
+
+def test_the_error_register_can_be_sent(bus: Bus) -> None:
+    """PDO 2 carries the register and the mode; the register is 1 after any error."""
+    bus.ask(1, 0x23, 0x01, 0x1A, 1, 0x08, 0, 0x01, 0x10)
+    bus.ask(1, 0x23, 0x01, 0x18, 1, 0x81, 0x02, 0, 0)
+    bus.send(0, 1, 1)
+    assert dict(bus.until(0.01))[0x281] == b"\0\0"
+    bus.ask(1, 0x2F, 0x60, 0x60, 0, 6)
+    for control in (6, 7, 15, 31):
+        bus.ask(1, 0x2B, 0x40, 0x60, 0, control)
+    frames = dict(bus.until(0.02))
+    assert frames[0x281] == b"\1\6"
+
+
+def test_an_emergency_of_the_motion_is_no_error_of_the_communication(bus: Bus) -> None:
+    """Homing by method 0 is the error 8612, which sets bit 0 of the register alone."""
+    bus.ask(1, 0x2F, 0x60, 0x60, 0, 6)
+    for control in (6, 7, 15):
+        bus.ask(1, 0x2B, 0x40, 0x60, 0, control)
+    bus.send(0x601, 0x2B, 0x40, 0x60, 0, 31, 0, 0, 0)
+    assert (0x81, b"\x12\x86\x01" + bytes(5)) in bus.frames()
+
+
 def test_frames_without_sense_change_nothing(bus: Bus) -> None:
     bus.send(0)
     bus.send(0, 1)

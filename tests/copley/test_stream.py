@@ -9,6 +9,7 @@ import math
 import random
 from typing import TYPE_CHECKING
 
+import can
 import canopen
 import pytest
 
@@ -172,6 +173,74 @@ def test_a_drive_with_old_points_and_errors_is_cleared_first() -> None:
     with LockstepBus(drive) as bus:
         Master(bus).stream(points)
     assert departure(drive, from_wire(points)) < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("transfer", "control"),
+    [
+        ("pdo", [0x06, 0x07, 0x0F, 0x1F]),
+        ("sdo", [0x06, 0x07, 0x0F, 0x1F]),
+        ("-2", [0x06, 0x07, 0x0F, 0x1F]),
+        ("-1", [0x06, 0x07, 0x0F, 0x1F, 0x0F]),
+        ("0", [0x06, 0x07, 0x0F, 0x1F, 0x0F]),
+    ],
+)
+def test_the_control_words_of_a_stream(transfer: str, control: list[int]) -> None:
+    """Switch on, start once and, in the sub-modes that do not signal the end, clear bit 4."""
+    points, drive = winding(100), Drive()
+    with LockstepBus(drive, step=2000) as bus:
+        send, found = bus.network.send_message, list[int]()
+
+        def spy(can_id: int, data: bytes, remote: bool = False) -> None:
+            if can_id == 0x601 and bytes(data[:4]) == b"\x2b\x40\x60\0":
+                found.append(int.from_bytes(data[4:6], "little"))
+            send(can_id, data, remote)
+
+        bus.network.send_message = spy  # type: ignore[method-assign]
+        Master(bus).stream(points, transfer)
+    assert found == control
+
+
+@pytest.mark.parametrize("transfer", ["-1", "-2"])
+def test_the_lowest_level_of_the_buffer(transfer: str) -> None:
+    """Each wait is five segments of 2 ms, so of 32 points 27 are left, or fewer by those in transit."""
+    points, drive = winding(200), Drive()
+    with LockstepBus(drive, step=10_000) as bus:
+        done = Master(bus).stream(points, transfer)
+    assert done.resent == 0
+    assert 25 <= done.lowest <= 27
+    assert done.sent >= 200
+
+
+@pytest.mark.parametrize("transfer", ["pdo", "-2", "-1"])
+def test_a_drive_whose_time_stands_still_ends_the_stream(
+    transfer: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With a patience of 10 waits without a status, the master gives up at the 11th."""
+    waits = []
+    with LockstepBus(Drive()) as bus:
+        monkeypatch.setattr(bus, "patience", 10)
+        monkeypatch.setattr(bus, "wait", lambda: waits.append(bus.frames))
+        with pytest.raises(StreamError, match="the drive does not take points any more"):
+            Master(bus).stream(winding(99), transfer)
+    assert len(waits) == 11
+
+
+def test_a_real_bus_waits_until_the_drive_sends_its_status(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The status of node 1 has the identifier 181; other frames do not end the wait."""
+    with RealBus(1, "virtual", "status") as bus, can.Bus(interface="virtual", channel="status") as drive:
+        frame = {
+            can_id: can.Message(arbitration_id=can_id, is_extended_id=False) for can_id in (0x181, 0x182)
+        }
+        waits = list[bool]()
+        monkeypatch.setattr(bus._news, "wait", lambda seconds: waits.append(bus._news.is_set()))
+        drive.send(frame[0x182])
+        drive.send(frame[0x181])
+        while not bus._news.is_set():
+            pass
+        bus.wait()
+        bus.wait()
+    assert waits == [True, False]
 
 
 def test_a_second_move_follows_the_first() -> None:

@@ -233,6 +233,23 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/motion/follow.py: Gear: _log_offset: entry is None or entry.profile is None -> "
     "entry is None and entry.profile is None": "no program is known whose offset has no entry with a profile",
     "motionlang/controller/io/sensor.py: _last: 1 -> 2": "the loop that follows counts down from any later tick",
+    "motionlang/copley/switches.py: Switches: next_index: direction > 0 -> direction >= 0": (
+        "the speed of a search is positive"
+    ),
+    "motionlang/copley/modes.py: ProfileModes: _search: velocity > 0 -> velocity >= 0": (
+        "the speed of a search is positive"
+    ),
+    "motionlang/copley/modes.py: ProfileModes: _search: velocity > 0 -> velocity >= 0 #2": (
+        "the speed of a search is positive"
+    ),
+    "motionlang/copley/modes.py: ProfileModes: __init__: False -> True": (
+        "to choose the mode resets the handshake"
+    ),
+    "motionlang/copley/point.py: _field_trouble: wire + 2 ** 31 -> wire - 2 ** 31": "both are the same in 32 bits",
+    "motionlang/copley/master.py: Master: __init__: 0 -> 1": "the status is read before the first point",
+    "motionlang/copley/master.py: Master: __init__: 0 -> 1 #2": "the status is read before the first point",
+    "motionlang/copley/master.py: Master: __init__: 0 -> 1 #3": "the status is read before the first point",
+    "motionlang/copley/master.py: Master: __init__: True -> False": "the status is read before the first point",
     "motionlang/mccl/resolve/decode.py: _no_command: False -> True": (
         "the command has no effect to count: its fault ends the line"
     ),
