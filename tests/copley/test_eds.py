@@ -103,7 +103,7 @@ def test_identifiers_count_from_the_node(file: RawConfigParser) -> None:
 def test_data_types_and_access(
     section: str, kind: int, access: str, mappable: int, file: RawConfigParser
 ) -> None:
-    """The types of CiA 301: 2 to 4 are signed, 5 to 7 unsigned, 9 and 10 text and bytes."""
+    """Of CiA 301's types 2 to 4 are signed, 5 to 7 unsigned, 9 text and 10 bytes."""
     entry = file[section]
     assert (int(entry["DataType"], 0), entry["AccessType"]) == (kind, access)
     assert int(entry["PDOMapping"], 0) == mappable

@@ -133,9 +133,9 @@ def test_speed_and_rates_of_a_set_point_are_those_written_before_it() -> None:
 
 
 def test_each_rate_is_that_of_its_side() -> None:
-    """10 000/s up at 50 000/s² takes 0.2 s and 1000 counts, down at 200 000/s² 50 ms and 250.
+    """Between the ramps are 0.4 s and 4000 counts.
 
-    Between them are 0.4 s and 4000 counts.
+    10 000/s up at 50 000/s² takes 0.2 s and 1000 counts, down at 200 000/s² 50 ms and 250.
     """
     axis = Axis(PP)
     axis.write(ACCEL, 5000)
@@ -223,7 +223,7 @@ def test_a_limit_switch_ends_the_motion_towards_it_only() -> None:
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_motion_may_end_on_a_limit_switch_but_not_begin_there(sign: int) -> None:
-    """The switches are 1000 counts from the start. Bit 0 or 1 of 0x60FD shows one that is active."""
+    """The switches are 1000 counts from the start, and are bits 0 and 1 of 0x60FD."""
     axis = Axis(PP, Switches(negative=-1000.0, positive=1000.0))
     axis.move(999 * sign)
     assert axis.at(1.0) == 999 * sign
@@ -257,7 +257,7 @@ def test_a_limit_switch_ends_a_velocity_towards_it(sign: int) -> None:
 
 
 def test_the_switches_belong_to_the_machine_and_not_to_the_zero_position() -> None:
-    """After homing at 800 the positive switch, 3000 on the machine, is at 2200 of the drive.
+    """After homing at 800 the positive switch, at 3000 on the machine, is at 2200.
 
     The stop behind it takes 50 counts; there the home switch, bit 2, is active, too.
     """
@@ -305,7 +305,7 @@ def test_a_velocity_is_followed_as_soon_as_it_is_written() -> None:
 
 
 def test_each_rate_of_a_velocity_is_that_of_its_side() -> None:
-    """Up at 50 000/s² 5000/s take 0.1 s and 250 counts, down at 200 000/s² 25 ms and 62.5."""
+    """5000/s takes 0.1 s and 250 counts up at 50 000/s², 25 ms and 62.5 counts down."""
     axis = Axis(PV)
     axis.write(ACCEL, 5000)
     axis.write(0x6084, 20_000)
@@ -418,7 +418,7 @@ def test_the_time_of_a_search() -> None:
 
 
 def test_a_search_may_end_within_a_count() -> None:
-    """At 1 count/s it takes half a second to the index mark at -0.5; the ramp takes 10 µs."""
+    """At 1 count/s the index mark at -0.5 is half a second away, the ramp takes 10 µs."""
     axis = Axis(HM, Switches(index=0.5))
     axis.write(0x6099, 10, 2)
     axis.write(METHOD, 33)
@@ -460,9 +460,9 @@ def test_the_time_of_a_search_for_a_switch(method: int, sign: int) -> None:
 
 @pytest.mark.parametrize("method", [1, 2, 17, 18, 19, 20, 33, 34, 35, 37])
 def test_homing_again_ends_at_a_position_on_the_machine(method: int) -> None:
-    """The first homing moves the zero position to 3000, and leaves the axis on two switches.
+    """The first homing moves the zero position to 3000 on the machine.
 
-    The next one starts there. The index marks next to it are 2700, and 3300 behind the limit.
+    The next one starts there, with two active switches. The index marks next to it are 2700, and 3300 behind the limit.
     """
     axis = Axis(HM, MACHINE)
     for each in (18, method):
@@ -480,7 +480,10 @@ def test_homing_again_ends_at_a_position_on_the_machine(method: int) -> None:
 
 @pytest.mark.parametrize(("method", "position"), [(33, -100), (34, 200), (1, -900), (2, 600)])
 def test_the_next_index_mark_is_beyond_the_one_that_the_axis_is_on(method: int, position: int) -> None:
-    """Marks are 100 counts apart. The axis is on one: 0, for method 34 100, and the limits -1000 and 700."""
+    """Marks are 100 counts apart, and the axis is on one.
+
+    It is 0, with method 34 100, and with methods 1 and 2 that of a limit, -1000 and 700.
+    """
     axis = Axis(HM, Switches(negative=-1000.0, positive=700.0, index=100.0))
     if method == 34:
         axis.drive.shift(-100.0)
@@ -623,7 +626,7 @@ def test_values_that_are_not_simulated_are_refused(index: int, sub: int, value: 
 
 
 def test_a_quick_stop_of_a_stopped_drive_disables_at_once() -> None:
-    """With option 2, and only with it; bit 5 of the status word is clear in a quick stop."""
+    """With option 2, and only with it."""
     for option, status in ((2, 0x40), (6, 0x07)):
         axis = Axis(PP)
         axis.write(0x605A, option)
@@ -659,7 +662,10 @@ DISABLED, READY, ON, ENABLED, STOPPED = 0x40, 0x21, 0x23, 0x27, 0x07
     ],
 )
 def test_transitions_of_the_state_machine(way: list[int], control: int, state: int) -> None:
-    """Bits 0 to 3: switch on, voltage, no quick stop, enable. Option 6 stays in the quick stop."""
+    """Bits 0 to 3 are switch on, voltage, no quick stop and enable.
+
+    Option 6 stays in the quick stop.
+    """
     axis = Axis(PP)
     axis.write(CONTROL, 0)
     axis.write(0x605A, 6)
@@ -682,10 +688,7 @@ def test_a_fault_ends_when_bit_7_rises_and_not_while_it_is_set() -> None:
 
 
 def test_a_reset_restores_the_values_at_power_up() -> None:
-    """The table is that of the objects that can be written, with speeds in 0.1 counts/s.
-
-    The control word is among them, so the drive is disabled. The position stays.
-    """
+    """The control word is one of them, so the drive is disabled. The position stays."""
     axis = Axis(PP)
     axis.move(700)
     axis.at(1.0)

@@ -248,7 +248,7 @@ def test_objects_of_the_communication_refuse_what_does_not_fit(bus: Bus) -> None
     ("kind", "answer"), [(0xFB, 0x60), (0xFC, 0x80), (0xFD, 0x80), (0xFE, 0x60), (1, 0x60)]
 )
 def test_a_pdo_is_not_sent_on_a_remote_frame(kind: int, answer: int, bus: Bus) -> None:
-    """The transmission types 252 and 253 are refused for a PDO that is sent, not for one that is received."""
+    """Types 252 and 253 are refused for a transmit PDO, not for a receive PDO."""
     refused = bus.ask(1, 0x2F, 0x01, 0x18, 2, kind)
     assert refused[0] == answer
     if answer == 0x80:
@@ -257,7 +257,7 @@ def test_a_pdo_is_not_sent_on_a_remote_frame(kind: int, answer: int, bus: Bus) -
 
 
 def test_eight_objects_of_a_byte_fit_a_pdo_and_five_of_sixteen_bits_do_not(bus: Bus) -> None:
-    """A PDO has 64 bits, in at most eight objects. Of the mapping the first `n` entries count."""
+    """A PDO has 64 bits, in at most eight objects."""
     for sub in range(1, 9):
         assert bus.ask(1, 0x23, 0x01, 0x1A, sub, 0x08, 0, 0x61, 0x60)[0] == 0x60
     assert bus.ask(1, 0x2F, 0x01, 0x1A, 0, 8)[0] == 0x60

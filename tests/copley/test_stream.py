@@ -186,7 +186,7 @@ def test_a_drive_with_old_points_and_errors_is_cleared_first() -> None:
     ],
 )
 def test_the_control_words_of_a_stream(transfer: str, control: list[int]) -> None:
-    """Switch on, start once and, in the sub-modes that do not signal the end, clear bit 4."""
+    """Switch on and start once; sub-modes 0 and -1 end with bit 4 cleared."""
     points, drive = winding(100), Drive()
     with LockstepBus(drive, step=2000) as bus:
         send, found = bus.network.send_message, list[int]()
@@ -203,7 +203,7 @@ def test_the_control_words_of_a_stream(transfer: str, control: list[int]) -> Non
 
 @pytest.mark.parametrize("transfer", ["-1", "-2"])
 def test_the_lowest_level_of_the_buffer(transfer: str) -> None:
-    """Each wait is five segments of 2 ms, so of 32 points 27 are left, or fewer by those in transit."""
+    """Each wait is five segments long: of 32 points 27 are left, less those in transit."""
     points, drive = winding(200), Drive()
     with LockstepBus(drive, step=10_000) as bus:
         done = Master(bus).stream(points, transfer)
