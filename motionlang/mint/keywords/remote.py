@@ -300,7 +300,8 @@ def write_percent(nodes: Nodes, row: Keyword, bus: int, node: int, channel: int,
 
 def read_live(nodes: Nodes, bus: int, node: int) -> int:
     """NODELIVE: return 1 if the node is alive."""
-    return int((bus, node) in nodes.named and nodes.answers(bus, node))
+    key = checked_bus(bus), checked(node, LAST_NODE, "node")
+    return int(key in nodes.named and nodes.answers(*key))
 
 
 # ------------------------------------------------------------------------------------------------- keywords

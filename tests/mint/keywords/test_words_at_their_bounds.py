@@ -1,0 +1,251 @@
+"""Keywords at the ends of their ranges and at the borders between two behaviours."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.source import Source
+
+RATES = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+EXACT: dict[str, object] = {"controller.instruction_time": 1e-9}
+
+
+def volts(*values: float, at: float = 0.0) -> dict[str, object]:
+    """Return a machine whose analogue inputs 0, 1 and so on have these values, %."""
+    entries = [{"channel": n, "at": at, "value": value} for n, value in enumerate(values)]
+    return {**EXACT, "analogue": entries}
+
+
+# A rule, the program, its output, and the machine.
+WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
+    # -------------------------------------------------------------------------------- digital inputs and outputs
+    "a bank has 32 inputs, the last of which is the sign": (
+        "INPUTACTIVELEVEL(1) = 0\nPRINT INX(31), INX(32), INX(63), INX(64), ' ', IN(1)".replace("'", '"'),
+        ["0110 -1"], {}),
+    "a bit of INPUTACTIVELEVEL is that of its input": (
+        "INPUTACTIVELEVEL(0) = -6\nPRINT INX(0), INX(1), INX(2), INX(3)\nPRINT INPUTACTIVELEVEL(0), IN(0)",
+        ["1010", "-65"], {}),
+    "the last input is 999, and the last bank 31": ("PRINT INX(999), IN(31)", ["00"], {}),
+    "the last output is 999, and the last bank 31": (
+        "OUTX(999) = 1 : OUTX(0) = 5 : PRINT OUTX(999), OUTX(0), OUT(31), OUT(0)", ["111281"], {}),
+    "a bank of outputs is read as it was written, with its sign": (
+        "OUT(1) = -2147483647 : PRINT OUT(1), OUTX(32), OUTX(33), OUTX(63), OUTX(64), OUTX(31)",
+        ["-214748364710100"], {}),
+    "a bit of OUTPUTACTIVELEVEL is that of its output": (
+        "OUTPUTACTIVELEVEL(1) = -2 : PRINT OUTPUTACTIVELEVEL(1), OUTPUTACTIVELEVEL(0), OUTX(32)", ["-2-10"], {}),
+    "a pulse lasts its milliseconds": (
+        "PULSEOUTX(3) = 20 : WAIT 19 : PRINT OUTX(3) : WAIT 2 : PRINT OUTX(3)", ["1", "0"], EXACT),
+    "relays have two banks of 32, and RELAY is the first of a bank": (
+        "RELAYOUT(1) = -2147483647 : RELAY(0) = 1 : RELAYOUTX(2) = 1\n"
+        "PRINT RELAYOUT(1), RELAYOUTX(32), RELAYOUTX(63), RELAYOUTX(62), RELAY(1), RELAYOUT(0), RELAYOUTX(1)",
+        ["-2147483647110150"], {}),
+    "a relay is no output": ("RELAYOUTX(3) = 1 : PRINT OUTX(3), OUT(0)", ["00"], {}),
+    # ------------------------------------------------------------------------------------------- analogue channels
+    # 40 % · 150 % - 10 % is 50 %.
+    "an input has a gain and then an offset": (
+        "ADCGAIN(0) = 150 : ADCOFFSET(0) = -10 : PRINT ADC(0)", ["50.0000"], volts(40.0)),
+    "an input ends at 100 and -100, or at 0": (
+        "ADCGAIN(0) = 300 : PRINT ADC(0), ADC(1)\nADCGAIN(1) = 300 : PRINT ADC(1) : ADCMODE(1) = 1 : PRINT ADC(1)",
+        ["100.0000-40.0000", "-100.0000", "0.0000"], volts(40.0, -40.0)),
+    "a dead band is around its middle and without its ends": (
+        "ADCDEADBAND(0) = 5 : ADCDEADBANDOFFSET(0) = 10 : ADCDEADBAND(1) = 5 : ADCDEADBANDOFFSET(1) = 10\n"
+        "ADCDEADBAND(2) = 5 : ADCDEADBANDOFFSET(2) = 10 : PRINT ADC(0), ' ', ADC(1), ' ', ADC(2)".replace("'", '"'),
+        ["15.0000 10.0000 5.0000"], volts(15.0, 14.5, 5.0)),
+    # The level is 40 %, and with the gain 80 %.
+    "ADCOFFSETTRIM makes the present value 0": (
+        "ADCGAIN(0) = 200 : ADCOFFSETTRIM(0) : PRINT ADC(0), ADCOFFSET(0)", ["0.0000-80.0000"], volts(40.0)),
+    "DAC and AUXDAC are different outputs": (
+        "DAC(0) = 20 : AUXDAC(0) = -30 : PRINT DAC(0), AUXDAC(0)", ["20.0000-30.0000"], {}),
+    "a value on a limit is within it": (
+        "ADCMAX(0) = 40 : ADCMIN(1) = -40 : ADCMONITOR(0) = 3\nPRINT ADCERROR(0), AXISERROR(0)\n"
+        "ADCMAX(0) = 39.5 : PRINT AXISERROR(0) : ADCMAX(0) = 40 : AXISERROR(0) = 0 : PRINT AXISERROR(0)\n"
+        "ADCMIN(1) = -39.5 : PRINT AXISERROR(0)", ["00", "128", "0", "128"], volts(40.0, -40.0)),
+    # ------------------------------------------------------------------------------------------------------ encoders
+    # 1000 counts, divided by 5 and by 4.
+    "an encoder is prescaled, scaled and shifted": (
+        RATES + "ENCODERPRESCALE(0) = 5 : ENCODERSCALE(0) = 4 : MOVER(0) = 1000 : GO(0) : PAUSE IDLE(0)\n"
+        "PRINT ENCODER(0), ENCODERCOUNT(0) : ENCODER(0) = 7 : PRINT ENCODER(0)\n"
+        "MOVER(0) = -100 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0), ENCODERCOUNT(0)",
+        ["50.00001000", "7.0000", "2.0000900"], {}),
+    "an encoder wraps at its end": (
+        RATES + "ENCODERWRAP(0) = 360 : MOVER(0) = 360 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0)\n"
+        "MOVER(0) = -1 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0)", ["0.0000", "359.0000"], {}),
+    "POSROLLOVER counts the wraps in both directions": (
+        RATES + "POSWRAP(0) = 360 : MOVER(0) = 725 : GO(0) : PAUSE IDLE(0) : PRINT POS(0), POSROLLOVER(0)\n"
+        "MOVER(0) = -730 : GO(0) : PAUSE IDLE(0) : PRINT POS(0), POSROLLOVER(0)\n"
+        "POSROLLOVER(0) = 3 : PRINT POS(0), POSROLLOVER(0) : POSWRAP(0) = 0 : PRINT POS(0)",
+        ["5.00002", "355.0000-1", "355.00003", "1435.0000"], {}),
+    "POSWRAP is a distance of the axis, in units of any scale": (
+        "POSWRAP(0) = 360 : SCALEFACTOR(0) = 10 : PRINT POSWRAP(0) : SCALEFACTOR(0) = 20 : PRINT POSWRAP(0)",
+        ["36.0000", "18.0000"], {}),
+    "ACCELDEMAND is that of each ramp": (
+        RATES + "MOVER(0) = 50 : GO(0) : WAIT 50 : PRINT ACCELDEMAND(0) : WAIT 100 : PRINT ACCELDEMAND(0)\n"
+        "WAIT 400 : PRINT ACCELDEMAND(0), VELDEMAND(0) : PAUSE IDLE(0) : PRINT ACCELDEMAND(0)",
+        ["1000.0000", "0.0000", "-1000.000050.0000", "0.0000"], EXACT),
+    "AXISMODE is 2 for a jog and 1 for a move, and 1024 more while it is suspended": (
+        RATES + "PRINT AXISMODE(0) : JOG(0) = 5 : PRINT AXISMODE(0) : STOP(0) : PAUSE IDLE(0)\n"
+        "MOVER(0) = 5 : PRINT AXISMODE(0) : GO(0) : PRINT AXISMODE(0) : SUSPEND(0) = 1 : PRINT AXISMODE(0)\n"
+        "SUSPEND(0) = 0 : PAUSE IDLE(0) : VECTORR(0, 1) = 3, 4 : GO(0) : PRINT AXISMODE(0), AXISMODE(1)",
+        ["0", "2", "0", "1", "1025", "88"], {}),
+    "the target of a jog is where it is": (
+        RATES + "JOG(0) = 50 : WAIT 1000 : PRINT POSTARGET(0) - POS(0), POSTARGETLAST(0) - POS(0)\n"
+        "STOP(0) : PAUSE IDLE(0) : POS(0) = 0\nMOVER(0) = 5 : MOVER(0) = 6 : GO(0)\n"
+        "PRINT POSTARGET(0), POSTARGETLAST(0)", ["0.00000.0000", "5.000011.0000"], EXACT),
+    # --------------------------------------------------------------------------------------------- speeds and rates
+    "FEEDRATEPARAMETER 0 to 2 are a speed, an acceleration and a deceleration": (
+        RATES + "FEEDRATEPARAMETER(0, 0) = 50 : FEEDRATEPARAMETER(0, 1) = 500 : FEEDRATEPARAMETER(0, 2) = 250\n"
+        "PRINT FEEDRATEPARAMETER(0, 0), FEEDRATEPARAMETER(0, 1), FEEDRATEPARAMETER(0, 2)\n"
+        # 0.1 s up, 10 at speed for 0.2 s, 0.2 s down: 2.5 + 10 + 5.
+        "MOVER(0) = 17.5 : GO(0) : WAIT 50 : PRINT VEL(0) : WAIT 100 : PRINT VEL(0) : WAIT 250 : PRINT VEL(0)\n"
+        "PAUSE IDLE(0) : PRINT TIME\n"
+        "FEEDRATEPARAMETER(0, 0) = 0 : FEEDRATEPARAMETER(0, 1) = 0 : FEEDRATEPARAMETER(0, 2) = 0\n"
+        "MOVER(0) = 50 : GO(0) : WAIT 300 : PRINT VEL(0)",
+        ["50.0000500.0000250.0000", "25.0000", "50.0000", "25.0000", "500", "100.0000"], EXACT),
+    # 200 at 1000 ms is 200 per s²; 400 at 1000 ms is 400.
+    "ACCELTIMEMAX follows MAXSPEED until ACCEL is written": (
+        RATES + "MAXSPEED(0) = 200 : ACCELTIMEMAX(0) = 1000 : DECELTIMEMAX(0) = 500\nPRINT ACCEL(0), DECEL(0)\n"
+        "MAXSPEED(0) = 400 : PRINT ACCEL(0), DECEL(0)\nACCEL(0) = 100 : MAXSPEED(0) = 500 : PRINT ACCEL(0), DECEL(0)\n"
+        "PRINT ACCELTIMEMAX(0), DECELTIMEMAX(0)",
+        ["200.0000400.0000", "400.0000800.0000", "100.00001000.0000", "5000500"], {}),
+    # The jerk is 500 / 0.1 s and 250 / 0.2 s.
+    "a jerk time is the time in which its rate builds up": (
+        "ACCEL(0) = 500 : DECEL(0) = 250 : ACCELJERKTIME(0) = 100 : DECELJERKTIME(0) = 200\n"
+        "PRINT ACCELJERK(0), DECELJERK(0) : ACCELJERK(0) = 1000 : DECELJERK(0) = 1000\n"
+        "PRINT ACCELJERKTIME(0), DECELJERKTIME(0)", ["5000.00001250.0000", "500250"], {}),
+    "MAXSPEED, MAXACCEL and MAXDECEL limit a jog": (
+        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000 : MAXSPEED(0) = 50 : MAXACCEL(0) = 100 : MAXDECEL(0) = 50\n"
+        "JOG(0) = 80 : WAIT 100 : PRINT VEL(0) : WAIT 900 : PRINT VEL(0) : STOP(0) : WAIT 500 : PRINT VEL(0)",
+        ["10.0000", "50.0000", "25.0000"], EXACT),
+    # ------------------------------------------------------------------------------------------ compensation, homing
+    # Play of 2 in 200 ms is 10 per second, added to the 100 of the axis.
+    "while play is taken up the motor is faster than the axis": (
+        RATES + "BACKLASH(0) = 2 : BACKLASHINTERVAL(0) = 200 : BACKLASHMODE(0) = 1\nMOVER(0) = 100 : GO(0)\n"
+        "WAIT 150 : PRINT ENCODERVEL(0) : WAIT 100 : PRINT ENCODERVEL(0) : PAUSE IDLE(0)\n"
+        "MOVER(0) = -100 : GO(0) : WAIT 150 : PRINT ENCODERVEL(0) : WAIT 100 : PRINT ENCODERVEL(0)",
+        ["110.0000", "100.0000", "-110.0000", "-100.0000"], EXACT),
+    "a new homing forgets the result of the last one": (
+        RATES + "HOMESPEED(0) = 50 : HOME(0) = _hmNEGATIVE_INDEX : PAUSE IDLE(0) : PRINT HOMESTATUS(0)\n"
+        "HOME(0) = _hmPOSITIVE_INDEX : PRINT HOMESTATUS(0) : PAUSE IDLE(0) : PRINT HOMESTATUS(0)",
+        ["1", "0", "1"], {"axis.0.index_every": 0.5}),
+    "HOMEACCEL and HOMEDECEL are those of the axis until they are written": (
+        "ACCEL(0) = 700 : DECEL(0) = 800 : PRINT HOMEACCEL(0), HOMEDECEL(0)\n"
+        "HOMEACCEL(0) = 70 : PRINT HOMEACCEL(0), HOMEDECEL(0)", ["700.0000800.0000", "70.0000800.0000"], {}),
+    "HOMECREEPSPEED is HOMESPEED divided by HOMEBACKOFF until it is written": (
+        "HOMESPEED(0) = 50 : HOMEBACKOFF(0) = 20 : PRINT HOMECREEPSPEED(0) : HOMECREEPSPEED(0) = 7\n"
+        "HOMESPEED(0) = 60 : PRINT HOMECREEPSPEED(0)", ["2.5000", "7.0000"], {}),
+    # ------------------------------------------------------------------------------------------------------- limits
+    "two software limits of 0 are none, and one of them counts with the other": (
+        RATES + "MOVER(0) = 5 : GO(0) : PAUSE IDLE(0) : PRINT AXISERROR(0), POS(0)\n"
+        "MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)\n"
+        "SOFTLIMITMODE(0) = _emCRASH_STOP : SOFTLIMITFORWARD(0) = 3 : MOVER(0) = 5 : GO(0) : PAUSE IDLE(0)\n"
+        "PRINT AXISERROR(0), POS(0) USING 1, 1", ["05.0000", "163.0"], {}),
+    "each error mode has its own error": (
+        "SOFTLIMITMODE(0) = 1 : LIMITMODE(0) = 2 : FOLERRORMODE(0) = 3 : ERRORINPUTMODE(0) = 4 : ABORTMODE(0) = 5\n"
+        "ADCERRORMODE(0) = 0\nPRINT SOFTLIMITMODE(0), LIMITMODE(0), FOLERRORMODE(0), ERRORINPUTMODE(0), ABORTMODE(0), "
+        "ADCERRORMODE(0)", ["123450"], {}),
+    "ABORTMODE 0 leaves an axis as it is": (
+        RATES + "ABORTMODE(1) = _emIGNORE : JOG(0) = 50 : JOG(1) = 50 : WAIT 500 : ABORT : WAIT 500\n"
+        "PRINT AXISERROR(0), AXISERROR(1), ' ', VEL(0), ' ', VEL(1)".replace("'", '"'), ["10 0.0000 50.0000"], {}),
+    # ------------------------------------------------------------------------------------------------------ drives
+    # 50 % of the highest speed.
+    "an analogue reference is a fraction of DRIVESPEEDMAX, else of MAXSPEED, else of SPEED": (
+        RATES + "SPEEDREFSOURCE(0) = 1 : SPEEDREFACCELTIME(0) = 1 : SPEEDREFDECELTIME(0) = 1\n"
+        "PRINT SPEEDREF(0) : MAXSPEED(0) = 200 : PRINT SPEEDREF(0) : DRIVESPEEDMAX(0) = 300 : PRINT SPEEDREF(0)\n"
+        "SPEEDREFENABLE(0) = 0 : PRINT SPEEDREF(0)", ["50.0000", "100.0000", "150.0000", "0.0000"], volts(50.0)),
+    "DRIVESPEEDMAX limits a speed reference in both directions": (
+        RATES + "DRIVESPEEDMAX(0) = 30 : SPEEDREF(0) = 80 : WAIT 500 : PRINT VEL(0), SPEEDREF(0)\n"
+        "SPEEDREF(0) = -80 : WAIT 500 : PRINT VEL(0)", ["30.000080.0000", "-30.0000"], EXACT),
+    # The ramp of 1 s is to 100: half of it after half a second.
+    "the ramp times of a speed reference are those to the highest speed": (
+        RATES + "SPEEDREFACCELTIME(0) = 1000 : SPEEDREFDECELTIME(0) = 500 : SPEEDREF(0) = 100\n"
+        "WAIT 500 : PRINT VEL(0) : WAIT 1000 : PRINT VEL(0) : SPEEDREF(0) = 50 : WAIT 125 : PRINT VEL(0)",
+        ["50.0000", "100.0000", "75.0000"], EXACT),
+    "a speed reference of 0 does not take over from a move": (
+        RATES + "MOVER(0) = 100 : GO(0) : WAIT 300 : SPEEDREF(0) = 0 : WAIT 100 : PRINT VEL(0) : PAUSE IDLE(0)\n"
+        "PRINT POS(0)", ["100.0000", "100.0000"], EXACT),
+    # ------------------------------------------------------------------------------------------------------- presets
+    "a preset with a time has the rate that takes it to its speed": (
+        # 50 in 500 ms is 100 per s²: half of it after 250 ms.
+        RATES + "PRESETMOVETYPE(1, 0) = 4 : PRESETMOVEPOSITION(1) = 100 : PRESETMOVESPEED(1) = 50\n"
+        "PRESETACCEL(1, 1) = 500 : PRESETINDEX(0) = 1 : PRESETMOVEENABLE(0) = 1\n"
+        "WAIT 250 : PRINT VEL(0) : WAIT 500 : PRINT VEL(0) : PAUSE IDLE(0) : PRINT POS(0)",
+        ["25.0000", "50.0000", "100.0000"], EXACT),
+    "a rate of a preset clears its time, and the time the rate": (
+        "PRESETACCEL(1, 1) = 500 : PRESETACCEL(1, 0) = 20 : PRINT PRESETACCEL(1, 0), PRESETACCEL(1, 1)\n"
+        "PRESETACCEL(1, 1) = 500 : PRINT PRESETACCEL(1, 0), PRESETACCEL(1, 1)",
+        ["20.00000.0000", "0.0000500.0000"], {}),
+    "an absolute preset counts from the zero of the program, a relative one from the axis": (
+        RATES + "PRESETMOVETYPE(0, 0) = 3 : PRESETMOVEPOSITION(0) = 10 : PRESETMOVETYPE(1, 0) = 4\n"
+        "PRESETMOVEPOSITION(1) = 10 : PRESETMOVETYPE(2, 0) = 5 : PRESETMOVEPOSITION(2) = 7\n"
+        "MOVER(0) = 30 : GO(0) : PAUSE IDLE(0) : POS(0) = 5\nPRESETMOVEENABLE(0) = 1 : PAUSE IDLE(0) : PRINT POS(0)\n"
+        "PRESETINDEX(0) = 1 : PAUSE IDLE(0) : PRINT POS(0) : PRESETINDEX(0) = 2 : PRINT POS(0)",
+        ["10.0000", "20.0000", "7.0000"], {}),
+    "a jog preset has a direction, and the speed of the axis without one of its own": (
+        RATES + "PRESETMOVETYPE(0, 0) = 2 : PRESETMOVETYPE(1, 0) = 2 : PRESETJOGDIRECTION(1) = 1\n"
+        "PRESETJOGSPEED(1) = 40 : PRESETMOVEENABLE(0) = 1 : WAIT 500 : PRINT VEL(0)\n"
+        "PRESETINDEX(0) = 1 : WAIT 500 : PRINT VEL(0)", ["100.0000", "-40.0000"], EXACT),
+    # -------------------------------------------------------------------------------------------------------- Modbus
+    "an Integer of a server is two registers, the lower half first": (
+        'MODBUSTCP32(1, 10) = -2 : PRINT MODBUSTCP16(1, 10), " ", MODBUSTCP16(1, 11), " ", MODBUSTCP32(1, 10)',
+        ["65534 65535 -2"], {}),
+    "half of an own register is a word": (
+        "NETINTEGER(3) = 65537 * 2 : PRINT HOLDINGREGISTER(6), HOLDINGREGISTER(7)\n"
+        "HOLDINGREGISTER(7) = 65535 : PRINT NETINTEGER(3)", ["22", "-65534"], {}),
+    "the last coil is 65535, and any value but 0 sets it": (
+        "COIL(65535) = 1 : PRINT COIL(65535), COIL(65534), COIL(0)", ["100"], {}),
+    # ------------------------------------------------------------------------------------------------------- splines
+    "a segment of a spline takes 4 to 60000 ms, rounded down to an even number": (
+        RATES + "Dim p(2) As Float = 1, 1\nSPLINETABLE(0, p, NULL, NULL) : SPLINETIME(0) = 5.9\n"
+        "SPLINE(0) = 0 : GO(0) : PAUSE IDLE(0) : PRINT TIME, POS(0)", ["41.0000"], EXACT),
+}  # fmt: skip
+# A statement with a number just outside its range, and the message.
+OUTSIDE = {
+    "PRINT INX(1000)": "there is no input 1000",
+    "PRINT INX(-1)": "there is no input -1",
+    "PRINT IN(32)": "there is no bank 32",
+    "OUTX(1000) = 1": "there is no output 1000",
+    "PRINT OUTX(1000)": "there is no output 1000",
+    "OUT(32) = 1": "there is no bank 32",
+    "OUTPUTACTIVELEVEL(32) = 1": "there is no bank 32",
+    "RELAYOUTX(64) = 1": "there is no relay 64",
+    "RELAYOUT(2) = 1": "there is no bank of relays 2",
+    "PULSEOUTX(1000) = 1": "there is no output 1000",
+    "PRINT ADC(64)": "there is no analogue input 64",
+    "ADCGAIN(64) = 5": "there is no analogue input 64",
+    "DAC(64) = 5": "there is no analogue output 64",
+    "AUXDAC(64) = 5": "there is no spare analogue output 64",
+    "PRINT MOTORBRAKEDELAY(0, 2)": "there is no delay of a brake 2",
+    "PRINT FEEDRATEPARAMETER(0, 3)": "FEEDRATEPARAMETER has no parameter 3",
+    "PRINT FEEDRATEPARAMETER(0, -1)": "FEEDRATEPARAMETER has no parameter -1",
+    "PRINT PRESETMOVESPEED(64)": "there is no preset 64",
+    "PRINT PRESETACCEL(1, 2)": "PRESETACCEL has no parameter 2",
+    "PRINT PRESETMOVETYPE(1, 1)": "PRESETMOVETYPE has no parameter 1",
+    "PRINT COIL(65536)": "there is no coil 65536",
+    "PRINT MODBUSTCP16(1, 65536)": "Modbus server 1 rejects register 65536",
+    "PRINT MODBUSTCP32(1, 65535)": "Modbus server 1 rejects registers 65535 and 65536",
+    "PRINT LATCHVALUE(32)": "there is no latch channel 32",
+    "PRINT CAPTUREMODE(8)": "there is no capture channel 8",
+    "CAPTURENUMPOINTS = 0": "a capture cannot have 0 points",
+    "CAPTURENUMPOINTS = 100001": "a capture cannot have 100001 points",
+    "PRINT ENCODER(99)": "there is no encoder 99",
+    "PRINT CURRENTMEAS(0, 1)": "CURRENTMEAS: there is no current 1",
+    "PRINT NODELIVE(3, 1)": "there is no bus 3",
+    "PRINT NODELIVE(0, 1)": "there is no bus 0",
+    "PRINT NODELIVE(1, 256)": "there is no node 256",
+    "SPLINE(0) = 0": "axis 0 has no spline",
+}
+
+
+@pytest.mark.parametrize("rule", WORDS)
+def test_what_it_prints(rule: str) -> None:
+    text, expected, machine = WORDS[rule]
+    result = run(Source("a.mnt", text), machine=machine, cache=False, until=20.0)
+    assert [each.message for each in result.diagnostics] == []
+    assert result.output == expected
+
+
+@pytest.mark.parametrize("text", OUTSIDE)
+def test_a_number_outside_its_range_is_refused(text: str) -> None:
+    result = run(Source("a.mnt", text), cache=False, until=10.0)
+    assert [each.message for each in result.diagnostics] == [OUTSIDE[text]]
