@@ -5,7 +5,7 @@ Examples are an offset on top of gearing, and a blend of one move into the next.
 
 from __future__ import annotations
 
-from math import inf
+from math import copysign, inf, isnan
 
 from motionlang.planners.curve import Profile, State, from_curve
 from motionlang.planners.formula import Formula
@@ -27,7 +27,7 @@ class Superposed(Formula):
         super().__init__(
             shape,
             first.start + second.start,
-            _end(first, duration) + _end(second, duration),
+            _end_of_sum(first, second, duration),
             duration,
             first.start_velocity + second.start_velocity,
             first.end_velocity + second.end_velocity,
@@ -89,7 +89,7 @@ def _in_pieces(first: Profile, second: Profile, shape: str) -> Profile | None:
         if piece is None:
             return None
         pieces.append(piece)
-    end = _end(first, duration) + _end(second, duration)
+    end = _end_of_sum(first, second, duration)
     return from_curve(
         shape,
         first.start + second.start,
@@ -116,6 +116,19 @@ def _both(a: Piece, b: Piece) -> Piece | None:
     if wave[4] and (c2 or c3):
         return None
     return (c0, c1, c2, c3, *wave[4:])
+
+
+def _end_of_sum(first: Profile, second: Profile, time: float) -> float:
+    """Return the end of a sum; infinite, with the sign of its velocity, if it runs on."""
+    end = _end(first, time) + _end(second, time)
+    if not isnan(end):
+        return end
+    # Both run on in opposite directions.
+    velocity = first.end_velocity + second.end_velocity
+    if velocity:
+        return copysign(inf, velocity)
+    last = max(knot for knot in (*first.knots, *second.knots) if knot < inf)
+    return first.position(last) + second.position(last)
 
 
 def _end(profile: Profile, time: float) -> float:

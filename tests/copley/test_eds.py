@@ -9,16 +9,12 @@ import pytest
 from motionlang.copley.eds import eds
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def file() -> RawConfigParser:
     """The file; this parser refuses a key that occurs twice, in whatever case."""
     parser = RawConfigParser()
     parser.read_string(eds())
     return parser
-
-
-def number(file: RawConfigParser, section: str) -> int:
-    return int(file[section]["DefaultValue"], 0)
 
 
 def test_the_file_states_one_version_of_its_format(file: RawConfigParser) -> None:
@@ -63,9 +59,8 @@ DEFAULTS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("section", DEFAULTS)
-def test_values_at_power_up(section: str, file: RawConfigParser) -> None:
-    assert number(file, section) == DEFAULTS[section]
+def test_values_at_power_up(file: RawConfigParser) -> None:
+    assert {section: int(file[section]["DefaultValue"], 0) for section in DEFAULTS} == DEFAULTS
 
 
 def test_identifiers_count_from_the_node(file: RawConfigParser) -> None:
@@ -82,28 +77,20 @@ def test_identifiers_count_from_the_node(file: RawConfigParser) -> None:
     ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("section", "kind", "access", "mappable"),
-    [
-        ("1001", 0x5, "ro", 1),
-        ("1000", 0x7, "ro", 0),
-        ("1008", 0x9, "const", 0),
-        ("1017", 0x6, "rw", 0),
-        ("2010", 0xA, "wo", 1),
-        ("2011", 0x6, "ro", 1),
-        ("2012", 0x7, "ro", 1),
-        ("6040", 0x6, "rw", 1),
-        ("6060", 0x2, "rw", 1),
-        ("6064", 0x4, "ro", 1),
-        ("6099sub1", 0x7, "rw", 1),
-        ("60C0", 0x3, "rw", 1),
-        ("60C1sub2", 0x5, "rw", 1),
-    ],
-)
-def test_data_types_and_access(
-    section: str, kind: int, access: str, mappable: int, file: RawConfigParser
-) -> None:
-    """Of CiA 301's types 2 to 4 are signed, 5 to 7 unsigned, 9 text and 10 bytes."""
-    entry = file[section]
-    assert (int(entry["DataType"], 0), entry["AccessType"]) == (kind, access)
-    assert int(entry["PDOMapping"], 0) == mappable
+# The types of CiA 301: 2 to 4 are signed, 5 to 7 unsigned, 9 is text and 10 bytes. The last number is 1 if a PDO can
+# carry the object.
+TYPES = {
+    "1001": (0x5, "ro", 1), "1000": (0x7, "ro", 0), "1008": (0x9, "const", 0), "1017": (0x6, "rw", 0),
+    "2010": (0xA, "wo", 1), "2011": (0x6, "ro", 1), "2012": (0x7, "ro", 1), "6040": (0x6, "rw", 1),
+    "6060": (0x2, "rw", 1), "6064": (0x4, "ro", 1), "6099sub1": (0x7, "rw", 1), "60C0": (0x3, "rw", 1),
+    "60C1sub2": (0x5, "rw", 1),
+}  # fmt: skip
+
+
+def test_data_types_and_access(file: RawConfigParser) -> None:
+    entries = {section: file[section] for section in TYPES}
+    shown = {
+        section: (int(entry["DataType"], 0), entry["AccessType"], int(entry["PDOMapping"], 0))
+        for section, entry in entries.items()
+    }
+    assert shown == TYPES

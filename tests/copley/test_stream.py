@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import random
+import threading
 from typing import TYPE_CHECKING
 
 import can
@@ -226,21 +227,21 @@ def test_a_drive_whose_time_stands_still_ends_the_stream(
     assert len(waits) == 11
 
 
-def test_a_real_bus_waits_until_the_drive_sends_its_status(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_real_bus_waits_until_the_drive_sends_its_status() -> None:
     """The status of node 1 has the identifier 181; other frames do not end the wait."""
     with RealBus(1, "virtual", "status") as bus, can.Bus(interface="virtual", channel="status") as drive:
-        frame = {
-            can_id: can.Message(arbitration_id=can_id, is_extended_id=False) for can_id in (0x181, 0x182)
-        }
-        waits = list[bool]()
-        monkeypatch.setattr(bus._news, "wait", lambda seconds: waits.append(bus._news.is_set()))
-        drive.send(frame[0x182])
-        drive.send(frame[0x181])
-        while not bus._news.is_set():
-            pass
+        others, arrived = threading.Event(), list[bool]()
+        bus.network.subscribe(0x183, lambda *_: others.set())
+        for can_id in (0x180, 0x182, 0x183):
+            drive.send(can.Message(arbitration_id=can_id, is_extended_id=False))
+        others.wait(30.0)
+        arrived.append(bus._news.is_set())
+        drive.send(can.Message(arbitration_id=0x181, is_extended_id=False))
+        bus._news.wait(30.0)
+        arrived.append(bus._news.is_set())
         bus.wait()
-        bus.wait()
-    assert waits == [True, False]
+        arrived.append(bus._news.is_set())
+    assert arrived == [False, True, False]
 
 
 def test_a_second_move_follows_the_first() -> None:

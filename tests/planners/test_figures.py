@@ -1,0 +1,368 @@
+"""Figures by hand of the small parts of the motion mathematics: pieces, sums, screws, scales, chapter 12."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import exp, inf, pi
+
+import pytest
+
+from motionlang.planners import plan_trapezoid, plan_velocity
+from motionlang.planners.counts import linear_scale, rotary_scale
+from motionlang.planners.curve import from_curve, hold
+from motionlang.planners.dissect import (
+    buildup,
+    dac_timing,
+    discrete_trapezoid,
+    equal_time_accel,
+    fastest_time,
+    friction_force,
+    pid_dac,
+    s_curve_times,
+    step_segments,
+    trapezoid_times,
+)
+from motionlang.planners.extrapolation import Extrapolated
+from motionlang.planners.leadscrew import Leadscrew
+from motionlang.planners.pieces import (
+    acceleration_in,
+    crest_points,
+    even_points,
+    jerk_in,
+    position_in,
+    recentred,
+    still_points,
+    transformed,
+    velocity_in,
+)
+from motionlang.planners.rate import Rate
+from motionlang.planners.reach import needed_distance, remedies, triangle
+from motionlang.planners.root import bracketed_root
+from motionlang.planners.sequence import ProfileSequence, chained
+from motionlang.planners.superposition import added
+from motionlang.planners.total import exact_terms, total
+
+Piece = tuple[float, float, float, float, float, float, float]
+# x³ - 6x² + 9x + 2, with extrema at 1 and 3 and an inflection at 2.
+CUBIC: Piece = (2.0, 9.0, -6.0, 1.0, 0.0, 0.0, 0.0)
+# 1 + 4x - x², with a maximum at 2.
+PARABOLA: Piece = (1.0, 4.0, -1.0, 0.0, 0.0, 0.0, 0.0)
+LINE: Piece = (1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+# 5 + 3x + 2 sin(x/2 + pi/6): its rate is 3 + cos(x/2 + pi/6).
+WAVE: Piece = (5.0, 3.0, 0.0, 0.0, 2.0, 0.5, pi / 6)
+
+
+@pytest.mark.parametrize(
+    ("piece", "x", "position", "velocity", "acceleration", "jerk"),
+    [
+        (CUBIC, 0.0, 2.0, 9.0, -12.0, 6.0),
+        (CUBIC, 1.0, 6.0, 0.0, -6.0, 6.0),
+        (CUBIC, 3.0, 2.0, 0.0, 6.0, 6.0),
+        (PARABOLA, 3.0, 4.0, -2.0, -2.0, 0.0),
+        (LINE, 3.0, 7.0, 2.0, 0.0, 0.0),
+        # sin and cos of pi/2 are 1 and 0, of pi/6 0.5 and sqrt(3)/2.
+        (WAVE, 2 * pi / 3, 7.0 + 2 * pi, 3.0, -0.5, 0.0),
+        (WAVE, 0.0, 6.0, 3.0 + 0.75**0.5, -0.25, -0.25 * 0.75**0.5),
+    ],
+)
+def test_a_piece_and_its_derivatives(
+    piece: Piece, x: float, position: float, velocity: float, acceleration: float, jerk: float
+) -> None:
+    found = [each(piece, x) for each in (position_in, velocity_in, acceleration_in, jerk_in)]
+    assert found == pytest.approx([position, velocity, acceleration, jerk], abs=1e-12)
+
+
+@pytest.mark.parametrize("piece", [CUBIC, PARABOLA, LINE, WAVE])
+@pytest.mark.parametrize("x", [0.0, 0.75, 2.5])
+def test_a_piece_from_a_later_origin_is_the_same_curve(piece: Piece, x: float) -> None:
+    later = recentred(piece, x)
+    for each in (position_in, velocity_in, acceleration_in, jerk_in):
+        assert each(later, 0.5) == pytest.approx(each(piece, x + 0.5), abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("piece", "duration", "still", "even", "crests"),
+    [
+        (CUBIC, 4.0, [1.0, 3.0], [2.0], []),
+        (CUBIC, 3.0, [1.0], [2.0], []),
+        (CUBIC, 2.0, [1.0], [], []),
+        (CUBIC, 1.0, [], [], []),
+        (PARABOLA, 3.0, [2.0], [], []),
+        (PARABOLA, 2.0, [], [], []),
+        (LINE, 9.0, [], [], []),
+        # (x + 1)³ - 1 turns nowhere in positive time; x³ + x has no turning point.
+        ((0.0, 3.0, 3.0, 1.0, 0.0, 0.0, 0.0), 9.0, [], [], []),
+        ((0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0), 9.0, [], [], []),
+        # The rate 0.5 + cos(x/2 + pi/6) is 0 at x/2 + pi/6 = 2 pi/3; the crest of the wave is at pi/2.
+        ((5.0, 0.5, 0.0, 0.0, 2.0, 0.5, pi / 6), 4.0, [pi], [], [2 * pi / 3]),
+        ((5.0, 0.5, 0.0, 0.0, 2.0, 0.5, pi / 6), 2.0, [], [], []),
+        (WAVE, 4.0, [], [], [2 * pi / 3]),
+    ],
+)
+def test_the_extrema_of_a_piece(
+    piece: Piece, duration: float, still: list[float], even: list[float], crests: list[float]
+) -> None:
+    """A turning point at the end of a piece is not inside it."""
+    assert list(still_points(piece, duration)) == pytest.approx(still)
+    assert list(even_points(piece, duration)) == pytest.approx(even)
+    assert list(crest_points(piece, duration)) == pytest.approx(crests)
+
+
+def test_a_piece_is_scaled_about_a_position() -> None:
+    """Position 2 becomes 10, and distances triple."""
+    made = transformed(CUBIC, 3.0, 2.0, 10.0)
+    assert position_in(made, 1.0) == 10.0 + 3.0 * (6.0 - 2.0)
+    assert velocity_in(made, 0.0) == 27.0
+    wave = transformed(WAVE, 3.0, 5.0, 10.0)
+    assert position_in(wave, 0.5) - 10.0 == pytest.approx(3.0 * (position_in(WAVE, 0.5) - 5.0))
+
+
+# 100 at 100 per second and 1000 per second²: 0.1 s, 0.9 s and 0.1 s.
+MOVE = plan_trapezoid(0.0, 100.0, 100.0, 1000.0, 1000.0)
+# 20 at 50 per second and 500 per second²: 0.1 s, 0.3 s and 0.1 s.
+SHORT = plan_trapezoid(10.0, 30.0, 50.0, 500.0, 500.0)
+
+
+@pytest.mark.parametrize("both", [added(MOVE, SHORT, "sum"), added(SHORT, MOVE, "sum")])
+def test_a_sum_has_the_positions_and_velocities_of_both(both: object) -> None:
+    """At 0.25 s they are 20 and 10 + 2.5 + 7.5 on their ways; from 0.5 s on the short one is at 30."""
+    from motionlang.planners import Profile
+
+    assert isinstance(both, Profile)
+    assert (both.start, both.end, both.duration) == pytest.approx((10.0, 130.0, 1.1))
+    assert (both.position(0.25), both.velocity(0.25)) == pytest.approx((40.0, 150.0))
+    assert (both.position(0.8), both.velocity(0.8)) == pytest.approx((75.0 + 30.0, 100.0))
+    assert both.velocity(0.05) == pytest.approx(50.0 + 25.0)
+    assert (both.start_velocity, both.end_velocity) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("velocity", "end"), [(25.0, inf), (-25.0, inf), (-75.0, -inf), (-50.0, 7.0), (0.0, inf)]
+)
+def test_a_sum_of_two_motions_without_an_end(velocity: float, end: float) -> None:
+    """It runs on at both velocities, from 7. If they cancel, it stays there."""
+    first = plan_velocity("trapezoid", 0.0, 50.0, 50.0, 10.0, 10.0)
+    second = plan_velocity("trapezoid", 7.0, velocity, velocity, 10.0, 10.0)
+    both = added(first, second, "sum")
+    assert (both.start_velocity, both.end_velocity) == (50.0 + velocity, 50.0 + velocity)
+    assert both.position(2.0) == pytest.approx(7.0 + 2.0 * (50.0 + velocity))
+    assert both.end == end
+
+
+def test_a_sum_with_a_rest_is_shifted() -> None:
+    both = added(MOVE, hold(5.0), "sum")
+    assert (both.start, both.position(0.1), both.position(9.0)) == pytest.approx((5.0, 10.0, 105.0))
+
+
+def test_a_lead_adds_its_share_of_each_derivative() -> None:
+    """At 0.05 s the ramp is at 1.25 and 50 per second, so 10 ms later at 1.75 on its tangent."""
+    ahead = Extrapolated(MOVE, 0.01)
+    state = ahead.at(0.05)
+    assert (state.position, state.velocity, state.acceleration) == pytest.approx((1.75, 60.0, 1000.0))
+    assert (ahead.start, ahead.end, ahead.duration) == pytest.approx((0.0, 100.0, 1.1))
+    endless = Extrapolated(plan_velocity("trapezoid", 3.0, 50.0, 50.0, 10.0, 10.0), 0.2)
+    assert (endless.start, endless.end, endless.end_velocity) == (13.0, inf, 50.0)
+
+
+def test_a_rate_begins_with_the_acceleration() -> None:
+    rate = Rate(MOVE)
+    assert (rate.start, rate.end, rate.start_velocity, rate.end_velocity) == (0.0, 0.0, 1000.0, 0.0)
+    state = rate.at(0.05)
+    assert (state.position, state.velocity, state.acceleration) == pytest.approx((50.0, 1000.0, 0.0))
+    assert Rate(hold(5.0).cut(0.0)).start_velocity == 0.0
+
+
+def test_a_sequence_runs_one_profile_after_the_other() -> None:
+    """The second, SHORT from 100 on, begins at 1.1 s and is 7.5 further and at 50 at 1.3 s."""
+    second = SHORT.shifted(90.0)
+    both = ProfileSequence("both", [MOVE, second])
+    assert (both.start, both.end, both.duration) == pytest.approx((0.0, 120.0, 1.6))
+    assert (both.position(1.3), both.velocity(1.3)) == pytest.approx((107.5, 50.0))
+    assert both.knots == pytest.approx((0.0, 0.1, 1.0, 1.1, 1.2, 1.5, 1.6))
+    assert both.after(1.1).duration == pytest.approx(0.5)
+    assert both.after(1.3).position(0.0) == pytest.approx(107.5)
+    assert both.cut(0.5).duration == 0.5
+    assert both.cut(1.3).end == pytest.approx(107.5)
+    assert both.cut(9.0) is both
+    assert both.after(0.0) is both
+    assert chained(MOVE, second).position(1.3) == pytest.approx(107.5)
+    assert chained(MOVE, hold(100.0).cut(0.0)) is MOVE
+    assert chained(hold(0.0).cut(0.0), MOVE) is MOVE
+    doubled = both.scaled(1000.0, 2.0)
+    assert (doubled.start, doubled.end, doubled.position(1.3)) == pytest.approx((1000.0, 1240.0, 1215.0))
+
+
+# The nut is at 0, 101 and 199 for 0, 100 and 200 of the motor, all 50 further.
+SCREW = Leadscrew(50.0, 100.0, [0.0, 101.0, 199.0])
+
+
+@pytest.mark.parametrize(
+    ("nut", "motor", "slope"),
+    [
+        (0.0, 50.0, 100 / 101),
+        (50.5, 100.0, 100 / 101),
+        (101.0, 150.0, 100 / 98),
+        (150.0, 200.0, 100 / 98),
+        (199.0, 250.0, 1.0),
+        (209.0, 260.0, 1.0),
+        (-10.0, 40.0, 1.0),
+    ],
+)
+def test_a_leadscrew_by_its_table(nut: float, motor: float, slope: float) -> None:
+    """Beyond the table the motor is as far from its end as the nut."""
+    assert (SCREW.motor(nut), SCREW.slope(nut)) == pytest.approx((motor, slope))
+
+
+@pytest.mark.parametrize(
+    ("step", "actual", "message"),
+    [
+        (0.0, [0.0, 1.0], "must be above zero"),
+        (-1.0, [0.0, 1.0], "must be above zero"),
+        (1.0, [0.0], "two positions or more"),
+        (1.0, [0.0, 0.0], "each above the one before"),
+    ],
+)
+def test_a_table_of_a_leadscrew_that_cannot_be(step: float, actual: list[float], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        Leadscrew(0.0, step, actual)
+
+
+def test_counts_of_a_unit() -> None:
+    """1000 lines are 4000 counts a revolution; a gear of 5 on a screw of 10 makes 2000 of a unit."""
+    assert rotary_scale(1000.0, 10.0, 5.0) == 2000.0
+    assert rotary_scale(1000.0, 10.0, quadrature=1) == 100.0
+    assert linear_scale(0.005) == pytest.approx(200.0)
+    for wrong in (0.0, -1.0, inf):
+        with pytest.raises(ValueError, match="must be greater than zero"):
+            linear_scale(wrong)
+    with pytest.raises(ValueError, match="1, 2 or 4 counts, not 3"):
+        rotary_scale(1000.0, 10.0, quadrature=3)
+
+
+def test_the_distance_that_a_speed_needs() -> None:
+    """100²/2 · (1/1000 + 1/500) is 15; a shorter move has its peak in the middle of its times."""
+    assert needed_distance(100.0, 1000.0, 500.0) == pytest.approx(15.0)
+    assert triangle(15.0, 100.0, 1000.0, 500.0) is None
+    short = triangle(3.75, 100.0, 1000.0, 500.0)
+    assert short is not None
+    assert short["speed"] == pytest.approx(50.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "texts"),
+    [
+        # At 100 per second² each way, 100 in 1 s needs 4 times the rates, 2 s, or 25.
+        (
+            {"distance": 100.0, "time": 1.0, "accel": 100.0, "decel": 100.0},
+            ["accel 400 and decel 400 or more", "time 2 or more", "distance 25 or less"],
+        ),
+        (
+            {"distance": 100.0, "time": 1.0, "accel": 100.0},
+            ["accel 400 or more", "time 2 or more", "distance 25 or less"],
+        ),
+        ({"distance": 100.0}, []),
+        ({"time": 1.0, "speed": 5.0}, []),
+    ],
+)
+def test_what_makes_a_move_possible(given: dict[str, float], texts: list[str]) -> None:
+    assert remedies(None, given) == texts
+
+
+def test_the_root_of_a_monotone_function() -> None:
+    assert bracketed_root(lambda x: (x * x - 2.0, 2.0 * x), 0.0, 2.0, True) == pytest.approx(
+        2.0**0.5, rel=1e-15
+    )
+    assert bracketed_root(lambda x: (2.0 - x * x, -2.0 * x), 0.0, 2.0, False) == pytest.approx(
+        2.0**0.5, rel=1e-15
+    )
+    assert bracketed_root(lambda x: (x - 1.0, 0.0), 0.0, 2.0, True) == 1.0
+
+
+def test_sums_are_rounded_once() -> None:
+    assert total([0.1] * 10) == 1.0
+    assert total([]) == 0.0
+    assert total([1e308, 1e308]) == inf
+    assert exact_terms([1.0, 1e-30]) == [1.0, 1e-30]
+
+
+def test_the_formulas_of_chapter_12() -> None:
+    """1000 at 200 and 400: T_a 0.5, D_a 50, T_s 4.5 and 5.5 in all; the S-curve's ramps last twice as long."""
+    trapezoid, s_curve = trapezoid_times(1000.0, 200.0, 400.0), s_curve_times(1000.0, 200.0, 400.0)
+    assert (trapezoid.accel_time, trapezoid.slew_time, trapezoid.move_time) == (0.5, 4.5, 5.5)
+    assert (s_curve.accel_time, s_curve.slew_time, s_curve.move_time) == (1.0, 4.0, 6.0)
+    assert trapezoid_times(100.0, 200.0, 400.0).slew_time == 0.0
+    with pytest.raises(ValueError, match="too short to reach its speed: that takes 100"):
+        trapezoid_times(99.0, 200.0, 400.0)
+    assert (equal_time_accel(400.0), friction_force(5.0, 0.1), fastest_time(100.0, 400.0)) == (
+        800.0,
+        0.5,
+        0.25,
+    )
+
+
+def test_the_time_of_a_dac_step() -> None:
+    """12 bits are 2048 steps each way: 204.8 is 0.1 a step, at 400 per second² 0.25 ms."""
+    timing = dac_timing(204.8, 400.0)
+    assert (timing.steps, timing.step_speed, timing.step_time) == pytest.approx((2048, 0.1, 0.00025))
+    assert timing.electrical_time_constant == pytest.approx(0.00025 * 2 / 3)
+    assert timing.hold_time == pytest.approx(0.00025 * 10 / 3)
+    assert dac_timing(204.8, 400.0, 2).steps == 2
+    assert dac_timing(204.8, 400.0, 32).steps == 2**31
+    for bits in (1, 33):
+        with pytest.raises(ValueError, match=f"2 to 32 bits, not {bits}"):
+            dac_timing(204.8, 400.0, bits)
+
+
+def test_the_answer_to_steps_of_a_dac() -> None:
+    """After one time constant 63 % of a step, and of the rest of it 63 % again."""
+    first, second = step_segments((1, 0), 1.0)
+    share = 1.0 - exp(-1.0)
+    assert (first.from_velocity, first.to_velocity, first.onset, first.mean) == pytest.approx(
+        (0.0, share, 1.0, share)
+    )
+    assert (second.from_velocity, second.to_velocity) == pytest.approx((share, 1.0 - exp(-2.0)))
+    assert (second.onset, second.steps) == pytest.approx((exp(-1.0), 0))
+    assert (buildup(2.0, 2.0), buildup(inf, 2.0), buildup(0.0, 2.0)) == pytest.approx((share, 1.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("given", "output"),
+    [
+        # (16 · 10 + (256/256) · 32 + 8 · (10 - 6)) / 16 = (160 + 32 + 32) / 16.
+        ((16, 256, 8, 10, 32, 6), 14),
+        ((-16, 0, 0, 10, 0, 0), -10),
+        ((1, 0, 0, 15, 0, 0), 0),
+        ((1, 0, 0, -15, 0, 0), 0),
+        ((1, 0, 0, -17, 0, 0), -1),
+        ((0, 1, 0, 0, 256 * 16, 0), 1),
+        ((0, 1, 0, 0, 255, 0), 0),
+        ((0, 1, 0, 0, -255, 0), 0),
+        ((16, 0, 0, 2047, 0, 0), 2047),
+        ((16, 0, 0, 2048, 0, 0), 2047),
+        ((16, 0, 0, -2048, 0, 0), -2048),
+        ((16, 0, 0, -9999, 0, 0), -2048),
+    ],
+)
+def test_the_pid_of_the_chapter(given: tuple[int, int, int, int, int, int], output: int) -> None:
+    """12 bits reach from -2048 to 2047, and divisions drop the fraction."""
+    assert pid_dac(*given) == output
+
+
+def test_the_updates_of_the_discrete_trapezoid() -> None:
+    """Speeds of 3 in steps of 1: 1 + 2 + 3 … 3 + 2 + 1 of 20 leave 2 for the creep."""
+    made = discrete_trapezoid(20, 3, 1)
+    assert made[-1][1] == 20
+    assert [velocity for velocity, _ in made][:3] == [1, 2, 3]
+    assert sum(velocity for velocity, _ in made) == 20
+    assert max(abs(b[0] - a[0]) for a, b in pairwise(made)) == 1
+    assert discrete_trapezoid(1, 3, 1) == [(1, 1)]
+    assert discrete_trapezoid(9, 3, 1) == [(1, 1), (2, 3), (3, 6), (2, 8), (1, 9)]
+
+
+def test_a_curve_from_pieces_has_their_positions() -> None:
+    """x³ - 6x² + 9x + 2 over 0 to 4, then a line of slope 9 from 6."""
+    line: Piece = (6.0, 9.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    curve = ((0.0, 4.0, 5.0), (CUBIC, line), (("segment", 0),))
+    made = from_curve("table", 2.0, 15.0, curve, 9.0, 9.0)
+    assert [made.position(t) for t in (0.0, 1.0, 3.0, 4.0, 4.5, 5.0)] == [2.0, 6.0, 2.0, 6.0, 10.5, 15.0]
+    assert made.duration == 5.0
