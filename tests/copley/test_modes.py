@@ -504,6 +504,10 @@ def test_the_home_offset_is_that_of_the_home_position_wherever_it_is() -> None:
     assert axis.drive.datum == 1050.0
 
 
+def test_before_homing_there_is_no_result_of_one() -> None:
+    assert Axis(HM, MACHINE).has(REACHED, LIMIT, BIT_12, BIT_13) == [True, False, False, False]
+
+
 def test_halt_interrupts_homing() -> None:
     axis = Axis(HM, MACHINE)
     axis.write(METHOD, 18)

@@ -250,6 +250,12 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/copley/master.py: Master: __init__: 0 -> 1 #2": "the status is read before the first point",
     "motionlang/copley/master.py: Master: __init__: 0 -> 1 #3": "the status is read before the first point",
     "motionlang/copley/master.py: Master: __init__: True -> False": "the status is read before the first point",
+    "motionlang/planners/crossing.py: _stays_on_one_side: 0.0 -> 1.0": (
+        "the piece is searched instead, with the same result"
+    ),
+    "motionlang/servo/lookahead.py: crossing: off[0] > 0.0 -> off[0] >= 0.0": (
+        "a first sample at the level is handled before"
+    ),
     "motionlang/mccl/resolve/decode.py: _no_command: False -> True": (
         "the command has no effect to count: its fault ends the line"
     ),

@@ -35,10 +35,13 @@ from motionlang.planners.pieces import (
     transformed,
     velocity_in,
 )
+from motionlang.planners.pvt.fit import motion_error, track_error
+from motionlang.planners.pvt.points import Point, plan_points
 from motionlang.planners.rate import Rate
 from motionlang.planners.reach import needed_distance, remedies, triangle
 from motionlang.planners.root import bracketed_root
 from motionlang.planners.sequence import ProfileSequence, chained
+from motionlang.planners.solve import solve_move
 from motionlang.planners.superposition import added
 from motionlang.planners.total import exact_terms, total
 
@@ -366,3 +369,82 @@ def test_a_curve_from_pieces_has_their_positions() -> None:
     made = from_curve("table", 2.0, 15.0, curve, 9.0, 9.0)
     assert [made.position(t) for t in (0.0, 1.0, 3.0, 4.0, 4.5, 5.0)] == [2.0, 6.0, 2.0, 6.0, 10.5, 15.0]
     assert made.duration == 5.0
+
+
+def test_a_slew_shorter_than_a_count_is_part_of_the_move() -> None:
+    """From 50 to 100 takes 0.05 s and 3.75, down 0.1 s and 5; 0.5 at 100 take 5 ms."""
+    made = plan_trapezoid(0.0, 9.25, 100.0, 1000.0, 1000.0, 50.0)
+    assert made.duration == pytest.approx(0.155)
+    assert (made.position(0.0525), made.position(0.155)) == pytest.approx((4.0, 9.25))
+    assert made.velocity(0.0525) == pytest.approx(100.0)
+
+
+@pytest.mark.parametrize(
+    ("time", "phases"),
+    [
+        (0.05, [("accel", 0.05), ("slew", 0.9), ("decel", 0.1)]),
+        (0.5, [("slew", 0.5), ("decel", 0.1)]),
+        (1.05, [("decel", 0.05)]),
+    ],
+)
+def test_the_rest_of_a_move_has_the_rest_of_its_phases(time: float, phases: list[tuple[str, float]]) -> None:
+    rest = MOVE.after(time)
+    assert [phase.name for phase in rest.phases] == [name for name, _ in phases]
+    assert [phase.duration for phase in rest.phases] == pytest.approx([duration for _, duration in phases])
+    assert rest.position(0.02) == pytest.approx(MOVE.position(time + 0.02))
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"distance": 25.0, "time": 1.0, "accel": 100.0, "decel": 100.0},
+        {"distance": 25.0, "speed": 50.0, "accel": 100.0, "decel": 100.0},
+        {"distance": 25.0, "slew_time": 0.0, "accel": 100.0, "decel": 100.0},
+        {"time": 1.0, "slew_time": 0.0, "accel": 100.0, "decel": 100.0},
+        {"distance": 25.0, "time": 1.0, "accel": 100.0, "decel_time": 0.5},
+        {"distance": 25.0, "time": 1.0, "accel_time": 0.5, "decel": 100.0},
+        {"time": 1.0, "slew_time": 0.0, "accel": 100.0, "decel_time": 0.5},
+        {"speed": 50.0, "accel_time": 0.5, "decel_time": 0.5, "slew_time": 0.0},
+    ],
+)
+def test_the_figures_of_a_triangle(given: dict[str, float]) -> None:
+    """25 at 100 per second² each way: 50 per second after half a second, and no slew."""
+    known = solve_move(None, **given)
+    assert known["speed"] == pytest.approx(50.0)
+    assert [known[name] for name in ("distance", "time", "accel_time", "decel_time")] == pytest.approx(
+        [25.0, 1.0, 0.5, 0.5]
+    )
+    assert known["slew_time"] == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("rule", "given", "expected"),
+    [
+        # Ramps of a third each: 30 at v takes 30 = v · T · 2/3; with 0.9 s v is 50 and the rate 50 / 0.3.
+        ("third", {"distance": 30.0, "time": 0.9}, (50.0, 0.3, 50.0 / 0.3)),
+        ("third", {"distance": 30.0, "speed": 50.0}, (50.0, 0.3, 50.0 / 0.3)),
+        # A quarter each: 30 = v · T · 3/4.
+        ("quarter", {"distance": 30.0, "time": 0.8}, (50.0, 0.2, 250.0)),
+        # 30 at 50 in 0.9 s: 0.3 s of slew are left.
+        ("equal", {"distance": 30.0, "speed": 50.0, "time": 0.9}, (50.0, 0.3, 50.0 / 0.3)),
+    ],
+)
+def test_the_figures_by_a_rule(
+    rule: str, given: dict[str, float], expected: tuple[float, float, float]
+) -> None:
+    known = solve_move(rule, **given)
+    assert (known["speed"], known["accel_time"], known["decel"]) == pytest.approx(expected)
+
+
+def test_the_largest_error_of_points_and_its_time() -> None:
+    """The points go from 3 to 5 in 0.2 s, and a history at 3 is 2 behind at the end."""
+    points = [Point(3.0, None, 0.1), Point(4.0, None, 0.1), Point(5.0, None, 0.0)]
+    assert motion_error([0.0], [hold(3.0)], points) == pytest.approx((2.0, 0.2))
+    made = plan_points(points)
+    assert motion_error([0.0, 5.0], [hold(100.0), made], points, 5.0)[0] == pytest.approx(0.0, abs=1e-9)
+    assert motion_error([0.0, 5.0], [hold(100.0), made], points, 4.0) == pytest.approx((97.0, 0.0))
+    relative = [Point(3.0, None, 0.1, True), Point(1.0, None, 0.1, True), Point(1.0, None, 0.0, True)]
+    assert motion_error([0.0], [hold(13.0)], relative, 0.0, 10.0) == pytest.approx((2.0, 0.2))
+    assert track_error([0.0], [made], [0.0], [hold(3.0)], 0.0, 0.2) == pytest.approx(2.0)
+    assert track_error([0.0], [made], [0.0], [hold(3.0)], 0.0, 0.1) == pytest.approx(1.0)
+    assert track_error([0.0], [made], [1.0], [made], 1.0, 1.2) == pytest.approx(2.0)

@@ -109,6 +109,61 @@ def test_gains_come_back_as_the_words_they_were() -> None:
         assert getattr(mint, name) == pytest.approx(getattr(slow, name)), name
 
 
+# A gain by its quantity, its model, and its lowest and highest value.
+RANGES = [
+    ("mint", "period", 50.0, 100_000.0),
+    ("mint", "integral_limit", 0.0, 100.0),
+    ("mint", "integral_mode", 0.0, 3.0),
+    ("mint", "output_limit", 0.0, 100.0),
+    ("multiflex", "rate", 1000.0, 4000.0),
+    ("multiflex", "integral_limit", 0.0, None),
+    ("multiflex", "integral_mode", 0.0, 2.0),
+    ("multiflex", "derivative_every", 0.0, 10.0),
+    ("multiflex", "output_deadband", 0.0, 10.0),
+    ("multiflex", "output_limit", 0.0, 10.0),
+    ("multiflex", "reversed", 0.0, 1.0),
+    ("dcx", "proportional", 0.0, 32767.0),
+    ("dcx", "integral", 0.0, 32767.0),
+    ("dcx", "integral_limit", 0.0, 32767.0),
+    ("dcx", "derivative", 0.0, 32767.0),
+    ("dcx", "integral_mode", 0.0, 2.0),
+    ("dcx", "derivative_every", 1.0, 255.0),
+    ("dcx", "output_limit", 0.0, 10.0),
+    ("dcx", "reversed", 0.0, 1.0),
+]
+
+
+@pytest.mark.parametrize(("model", "quantity", "low", "high"), RANGES)
+def test_the_range_of_a_gain(model: str, quantity: str, low: float, high: float | None) -> None:
+    """A step beyond each end is refused. A DCX module takes an FR below 1 for its default."""
+
+    def made(value: float) -> Loop:
+        given = {quantity: (value, "WORD")}
+        return gains.mint_loop(given) if model == "mint" else gains.mccl_loop(given, model)
+
+    step = 0.5 if high is not None and high < 1000.0 else 1.0
+    beyond = [] if high is None else [high + step]
+    if low != 1.0:
+        beyond.append(low - step)
+    for value in (low, high):
+        if value is not None:
+            made(value)
+    for value in beyond:
+        with pytest.raises(
+            ValueError, match=f"WORD must be {low:g}" if low != 1.0 else "WORD must be 0 to 255"
+        ):
+            made(value)
+
+
+def test_a_dcx_module_counts_samples_between_derivatives() -> None:
+    """FR 1 takes every second sample, FR 255 every 256th, and FR below 1 each."""
+    every = [
+        gains.mccl_loop({"derivative_every": (value, "FR")}, "dcx").derivative_every
+        for value in (0.5, 1, 255)
+    ]
+    assert every == [1, 2, 256]
+
+
 @pytest.mark.parametrize(
     ("make", "message"),
     [
