@@ -198,6 +198,85 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
     "a segment of a spline takes 4 to 60000 ms, rounded down to an even number": (
         RATES + "Dim p(2) As Float = 1, 1\nSPLINETABLE(0, p, NULL, NULL) : SPLINETIME(0) = 5.9\n"
         "SPLINE(0) = 0 : GO(0) : PAUSE IDLE(0) : PRINT TIME, POS(0)", ["41.0000"], EXACT),
+    # -------------------------------------------------------------------------------------------------------- jogging
+    # 5 up in 0.1 s, 20 in 0.2 s and 5 down in 0.1 s.
+    "a timed jog ramps down after JOGDURATION, once per command": (
+        RATES + "JOGSPEED(0) = 100 : JOGMODE(0) = 1 : JOGDURATION(0) = 300 : JOGCOMMAND(0) = 1\n"
+        "PAUSE IDLE(0) : PRINT POS(0), TIME : JOGCOMMAND(0) = 1 : WAIT 200 : PRINT POS(0)\n"
+        "JOGCOMMAND(0) = -1 : PAUSE IDLE(0) : PRINT POS(0) USING 1, 4, TIME", ["30.0000400", "30.0000", "0.00001000"], EXACT),
+    "a jog without a time ends with JOGCOMMAND 0, and JOGSPEED acts at once": (
+        RATES + "JOGSPEED(0) = 100 : JOGCOMMAND(0) = 1 : WAIT 500 : JOGCOMMAND(0) = 0 : PAUSE IDLE(0) : PRINT POS(0)\n"
+        "JOGCOMMAND(0) = -1 : WAIT 500 : JOGSPEED(0) = 50 : WAIT 100 : PRINT VEL(0)", ["50.0000", "-50.0000"], EXACT),
+    # 200 in 1 s and 0.5 s are 200 and 400 per s².
+    "the ramp times of a jog are those to the highest speed": (
+        RATES + "MAXSPEED(0) = 200 : JOGACCELTIMEMAX(0) = 1000 : JOGDECELTIMEMAX(0) = 500 : JOG(0) = 100\n"
+        "WAIT 250 : PRINT VEL(0) : WAIT 500 : JOG(0) = 0 : WAIT 125 : PRINT VEL(0)", ["50.0000", "50.0000"], EXACT),
+    # ------------------------------------------------------------------------------------------------------ following
+    "the ratio of a follower has a numerator and a denominator": (
+        RATES + "MASTERCHANNEL(1) = 0 : FOLLOWNUMERATOR(1) = 2 : FOLLOWDENOM(1) = 4 : FOLLOW(1) = 3\n"
+        "MOVER(0) = 10 : GO(0) : PAUSE IDLE(0) : PRINT POS(1), FOLLOW(1)\n"
+        "FOLLOWDENOM(1) = 1 : MOVER(0) = 10 : GO(0) : PAUSE IDLE(0) : PRINT POS(1)\n"
+        "FOLLOW(1) = 0 : MOVER(0) = 10 : GO(0) : PAUSE IDLE(0) : PRINT POS(1), FOLLOW(1)",
+        ["15.00003.0000", "75.0000", "75.00000.0000"], {}),
+    # 100 counts are 25 of the encoder, and 25 of the follower are 50 counts.
+    "a follower goes by the units of its master and its own": (
+        RATES + "ENCODERSCALE(0) = 4 : SCALEFACTOR(1) = 2 : MASTERSOURCE(1) = 1 : MASTERCHANNEL(1) = 0\n"
+        "FOLLOW(1) = 1 : MOVER(0) = 100 : GO(0) : PAUSE IDLE(0) : PRINT POS(1), ENCODER(1)", ["25.000050.0000"], {}),
+    # Its ratio rises evenly from 0 to 0.5, so it is at a quarter of its way when the master is at half.
+    "FLY travels while its master travels MASTERDISTANCE": (
+        RATES + "MASTERCHANNEL(1) = 0 : MASTERDISTANCE(1) = 20 : FLY(1) = 5 : GO(1) : MOVER(0) = 20 : GO(0)\n"
+        "PAUSE POS(0) >= 10 : PRINT POS(1) USING 1, 2 : PAUSE IDLE(0) : PRINT POS(1), IDLE(1)",
+        ["1.25", "5.00001"], EXACT),
+    # ------------------------------------------------------------------------------------------------------ the buffer
+    # 10 at 100 and 1000 per s² take 0.2 s.
+    "a move starts at its input and no other": (
+        RATES + "TRIGGERMODE(0) = 2 : TRIGGERINPUT(0) = 3 : MOVER(0) = 10 : PAUSE POS(0) = 10 : PRINT TIME",
+        ["300"], {**EXACT, "input": [{"channel": 4, "at": 0.05}, {"channel": 3, "at": 0.1}]}),
+    # Axis 0 is at 50 after 0.1 s up and 45 at 100.
+    "a move starts at a position of another axis": (
+        RATES + "SPEED(1) = 100 : ACCEL(1) = 1000 : DECEL(1) = 1000\n"
+        "TRIGGERCHANNEL(1) = 0 : TRIGGERVALUE(1) = 50 : TRIGGERMODE(1) = 3 : MOVER(1) = 10 : JOG(0) = 100\n"
+        "PAUSE POS(1) = 10 : PRINT TIME", ["750"], EXACT),
+    "MOVEBUFFERSTATUS has bit 3 for an empty buffer and bit 4 for a full one": (
+        "PRINT MOVEBUFFERSTATUS(0) : MOVER(0) = 1 : PRINT MOVEBUFFERSTATUS(0)\n"
+        "MOVER(0) = 1 : PRINT MOVEBUFFERSTATUS(0)\nGO(0)", ["8", "0", "16"], {}),
+    "MOVEOUT sets a bank between two moves": (
+        RATES + "OUT(0) = 3 : MOVER(0) = 1 : MOVEOUT(0, 1) = -2147483647 : GO(0) : PRINT OUT(1) : PAUSE IDLE(0)\n"
+        "PRINT OUT(1), OUTX(32), OUTX(63), OUT(0)", ["0", "-2147483647113"], {}),
+    "a dwell and a pulse have their milliseconds": (
+        RATES + "MOVER(0) = 10 : MOVEDWELL(0) = 250 : GO(0) : PAUSE IDLE(0) : PRINT TIME\n"
+        "MOVER(0) = 10 : MOVEPULSEOUTX(0, 3) = 50 : GO(0) : PAUSE IDLE(0) : PRINT OUTX(3) : WAIT 49 : PRINT OUTX(3)\n"
+        "WAIT 2 : PRINT OUTX(3)", ["450", "1", "1", "0"], EXACT),
+    # ------------------------------------------------------------------------------------------------ hold to analogue
+    # The input is 20 %: the errors are 5 and -5, and the speed is at most SPEED.
+    "HTA runs at HTAKPROP times the error, up to SPEED": (
+        RATES + "HTACHANNEL(0) = 1 : HTAKPROP(0) = 2 : HTA(0) = 25 : WAIT 200 : PRINT VEL(0), HTA(0)\n"
+        "HTA(0) = 15 : WAIT 100 : PRINT VEL(0), HTA(0) : HTAKPROP(0) = 200 : WAIT 100 : PRINT VEL(0)\n"
+        "HTA(0) = 25 : WAIT 300 : PRINT VEL(0)",
+        ["10.000025.0000", "-10.000015.0000", "-100.0000", "100.0000"], volts(0.0, 20.0)),
+    # -------------------------------------------------------------------------------------------------- buses and nodes
+    "the controller is the master of a group by its own number": (
+        "GROUPMASTER(1, 3) = 7 : PRINT GROUPMASTERSTATUS(1, 3) : BUSNODE(1) = 7\n"
+        "PRINT GROUPMASTERSTATUS(1, 3), GROUPMASTERSTATUS(1, 4), GROUPMASTERSTATUS(2, 3), BUSNODE(1), BUSNODE(2)\n"
+        "GROUPMASTER(1, 3) = 8 : PRINT GROUPMASTERSTATUS(1, 3), GROUPMASTER(1, 3), GROUPMASTER(1, 2)",
+        ["0", "10070", "080"], {}),
+    "the controller is in a group by its own number": (
+        "GROUP(1, 3, 7) = 1 : PRINT GROUPSTATUS(1, 3) : BUSNODE(1) = 7\n"
+        "PRINT GROUPSTATUS(1, 3), GROUPSTATUS(1, 2), GROUPSTATUS(2, 3), GROUP(1, 3, 8), GROUPINFO(1, 7)\n"
+        "GROUP(1, 3, 7) = 0 : PRINT GROUPSTATUS(1, 3), GROUPINFO(1, 7)", ["0", "10008", "00"], {}),
+    "GROUPCOMMS writes to the nodes of a group on its bus alone": (
+        "GROUP(1, 3, 7) = 1 : GROUP(1, 4, 8) = 1 : GROUP(2, 3, 9) = 1 : GROUPCOMMS(1, 3, 5) = 2.5\n"
+        "PRINT REMOTECOMMS(1, 7, 5), REMOTECOMMS(1, 8, 5), REMOTECOMMS(2, 9, 5), REMOTECOMMS(1, 7, 6)",
+        ["2.50000.00000.00000.0000"], {}),
+    "a connection has a direction, and a node counts those that begin at it": (
+        "CONNECT(1, 2, 7) = 1 : CONNECT(1, 2, 8) = 1 : CONNECT(1, 3, 7) = 1 : CONNECT(2, 2, 7) = 1\n"
+        "PRINT CONNECTSTATUS(1, 2), CONNECTSTATUS(1, 3), CONNECTSTATUS(1, 7), CONNECT(1, 2, 7), CONNECT(1, 7, 2)\n"
+        "CONNECT(1, 2, 7) = 0 : PRINT CONNECTSTATUS(1, 2), CONNECTSTATUS(2, 2)", ["21010", "11"], {}),
+    # ------------------------------------------------------------------------------------------------------------ tasks
+    "TASKSTATUS is 0 before a task and after it, 1 while it runs and 2 while it is suspended": (
+        "PRINT TASKSTATUS(Blink) : Run Blink : PRINT TASKSTATUS(Blink) : TASKSUSPEND(Blink) : PRINT TASKSTATUS(Blink)\n"
+        "TASKRESUME(Blink) : PRINT TASKSTATUS(Blink) : WAIT 50 : PRINT TASKSTATUS(Blink)\nEnd\n"
+        "Task Blink\n  WAIT 20\nEnd Task", ["0", "1", "2", "1", "0"], {}),
 }  # fmt: skip
 # A statement with a number just outside its range, and the message.
 OUTSIDE = {
@@ -234,6 +313,11 @@ OUTSIDE = {
     "PRINT NODELIVE(0, 1)": "there is no bus 0",
     "PRINT NODELIVE(1, 256)": "there is no node 256",
     "SPLINE(0) = 0": "axis 0 has no spline",
+    "FLY(1) = 5": "FLY needs the distance of the master",
+    "MASTERDISTANCE(0) = 5 : FLY(0) = 5": "axis 0 cannot follow axis 0: it would follow itself",
+    "JOGCOMMAND(0) = 1": "axis 0 cannot jog: its JOGSPEED is 0",
+    "MOVEOUTX(0, 1000) = 1": "there is no output 1000",
+    "MOVEOUT(0, 32) = 1": "there is no bank 32",
 }
 
 
