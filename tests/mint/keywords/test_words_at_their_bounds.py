@@ -203,7 +203,8 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
     "a timed jog ramps down after JOGDURATION, once per command": (
         RATES + "JOGSPEED(0) = 100 : JOGMODE(0) = 1 : JOGDURATION(0) = 300 : JOGCOMMAND(0) = 1\n"
         "PAUSE IDLE(0) : PRINT POS(0), TIME : JOGCOMMAND(0) = 1 : WAIT 200 : PRINT POS(0)\n"
-        "JOGCOMMAND(0) = -1 : PAUSE IDLE(0) : PRINT POS(0) USING 1, 4, TIME", ["30.0000400", "30.0000", "0.00001000"], EXACT),
+        "JOGCOMMAND(0) = -1 : PAUSE IDLE(0) : PRINT POS(0) USING 1, 4, TIME",
+        ["30.0000400", "30.0000", "0.00001000"], EXACT),
     "a jog without a time ends with JOGCOMMAND 0, and JOGSPEED acts at once": (
         RATES + "JOGSPEED(0) = 100 : JOGCOMMAND(0) = 1 : WAIT 500 : JOGCOMMAND(0) = 0 : PAUSE IDLE(0) : PRINT POS(0)\n"
         "JOGCOMMAND(0) = -1 : WAIT 500 : JOGSPEED(0) = 50 : WAIT 100 : PRINT VEL(0)", ["50.0000", "-50.0000"], EXACT),
