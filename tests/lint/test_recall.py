@@ -106,6 +106,16 @@ def test_a_loop_sees_which_tasks_write_its_variable() -> None:
     assert lines_with("endless-loop", program.format("x"), known) == [3]
 
 
+def test_a_loop_sees_whether_a_sub_that_it_calls_writes_its_variable() -> None:
+    program = (
+        "Dim level, x\nx = 1\nlevel = x\nWhile level < 3\n more\nEnd While\nSub more\n {} = 5 + x\nEnd Sub\n"
+    )
+    known: dict[object, object] = {}
+    assert lines_with("endless-loop", program.format("x"), known) == [4]
+    assert lines_with("endless-loop", program.format("level"), known) == []
+    assert lines_with("endless-loop", program.format("x"), known) == [4]
+
+
 def test_a_sub_sees_which_tasks_call_it() -> None:
     """`level` changes while `hold` waits, if the task `blink` also calls `hold`."""
     program = "Dim level\nRun blink\nhold\nlevel = 1\nSub hold\n Pause level = 1\nEnd Sub\n"

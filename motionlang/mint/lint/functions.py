@@ -118,15 +118,18 @@ class FunctionChecks:
         )
 
     def _of_symbol(self, symbol: Symbol) -> Hashable:
-        """Return the tasks and handlers that write a variable."""
+        """Return the functions that write a variable, and the tasks and handlers that call them."""
         known = self._seen.get(symbol)
         if known is None:
             facts = self._facts
             writers = facts.writers.get(symbol)
             roots = set() if writers is None else set().union(*(facts.roots[each] for each in writers))
             known = self._seen[symbol] = (
-                writers is not None, _names(roots), _names(facts.roots[symbol.home]), symbol in facts.hosted
-            )  # fmt: skip
+                None if writers is None else _names(writers),
+                _names(roots),
+                _names(facts.roots[symbol.home]),
+                symbol in facts.hosted,
+            )
         return known
 
     def _of_callee(self, callee: Function) -> Hashable:

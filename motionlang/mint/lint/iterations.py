@@ -36,7 +36,7 @@ def check_iterations(facts: Facts, function: Function, add: Add) -> None:
         if any(act.role in _BLOCKS or act.role == "call" or _waits(act.row) for act in found):
             continue
         changing = _changing(facts, node)
-        for act in found:
+        for act in sorted(found, key=lambda act: act.at):
             if act.role == "act" and any(_depends(facts, each, changing) for each in act.values):
                 assert act.row is not None
                 axis = spelt(act.axes[0])

@@ -216,7 +216,9 @@ class Reachability:
             return
         written = {self.facts.symbol(each) for inner in inside for each in self.facts.written(inner)}
         calls = [each for each in inside if type(each) is nodes.Name and self._calls(each)]
-        if written & set(symbols) or (calls and any(each and each.home is not function for each in symbols)):
+        if written & set(symbols) or (
+            calls and any(self._written_elsewhere(function, each) for each in symbols)
+        ):
             return
         word = "While" if type(node) is nodes.While else "Repeat"
         if inputs:
@@ -231,6 +233,12 @@ class Reachability:
         row = name.row
         is_input = row is not None and row.driven == "input" and row.index == "input"
         return is_input and not self._input_may_change(name)
+
+    def _written_elsewhere(self, function: Function, symbol: Symbol | None) -> bool:
+        """True if a function that this one calls may write the variable."""
+        if symbol is None:
+            return False
+        return symbol.home is not function or bool(self.facts.writers.get(symbol, set()) - {function})
 
     def _shared(self, symbol: Symbol) -> bool:
         """True if another task, an event handler or a host may change the variable."""
