@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from math import exp, inf, pi
+from math import exp, inf, nan, pi
 
 import pytest
 
@@ -43,6 +43,7 @@ from motionlang.planners.root import bracketed_root
 from motionlang.planners.sequence import ProfileSequence, chained
 from motionlang.planners.solve import solve_move
 from motionlang.planners.superposition import added
+from motionlang.planners.table_motion import table_curve
 from motionlang.planners.total import exact_terms, total
 
 Piece = tuple[float, float, float, float, float, float, float]
@@ -448,3 +449,77 @@ def test_the_largest_error_of_points_and_its_time() -> None:
     assert track_error([0.0], [made], [0.0], [hold(3.0)], 0.0, 0.2) == pytest.approx(2.0)
     assert track_error([0.0], [made], [0.0], [hold(3.0)], 0.0, 0.1) == pytest.approx(1.0)
     assert track_error([0.0], [made], [1.0], [made], 1.0, 1.2) == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize(
+    ("rule", "given", "message"),
+    [
+        (None, {"foo": 1.0}, "a move has no figure called foo"),
+        (None, {"distance": 0.0}, "distance must be greater than zero"),
+        (None, {"slew_time": -1.0}, "slew time must be zero or more"),
+        (None, {"distance": nan}, "distance is not a number"),
+        (None, {"distance": 1e300}, r"distance must be less than 1e\+300"),
+        ("half", {"distance": 1.0}, "there is no rule called half: third, quarter or equal"),
+        ("third", {"distance": 1.0}, "give the time, or distance and speed"),
+        ("third", {"speed": 1.0}, "give the time, or distance and speed"),
+        # 25 is the most in 1 s at 100 per second² each way.
+        (
+            None,
+            {"distance": 25.1, "time": 1.0, "accel": 100.0, "decel": 100.0},
+            "cannot be covered in the time",
+        ),
+        # In 1 s at 100 more than 50 and less than 100 is covered.
+        (None, {"distance": 49.0, "time": 1.0, "speed": 100.0}, "the distance does not fit the speed"),
+        (None, {"distance": 100.0, "time": 1.0, "speed": 100.0}, "the distance does not fit the speed"),
+        (None, {"time": 1.9, "slew_time": 0.0, "speed": 9.0, "accel": 9.0, "decel": 9.0}, "contradiction"),
+        (
+            None,
+            {"speed": 10.0, "accel": 5.0, "accel_time": 1.0, "decel_time": 1.0, "time": 3.0},
+            "accel 5 .given.",
+        ),
+        (None, {"distance": 50.0, "time": 1.0, "speed": 100.0}, "not enough is known"),
+    ],
+)
+def test_figures_that_make_no_move(rule: str | None, given: dict[str, float], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        solve_move(rule, **given)
+
+
+@pytest.mark.parametrize(
+    ("positions", "values", "kind", "message"),
+    [
+        ([0.0], [0.0], "linear", "two points or more, and a value for each"),
+        ([0.0, 1.0], [0.0], "linear", "two points or more, and a value for each"),
+        ([0.0, 0.0], [0.0, 1.0], "linear", "must rise from 0"),
+        ([1.0, 2.0], [0.0, 1.0], "linear", "must rise from 0"),
+        ([0.0, inf], [0.0, 1.0], "linear", "must be finite"),
+        ([0.0, 1.0], [0.0, 1e300], "linear", "must be finite"),
+        ([0.0, 1.0], [0.0, 1.0], "round", "no table of kind 'round'"),
+    ],
+)
+def test_a_table_that_makes_no_curve(
+    positions: list[float], values: list[float], kind: str, message: str
+) -> None:
+    with pytest.raises(ValueError, match=message):
+        table_curve(positions, values, kind)
+
+
+def test_a_table_of_two_kinds() -> None:
+    """From 0 to 4 in 2: a line has slope 2; a cubic with level ends is at 2 halfway, with slope 3.
+
+    A quarter of the way it is at 3/16 - 1/32 of the rise, 0.625.
+    """
+    line, cubic = table_curve([0.0, 2.0], [0.0, 4.0]), table_curve([0.0, 2.0], [0.0, 4.0], "cubic")
+    assert (line.position(0.5), line.start_velocity, line.end_velocity) == (1.0, 2.0, 2.0)
+    assert [cubic.position(x) for x in (0.0, 0.5, 1.0, 2.0)] == pytest.approx([0.0, 0.625, 2.0, 4.0])
+    assert [cubic.velocity(x) for x in (0.0, 1.0)] == pytest.approx([0.0, 3.0])
+
+
+def test_a_cyclic_table_continues_into_its_beginning() -> None:
+    """0, 1, 0, -1, 0 at equal distances: by symmetry the slopes are m, 0, -m, 0, m.
+
+    The condition at 0 is 2 · 0 + 4 m + 0 = 3 (1 + 1), so m is 1.5.
+    """
+    wave = table_curve([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, -1.0, 0.0], "cubic", cyclic=True)
+    assert [wave.velocity(x) for x in (0.0, 1.0, 2.0, 3.0)] == pytest.approx([1.5, 0.0, -1.5, 0.0])
+    assert (wave.start_velocity, wave.end_velocity) == pytest.approx((1.5, 1.5))
