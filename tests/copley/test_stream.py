@@ -204,7 +204,7 @@ def test_the_control_words_of_a_stream(transfer: str, control: list[int]) -> Non
 
 @pytest.mark.parametrize("transfer", ["-1", "-2"])
 def test_the_lowest_level_of_the_buffer(transfer: str) -> None:
-    """Each wait is five segments long: of 32 points 27 are left, less those in transit."""
+    """Each wait is five segments: of 32 points 27 are left, less those in transit."""
     points, drive = winding(200), Drive()
     with LockstepBus(drive, step=10_000) as bus:
         done = Master(bus).stream(points, transfer)

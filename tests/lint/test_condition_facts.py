@@ -1,4 +1,4 @@
-"""Conditions that never become true, are always true, or are read in passing, one small program for each.
+"""Conditions that never change or are always true, one small program for each.
 
 The axis of `MOVEA(0) = 100` moves between 0 and 100. A twentieth of that distance more is no certain error, as a motor
 overshoots.

@@ -1,4 +1,4 @@
-"""Loops that take all time or replace a motion in each iteration, short paths, and unknown servers."""
+"""Loops that only compute or replace a motion, short paths, and unknown servers."""
 
 from __future__ import annotations
 

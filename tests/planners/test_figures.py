@@ -1,4 +1,4 @@
-"""Figures by hand of the small parts of the motion mathematics: pieces, sums, screws, scales, chapter 12."""
+"""Figures by hand of pieces, sums, screws, scales and the formulas of chapter 12."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ SHORT = plan_trapezoid(10.0, 30.0, 50.0, 500.0, 500.0)
 
 @pytest.mark.parametrize("both", [added(MOVE, SHORT, "sum"), added(SHORT, MOVE, "sum")])
 def test_a_sum_has_the_positions_and_velocities_of_both(both: object) -> None:
-    """At 0.25 s they are 20 and 10 + 2.5 + 7.5 on their ways; from 0.5 s on the short one is at 30."""
+    """At 0.25 s they are at 20 and 20; from 0.5 s on the short one is at 30."""
     from motionlang.planners import Profile
 
     assert isinstance(both, Profile)
@@ -159,7 +159,7 @@ def test_a_sum_with_a_rest_is_shifted() -> None:
 
 
 def test_a_lead_adds_its_share_of_each_derivative() -> None:
-    """At 0.05 s the ramp is at 1.25 and 50 per second, so 10 ms later at 1.75 on its tangent."""
+    """At 0.05 s it is at 1.25 and 50 per second; 10 ms later on the tangent is 1.75."""
     ahead = Extrapolated(MOVE, 0.01)
     state = ahead.at(0.05)
     assert (state.position, state.velocity, state.acceleration) == pytest.approx((1.75, 60.0, 1000.0))
@@ -177,7 +177,7 @@ def test_a_rate_begins_with_the_acceleration() -> None:
 
 
 def test_a_sequence_runs_one_profile_after_the_other() -> None:
-    """The second, SHORT from 100 on, begins at 1.1 s and is 7.5 further and at 50 at 1.3 s."""
+    """The second one begins at 1.1 s; at 1.3 s it is 7.5 further, at 50 per second."""
     second = SHORT.shifted(90.0)
     both = ProfileSequence("both", [MOVE, second])
     assert (both.start, both.end, both.duration) == pytest.approx((0.0, 120.0, 1.6))
@@ -232,7 +232,7 @@ def test_a_table_of_a_leadscrew_that_cannot_be(step: float, actual: list[float],
 
 
 def test_counts_of_a_unit() -> None:
-    """1000 lines are 4000 counts a revolution; a gear of 5 on a screw of 10 makes 2000 of a unit."""
+    """1000 lines are 4000 counts; a gear of 5 on a screw of 10 makes 2000 of a unit."""
     assert rotary_scale(1000.0, 10.0, 5.0) == 2000.0
     assert rotary_scale(1000.0, 10.0, quadrature=1) == 100.0
     assert linear_scale(0.005) == pytest.approx(200.0)
@@ -244,7 +244,7 @@ def test_counts_of_a_unit() -> None:
 
 
 def test_the_distance_that_a_speed_needs() -> None:
-    """100²/2 · (1/1000 + 1/500) is 15; a shorter move has its peak in the middle of its times."""
+    """100²/2 · (1/1000 + 1/500) is 15; a quarter of it has half of the speed."""
     assert needed_distance(100.0, 1000.0, 500.0) == pytest.approx(15.0)
     assert triangle(15.0, 100.0, 1000.0, 500.0) is None
     short = triangle(3.75, 100.0, 1000.0, 500.0)
@@ -290,7 +290,7 @@ def test_sums_are_rounded_once() -> None:
 
 
 def test_the_formulas_of_chapter_12() -> None:
-    """1000 at 200 and 400: T_a 0.5, D_a 50, T_s 4.5 and 5.5 in all; the S-curve's ramps last twice as long."""
+    """1000 at 200 and 400: T_a 0.5, T_s 4.5, and the S-curve has twice the ramps."""
     trapezoid, s_curve = trapezoid_times(1000.0, 200.0, 400.0), s_curve_times(1000.0, 200.0, 400.0)
     assert (trapezoid.accel_time, trapezoid.slew_time, trapezoid.move_time) == (0.5, 4.5, 5.5)
     assert (s_curve.accel_time, s_curve.slew_time, s_curve.move_time) == (1.0, 4.0, 6.0)
@@ -305,7 +305,7 @@ def test_the_formulas_of_chapter_12() -> None:
 
 
 def test_the_time_of_a_dac_step() -> None:
-    """12 bits are 2048 steps each way: 204.8 is 0.1 a step, at 400 per second² 0.25 ms."""
+    """12 bits are 2048 steps each way: 204.8 is 0.1 a step, at 400 a step in 0.25 ms."""
     timing = dac_timing(204.8, 400.0)
     assert (timing.steps, timing.step_speed, timing.step_time) == pytest.approx((2048, 0.1, 0.00025))
     assert timing.electrical_time_constant == pytest.approx(0.00025 * 2 / 3)
@@ -505,7 +505,7 @@ def test_a_table_that_makes_no_curve(
 
 
 def test_a_table_of_two_kinds() -> None:
-    """From 0 to 4 in 2: a line has slope 2; a cubic with level ends is at 2 halfway, with slope 3.
+    """A line from 0 to 4 in 2 has slope 2; a level cubic has slope 3 halfway.
 
     A quarter of the way it is at 3/16 - 1/32 of the rise, 0.625.
     """

@@ -8,7 +8,15 @@ from typing import Any
 import pytest
 
 from motionlang.notes import tn1069
-from motionlang.planners import Profile, plan_jerk, plan_sinusoidal, plan_trapezoid, plan_velocity
+from motionlang.planners import (
+    Profile,
+    plan_jerk,
+    plan_parabolic,
+    plan_ratio,
+    plan_sinusoidal,
+    plan_trapezoid,
+    plan_velocity,
+)
 from motionlang.planners.curve import from_curve
 from motionlang.planners.dissect import s_curve_times, slip_acceleration, step_segments, trapezoid_times
 from motionlang.planners.extrapolation import Extrapolated
@@ -193,13 +201,13 @@ def test_a_segment_limits_its_speeds_by_the_squares(most: float) -> None:
     assert entry_speed(ramps, 20.0, 100.0, most) == pytest.approx(min(most, sqrt(26_000.0)))
 
 
-@pytest.mark.parametrize("plan", [plan_trapezoid, plan_sinusoidal])
+@pytest.mark.parametrize("plan", [plan_trapezoid, plan_sinusoidal, plan_parabolic, plan_ratio])
 @pytest.mark.parametrize("index", range(3))
 def test_the_smallest_speed_and_rates_are_allowed_and_smaller_ones_are_not(plan: Any, index: int) -> None:
     def planned(figure: float) -> Profile:
         figures = [1.0, 1.0, 1.0]
         figures[index] = figure
-        made: Profile = plan(0.0, 1.0, *figures)
+        made: Profile = plan(0.0, 1.0, *figures, *([0.5] if plan is plan_ratio else []))
         return made
 
     assert planned(SMALLEST).end == 1.0

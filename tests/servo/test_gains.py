@@ -135,7 +135,7 @@ RANGES = [
 
 @pytest.mark.parametrize(("model", "quantity", "low", "high"), RANGES)
 def test_the_range_of_a_gain(model: str, quantity: str, low: float, high: float | None) -> None:
-    """A step beyond each end is refused. A DCX module takes an FR below 1 for its default."""
+    """A step beyond each end is refused; a DCX module takes an FR below 1."""
 
     def made(value: float) -> Loop:
         given = {quantity: (value, "WORD")}

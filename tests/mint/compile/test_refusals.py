@@ -1,4 +1,4 @@
-"""What the compiler refuses: a statement, the line of its message, the message and its hint."""
+"""Statements that the compiler refuses, with the line, the message and the hint."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The number that a handler of ONERROR reads in ERRCODE, and the registers of errors."""
+"""The numbers that a handler of ONERROR reads, and the registers of errors."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def test_errors_are_read_from_the_oldest_on_and_found_by_their_number_from_the_n
 
 
 def test_an_axis_error_is_that_of_its_axis_with_its_bits() -> None:
-    """ABORT is bit 0. ERRORCLEAR of the axis clears its error; that of another one does not."""
+    """ABORT is bit 0. ERRORCLEAR clears the error of its axis and of no other one."""
     text = (
         "ABORT\nPRINT ERRORPRESENT(_egAXIS, 0), ERRORPRESENT(_egAXIS, 1), ERRORPRESENT(_egSYNCHRONOUS, 0)\n"
         "PRINT ERRORREADCODE(10000, 1), ERRORREADCODE(10000, 0), ERRDATA(1), ERRDATA(2), ERRDATA(3), ERRDATA(0)\n"

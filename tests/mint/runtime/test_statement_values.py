@@ -1,4 +1,4 @@
-"""Loops, branches, arrays and conversions at their bounds, each with the output worked out by hand."""
+"""Loops, branches, arrays and conversions at their bounds, with output by hand."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ DIM = "Dim n As Integer, m As Integer, k As Integer, x As Float, t As String * 5
 
 
 def counted(head: str) -> str:
-    """Return a For that prints each value of its counter, and the value behind the loop."""
+    """Return a For that prints its counter in the loop and behind it."""
     return f'For {head}\n  PRINT n, ",",\nNext\nPRINT "end ", n'
 
 
