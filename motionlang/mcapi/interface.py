@@ -173,7 +173,8 @@ class Interface(CommandTask):
             self._unread += self.port.take()
 
     def _send_buffered(self) -> None:
-        if self._buffered and self.port is not None:
+        if self._buffered:
+            assert self.port is not None
             del self._buffered[: self.port.feed(bytes(self._buffered))]
 
 

@@ -16,7 +16,6 @@ from __future__ import annotations
 
 import sys
 from math import isfinite
-from struct import pack, unpack
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
@@ -466,15 +465,6 @@ def wrapped(value: int, bits: int) -> int:
     size = abs(bits)
     value &= (1 << size) - 1
     return value - (1 << size) if bits < 0 and value >> (size - 1) else value
-
-
-def single(value: float) -> float:
-    """Round a number to a 32-bit float; infinite if it is too large."""
-    try:
-        found: float = unpack("<f", pack("<f", value))[0]
-    except OverflowError:
-        return INFINITY if value > 0 else -INFINITY
-    return found
 
 
 def _takes_all_axes(function: Function) -> bool:

@@ -355,6 +355,20 @@ def test_the_bit_of_each_flag(model: str) -> None:
             assert (flag, answers) == (flag, ["1" if flag in bits else "0", "0"])
 
 
+@pytest.mark.parametrize(("model", "wanted"), [("multiflex", "0 12 1 1 1"), ("dcx-pci100", "0 8 0 0 0")])
+def test_the_status_words_of_a_model(model: str, wanted: str) -> None:
+    """A motor that is off is at target (4) and its trajectory is complete (8).
+
+    An older board has only the primary word, without "at target".
+    """
+    assert ask(opened({"controller.model": model}), "MCGetStatusEx 1 1 +") == wanted
+
+
+@pytest.mark.parametrize("structure", [mc.MCPARAMEX, mc.MCSCALE, mc.MCPARAM])
+def test_a_new_structure_has_zeros(structure: type) -> None:
+    assert set(structure().values()) == {0}
+
+
 def test_the_primary_word_has_no_bits_of_other_words(host: Mcapi) -> None:
     """All 31 bits of the primary word are set; flags are 0 to 62."""
     words = [0x7FFFFFFF]

@@ -90,3 +90,76 @@ def test_a_file_is_carried_out_line_by_line(tmp_path: Path) -> None:
     assert host.GetVelocityEx(1) == 7.0
     file.write_text("; nothing\n", encoding="latin-1")
     host.DownloadFile(str(file))
+
+
+# The flag that leaves a group out, and the fields of the group.
+GROUPS = {
+    2: {"Velocity", "HardLimitMode", "SoftLimitHigh", "Direction"},
+    4: {"Gain", "FollowingError"},
+    8: {"Phase"},
+    16: {"Position"},
+    32: {"Scale", "Rate", "Time"},
+    512: {"Profile"},
+}
+
+
+def fields(host: Mcapi, path: Path, flags: int = 0) -> dict[str, str]:
+    """Return the saved fields of axis 1."""
+    lines = saved(host, path, 1, flags).splitlines()[1:]
+    return dict(line.split(" = ") for line in lines)
+
+
+@pytest.mark.parametrize("flag", GROUPS)
+def test_a_flag_leaves_its_group_out(tmp_path: Path, flag: int) -> None:
+    """On saving, the fields are not written; on restoring, they are not changed."""
+    host, fresh = opened(), opened()
+    port = host.board.console.open(echo=False)
+    port.feed((SET if flag == 32 else SET.partition("1MF,")[2]).encode() + b"\r")
+    host.advance(0.1)
+    host.SetPosition(1, 33.125)
+    whole, before = fields(host, tmp_path / "a.ini"), fields(fresh, tmp_path / "b.ini")
+    left_out = set(whole) - set(fields(host, tmp_path / "c.ini", flag))
+    assert GROUPS[flag] <= left_out
+    assert not any(group & left_out for other, group in GROUPS.items() if other != flag)
+    fresh.RestoreAxis(1, flag, str(tmp_path / "a.ini"))
+    after = fields(fresh, tmp_path / "d.ini")
+    assert {name: after[name] for name in left_out} == {name: before[name] for name in left_out}
+    if flag != 32:  # without the units, positions and speeds have other numbers
+        assert after == whole | {name: before[name] for name in left_out}
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("Velocity", "5.0"),
+        ("Gain", "0.5"),
+        ("Phase", "1"),
+        ("Profile", "4"),
+        ("Position", "7.0"),
+        ("Profile", "1"),
+    ],
+)
+def test_a_file_with_one_field_changes_that_field(tmp_path: Path, name: str, value: str) -> None:
+    host = opened()
+    before = fields(host, tmp_path / "a.ini")
+    (tmp_path / "b.ini").write_text(f"[Axis 1]\n{name} = {value}\n", encoding="latin-1")
+    host.RestoreAxis(1, 0, str(tmp_path / "b.ini"))
+    assert fields(host, tmp_path / "c.ini") == before | {name: value}
+
+
+def test_units_are_restored_on_an_axis_that_stays_on(tmp_path: Path) -> None:
+    """New units take effect when an axis is switched on, so it is switched off and on.
+
+    An axis that was off is off afterwards. The same units change nothing.
+    """
+    host = opened()
+    host.board.console.open(echo=False).feed(b"1US40,1MN,1MF\r")
+    host.advance(0.1)
+    saved(host, tmp_path / "a.ini", 1)
+    for enabled in (False, True):
+        other = opened()
+        other.EnableAxis(1, enabled)
+        for _ in range(2):
+            other.RestoreAxis(1, 0, str(tmp_path / "a.ini"))
+            assert fields(other, tmp_path / "b.ini")["Scale"] == "40.0"
+            assert other.DecodeStatus(other.GetStatus(1), mc.MC_STAT_MTR_ENABLE) == enabled

@@ -229,3 +229,131 @@ def test_reports_on_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert f"{log}:1: this is version 9 of a log, not 1" in capsys.readouterr().err
     assert main(["mcapi", "log", str(tmp_path / "none.log")]) == 1
     assert "none.log: " in capsys.readouterr().err
+
+
+# An axis that moves 1000 counts at 1000 counts/s from 0.2 s on: it is at full speed after 10 ms and 5 counts.
+SLOW = """\
+mcapi-log 1
+0.0 0.0 1 MCOpen 0 2 - = 1
+0.05 0.05 2 MCOpen 0 2 - = 1
+0.1 0.1 1 MCEnableAxis 1 1 1 = -
+0.11 0.11 1 MCSetVelocity 1 1 1000.0 = 0
+0.2 0.2 1 MCMoveAbsolute 1 1 1000.0 = -
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "counts"),
+    [
+        # 0.5 s after the start it is at 495; the skew of 10 ms is 10 counts, and half a count is rounding.
+        ("MCGetPositionEx 1 1 + = 0 485.0", {}),
+        ("MCGetPositionEx 1 1 + = 0 505.0", {}),
+        ("MCGetPositionEx 1 1 + = 0 484.0", {"position": 1}),
+        ("MCGetPositionEx 1 1 + = 0 506.0", {"position": 1}),
+        ("MCGetOptimalEx 1 1 + = 0 490.0", {}),
+        ("MCGetVelocityActual 1 1 + = 0 1000.0", {}),
+        ("MCGetVelocityActual 1 1 + = 0 999.0", {"position": 1}),
+        # The following error is unknown in motion.
+        ("MCGetFollowingError 1 1 + = 0 3.0", {}),
+        # Bit 3 is "trajectory complete", which motion changes; bit 5 enables the joystick.
+        ("MCGetStatus 1 1 = 4110", {}),
+        ("MCGetStatus 1 1 = 4130", {"state": 1}),
+        ("MCIsStopped 1 1 0.0 = 1", {}),
+        ("MCGetVelocityEx 1 1 + = 0 999.0", {"setting": 1}),
+        ("MCGetPositionEx 1 1 + = 15", {"code": 1}),
+    ],
+)
+def test_a_reading_in_motion(answer: str, counts: dict[str, int]) -> None:
+    assert replayed(f"{SLOW}0.7 0.7 2 {answer}\n").counts == counts
+
+
+@pytest.mark.parametrize(
+    ("answer", "counts"),
+    [
+        ("MCGetPositionEx 1 1 + = 0 1000.0", {}),
+        ("MCGetPositionEx 1 1 + = 0 999.0", {"position": 1}),
+        ("MCGetVelocityActual 1 1 + = 0 10.0", {"position": 1}),
+        ("MCGetFollowingError 1 1 + = 0 3.0", {"position": 1}),
+        ("MCGetStatus 1 1 = 4098", {"state": 1}),
+        ("MCIsStopped 1 1 0.0 = 0", {"state": 1}),
+    ],
+)
+def test_a_reading_at_rest(answer: str, counts: dict[str, int]) -> None:
+    """The move ends at 1.21 s."""
+    assert replayed(f"{SLOW}1.5 1.5 2 {answer}\n").counts == counts
+
+
+def test_a_speed_that_changes_may_be_off_by_the_skew() -> None:
+    """At 100,000 counts/s² a skew of 4 ms is 400 counts/s; 5 ms after the start it has 500."""
+    for speed, counts in ((150.0, {}), (850.0, {}), (50.0, {"position": 1}), (950.0, {"position": 1})):
+        log = f"{SLOW}0.205 0.205 1 MCGetVelocityActual 1 1 + = 0 {speed}\n"
+        assert replayed(log, skew=0.004).counts == counts
+
+
+def test_a_poll_of_one_host_does_not_delay_another() -> None:
+    """Host 2 stops the axis at 495 while host 1 waits for its end; it needs v²/2a = 5 counts.
+
+    The wait ends early, and the axis stays at 500.
+    """
+    log = (
+        f"{SLOW}"
+        "0.7 0.7 2 MCStop 1 1 = -\n"
+        "0.3 0.71 1 MCIsStopped 1 1 5.0 = 1\n"
+        "1.5 1.5 1 MCGetPositionEx 1 1 + = 0 500.0\n"
+    )
+    assert replayed(log, tolerance=1.0).counts == {}
+
+
+def test_handles_may_have_other_numbers() -> None:
+    """A real library numbers handles in another way; each call uses the handle of its own MCOpen."""
+    log = (
+        "mcapi-log 1\n"
+        "0.0 0.0 1 MCOpen 0 2 - = 2\n"
+        "0.1 0.1 1 MCOpen 0 1 - = 1\n"
+        '0.2 0.2 1 pmcputs 1 "AL7\\x0d" = 4\n'
+        "0.3 0.3 1 MCGetRegister 1 0 + 2 = 0 7\n"
+        "0.4 0.4 1 MCGetRegister 2 0 + 2 = 0 0\n"
+        "0.5 0.5 1 MCOpen 0 2 - = -3\n"
+    )
+    replay = replayed(log)
+    assert replay.counts == {"setting": 1}
+    assert replay.first is not None
+    assert replay.first.text == "the result is -3, here 3"
+
+
+def test_a_position_of_a_scaled_axis_is_exact() -> None:
+    """At 40 counts per unit, 0.01 units are 0.4 counts; without units positions are whole."""
+    scale = "0.15 0.15 1 MCSetScale 1 1 6 1.0 0.0 1.0 {} 0.0 1.0 = -\n0.16 0.16 1 MCEnableAxis 1 1 1 = -\n"
+    head = SLOW.partition("0.2 0.2")[0]
+    for counts_per_unit, wanted in ((40.0, {"position": 1}), (1.0, {})):
+        log = head + scale.format(counts_per_unit)
+        value = 0.01 if counts_per_unit > 1.0 else 0.4
+        assert replayed(f"{log}0.3 0.3 1 MCGetPositionEx 1 1 + = 0 {value}\n").counts == wanted
+
+
+def test_a_value_of_an_array_that_differs() -> None:
+    log = "mcapi-log 1\n0.0 0.0 1 MCOpen 0 2 - = 1\n0.1 0.1 1 MCGetInstalledModules 1 + 3 = 0 252 252 15\n"
+    replay = replayed(log)
+    assert replay.first is not None
+    assert replay.first.text == "modules is 15, here 252"
+    assert replay.summary == "2 calls, 1 difference: 1 of setting"
+
+
+def test_a_call_that_does_not_end() -> None:
+    """The log has an answer after 0.1 s; here the input never comes on."""
+    replay = replayed("mcapi-log 1\n0.0 0.0 1 MCOpen 0 2 - = 1\n0.1 0.2 1 MCWaitForDigitalIO 1 1 1 = -\n")
+    assert replay.first is not None
+    assert replay.first.text == "the call took 0.1000 s, and does not end here"
+    assert replay.summary == "2 calls, 1 difference: 1 of time"
+
+
+def test_calls_with_the_same_begin_keep_their_order() -> None:
+    """The line that comes after a later begin is read after those with its own begin."""
+    text = (
+        "mcapi-log 1\n"
+        "0.3 0.3 1 MCOpen 0 2 - = 1\n"
+        "0.5 0.5 2 MCOpen 0 2 - = 1\n"
+        "0.3 0.6 3 MCOpen 0 2 - = 1\n"
+        "0.7 0.7 4 MCOpen 0 2 - = 1\n"
+    )
+    assert [entry.line for entry in read(io.BytesIO(text.encode()))] == [2, 4, 3, 5]
