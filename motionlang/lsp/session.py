@@ -47,9 +47,9 @@ MAX_TEXT = 2_000_000
 
 
 class Known:
-    """The state of one open text; `checked` and `timed` are version numbers."""
+    """The state of one open text; `checked` is the version of `found`."""
 
-    __slots__ = ("checked", "document", "found", "language", "names", "page", "pause", "timed", "times")
+    __slots__ = ("checked", "document", "found", "language", "names", "page", "pause", "times")
 
     def __init__(self, document: Document, language: Dialect | None) -> None:
         self.document, self.language = document, language
@@ -59,7 +59,6 @@ class Known:
         self.found: list[Diagnostic] = []
         self.checked = -1
         self.times: asyncio.Task[Times | None] | None = None
-        self.timed = -1
         self.pause: asyncio.TimerHandle | None = None
 
 
@@ -79,8 +78,6 @@ class Session:
         self._known: dict[str, Known] = {}
         self._lock: asyncio.Lock | None = None
         self._tasks: set[asyncio.Task[Any]] = set()
-        # Counts texts, so that each has a number of its own whatever versions an editor gives.
-        self._count = 0
 
     # ---------------------------------------------------------------------------------------- documents
 
@@ -109,7 +106,6 @@ class Session:
         known = self._known.pop(uri, None)
         if known is None:
             return
-        self._count += 1
         if known.pause is not None:
             known.pause.cancel()
         if known.times is not None:
@@ -156,8 +152,7 @@ class Session:
     # ---------------------------------------------------------------------------------------- the worker
 
     def _changed(self, known: Known, delay: float) -> None:
-        self._count += 1
-        known.checked = known.timed = -1
+        known.checked = -1
         if known.times is not None:
             known.times.cancel()
             known.times = None
