@@ -1,0 +1,339 @@
+"""The components of the server without sockets: log, buffers, addresses, clocks and Modbus requests."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import pytest
+
+from motionlang.lang.machine.machine import Machine
+from motionlang.mccl.hosts.console import Console
+from motionlang.serve import Limits, LockStep, RealTime
+from motionlang.serve.address import BadAddress, is_loopback, parse, shown
+from motionlang.serve.host import Host
+from motionlang.serve.modbus_requests import Identity, Rejected, Request
+from motionlang.serve.modbus_requests import parse as parse_request
+from motionlang.serve.pace import BUDGET, LATEST, TICK
+from motionlang.serve.spy import MAX_LINE, Spy
+from tests.serve.test_time import Wall
+
+# ------------------------------------------------------------------------------------------------- the log
+
+
+@pytest.mark.parametrize(
+    ("pieces", "lines"),
+    [
+        ([b"1TP\r"], ["1 < 1TP"]),
+        ([b"1T", b"P\r\n2TP\n"], ["1 < 1TP", "1 < 2TP"]),
+        ([b"1MR\x1b"], ["1 < 1MR\\x1b"]),
+        ([b"\x05"], ["1 < \\x05"]),
+        ([b"\r\n\n"], ["1 < "]),
+        # A frame ends with its checksum behind ETX.
+        ([b"\x0201\x03", b"2"], ["1 < \\x0201\\x032"]),
+        ([b"\x06\x15"], ["1 < \\x06", "1 < \\x15"]),
+        ([b"x" * (MAX_LINE - 1)], []),
+        ([b"x" * (MAX_LINE + 1), b"\r"], ["1 < " + "x" * MAX_LINE, "1 < x"]),
+        ([b"a'b\\\xe4\r"], ["1 < a'b\\\\\xe4"]),
+    ],
+)
+def test_data_from_a_host_is_logged_by_line(pieces: list[bytes], lines: list[str]) -> None:
+    found: list[str] = []
+    spy = Spy(found.append)
+    for each in pieces:
+        spy.sent(1, each)
+    assert [each.removesuffix("\n") for each in found] == lines
+
+
+def test_answers_are_logged_without_prompts() -> None:
+    """A remark ends the unfinished lines of its host."""
+    found: list[str] = []
+    spy = Spy(found.append)
+    spy.answered(1, b"\n>")
+    spy.answered(1, b"01 0\r\nP>")
+    spy.answered(1, b"12>")
+    spy.answered(2, b"x>")
+    spy.answered(2, b"y")
+    spy.sent(1, b">\r")
+    spy.sent(1, b"half")
+    spy.remark(1, "has left")
+    assert found == ["1 > 01 0\n", "1 < >\n", "1 < half\n", "1 -- has left\n"]
+    spy.remark(2, "has left")
+    assert found[4:] == ["2 > x>y\n", "2 -- has left\n"]
+
+
+# ------------------------------------------------------------------------------------------------ addresses
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("host:4410", ("host", 4410)),
+        (":0", ("127.0.0.1", 0)),
+        ("4410", ("127.0.0.1", 4410)),
+        ("[::1]:65535", ("::1", 65535)),
+        ("host:65536", None),
+        ("host:", None),
+        ("host:-1", None),
+        ("host", None),
+        ("", None),
+    ],
+)
+def test_an_address_of_the_command_line(text: str, wanted: tuple[str, int] | None) -> None:
+    if wanted is not None:
+        assert parse(text) == wanted
+    else:
+        with pytest.raises(BadAddress, match="is not HOST:PORT with a port from 0"):
+            parse(text)
+
+
+def test_how_an_address_is_shown() -> None:
+    assert (shown("127.0.0.1", 80), shown("::1", 80)) == ("127.0.0.1:80", "[::1]:80")
+
+
+@pytest.mark.parametrize(
+    ("host", "wanted"),
+    [
+        ("127.0.0.1", True),
+        ("127.9.9.9", True),
+        ("::1", True),
+        ("::1%lo", True),
+        ("0.0.0.0", False),
+        ("x", False),
+    ],
+)
+def test_addresses_of_this_computer_alone(host: str, wanted: bool) -> None:
+    assert is_loopback(host) is wanted
+
+
+# ------------------------------------------------------------------------------------------------ one host
+
+
+@dataclass
+class Peer:
+    """A channel and a port: they offer `data`, and `accepted` is what the board has."""
+
+    data: list[bytes | None] = field(default_factory=list)
+    accepted: bytearray = field(default_factory=bytearray)
+    room: int = 100
+    busy: bool = False
+    asked: list[int] = field(default_factory=list)
+
+    def receive(self, most: int) -> bytes | None:
+        self.asked.append(most)
+        return self.data.pop(0)
+
+    def feed(self, data: bytes) -> int:
+        taken = data[: self.room]
+        self.accepted += taken
+        return len(taken)
+
+    def drop_abandoned(self, data: bytearray) -> None:
+        if b"\x1b" in data:
+            del data[: data.rfind(b"\x1b")]
+
+    def at_once(self, data: bytearray) -> bytes:
+        return bytes(data[:1]) if data.startswith(b"\x1b") else b""
+
+    def next_entry(self, data: bytearray) -> tuple[bytes, bool]:
+        end = data.find(b"\r") + 1
+        return bytes(data[: end or None]), bool(end)
+
+    def accepts(self, data: bytearray) -> bool:
+        return not self.busy
+
+    def take(self) -> bytes:
+        return b""
+
+
+class Pace:
+    """A pace that counts the lines that have begun."""
+
+    def __init__(self, by_line: bool) -> None:
+        self.by_line, self.lines = by_line, 0
+
+    def entered(self) -> None:
+        self.lines += 1
+
+
+def host_of(peer: Any, **limits: int) -> Host:
+    return Host(1, peer, peer, Limits(**limits), None)  # type: ignore[arg-type]
+
+
+def test_a_host_is_read_up_to_the_size_of_its_inbox() -> None:
+    """A read has at most `chunk` bytes, and there is none if `inbox` bytes wait."""
+    peer = Peer([b"12", b"34", b"5", None])
+    host = host_of(peer, chunk=2, inbox=5)
+    for waits in (False, True, True):
+        assert (host.listens, host.waits) == (True, waits)
+        host.receive(7.0)
+    assert (host.listens, host.ended, host.last_received) == (False, None, 7.0)
+    assert peer.asked == [2, 2, 2]
+    host.receive(8.0)
+    assert (host.ended, host.last_received, host.listens) == (8.0, 7.0, False)
+
+
+def test_a_host_that_has_ended_is_done_when_nothing_is_left() -> None:
+    peer: Any = Peer([b"1TP\r", None], busy=True)
+    host = host_of(peer)
+    host.receive(1.0)
+    host.receive(2.0)
+    pace: Any = Pace(by_line=False)
+    assert (host.done, host.is_silent) == (False, False)
+    host.feed(pace)
+    assert not host.done
+    peer.busy = False
+    assert (host.done, host.is_silent) == (True, True)
+    assert host_of(Peer()).done is False
+
+
+def test_in_real_time_a_host_passes_all_that_the_board_accepts() -> None:
+    peer = Peer([b"1TP\r2TP\r"], room=6)
+    host, pace = host_of(peer), Pace(by_line=False)
+    host.receive(0.0)
+    host.feed(pace)  # type: ignore[arg-type]
+    assert (bytes(peer.accepted), host.waits, pace.lines) == (b"1TP\r2T", True, 0)
+    assert host.can_continue(pace)  # type: ignore[arg-type]
+    host.feed(pace)  # type: ignore[arg-type]
+    assert (bytes(peer.accepted), host.waits) == (b"1TP\r2TP\r", False)
+    assert not host.can_continue(pace)  # type: ignore[arg-type]
+
+
+def test_in_lock_step_a_host_passes_one_line_and_an_escape_at_any_time() -> None:
+    """Only a complete line takes a step; a busy board takes nothing but ESC."""
+    peer: Any = Peer([b"1TP\r2T", b"P", b"\x1b"])
+    host, pace = host_of(peer), Pace(by_line=True)
+    step: Any = pace
+    host.receive(0.0)
+    host.feed(step)
+    assert (bytes(peer.accepted), pace.lines) == (b"1TP\r", 1)
+    host.feed(step)
+    assert (bytes(peer.accepted), pace.lines) == (b"1TP\r2T", 1)
+    peer.busy = True
+    host.receive(0.0)
+    assert not host.can_continue(step)
+    host.feed(step)
+    assert bytes(peer.accepted) == b"1TP\r2T"
+    host.receive(0.0)
+    host.feed(step)
+    assert (bytes(peer.accepted), pace.lines) == (b"1TP\r2T\x1b", 1)
+
+
+# --------------------------------------------------------------------------------------------------- clocks
+
+
+def idle(factor: float = 1.0) -> tuple[RealTime, Console, Wall]:
+    wall, console = Wall(), Console(Machine(first_axis=1))
+    return RealTime(console, factor, wall), console, wall
+
+
+def test_the_time_until_the_next_event_depends_on_the_factor() -> None:
+    """A wait of 10 s takes 2.5 s at 4 × real time; when it is late, there is no time left."""
+    pace, console, wall = idle(4.0)
+    console.open(echo=False).feed(b"WA10\r")
+    pace.work()
+    assert pace.timeout() == pytest.approx(2.5, abs=1e-5)
+    wall.time += 1.0
+    assert pace.timeout() == pytest.approx(1.5, abs=1e-5)
+    wall.time += 5.0
+    assert pace.timeout() == 0.0
+    assert pace.due == pytest.approx(24.0)
+
+
+def test_a_busy_board_is_polled_each_millisecond() -> None:
+    pace, console, _ = idle()
+    console.open(echo=False).feed(b"AA1,RP\r")
+    pace.work()
+    assert pace.timeout() == TICK == 1e-3
+
+
+@pytest.mark.parametrize(("behind", "late"), [(0.9 * LATEST, 0.0), (2.0 * LATEST, 2.0 * LATEST)])
+def test_a_board_may_be_late_by_a_quarter_of_a_second(behind: float, late: float) -> None:
+    """Beyond that, the real time that has been lost is not made up for."""
+    wall, console = Wall(), Console(Machine(first_axis=1))
+    console.open(echo=False).feed(b"AA1,RP\r")
+    pace = RealTime(console, wall=wall)
+    wall.time += behind
+    begin, slow = wall.time, iter([0.0, 0.0, 0.0, 2.0 * BUDGET])
+    pace._wall = lambda: begin + next(slow, 2.0 * BUDGET)
+    pace.before()
+    assert pace.late == pytest.approx(late, abs=0.02)
+    assert console.now == pytest.approx(0.002, abs=1e-4)
+    if late:
+        assert pace.due == pytest.approx(console.now)
+
+
+def test_slices_grow_again_on_a_computer_that_has_time() -> None:
+    """A slice is 2 ms at most, a quarter after each slow one, and doubles after each fast one."""
+    pace, console, wall = idle()
+    console.open(echo=False).feed(b"AA1,RP\r")
+    wall.time += 1000.0
+    ran, real = [], wall
+    for seconds in (0.0, 2.0 * BUDGET, 0.0, 0.0, 0.0, 0.5 * BUDGET, 0.0):
+        times = iter([wall.time, wall.time, wall.time + seconds])
+        pace._wall = lambda times=times: next(times, real.time)  # type: ignore[misc]
+        began = console.now
+        pace.work()
+        ran.append(round((console.now - began) * 1e3, 2))
+    assert ran == pytest.approx([2.0, 2.0, 0.5, 1.0, 2.0, 2.0, 2.0], abs=0.03)
+
+
+def test_in_lock_step_a_program_may_react_before_the_answer_is_sent() -> None:
+    """Each line takes 10 ms, before the next line or `at_once`."""
+    for at_once, times in ((False, [0.0, 0.01]), (True, [0.01, 0.02])):
+        console = Console(Machine(first_axis=1))
+        pace, port = LockStep(console, 0.01, at_once), console.open(echo=False)
+        found = []
+        for _ in range(2):
+            pace.entered()
+            port.feed(b"1TP\r")
+            pace.work()
+            found.append(console.now)
+        assert found == pytest.approx(times, abs=1e-4)
+
+
+def test_lines_that_arrive_together_have_a_step_each() -> None:
+    console = Console(Machine(first_axis=1))
+    pace = LockStep(console, 0.01, at_once=True)
+    for _ in range(3):
+        pace.entered()
+    pace.work()
+    assert console.now == pytest.approx(0.03)
+
+
+# --------------------------------------------------------------------------------------------------- Modbus
+
+
+@pytest.mark.parametrize(
+    ("request_", "spans"),
+    [
+        ("03 0007 0002", ((7, 2),)),
+        ("06 0007 0001", ((7, 1),)),
+        ("10 0007 0002 04 0001 0002", ((7, 2),)),
+        ("16 0007 0000 0000", ((7, 1),)),
+        ("17 0003 0005 0007 0001 02 0009", ((3, 5), (7, 1))),
+    ],
+)
+def test_the_registers_that_a_request_accesses(request_: str, spans: tuple[tuple[int, int], ...]) -> None:
+    assert parse_request(bytes.fromhex(request_)).spans == spans
+
+
+def test_bounds_of_quantities() -> None:
+    """125 registers are read, 123 are written, 121 are written and read."""
+    assert parse_request(bytes.fromhex("10 0000 007b f6" + "0001" * 123)) == Request(16, values=(1,) * 123)
+    wrong = ("10 0000 007c f8" + "0001" * 124, "17 0000 0001 0000 007a f4" + "0001" * 122, "10 0000 0001")
+    for each in wrong:
+        with pytest.raises(Rejected) as caught:
+            parse_request(bytes.fromhex(each))
+        assert caught.value.code == 3
+
+
+def test_a_text_of_the_identification_has_60_characters_of_ascii() -> None:
+    identity = Identity("ä" * 70, "p", "v")
+    assert identity.objects == {0: b"?" * 60, 1: b"p", 2: b"v", 4: b"p"}
+    answer = identity.answer(bytes.fromhex("2b 0e 03 04"))
+    assert answer == bytes.fromhex("2b 0e 03 82 00 00 01 04 01") + b"p"
+    for data, code in (("2b", 1), ("2b 0e 00 00", 3), ("2b 0e 01 00 00", 3), ("2b 0f 01 00", 1)):
+        with pytest.raises(Rejected) as caught:
+            identity.answer(bytes.fromhex(data))
+        assert caught.value.code == code
