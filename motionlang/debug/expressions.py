@@ -44,6 +44,8 @@ MAX_LENGTH, MAX_DEPTH = 1000, 50
 _TOKEN = re.compile(
     r"\s*(?:(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|\"([^\"]*)\"|(@?[A-Za-z_]\w*|@\d+)|(<=|>=|<>|==|!=|[-+*/\\^()<>=,.\[\]]))"
 )
+# The dot of POS.1, where .1 is no number.
+_DOT = re.compile(r"\.\d")
 _LEVELS: tuple[tuple[str, ...], ...] = (
     ("or",), ("and",), ("=", "==", "<>", "!=", "<", ">", "<=", ">="), ("+", "-"), ("*", "/", "\\", "mod"),
 )  # fmt: skip
@@ -64,8 +66,11 @@ def parse(text: str) -> Expression:
 
 
 def _tokens(text: str) -> list[tuple[str, str]]:
-    found, at = [], 0
+    found, at = list[tuple[str, str]](), 0
     while text[at:].strip():
+        if found and found[-1][0] == "name" and _DOT.match(text, at):
+            found.append(("sign", "."))
+            at += 1
         match = _TOKEN.match(text, at)
         if match is None:
             raise WrongExpression(f"{text[at:].strip()[:1]!r} has no meaning in an expression")

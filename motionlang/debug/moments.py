@@ -168,12 +168,17 @@ def _stops(machine: Machine, number: int, after: float, until: float) -> Iterato
 
 
 class _Blank:
-    """A state in which every reading is 1, to check an expression without a run."""
+    """A state in which every reading is 1, to check an expression without a run.
+
+    Targets are rejected: the log has the motion of an axis, not its targets.
+    """
 
     def variable(self, name: str, subscripts: list[float]) -> float | None:
         return None
 
     def reading(self, what: str, number: int) -> float:
+        if what == "target":
+            raise WrongExpression("the target of an axis has no history; use position")
         return 1.0
 
 
