@@ -1,0 +1,321 @@
+"""The state at a stop: axes, channels, variables and expressions, and the copies of a run."""
+
+from __future__ import annotations
+
+import os
+import socket
+from collections.abc import Iterable
+
+import pytest
+
+from motionlang.debug import checkpoints
+from motionlang.debug import debugger as module
+from motionlang.debug.breakpoints import Watched
+from motionlang.debug.checkpoints import Checkpoints, receive, send
+from motionlang.debug.debugger import Debugger
+from motionlang.debug.expressions import WrongExpression
+from motionlang.debug.moments import search
+from motionlang.debug.values import shown
+from tests.debug.test_debugger import CALLS, MOVE, at, line_of, mccl, mint, value
+
+
+def axis(debugger: Debugger, number: int = 0) -> dict[str, str]:
+    """Return the state of an axis as text by name."""
+    (found,) = [each for each in debugger.state().axes() if each.name == f"axis {number}"]
+    assert isinstance(found.value, list)
+    return {each.name: shown(each.value).strip('"') for each in found.value}
+
+
+def test_an_axis_before_during_and_after_a_move() -> None:
+    """A scale of 2 counts per unit; the move of 100 uu has a ramp of 0.1 s to 50 uu/s."""
+    debugger = mint("SCALE(0) = 2\n" + MOVE + "DRIVEENABLE(0) = 0\nPrint 2\n")
+    debugger.start()
+    debugger.go_to_line(4)
+    before = axis(debugger)
+    assert (before["position"], before["velocity"], before["target"]) == ("0", "0", "0")
+    assert (before["state"], before["faults"], before["buffer"]) == ("idle", "none", "()")
+    debugger.searches = [search("velocity(0) >= 25")]
+    debugger.go_on()
+    found = axis(debugger)
+    assert (found["state"], found["target"]) == ("idle", "100")
+    assert [name.partition(" at ")[0] for name in found][-2:] == ["position", "velocity"]
+    position, velocity = [text for name, text in found.items() if " at " in name]
+    # Half of the ramp: 0.05 s at 500 uu/s².
+    assert float(position) == pytest.approx(0.625, abs=1e-3)
+    assert float(velocity) == pytest.approx(25.0, abs=1e-3)
+    debugger.go_to_line(9)
+    assert axis(debugger)["state"] == "off"
+    debugger.abandon()
+
+
+def test_an_axis_in_motion_and_one_without_an_end() -> None:
+    debugger = mint("JOG(0) = 5\nWAIT = 100\nPrint 1\nWAIT = 1000\n")
+    debugger.start()
+    debugger.go_to_line(3)
+    found = axis(debugger)
+    assert (found["state"], found["target"]) == ("moving", "-")
+    assert float(found["velocity"]) == pytest.approx(5.0)
+    assert value(debugger, "velocity(0)") == pytest.approx(5.0)
+    assert (value(debugger, "idle(0)"), value(debugger, "idle(1)")) == (0.0, 1.0)
+    debugger.abandon()
+
+
+def test_channels_that_have_had_a_value() -> None:
+    settings: dict[str, object] = {
+        "input": [{"channel": 5, "at": 0.0, "value": 1}],
+        "analogue": [{"channel": 1, "at": 0.0, "value": 25.0}],
+    }
+    debugger = mint("OUTX(2) = 1\nOUTX(2) = 0\nOUTX(3) = 1\nDAC(0) = 12.5\nPrint 1\n", settings)
+    debugger.start()
+    debugger.go_to_line(5)
+    state = debugger.state()
+    assert [(each.name, each.value) for each in state.inputs()] == [
+        ("input 5", 1),
+        ("analogue input 1", 25.0),
+    ]
+    found = [(each.name, each.value) for each in state.outputs()]
+    assert found[:2] == [("output 2", 0), ("output 3", 1)]
+    assert found[2][0].startswith("analogue output")
+    for text, wanted in (("output(3)", 1.0), ("output(2)", 0.0), ("input(5)", 1.0), ("input(4)", 0.0)):
+        assert value(debugger, text) == wanted
+
+
+ARRAYS = """\
+Dim a(3) As Integer, k As Integer, text As String
+Dim late As Float
+a(1) = 7 : a(3) = 9
+k = 1
+text = "x"
+Print a(1)
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("a(1) + a(3)", 16.0),
+        ("A(k)", 7.0),
+        ("a(k + 2) = 9", 1.0),
+        ('text = "x"', 1.0),
+        ("TEXT", "x"),
+        ("time > 0", 1.0),
+    ],
+)
+def test_an_expression_over_variables(text: str, wanted: object) -> None:
+    debugger = mint(ARRAYS)
+    debugger.start()
+    debugger.go_to_line(6)
+    assert value(debugger, text) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("a(4)", "there is no a(4)"),
+        ("a + 1", "a is an array"),
+        ("k(1)", "there is no k(1)"),
+        ("position(99)", "there is no axis 99"),
+    ],
+)
+def test_an_expression_without_a_value(text: str, message: str) -> None:
+    debugger = mint(ARRAYS + "GO(0)\nPrint 1\n")
+    debugger.start()
+    debugger.go_to_line(8)
+    with pytest.raises(WrongExpression) as caught:
+        debugger.state().evaluate(text)
+    assert str(caught.value) == message
+
+
+def test_names_for_completion() -> None:
+    """Those of the call come before those of the program; none is listed twice."""
+    debugger = mint(CALLS)
+    debugger.start()
+    debugger.go_to_line(5)
+    names = debugger.state().names()
+    assert names[:2] == ["n", "twice"]
+    assert {"total", "i", "position", "time"} <= set(names)
+    assert len(names) == len(set(names))
+
+
+@pytest.mark.parametrize(
+    ("path", "message"),
+    [
+        (("module", "nothing"), "there is no variable nothing here"),
+        (("local5", "n"), "there is no variable n here"),
+        (("module", "a"), "a cannot be set; set one of its elements"),
+    ],
+)
+def test_a_variable_that_cannot_be_assigned(path: tuple[str, ...], message: str) -> None:
+    debugger = mint(ARRAYS)
+    debugger.start()
+    with pytest.raises(ValueError, match=message):
+        debugger.assign(path, 1)
+    assert debugger.assign(("module", "a", "a(2)"), 5).value == 5
+    assert debugger.journal.changes[0].statement == 1
+
+
+def test_lines_and_their_locations() -> None:
+    """Lines 1, 6 and 7 of the program are declarations and an end."""
+    debugger = mint(CALLS)
+    assert debugger.lines == [4, 5, 8, 9, 11]
+    assert [debugger.line_for(line) for line in (1, 5, 6, 11, 12)] == [4, 5, 8, 11, None]
+    (offset,) = debugger.offsets_at(5)
+    assert debugger.location_of(offset)[:2] == (5, 3)
+    # The name behind it is no statement.
+    assert debugger.location_of(offset + 2)[:2] == (5, 11)
+    assert debugger.offsets_at(6) == ()
+
+
+def test_several_statements_of_a_line_are_one_place() -> None:
+    """A breakpoint stops at the first of them; a macro of MCCL begins at its own."""
+    debugger = mint("Dim k As Integer\nk = 1 : k = 2 : k = 3\nPrint k\n")
+    assert len(debugger.offsets_at(2)) == 1
+    debugger.set_breakpoints([at(debugger, 2)])
+    debugger.start(False)
+    assert value(debugger, "k") == 0
+    assert debugger.go_on() is None
+    assert len(mccl("MD1,AA1,AR10\nMC1\n").offsets_at(1)) == 2
+
+
+# ------------------------------------------------------------------------------------------------- long programs
+
+LOOP = """\
+Dim k As Integer, n As Integer
+For k = 1 To 200
+  n = n + 1
+  If k = 150 Then OUTX(2) = 1
+Next
+Print n
+"""
+
+
+@pytest.fixture
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Search the log every 16 statements, and remember 8 statements before a stop."""
+    monkeypatch.setattr(module, "STRIDE", 16)
+    monkeypatch.setattr(module, "MEMORY", 8)
+    monkeypatch.setattr("motionlang.debug.replay.MEMORY", 8)
+
+
+@pytest.mark.usefixtures("short")
+def test_a_moment_far_ahead_is_found_at_its_statement() -> None:
+    debugger = mint(LOOP)
+    debugger.searches = [search("output 2 rises")]
+    stop = debugger.start(False)
+    assert stop is not None
+    assert value(debugger, "k") in (150, 151)
+    here = stop.number
+    assert debugger.go_on() is None
+    back = debugger.reverse()
+    assert back is not None
+    assert (back.number, back.reason) == (here, "moment")
+    debugger.watched = [Watched(("machine", "output 2"))]
+    debugger.searches = []
+    first = debugger.reverse()
+    assert first is not None
+    assert first.number in (1, here)
+
+
+@pytest.mark.usefixtures("short")
+def test_a_step_back_over_a_long_call() -> None:
+    """A call of 200 iterations is longer than what is remembered before a stop."""
+    text = "Dim n As Integer\nSub Count()\n  Dim k As Integer\n  For k = 1 To 200\n    n = n + 1\n  Next\nEnd Sub\n"
+    debugger = mint(text + "n = 1000\nCount()\nPrint n\n")
+    debugger.start()
+    debugger.go_to_line(10)
+    assert value(debugger, "n") == 1200
+    for line, count in ((9, 1000), (8, 0)):
+        stop = debugger.step_back()
+        assert stop is not None
+        assert (stop.line, value(debugger, "n")) == (line, count)
+    stop = debugger.step_back()
+    assert stop is not None
+    assert (stop.line, stop.reason) == (8, "start")
+
+
+@pytest.mark.usefixtures("short")
+def test_the_statement_of_the_last_change() -> None:
+    debugger = mint(LOOP)
+    debugger.start()
+    debugger.go_to_line(6)
+    stop = debugger.last_change(("machine", "output 2"))
+    assert stop is not None
+    assert (stop.line, value(debugger, "k")) == (4, 150)
+    stop = debugger.last_change(("module", "n"))
+    assert stop is not None
+    assert (stop.line, value(debugger, "n"), stop.text) == (3, 149, "this statement changes n")
+
+
+def test_a_statement_by_its_number() -> None:
+    debugger = mint(CALLS)
+    debugger.start()
+    for number, line in ((3, 4), (0, 8), (-5, 8), (2, 9)):
+        debugger.go_to_number(number)
+        assert line_of(debugger) == line
+
+
+# ------------------------------------------------------------------------------------------------------ copies
+
+
+class Front:
+    """The front of an engine: it has the channels of the copies."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(checkpoints, "_fork", lambda: 1)
+        self.stored: list[int] = []
+        self.dropped: list[int] = []
+        self.copies = Checkpoints(
+            lambda key, channel: self.stored.append(key), self.drop, lambda: None, lambda *_: None
+        )
+
+    def drop(self, keys: Iterable[int]) -> None:
+        self.dropped += keys
+
+
+def test_the_copy_to_go_back_to(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The last one at or before a statement, and the last one before a time."""
+    front = Front(monkeypatch)
+    for number, time in ((50, 5.0), (10, 1.0), (30, 3.0)):
+        assert front.copies.take(number, time) is False
+    copies = front.copies
+    assert front.stored == [1, 2, 3]
+    assert [copies.before(number) for number in (9, 10, 29, 30, 49, 50, 99)] == [None, 2, 2, 3, 3, 1, 1]
+    assert [copies.before_time(time) for time in (1.0, 1.5, 3.0, 5.0, 5.5)] == [None, 2, 2, 3, 1]
+    copies.forget_from(30)
+    assert sorted(front.dropped) == [1, 3]
+    assert copies.before(99) == 2
+    copies.forget_from(11)
+    assert sorted(front.dropped) == [1, 3]
+
+
+def test_of_too_many_copies_every_second_one_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    front = Front(monkeypatch)
+    monkeypatch.setattr(checkpoints, "MAX_COPIES", 4)
+    for number in range(4):
+        front.copies.take(number, float(number))
+    assert front.dropped == []
+    front.copies.take(4, 4.0)
+    assert front.dropped == [2, 4]
+    assert [number for number, _, _ in front.copies.known] == [0, 2, 4]
+
+
+def test_bytes_go_through_a_channel_with_their_length() -> None:
+    near, far = socket.socketpair()
+    with near, far:
+        send(near, b"abc")
+        send(near, b"")
+        send(near, b"x" * 5000)
+        assert [receive(far) for _ in range(3)] == [b"abc", b"", b"x" * 5000]
+        near.sendall(b"\0\0\0\0\0\0\0\5ab")
+        near.shutdown(socket.SHUT_WR)
+        assert receive(far) is None
+        assert receive(far) is None
+
+
+def test_a_descriptor_that_is_closed_here_discards_what_is_written() -> None:
+    near, far = socket.socketpair()
+    with near, far:
+        checkpoints.close_here(far.fileno())
+        assert near.recv(1) == b""
+        assert os.write(far.fileno(), b"abc") == 3
+        assert os.read(far.fileno(), 10) == b""
