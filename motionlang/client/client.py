@@ -52,7 +52,7 @@ class Client(Connection):
     def __init__(self, wire: Wire, timeout: float = TIMEOUT) -> None:
         super().__init__(wire, timeout)
         self.version = ""
-        self.prompts = True
+        self.prompts: bool
         self.unasked: deque[str] = deque(maxlen=MAX_UNASKED)
         self._rest = b""
         try:

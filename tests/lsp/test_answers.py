@@ -155,6 +155,11 @@ def test_positions_of_offsets(end: str) -> None:
     assert document.last_line == 3
 
 
+def test_a_position_behind_an_empty_line_is_its_end() -> None:
+    document = Document(URI, "\nabc", 1)
+    assert [document.offset(types.Position(0, character)) for character in (0, 1, 9)] == [0, 0, 0]
+
+
 @pytest.mark.parametrize(
     ("uri", "name"),
     [(URI, "a.mnt"), ("file:///a/b/", "b"), ("untitled:1", "untitled:1"), ("/", "/"), ("b", "b")],

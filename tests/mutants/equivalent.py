@@ -310,4 +310,23 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/mccl/keywords/flow_waits.py: passing: ready: (position - controller.position(number)) * side -> "
     "(position - controller.position(number)) / side": ("the side is 1 or -1"),
+    "motionlang/repl/runner.py: Runner: __init__: 0.0 -> 1.0": "the first command replaces the task that waits",
+    "motionlang/repl/runner.py: Runner: __init__: 0.0 -> 1.0 #2": "the first command replaces the task that waits",
+    "motionlang/client/client.py: Client: _await_version: 0 -> 1": "an answer with a prompt has three bytes or more",
+    "motionlang/client/wire.py: TcpWire: __init__: 1 -> 2": "a socket option is on at every value but 0",
+    "motionlang/mcapi/client.py: PortCalls: _connect: 1 -> 2": "a socket option is on at every value but 0",
+    "motionlang/mcapi/client.py: PortCalls: _exchange: 65536 -> 65537": "how much is read at once",
+    "motionlang/mcapi/calls/recording.py: capture_settings: 0.0 -> 1.0": "only the number of points is used",
+    "motionlang/mcapi/log.py: _late: begin < latest -> begin <= latest": (
+        "calls that begin at the same time are read in the order of their lines"
+    ),
+    "motionlang/mcapi/replay.py: Replay: _reach: console.now < time -> console.now <= time": (
+        "a run up to the present changes nothing"
+    ),
+    "motionlang/lsp/documents.py: Document: change: end < start -> end <= start": (
+        "both ends of an empty range are the same"
+    ),
+    "motionlang/serve/address.py: listen: 1 -> 2": "a socket option is on at every value but 0",
+    "motionlang/serve/channel.py: TcpChannel: __init__: 1 -> 2": "a socket option is on at every value but 0",
+    "motionlang/serve/channel.py: TcpChannel: __init__: 1 -> 2 #2": "a socket option is on at every value but 0",
 }

@@ -55,6 +55,7 @@ GENERATED = (
     "mccl/keywords/index.py",
     "mint/keywords/index.py",
     "assumptions/tables.py",
+    "mcapi/binding.py",
 )
 
 
