@@ -218,6 +218,8 @@ def _flat(tree: Mapping[str, object], prefix: str = "") -> list[tuple[str, objec
 def _dimension(name: str, given: object) -> Dimension:
     if isinstance(given, list) and given:
         return Dimension(name, [each if not isinstance(each, str) else read_value(each) for each in given])
+    if isinstance(given, bool):
+        return Dimension(name, [given])
     if isinstance(given, (str, int, float)):
         return dimension(f"{name}={given}")
     raise ValueError(f'{name} is varied over a list or a range such as "500:5000:10", not {shown(given)}')

@@ -28,3 +28,45 @@ def test_at_least_one_variant_is_drawn_and_any_whole_number_is_a_seed(
     else:
         with pytest.raises(ProgramError):
             read_description(str(file))
+
+
+@pytest.mark.parametrize(
+    ("line", "name", "value"),
+    [
+        ("until = 0", "until", 0.0),
+        ("until = 2.5", "until", 2.5),
+        ("until = -1", None, "until is "),
+        ("until = true", None, "until is "),
+        ("until = 1e300", None, "until is "),
+        ('until = "1"', None, "until is "),
+        ("prove = true", "prove", True),
+        ("prove = 1", None, "prove is "),
+        ('keep = ["time"]', "keep", ["time"]),
+        ('keep = "time"', None, "keep is "),
+        ("keep = [1]", None, "keep is "),
+        ("vary = 1", None, "vary is "),
+        ("[vary]\nn = []", None, "n is varied over a list or a range"),
+        ("untill = 1", None, "there is no key untill"),
+    ],
+)
+def test_a_key_of_a_description(line: str, name: str | None, value: object, tmp_path: Path) -> None:
+    file = tmp_path / "a.sweep.toml"
+    file.write_text(f"\n{line}\n", encoding="utf-8")
+    if name is not None:
+        assert getattr(read_description(str(file)), name) == value
+    else:
+        with pytest.raises(ProgramError) as caught:
+            read_description(str(file))
+        (found,) = caught.value.diagnostics
+        assert found.message.startswith(str(value))
+        assert (found.line, found.column) == (2, 1)
+
+
+def test_varied_names_may_be_tables(tmp_path: Path) -> None:
+    """A text in a list is read as on the command line; a single number is one value."""
+    file = tmp_path / "a.sweep.toml"
+    file.write_text('[vary]\nSPEED = "1:3:3"\naxis.0.gain = [1, "2"]\nn = 7\nb = true\n', encoding="utf-8")
+    found = [
+        (each.name, [each[k] for k in range(len(each))]) for each in read_description(str(file)).dimensions
+    ]
+    assert found == [("SPEED", [1, 2, 3]), ("axis.0.gain", [1, 2]), ("n", [7]), ("b", [True])]

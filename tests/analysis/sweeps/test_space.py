@@ -118,3 +118,101 @@ def test_a_front_is_what_nothing_beats() -> None:
             }
             assert found == set(costs) - beaten
             assert len(found) == len(pareto(costs))
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("n=0:4:5", [0, 1, 2, 3, 4]),
+        ("n=0:4:3", [0, 2, 4]),
+        ("n=0:1:3", [0, 0.5, 1]),
+        ("n=0.0:4.0:3", [0.0, 2.0, 4.0]),
+        ("n=7:7:2", [7, 7]),
+        ("n=1:2:1", [1]),
+    ],
+)
+def test_steps_of_a_range_are_integers_if_it_is_written_so(text: str, values: list[float]) -> None:
+    found = dimension(text)
+    shown = [found[k] for k in range(len(found))]
+    assert [(each, type(each)) for each in shown] == [(each, type(each)) for each in values]
+
+
+@pytest.mark.parametrize(
+    ("fraction", "number", "letter"),
+    [(0.0, 10.0, "x"), (0.49, 14.9, "x"), (0.5, 15.0, "y"), (1.0, 20.0, "y")],
+)
+def test_the_value_at_a_fraction(fraction: float, number: float, letter: str) -> None:
+    """The values of a list have equal shares, and 1 is in the last one."""
+    assert dimension("a=10:20").at(fraction) == pytest.approx(number)
+    assert dimension("a=x,y").at(fraction) == letter
+
+
+def test_a_grid_of_python_values() -> None:
+    """A number is one value, a text is written as on the command line."""
+    space = space_of({"a": 5, "b": "1:3:3", "c": [2.5, "x"]})
+    assert (len(space), space[0], space[5]) == (6, (5, 1, 2.5), (5, 3, "x"))
+    assert space_of(space) is space
+    assert (len(space_of([])), space_of([{"a": 1}, {"a": 2}])[1]) == (0, (2,))
+    with pytest.raises(ValueError, match="a has no values"):
+        space_of({"a": []})
+
+
+@pytest.mark.parametrize(
+    ("count", "taken"), [(0, False), (1, True), (100_000_000, True), (100_000_001, False)]
+)
+def test_the_number_of_points(count: int, taken: bool) -> None:
+    if taken:
+        assert len(Drawn([dimension("a=0:1")], count, 0, False)) == count
+    else:
+        with pytest.raises(ValueError, match="a sweep has 1 to 100000000 variants"):
+            Drawn([dimension("a=0:1")], count, 0, False)
+
+
+def test_a_grid_has_a_largest_size() -> None:
+    assert len(Grid([dimension("a=0:1:10000"), dimension("b=0:1:10000")])) == 100_000_000
+    with pytest.raises(ValueError, match="100010000 variants are more than 100000000"):
+        Grid([dimension("a=0:1:10000"), dimension("b=0:1:10001")])
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1 + 2 * 3 - 4 / 2", 5.0),
+        ("7 % 4", 3),
+        ("2 ** 3", 8),
+        ("2 ** 100", 2**100),
+        ("2 ** 101", None),
+        ("2 ** -101", None),
+        ("+time", 2.5),
+        ("1 < 2 < 3", True),
+        ("1 < 3 < 2", False),
+        ("2 <= 2", True),
+        ("2 >= 3", False),
+        ("2 != 2", False),
+        ("time == 2.5 or missing > 1", True),
+        ("missing > 1 or time == 2.5", None),
+        ("time > 9 and missing > 1", False),
+        ("min(3, 1, 2)", 1),
+        ("not time", False),
+        ("True", True),
+    ],
+)
+def test_operators_of_an_expression(text: str, value: object) -> None:
+    assert Expression(text)(VALUES) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"), [("time", 2.5), ("1e308 * 10", None), ("prints.1", None), ("none", None), ("2", 2.0)]
+)
+def test_a_finite_number(text: str, value: float | None) -> None:
+    assert Expression(text).number(VALUES) == value
+
+
+def test_names_of_an_expression_and_its_largest_size() -> None:
+    """A text and a function are no names; `1 + 1 + …` has three nodes for each number."""
+    assert Expression("max(time, peak.0) + peak.0").names == ("time", "peak.0")
+    assert Expression('prints.1 == "time"').names == ("prints.1",)
+    assert Expression("1" + "+1" * 160)(VALUES) == 161
+    for text in ("1" + "+1" * 170, "max(time, key=1)", "time.x()", "[1]"):
+        with pytest.raises(ValueError, match="is not an expression such as"):
+            Expression(text)
