@@ -174,16 +174,9 @@ def test_the_profile_in_force_at_a_time() -> None:
     controller.move_to(0, 0.0)
     controller.clock.advance(9.0)
     track = WholeTrack(controller.axes[0])
-    assert list(track.starts) == [0.0, 1.0, 3.0]
-    assert [track.index_at(time) for time in (-1.0, 0.0, 0.99, 1.0, 2.99, 3.0, 99.0)] == [
-        -1,
-        0,
-        0,
-        1,
-        1,
-        2,
-        2,
-    ]
+    assert list(track.starts) == pytest.approx([0.0, 1.0, 1.35, 3.0, 3.35])
+    times = (-1.0, 0.0, 0.99, 1.0, 1.34, 1.36, 2.99, 3.0, 99.0)
+    assert [track.index_at(time) for time in times] == [-1, 0, 0, 1, 1, 2, 2, 3, 4]
     assert track.count(0.0, 99.0) == 0
     assert track.between(1.5, 2.0) == (track.starts, track.profiles)
     assert (track.position(2.9), track.at(2.9).velocity) == (pytest.approx(10.0), 0.0)
