@@ -6,6 +6,7 @@ import gc
 import os
 import signal
 import zipfile
+from functools import lru_cache
 from pathlib import Path
 
 import pytest
@@ -59,6 +60,16 @@ def _draw_examples(all_of_them: bool) -> None:
     settings.load_profile("motionlang")
 
 
+def _compile_each_text_once() -> None:
+    """Let equal texts of generated Python share their code, which is immutable.
+
+    Half of all texts occur more than once.
+    """
+    from motionlang.mint.runtime import code_units
+
+    code_units.compile = lru_cache(2048)(compile)  # type: ignore[attr-defined]
+
+
 def _prove_every_run() -> None:
     """Prove every run, including runs of tests that do not request it.
 
@@ -95,6 +106,7 @@ def pytest_configure(config: pytest.Config) -> None:
         config.option.prove = True
     if config.option.prove:
         _prove_every_run()
+    _compile_each_text_once()
 
 
 def pytest_collection_finish() -> None:
