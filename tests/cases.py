@@ -11,7 +11,7 @@ second or more, use pytest's `parametrize`.
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Container, Iterable
 from typing import Any
 
 import pytest
@@ -20,16 +20,33 @@ import pytest
 FAILURES = (Exception, pytest.fail.Exception)
 
 
-# A property draws one in this many of its examples.
-draws_one_in = 2
+# A property draws one in this many of its examples, but at least `FEW`.
+draws_one_in = 4
+FEW = 10
 
 
 def examples(count: int) -> int:
-    """Return how many of `count` examples a property draws.
+    """Return how many of `count` examples or generated programs a test draws.
 
-    The normal run draws half of them, and one with `--all-examples` all.
+    The normal run draws a quarter of them, and one with `--all-examples` all.
     """
-    return count // draws_one_in
+    return max(count // draws_one_in, min(count, FEW))
+
+
+def covering(kinds: Collection[str], count: int, kinds_of: Callable[[int], Container[str]]) -> list[int]:
+    """Return the seeds below `count` whose program has a kind not seen earlier.
+
+    With `--all-examples` it returns all seeds below `count`. The chosen programs together have all of `kinds`.
+    """
+    missing, chosen = list(kinds), []
+    for seed in range(count):
+        found = kinds_of(seed)
+        left = [kind for kind in missing if kind not in found]
+        if len(left) < len(missing) or draws_one_in == 1:
+            chosen.append(seed)
+        missing = left
+    assert missing == []
+    return chosen
 
 
 def one_in(number: int, values: Iterable[Any]) -> list[Any]:

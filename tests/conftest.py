@@ -43,7 +43,7 @@ if hasattr(providers, "_local_constants"):  # private, so a later version may no
 
 
 def _draw_examples(all_of_them: bool) -> None:
-    """Let properties draw half of their examples, or all.
+    """Let properties draw a quarter of their examples, or all.
 
     It is called before test modules are imported.
     """
@@ -118,7 +118,7 @@ def pytest_collection_finish() -> None:
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--update", action="store_true", help="write golden files and transcripts anew")
     parser.addoption(
-        "--all-examples", action="store_true", help="draw all examples of properties instead of half of them"
+        "--all-examples", action="store_true", help="draw all examples of properties instead of a quarter"
     )
     parser.addoption("--prove", action="store_true", help="prove every run; always on in the whole suite")
 

@@ -10,7 +10,7 @@ from motionlang.execution import dialect_for, run
 from motionlang.lang.debugging import Hook
 from motionlang.mint.compile.compiler import compile_text
 from motionlang.source import Source
-from tests.cases import one_in
+from tests.cases import examples, one_in
 from tests.debug.whole import whole
 from tests.generated.tasks import program as tasks_of
 from tests.golden.test_gallery import PROGRAMS, ROOT
@@ -40,7 +40,7 @@ def test_a_debug_build_of_the_gallery_does_the_same(program: Path) -> None:
 
 @pytest.mark.slow
 def test_a_debug_build_of_several_tasks_does_the_same() -> None:
-    for seed in range(40):
+    for seed in range(examples(40)):
         text, settings = tasks_of(seed)
         plain, debugged = (
             run(Source("tasks.mnt", text), machine=settings, until=1.5, cache=False, hook=hook)

@@ -9,6 +9,7 @@ import pytest
 
 from motionlang.execution import settings_next_to
 from motionlang.source import Source
+from tests.cases import examples
 from tests.debug.walks import differences, of_gallery, of_generated
 from tests.golden.test_gallery import PROGRAMS
 
@@ -23,7 +24,7 @@ def test_a_walk_through_the_gallery_changes_nothing(path: str) -> None:
 
 @pytest.mark.slow
 def test_walks_through_generated_programs_change_nothing() -> None:
-    assert {seed: found for seed in range(SLICE) if (found := of_generated(seed))} == {}
+    assert {seed: found for seed in range(examples(SLICE)) if (found := of_generated(seed))} == {}
 
 
 @pytest.mark.long

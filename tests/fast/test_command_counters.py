@@ -10,7 +10,7 @@ import pytest
 from motionlang import execution
 from motionlang.mccl.runtime.poll import Poll
 from motionlang.source import Source
-from tests.cases import cases
+from tests.cases import cases, covering
 
 MOVES = "1MN,1SV1000,1SA20000,1DS20000"
 HEAD = 'LU"STATUS",AR21,LU"POSITION",AR22\n'
@@ -118,8 +118,7 @@ def test_generated_loops_are_equal() -> None:
 
     It has loops alone and loops alongside another task.
     """
-    seeds = range(SLICE)
-    assert {chunk for seed in seeds for chunk in drawn(Random(seed))} == set(CHUNKS)
+    seeds = covering(CHUNKS, SLICE, lambda seed: drawn(Random(seed)))
     assert {("GT6" in text, "GT7" in text) for text in map(program, seeds)} == {
         (False, False),
         (True, False),

@@ -13,7 +13,7 @@ from motionlang.mint.compile import for_loops
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
-from tests.cases import cases
+from tests.cases import cases, examples
 from tests.mint.programs import Writer
 
 TICKS = """
@@ -79,7 +79,7 @@ def test_others_are_not(loop: str) -> None:
     assert "for v_i in range(" not in compile_module(parse(Source("a.mnt", loop)), None, ranges).code.text
 
 
-@cases("seed", range(60))
+@cases("seed", range(examples(60)))
 def test_random_programs_take_the_same_time(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     source = Source("a.mnt", Writer(Random(seed)).program())
     in_chunks = run(source, cache=False)

@@ -15,7 +15,7 @@ from motionlang.log.track import WholeTrack
 from motionlang.report import text
 from motionlang.result import Run
 from motionlang.source import Source
-from tests.cases import cases
+from tests.cases import cases, examples
 from tests.mint.motion_programs import program
 
 # A travel limit that some of the random moves reach, a switch, and a fault.
@@ -117,7 +117,7 @@ def held_apart(
     return [first, second]
 
 
-@cases("seed", range(60))
+@cases("seed", range(examples(60)))
 @pytest.mark.slow
 def test_samples_make_no_difference(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     for machine in (None, MACHINE):
@@ -126,7 +126,7 @@ def test_samples_make_no_difference(seed: int, monkeypatch: pytest.MonkeyPatch) 
         assert orders(plain) == orders(ordinary)
 
 
-@cases("seed", range(40))
+@cases("seed", range(examples(40)))
 def test_nor_do_random_programs(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     plain, ordinary = held_apart(program(seed), monkeypatch, None)
     assert all_of(plain) == all_of(ordinary)
@@ -160,7 +160,7 @@ def commands(seed: int) -> str:
     return "\n".join(lines) + "\n"
 
 
-@cases("seed", range(40))
+@cases("seed", range(examples(40)))
 def test_moves_of_mccl_begin_at_once_and_are_the_same(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     travel: dict[str, object] = {"axis.1.travel": [-700.0, 1500.0]}
     for machine in (None, travel):
@@ -190,7 +190,7 @@ def there_and_back(seed: int) -> str:
     return "\n".join(lines) + "\n"
 
 
-@cases("seed", range(20))
+@cases("seed", range(examples(20)))
 def test_repeated_distance_is_planned_with_the_present_rates(
     seed: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:

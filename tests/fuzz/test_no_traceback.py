@@ -10,7 +10,7 @@ from random import Random
 import pytest
 
 from motionlang.execution import dialects
-from tests.cases import cases
+from tests.cases import cases, examples
 from tests.fuzz.guard import trouble
 from tests.fuzz.inputs import WORDS, inputs, mint_forms, mutated
 
@@ -21,13 +21,13 @@ SLICE, LONG = 300, 100_000
 @cases("name", dialects())
 def test_words_in_every_form_in_every_loop(name: str) -> None:
     words = list(WORDS[name]())
-    for text in Random(f"words of {name}").sample(words, SLICE):
+    for text in Random(f"words of {name}").sample(words, examples(SLICE)):
         assert trouble(name, text) == "", text
 
 
 @cases("name", dialects())
 def test_programs_of_the_gallery_with_pieces_changed(name: str) -> None:
-    for text in inputs(name, SLICE, 0):
+    for text in inputs(name, examples(SLICE), 0):
         assert trouble(name, text) == "", text
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.cases import cases
+from tests.cases import cases, examples
 from tests.generated.loops import Draw, outcome
 
 
@@ -38,7 +38,7 @@ def test_an_overflow_is_found_whatever_the_range_of_a_counter(name: str) -> None
     assert [each[1] for each in found["diagnostics"]] == [f"{value} does not fit an Integer"]
 
 
-@cases("seed", range(300))
+@cases("seed", range(examples(300)))
 def test_loops_end_as_they_do_without_range_analysis(seed: int) -> None:
     text = Draw(seed).program()
     assert outcome(text) == outcome(text, analysed=False), text

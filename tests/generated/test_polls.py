@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from motionlang.fast.polled_ticks import PolledTicks, Transition
+from tests.cases import examples
 from tests.generated.polls import is_equal
 
 # Seeds of the normal run, and of a long one in batches.
@@ -27,9 +28,9 @@ def test_a_slice_of_programs_is_the_same_without_accelerators(monkeypatch: pytes
         return passed(self, steps, *given)
 
     monkeypatch.setattr(PolledTicks, "_pass", counted)
-    for seed in range(SLICE):
+    for seed in range(examples(SLICE)):
         assert is_equal(seed), seed
-    assert len(found) >= SLICE // 4
+    assert len(found) >= examples(SLICE) // 4
 
 
 @pytest.mark.long

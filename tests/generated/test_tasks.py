@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.fast.recurrence import Recurrence
+from tests.cases import examples
 from tests.generated.tasks import is_equal
 
 # Seeds of the normal run, and of a long one in batches.
@@ -27,9 +28,9 @@ def test_a_slice_of_programs_does_the_same_with_loops_skipped(monkeypatch: pytes
         return skipped
 
     monkeypatch.setattr(Recurrence, "_skips", counted)
-    for seed in range(SLICE):
+    for seed in range(examples(SLICE)):
         assert is_equal(seed), seed
-    assert len(found) >= SLICE // 3
+    assert len(found) >= examples(SLICE) // 3
 
 
 def test_a_statement_at_the_end_of_a_wait_comes_after_it_with_loops_skipped() -> None:

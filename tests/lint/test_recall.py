@@ -17,7 +17,7 @@ import pytest
 from motionlang.mint.lint import check
 from motionlang.record import as_dict
 from motionlang.source import Source
-from tests.cases import one_in
+from tests.cases import covering, one_in
 
 GALLERY = Path(__file__).parents[2] / "scripts" / "mint"
 PROGRAM = """\
@@ -48,9 +48,6 @@ ADDED = (
     "Event ONERROR", "End Event", "Sub fill(n)", "End Sub", "fill(1)", "load", "If POS(0) = 5 Then Print 3",
     "MOVEA(0) = ", "mover(0) 5",
 )  # fmt: skip
-
-# Seeds of the edits in the normal run, and in a long one.
-SLICE, MORE = range(24), range(24, 40)
 
 
 def found(text: str, known: dict[object, object] | None = None) -> list[dict[str, object]]:
@@ -186,17 +183,21 @@ def test_gallery_programs_with_edits(path: Path) -> None:
         lines = edited(lines, random)
 
 
-def test_the_edits_of_the_normal_run_add_every_line() -> None:
-    seen = set()
-    for seed in SLICE:
-        random, lines = Random(seed), PROGRAM.split("\n")
-        for _ in range(22):
-            lines = edited(lines, random)
-            seen.update(lines)
-    assert seen >= set(ADDED)
+def lines_of(seed: int) -> set[str]:
+    """Return the lines that the edits of a seed add."""
+    random, lines, seen = Random(seed), PROGRAM.split("\n"), set[str]()
+    for _ in range(22):
+        lines = edited(lines, random)
+        seen.update(lines)
+    return seen
 
 
-@pytest.mark.parametrize("seed", [*SLICE, *(pytest.param(seed, marks=pytest.mark.long) for seed in MORE)])
+# Seeds whose edits add every line, for the normal run, and the others for a long one.
+SLICE = covering(ADDED, 24, lines_of)
+MORE = [pytest.param(seed, marks=pytest.mark.long) for seed in range(40) if seed not in SLICE]
+
+
+@pytest.mark.parametrize("seed", [*SLICE, *MORE])
 def test_generated_programs_with_edits(seed: int) -> None:
     random = Random(seed)
     lines = PROGRAM.split("\n")

@@ -12,9 +12,10 @@ import pytest
 
 from motionlang import run
 from motionlang.source import Source
+from tests.cases import examples
 from tests.metamorphic.jobs import Contour, Train
 
-COUNT = int(os.environ.get("MOTIONLANG_LONG", "40"))
+COUNT = int(os.environ.get("MOTIONLANG_LONG", examples(40)))
 KINDS: dict[str, Callable[[int], Contour | Train]] = {
     "contours": lambda seed: Contour(seed, events=False),
     "contours with events": lambda seed: Contour(seed, events=True),

@@ -15,6 +15,7 @@ from motionlang import run
 from motionlang.report import build
 from motionlang.result import Run
 from motionlang.source import Source
+from tests.cases import examples
 from tests.mint.blend_programs import program
 
 PATHS = """SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : ERRORDECEL(0) = 200
@@ -173,7 +174,7 @@ def consistent(seed: int) -> None:
 
 @pytest.mark.slow
 def test_random_blends_are_consistent() -> None:
-    for seed in range(60):
+    for seed in range(examples(60)):
         consistent(seed)
 
 

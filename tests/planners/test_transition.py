@@ -14,6 +14,7 @@ import pytest
 from motionlang.planners import Profile, plan, plan_stop, plan_velocity
 from motionlang.planners.lookahead import Pace, plan_course
 from motionlang.planners.ramp_down import stop_in_motion
+from tests.cases import examples
 
 
 def check(
@@ -116,7 +117,7 @@ def coursed(seed: int) -> None:
 @pytest.mark.parametrize("case", [moved, stopped, coursed])
 def test_changes_in_the_middle(case: object) -> None:
     assert callable(case)
-    for seed in range(200):
+    for seed in range(examples(200)):
         case(seed)
 
 

@@ -8,6 +8,7 @@ from random import Random
 import pytest
 
 from motionlang.controller.controller import Controller
+from tests.cases import examples
 from tests.controller.machines import machine, until
 from tests.controller.moves.test_path import plane, positions
 
@@ -98,13 +99,13 @@ def test_a_contour_at_three_speeds_arrives() -> None:
 
 @pytest.mark.parametrize("first", range(0, 400, 50))
 def test_straight_contours_arrive(first: int) -> None:
-    for seed in range(first, first + 50):
+    for seed in range(first, first + examples(50)):
         check_arrival(straight(seed))
 
 
 @pytest.mark.parametrize("first", range(0, 800, 50))
 def test_bent_contours_arrive(first: int) -> None:
-    for seed in range(first, first + 50):
+    for seed in range(first, first + examples(50)):
         check_arrival(bent(seed))
 
 

@@ -13,6 +13,7 @@ from random import Random
 import pytest
 
 from motionlang.controller.controller import Controller
+from tests.cases import examples
 from tests.controller.machines import until
 from tests.controller.moves.test_path import path_speed, plane, positions
 
@@ -119,7 +120,7 @@ def run(seed: int) -> None:
 
 @pytest.mark.parametrize("first", range(0, 200, 25))
 def test_contours_with_events_keep_their_limits_and_arrive(first: int) -> None:
-    for seed in range(first, first + 25):
+    for seed in range(first, first + examples(25)):
         run(seed)
 
 

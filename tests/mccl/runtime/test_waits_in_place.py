@@ -7,11 +7,11 @@ import pytest
 from motionlang import run
 from motionlang.lang.scheduler import Scheduler
 from motionlang.source import Source
-from tests.cases import cases
+from tests.cases import cases, examples
 from tests.fast.test_plain_moves import all_of, commands
 
 
-@cases("seed", range(30))
+@cases("seed", range(examples(30)))
 def test_waits_within_a_time_slice_make_no_difference(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     source = Source("a.mcl", commands(seed))
     in_place = run(source, cache=False, until=9.0)

@@ -11,6 +11,7 @@ import pytest
 from motionlang import run
 from motionlang.mint.keywords.language import ROWS
 from motionlang.source import Source
+from tests.cases import examples
 
 PROGRAMS = [
     path.read_text()
@@ -69,7 +70,7 @@ def survive(seed: int) -> None:
 
 @pytest.mark.parametrize("start", range(0, 400, 50))
 def test_mutated_programs_are_answered(start: int) -> None:
-    for seed in range(start, start + 50):
+    for seed in range(start, start + examples(50)):
         survive(seed)
 
 

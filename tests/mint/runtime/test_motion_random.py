@@ -8,7 +8,7 @@ from motionlang import run
 from motionlang.mint import DIALECT
 from motionlang.result import Run
 from motionlang.source import Source
-from tests.cases import cases
+from tests.cases import cases, examples
 from tests.mint.motion_programs import program
 
 
@@ -16,7 +16,7 @@ def ran(text: str) -> Run:
     return run(Source("a.mnt", text), cache=False, until=3.0)
 
 
-@cases("seed", range(120))
+@cases("seed", range(examples(120)))
 def test_a_random_program_comes_to_an_end_in_order(seed: int) -> None:
     text = program(seed)
     result = ran(text)
