@@ -64,10 +64,11 @@ def test_a_compiled_program_is_cached_for_each_setting(
 
 
 @pytest.mark.slow
-def test_the_engine_runs_the_gallery_without_the_folder(tmp_path: Path) -> None:
+def test_the_engine_runs_a_third_of_the_gallery_without_the_folder(tmp_path: Path) -> None:
     root = tmp_path / "motionlang"
     copy_with_bytecode(PACKAGE, root, "fast")
-    command = [sys.executable, "-m", "motionlang", "verify", str(GALLERY), "--jobs", "2"]
+    programs = map(str, sorted(GALLERY.glob("*/*.m[nc]*"))[::3])
+    command = [sys.executable, "-m", "motionlang", "verify", *programs, "--jobs", "1"]
     ran = subprocess.run(
         command,
         capture_output=True,

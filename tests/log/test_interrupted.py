@@ -141,7 +141,7 @@ def ran(source: Source, ended: Ended, monkeypatch: pytest.MonkeyPatch) -> Run:
         return run(source, cache=False, prove=True)
 
 
-@pytest.mark.parametrize("count", [40, pytest.param(1000, marks=pytest.mark.long)])
+@pytest.mark.parametrize("count", [15, pytest.param(1000, marks=pytest.mark.long)])
 @pytest.mark.parametrize("locations", LOCATIONS)
 @pytest.mark.parametrize(("name", "text"), [("a.mnt", MINT), ("a.mcl", MCCL)])
 @pytest.mark.slow
@@ -193,7 +193,7 @@ def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: p
     """Interrupt each line that starts, records or packs a fast-path move.
 
     The run up to then is complete, with no duplicates. Each line is interrupted at its first and last
-    execution. Of the other executions 20 are interrupted, or all with `long`.
+    execution. Of the other executions 5 are interrupted, or all with `long`.
     """
     for name, most in {"FIRST_CHECK": 1, "HURRY": 0.0, "MAX_PROFILES": 6, "LEFT_PROFILES": 2}.items():
         monkeypatch.setattr(f"motionlang.log.log.{name}", most)
@@ -206,7 +206,7 @@ def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: p
     ended = result
     begun = [(each.start_time, each.axis, each.line) for each in result.controller.log.moves]
     tracks = motion(result)
-    chosen = {*whole.first.values(), *whole.last.values(), *Random(1).sample(range(1, whole.count), 20)}
+    chosen = {*whole.first.values(), *whole.last.values(), *Random(1).sample(range(1, whole.count), 5)}
     for at in range(1, whole.count + 1) if every else sorted(chosen):
         result = ran(source, Ended(STEPS, at), monkeypatch)
         assert result.status == "interrupted", at

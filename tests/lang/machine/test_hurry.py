@@ -12,7 +12,7 @@ from tests.cases import cases
 
 
 def ran(name: str, text: str) -> Run:
-    return run(Source(name, text), cache=False, until=0.1)
+    return run(Source(name, text), cache=False, until=0.05)
 
 
 @cases(

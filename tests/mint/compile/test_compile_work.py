@@ -85,7 +85,7 @@ def calls_of(work: Callable[[], object]) -> int:
 def test_twice_the_statements_are_twice_the_work(write: object) -> None:
     assert callable(write)
     calls_to_compile(write(40))  # imports and caches are complete after this
-    once, twice = calls_to_compile(write(400)), calls_to_compile(write(800))
+    once, twice = calls_to_compile(write(200)), calls_to_compile(write(400))
     assert twice < 2.2 * once
 
 
@@ -172,7 +172,7 @@ def test_suggestions_are_searched_for_the_first_mistakes_alone(write: object) ->
     """
     assert callable(write)
     calls_of(lambda: check(Source("a.mnt", write(10))))
-    once, twice = (calls_of(partial(check, Source("a.mnt", write(n)))) for n in (400, 800))
+    once, twice = (calls_of(partial(check, Source("a.mnt", write(n)))) for n in (200, 400))
     assert twice < 2.2 * once
 
 
