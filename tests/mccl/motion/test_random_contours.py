@@ -12,8 +12,9 @@ import pytest
 
 from motionlang import Run, run
 from motionlang.source import Source
+from tests.cases import examples
 
-SEEDS = range(int(os.environ.get("MOTIONLANG_LONG", "25")))
+SEEDS = range(int(os.environ.get("MOTIONLANG_LONG", examples(25))))
 FINE = {"controller.instruction_time": 1e-9}
 
 

@@ -86,7 +86,7 @@ def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     "path",
     [
-        pytest.param(path, marks=pytest.mark.long) if path.stem in MOTORS or number % 3 else path
+        pytest.param(path, marks=pytest.mark.long) if path.stem in MOTORS or number % 6 else path
         for number, path in enumerate(PROGRAMS)
     ],
     ids=[path.stem for path in PROGRAMS],
