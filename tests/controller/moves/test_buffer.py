@@ -8,6 +8,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.controller.faults import Rejected
+from tests.cases import cases
 from tests.controller.machines import machine, until
 
 
@@ -129,3 +130,78 @@ def test_a_time_that_is_none_is_refused(duration: float) -> None:
     with pytest.raises(Rejected):
         c.load_pulse(0, 1, duration)
     assert c.room(0) == 2
+
+
+@cases(
+    "mode, own, duration",
+    [
+        # 10 counts at 10 counts/s, or at the new speed of 20 counts/s; with bit 0 the move keeps its speed.
+        (1, None, 1.0 + 0.1),
+        (0, None, 0.5 + 0.2),
+        (2, None, 0.5 + 0.2),
+        (3, None, 1.0 + 0.1),
+        (1, (5.0, None, None), 2.0 + 0.05),
+        (1, (5.0, 50.0, 25.0), 2.0 + 0.05 + 0.1),
+        (0, (5.0, 50.0, 25.0), 2.0 + 0.05 + 0.1),
+        (1, (None, 50.0, None), 1.0 + 0.15),
+        (1, (None, None, 50.0), 1.0 + 0.15),
+        (0, (None, 50.0, None), 0.5 + 0.3),
+    ],
+)
+def test_a_move_has_the_settings_of_its_loading(
+    mode: int, own: tuple[float | None, float | None, float | None] | None, duration: float
+) -> None:
+    c = machine(1, feedrate_mode=mode)
+    c.configure(0, "own_rates", own)
+    c.load_to(0, 10.0)
+    c.configure(0, "own_rates", None)
+    c.configure(0, "speed", 20.0)
+    c.go([0])
+    assert c.idle_time(0) == pytest.approx(duration)
+
+
+@cases("override, mode, duration", [(2.0, 1, 1.1), (2.0, 3, 0.7), (0.5, 3, 2.05), (2.0, 2, 0.7)])
+def test_the_override_multiplies_the_speed_of_moves_loaded_with_bit_1(
+    override: float, mode: int, duration: float
+) -> None:
+    c = machine(1, feedrate_mode=mode, override=override)
+    c.move_to(0, 10.0)
+    assert c.idle_time(0) == pytest.approx(duration)
+
+
+def test_relative_moves_keep_their_ends_when_the_present_one_gets_another() -> None:
+    """10, then 5 more, a dwell and 3 more: 15 and 18, although the first one ends at 12."""
+    c = machine(1, buffer_size=5)
+    c.load_to(0, 10.0)
+    for distance in (5.0, 0.0, 3.0):
+        if distance:
+            c.load_by(0, distance)
+        else:
+            c.load_dwell(0, 0.5)
+    c.go([0])
+    until(c, 0.5).retarget_to(0, 12.0)
+    until(c, 9.0)
+    assert [move.profile.end for move in c.log.moves if move.profile.distance] == pytest.approx(
+        [12.0, 15.0, 18.0]
+    )  # type: ignore[union-attr]
+
+
+def test_how_many_entries_fit() -> None:
+    c = machine(1, buffer_size=3)
+    assert c.room(0) == 3
+    for left in (2, 1, 0):
+        c.load_by(0, 1.0)
+        assert c.room(0) == left
+    with pytest.raises(Rejected, match="the move buffer of axis 0 is full"):
+        c.load_by(0, 1.0)
+    c.go([0])
+    assert c.room(0) == 1
+    assert until(c, 9.0).room(0) == 3
+    assert c.position(0) == pytest.approx(3.0)
+
+
+def test_a_relative_move_behind_a_jog_has_no_start() -> None:
+    c = machine(1)
+    c.jog(0, 10.0)
+    with pytest.raises(Rejected, match="is jogging: a relative move has no start"):
+        c.load_by(0, 1.0)

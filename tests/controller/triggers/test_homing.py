@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import pytest
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.io.wiring import World
 from motionlang.controller.triggers.homing import Homing, next_index
+from tests.cases import cases
 
 # The machine's own zero is 20 counts below its position; the switch is active from -4 to 1, marks every 10.
 SETTINGS = {"axis.0.start": 20.0, "axis.0.home_switch": [-4.0, 1.0], "axis.0.index_every": 10.0}
@@ -132,3 +135,29 @@ def test_rest_is_not_notified_before_the_end() -> None:
     Homing(c, 0, -1, 8.0, 0.8, 0.8)
     c.clock.advance(60.0)
     assert len(idle) == 1
+
+
+@cases(
+    "position, origin, up, down",
+    [
+        # Marks 10 counts apart through the origin; on a mark the next one is meant.
+        (0.0, 0.0, 10.0, -10.0), (3.0, 0.0, 10.0, 0.0), (-3.0, 0.0, 0.0, -10.0), (9.999, 0.0, 10.0, 0.0),
+        (10.0, 0.0, 20.0, 0.0), (0.0, 4.0, 4.0, -6.0), (4.0, 4.0, 14.0, -6.0), (5.0, 4.0, 14.0, 4.0),
+        (0.0, -4.0, 6.0, -4.0),
+    ],
+)  # fmt: skip
+def test_the_next_index_mark_in_each_direction(
+    position: float, origin: float, up: float, down: float
+) -> None:
+    """They are machine positions, which a new zero of the program does not move."""
+    for every, counts in ((10.0, 1.0), (2.5, 4.0), (-2.5, 4.0)):
+        c = machine({})
+        a = c.axes[0]
+        c.set_scale(0, counts)
+        a.index_every, a.index_origin = every, origin
+        c.move_to(0, position)
+        c.clock.advance(9.0)
+        for _ in range(2):
+            assert (next_index(c, 0, 1), next_index(c, 0, -1)) == (up, down)
+            c.define_position(0, 77.0)
+    assert (next_index(machine({}), 0, 1), next_index(machine({}), 0, -1)) == (inf, -inf)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.controller.controller import Controller
+from tests.cases import cases
 from tests.controller.machines import machine, until
 
 
@@ -120,3 +121,49 @@ def test_a_compare_is_notified_of_a_new_zero() -> None:
     between = c.output(7)
     c.define_position(0, 12.0)
     assert (between, c.output(7)) == (1, 0)
+
+
+@cases(
+    "time, distance, taken",
+    [
+        # Edges at 1, 1.5 and 2.25 s, at 8, 12 and 18 counts. Just as long or as far as inhibited is enough.
+        (0.0, 0.0, [8.0, 12.0, 18.0]),
+        (0.5, 0.0, [8.0, 12.0, 18.0]),
+        (0.75, 0.0, [8.0, 18.0]),
+        (1.5, 0.0, [8.0]),
+        (0.0, 4.0, [8.0, 12.0, 18.0]),
+        (0.0, 4.5, [8.0, 18.0]),
+        (0.0, 10.5, [8.0]),
+        (0.75, 4.5, [8.0, 18.0]),
+        (0.75, 10.5, [8.0]),
+        (1.5, 4.5, [8.0]),
+    ],
+)
+def test_when_the_next_edge_counts(time: float, distance: float, taken: list[float]) -> None:
+    for back in (False, True):
+        c = machine()
+        c.drive_encoder(7, -8.0 if back else 8.0)
+        c.latch_on_input(0, 7, 2, encoder=True)
+        latch = c.latch(0)
+        latch.enabled = latch.automatic = True
+        latch.inhibit_time, latch.inhibit_distance = time, distance
+        pulses(c, 2, 1.0, 1.5, 2.25)
+        seen = captured(c)
+        until(c, 5.0)
+        assert seen == [-each if back else each for each in taken]
+        assert latch.fired
+
+
+def test_a_latch_is_off_at_first_and_another_input_does_not_matter() -> None:
+    c = machine()
+    c.latch_on_input(0, 0, 2)
+    latch = c.latch(0)
+    assert (latch.enabled, latch.automatic, latch.fired, latch.value) == (False, False, False, 0.0)
+    pulses(c, 2, 0.5)
+    assert not until(c, 1.0).latch(0).fired
+    latch.enabled = True
+    pulses(c, 3, 1.5)
+    assert not until(c, 2.0).latch(0).fired
+    latch.release()
+    pulses(c, 2, 2.5)
+    assert not until(c, 3.0).latch(0).fired
