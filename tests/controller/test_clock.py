@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from motionlang.controller.clock import INFINITY, Clock, WatchedClock
+from tests.cases import cases
 
 
 def test_events_run_at_their_own_time_and_in_their_order() -> None:
@@ -192,13 +193,18 @@ def test_cancelled_events_behind_the_end_are_no_horizon() -> None:
         assert (clock.now, clock.horizon, clock.fired) == (1.0, 3.0, 0)
 
 
-def test_an_overdue_event_does_not_turn_time_back() -> None:
-    for advance in (Clock.advance, Clock.advance_to_news):
-        clock, times = Clock(), list[float]()
-        clock.at(1.0, lambda clock=clock, times=times: times.append(clock.now) or True)  # type: ignore[misc,func-returns-value]
-        clock.now = 2.0
-        advance(clock, 1.5)
-        assert (times, clock.now) == ([2.0], 2.0)
+@cases("advance", [Clock.advance, Clock.advance_to_news])
+def test_an_overdue_event_does_not_turn_time_back(advance: Callable[[Clock, float], object]) -> None:
+    clock, times = Clock(), list[float]()
+
+    def note() -> bool:
+        times.append(clock.now)
+        return True
+
+    clock.at(1.0, note)
+    clock.now = 2.0
+    advance(clock, 1.5)
+    assert (times, clock.now) == ([2.0], 2.0)
 
 
 def test_a_watched_clock_reports_each_time_before_it_comes() -> None:
