@@ -290,6 +290,15 @@ class Readings:
             until = since - c2 / (3.0 * c3)
         return start + (until if found is None else min(found, until))
 
+    def turns(self, channel: int) -> bool:
+        """True if an encoder channel moves, or begins to."""
+        a = self.encoder(channel)
+        profile, elapsed = a.profiles[-1], self.clock.now - a.starts[-1]
+        if elapsed >= profile.duration:
+            return bool(profile.end_velocity)
+        piece = profile.cubic(elapsed)
+        return piece is None or any(piece[2][1:])
+
     def watch(self, axis: int, position: float, call: Callable[[int], None], physical: bool = False) -> Watch:
         """Call `call(direction)` whenever the axis passes `position`, until `unwatch`."""
         a = self.axes[axis]

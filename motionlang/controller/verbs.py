@@ -105,6 +105,7 @@ VERBS: dict[str, str] = {
     "velocity_crossing_time": "The time at which the velocity of an axis will next be a velocity.",
     "remaining_crossing_time": "The time at which so much of the present move is still to go.",
     "offset_crossing_time": "The time at which so much is still to go of an offset, or of the present move.",
+    "turns": "True if an encoder channel is turning.",
     "demand_crossing_time": "The time at which the demand of an axis will pass a position.",
     "target": "The end point of the last move.",
     "remaining": "The distance still to go in the present move.",

@@ -168,16 +168,28 @@ def test_the_reversal_of_a_motion() -> None:
 
 
 def test_an_encoder_from_outside() -> None:
+    """From rest to 50 counts/s in 0.5 s, and at 1 s back to rest until 1.5 s."""
     c = controller()
+    assert not c.turns(7)
     assert (c.encoder_position(7), c.encoder_velocity(7), c.encoder_crossing_time(7, 5.0)) == (0.0, 0.0, inf)
     c.drive_encoder(7, 50.0, 100.0)
+    assert c.turns(7)
     assert c.encoder_crossing_time(7, 12.5) == pytest.approx(0.5)
     c.clock.advance(1.0)
+    assert c.turns(7)
     assert (c.encoder_position(7), c.encoder_velocity(7)) == pytest.approx((37.5, 50.0))
     assert c.encoder_crossing_time(7, 62.5) == pytest.approx(1.5)
     c.drive_encoder(7, 0.0, 100.0)
-    c.clock.advance(1.6)
+    moves = []
+    for time in (1.0, 1.4, 1.6):
+        c.clock.advance(time)
+        moves.append(c.turns(7))
+    assert moves == [True, True, False]
     assert c.encoder_position(7) == pytest.approx(50.0)
+    c.drive_encoder(7, -50.0, 0.0)
+    assert c.turns(7)
+    c.drive_encoder(7, 0.0, 0.0)
+    assert not c.turns(7)
 
 
 def test_a_pulse_is_prolonged_by_another_one() -> None:

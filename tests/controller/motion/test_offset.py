@@ -17,10 +17,10 @@ from tests.controller.machines import machine, until
 FAST, SLOW, ACCEL, DECEL, PROFILE = 1, 2, 4, 8, 16
 
 
-def moving(back: bool = False, **settings: float) -> Controller:
+def moving(settings: dict[str, float] | None = None, back: bool = False) -> Controller:
     """Return a slave that follows its master from 0 s on, both at speed from 0.1 s on."""
     c = machine()
-    for name, value in settings.items():
+    for name, value in (settings or {}).items():
         c.configure(1, name, value)
     c.gear(1, 0, 1.0)
     c.jog(0, -10.0 if back else 10.0)
@@ -58,7 +58,7 @@ def test_the_duration_of_an_offset(
 ) -> None:
     for back in (False, True):
         sign = -1.0 if back else 1.0
-        c = moving(back, **settings)
+        c = moving(settings, back)
         c.offset(1, sign * distance, mode, over)
         assert c.offset_status(1) == status
         assert c.offset_remaining(1) == pytest.approx(sign * distance)
@@ -92,7 +92,7 @@ def test_the_duration_of_an_offset(
 def test_an_offset_that_is_impossible_has_no_effect(
     distance: float, mode: int, over: float, settings: dict[str, float], status: int
 ) -> None:
-    c = moving(**settings)
+    c = moving(settings)
     c.offset(1, distance, mode, over)
     assert c.offset_status(1) == status
     assert c.offset_remaining(1) == 0.0

@@ -56,7 +56,8 @@ def test_the_tests_of_a_loop(text: str, governs: int, expected: dict[int, list[s
     line = line_of(text)
     assert line is not None
     found = find_tests(line.commands, governs)
-    texts = found and {
-        k: each if each is None else [command.text for command in each] for k, each in found.items()
+    assert (found is None) is (expected is None)
+    texts = {
+        k: None if tests is None else [each.text for each in tests] for k, tests in (found or {}).items()
     }
-    assert texts == expected
+    assert texts == (expected or {})
