@@ -48,7 +48,10 @@ _FAULT_BITS = {
 
 
 class Limits:
-    """The four limits of one axis, and its amplifier-fault input."""
+    """The four limits of one axis, and its amplifier-fault input.
+
+    The board's reset of the axis, which follows, disables them.
+    """
 
     def __init__(self, board: Board, axis: AxisState) -> None:
         self._board, self._axis = board, axis
@@ -58,9 +61,6 @@ class Limits:
             SOFT_LOW: self._new(-1, SOFT_LIMIT_REVERSE),
         }
         self._amplifier = Undirected(board.controller, axis.number, 0, ERROR_INPUT, "off")
-        self.watch_amplifier(False)
-        self.set_mode(0)
-        self.disable(ALL)
 
     def set_mode(self, mode: int) -> None:
         """Set the effect of a tripped limit (LM)."""
