@@ -523,3 +523,27 @@ def test_a_cyclic_table_continues_into_its_beginning() -> None:
     wave = table_curve([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, -1.0, 0.0], "cubic", cyclic=True)
     assert [wave.velocity(x) for x in (0.0, 1.0, 2.0, 3.0)] == pytest.approx([1.5, 0.0, -1.5, 0.0])
     assert (wave.start_velocity, wave.end_velocity) == pytest.approx((1.5, 1.5))
+
+
+@pytest.mark.parametrize(
+    ("time", "state"),
+    [
+        (-1.0, (0.0, 0.0, 0.0, 0.0)),
+        (0.0, (0.0, 0.0, 1000.0, 0.0)),
+        (0.05, (1.25, 50.0, 1000.0, 0.0)),
+        (0.5, (45.0, 100.0, 0.0, 0.0)),
+        (1.05, (98.75, 50.0, -1000.0, 0.0)),
+        (1.1, (100.0, 0.0, 0.0, 0.0)),
+        (9.0, (100.0, 0.0, 0.0, 0.0)),
+    ],
+)
+def test_the_state_before_in_and_behind_a_move(time: float, state: tuple[float, float, float, float]) -> None:
+    """Position, velocity, acceleration and jerk of 100 at 100/s and 1000/s²."""
+    found = MOVE.at(time)
+    assert (found.position, found.velocity, found.acceleration, found.jerk) == pytest.approx(state, abs=1e-9)
+
+
+def test_a_motion_that_runs_on_has_its_velocity_behind_its_end() -> None:
+    """10 up to 20 per second at 10 per second² takes 1 s and 15; 2 s later it is 40 further."""
+    found = plan_velocity("trapezoid", 0.0, 10.0, 20.0, 10.0, 10.0).at(3.0)
+    assert (found.position, found.velocity, found.acceleration) == pytest.approx((55.0, 20.0, 0.0))
