@@ -40,7 +40,7 @@ def eds() -> str:
             dictionary[first + number][1].default_raw = f"$NODEID+0x{can_id:X}"
     for (index, sub), value in ObjectServer(Drive()).values.items():
         found = dictionary[index]
-        variable = found if isinstance(found, ODVariable) else found[sub]
+        variable: Any = found if isinstance(found, ODVariable) else found[sub]
         variable.default = value
         if value < 0:
             variable.default_raw = str(value)  # the library would write 0x-3
