@@ -1,7 +1,7 @@
 """Facts about axes that the checks of motion know, one small program for each.
 
-A fact that is certain on only one of two paths is not known. Some programs have two lines of which one is wrong
-only because of the other.
+A fact that is certain on only one of two paths is not known. In some programs a line is wrong only because
+of another one.
 """
 
 from __future__ import annotations

@@ -256,6 +256,9 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/servo/lookahead.py: crossing: off[0] > 0.0 -> off[0] >= 0.0": (
         "a first sample at the level is handled before"
     ),
+    "motionlang/planners/transition.py: profile_of_steps: v1 * sign -> v1 / sign": "the sign is 1 or -1",
+    "motionlang/planners/transition.py: profile_of_steps: v0 * sign -> v0 / sign": "the sign is 1 or -1",
+    "motionlang/planners/transition.py: profile_of_steps: v0 * sign -> v0 / sign #2": "the sign is 1 or -1",
     "motionlang/mccl/resolve/decode.py: _no_command: False -> True": (
         "the command has no effect to count: its fault ends the line"
     ),

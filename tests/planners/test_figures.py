@@ -544,6 +544,17 @@ def test_the_state_before_in_and_behind_a_move(time: float, state: tuple[float, 
 
 
 def test_a_motion_that_runs_on_has_its_velocity_behind_its_end() -> None:
-    """10 up to 20 per second at 10 per second² takes 1 s and 15; 2 s later it is 40 further."""
+    """From 10 to 20 per second at 10 per second² takes 1 s and 15, then 2 s take 40."""
     found = plan_velocity("trapezoid", 0.0, 10.0, 20.0, 10.0, 10.0).at(3.0)
     assert (found.position, found.velocity, found.acceleration) == pytest.approx((55.0, 20.0, 0.0))
+
+
+def test_a_table_with_unequal_distances() -> None:
+    """From 0 by 1 to 1, by 2 to 1 and by 1 to 0 the slopes inside are m and -m.
+
+    The condition at 1 is 2 m (1/1 + 1/2) - m/2 = 3 (1/1 + 0/2), so m is 1.2. With two segments, from 0 by 1 to 1 and by
+    2 to 0, it is 2 m (1/1 + 1/2) = 3 (1/1 - 0.5/2), so m is 0.75.
+    """
+    made = table_curve([0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 1.0, 0.0], "cubic")
+    assert [made.velocity(x) for x in (0.0, 1.0, 3.0)] == pytest.approx([0.0, 1.2, -1.2])
+    assert table_curve([0.0, 1.0, 3.0], [0.0, 1.0, 0.0], "cubic").velocity(1.0) == pytest.approx(0.75)

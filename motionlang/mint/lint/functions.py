@@ -118,7 +118,7 @@ class FunctionChecks:
         )
 
     def _of_symbol(self, symbol: Symbol) -> Hashable:
-        """Return the functions that write a variable, and the tasks and handlers that call them."""
+        """Return the functions that write a variable, and their tasks and handlers."""
         known = self._seen.get(symbol)
         if known is None:
             facts = self._facts

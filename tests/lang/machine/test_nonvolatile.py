@@ -45,7 +45,7 @@ def test_words_have_addresses_up_to_1023_and_32_bits(tmp_path: Path) -> None:
     ],
 )
 def test_a_float_is_a_word_of_its_bits(value: float, word: int, read: float) -> None:
-    """The bits of IEEE 754: 1 is 3F800000, and numbers beyond the largest are infinite."""
+    """The bits are those of IEEE 754; beyond the largest number is infinity."""
     nonvolatile = NonVolatile()
     nonvolatile.set_real(3, value)
     assert (nonvolatile.word(3), nonvolatile.real(3)) == (word, read)

@@ -86,8 +86,8 @@ def test_an_analogue_input_triggers_in_its_direction(
 ) -> None:
     """Input 2 is 50 % from 100 ms to 200 ms, and -50 % from 300 ms to 400 ms.
 
-    A value that is reached has been passed on the way up, and on the way down it is passed when it is left. Thus -50
-    is never passed on the way down. Input 1 is 50 % from 50 ms on, which is another channel.
+    A rising input passes a value that it reaches, and a falling one a value that it leaves. So -50 is never passed by
+    a falling input. Input 1 is 50 % from 50 ms on, which is another channel.
     """
     entries = [
         {"channel": 1, "at": 0.05, "value": 50.0},
