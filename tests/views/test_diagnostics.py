@@ -167,3 +167,40 @@ def test_times_of_a_repeated_diagnostic_have_no_power_of_ten() -> None:
     found = Diagnostic("range", "SPEED cannot be -1", 1)
     found.count, found.first, found.last = 500_000, 1e-05, 9.99999
     assert "  note: 500 000 times, from 0.00001 s to 9.99999 s\n" in render(found, PROGRAM)
+
+
+LETTERS = "abcdefghijklmnopqrstuvwxyz0123456789"
+
+
+@pytest.mark.parametrize(
+    ("line", "column", "length", "shown", "marked"),
+    [
+        (LETTERS, 1, 1, "abcdefghijklmnopqrs…", "^"),
+        (LETTERS, 1, 36, "abcdefghijklmnopqrs…", "^^^^^^^^^^^^^^^^^^^"),
+        (LETTERS, 5, 3, "abcdefghijklmnopqrs…", "    ^^^"),
+        (LETTERS, 19, 1, "abcdefghijklmnopqrs…", "                  ^"),
+        # A mark further on has ten cells before it.
+        (LETTERS, 20, 1, "…jklmnopqrstuvwxyz0…", "           ^"),
+        (LETTERS, 21, 1, "…klmnopqrstuvwxyz01…", "           ^"),
+        (LETTERS, 25, 4, "…opqrstuvwxyz012345…", "           ^^^^"),
+        (LETTERS, 36, 1, "…z0123456789", "           ^"),
+        (LETTERS, 37, 1, "…0123456789", "           ^"),
+        (LETTERS, 0, 1, "abcdefghijklmnopqrs…", None),
+        # A line of 20 letters fits, with a mark behind it it does not.
+        (LETTERS[:20], 20, 1, "abcdefghijklmnopqrst", "                   ^"),
+        (LETTERS[:20], 21, 1, "…klmnopqrst", "           ^"),
+        (LETTERS[:20], 15, 9, "abcdefghijklmnopqrst", "              ^^^^^^"),
+        # A tab goes to the next fourth cell, a letter of Japanese has two cells.
+        ("\tab\tc", 2, 2, "    ab  c", "    ^^"),
+        ("\tab\tc", 5, 1, "    ab  c", "        ^"),
+        ("日本語日本語日本語日本語", 6, 2, "日本語日本語日本語…", "          ^^^^"),
+        ("", 1, 1, "", "^"),
+    ],
+)
+def test_the_excerpt_in_twenty_cells(
+    line: str, column: int, length: int, shown: str, marked: str | None
+) -> None:
+    text = render(Diagnostic("syntax", "m", 1, column, length=length), Source("a", line), width=24)
+    excerpt, *below = text.split("\n")[3:-1]
+    assert excerpt == f"1 | {shown}".rstrip()
+    assert below == ([] if marked is None else [f"  | {marked}"])

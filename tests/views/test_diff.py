@@ -42,7 +42,8 @@ def lines(old: dict[str, Any], new: dict[str, Any]) -> list[str]:
         (
             report(move(axis=0), move(axis=1)),
             report(move(axis=0, start=1.0, end=2.0), move(axis=1, start=1.0, end=3.0)),
-            "line 1: MOVER of axes 0, 1, 1 move each: start none → 1 uu, axis 0 end none → 2 uu, axis 1 end none → 3 uu",
+            "line 1: MOVER of axes 0, 1, 1 move each: start none → 1 uu, "
+            "axis 0 end none → 2 uu, axis 1 end none → 3 uu",
         ),
         (
             report(move(peak_speed=5.0, distance=1.0)),

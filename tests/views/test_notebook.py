@@ -1,0 +1,124 @@
+"""Drawings and tables of a notebook, and cells of a sweep, by hand."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from motionlang.execution import run
+from motionlang.source import Source
+from motionlang.views.curve import BELOW, HEIGHT, LEFT, WIDTH, curve
+from motionlang.views.notebook import MAX_LINES, MOST_MOVES, html
+from motionlang.views.sweep_table import cell, sweep_table
+
+
+def polyline(drawing: str) -> list[tuple[float, float]]:
+    (points,) = re.findall(r'polyline points="([^"]*)"', drawing)
+    return [(float(x), float(y)) for x, y in (each.split(",") for each in points.split())]
+
+
+def texts(drawing: str) -> dict[str, tuple[float, float]]:
+    found = re.findall(r'<text x="([^"]*)" y="([^"]*)"[^>]*>([^<]*)</text>', drawing)
+    return {text: (float(x), float(y)) for x, y, text in found}
+
+
+def test_a_curve_fills_its_frame() -> None:
+    """From 2 s to 4 s and from -10 to 30: 0 is at three quarters of the height."""
+    drawing = curve([(2.0, 0.0), (3.0, 30.0), (4.0, -10.0)], 2.0, 4.0, "a < b")
+    middle = LEFT + (WIDTH - LEFT) / 2
+    zero = 0.75 * HEIGHT
+    assert polyline(drawing) == [(LEFT, zero), (middle, 0.0), (WIDTH, HEIGHT)]
+    assert f"M{LEFT} {zero:.1f}H{WIDTH}" in drawing
+    assert "<title>a &lt; b</title>" in drawing
+    assert texts(drawing) == {
+        "30": (LEFT - 4, 9.0),
+        "-10": (LEFT - 4, HEIGHT),
+        "2 s": (LEFT, HEIGHT + BELOW - 5),
+        "4 s": (WIDTH, HEIGHT + BELOW - 5),
+    }
+
+
+def test_the_frame_of_a_curve_has_0() -> None:
+    """A scale end at 0 has no text; the time 0 is "0"."""
+    above, below = (curve([(0.0, sign), (1.0, 2.0 * sign)], 0.0, 1.0, "") for sign in (5.0, -5.0))
+    assert list(texts(above)) == ["10", "0", "1 s"]
+    assert list(texts(below)) == ["-10", "0", "1 s"]
+    assert polyline(above) == [(LEFT, HEIGHT / 2), (WIDTH, 0.0)]
+    assert polyline(below) == [(LEFT, HEIGHT / 2), (WIDTH, HEIGHT)]
+    assert curve([(0.0, 0.0)], 0.0, 1.0, "") == ""
+    assert curve([(0.0, float("inf"))], 0.0, 1.0, "") == ""
+    assert polyline(curve([(0.0, 5.0)], 0.0, 0.0, "")) == [(LEFT, 0.0)]
+
+
+def test_a_move_of_a_notebook_has_its_own_times() -> None:
+    """The move begins 1 s after the start, to 100 at 50 uu/s with 500 uu/s²."""
+    made = run(
+        Source(
+            "a.mnt", "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500\nWAIT = 1000\nMOVER(0) = 100 : GO(0)\n"
+        ),
+        cache=False,
+    )
+    (move,) = made.moves
+    drawing = move._repr_html_()
+    points = polyline(drawing)
+    assert (points[0][0], points[-1][0]) == (LEFT, WIDTH)
+    assert (points[0][1], points[len(points) // 2][1], points[-1][1]) == (HEIGHT, 0.0, HEIGHT)
+    assert "axis 0: velocity, uu/s" in drawing
+
+
+def test_a_table_of_moves_has_a_largest_length() -> None:
+    for count, more in (
+        (MOST_MOVES, ""),
+        (MOST_MOVES + 1, "<p>… 1 more move</p>"),
+        (MOST_MOVES + 2, "<p>… 2 more moves</p>"),
+    ):
+        text = f"Dim k As Integer\nFor k = 1 To {count}\nMOVER(0) = 1 : GO(0) : PAUSE IDLE(0)\nNext\n"
+        found = run(Source("a.mnt", text), cache=False).moves._repr_html_()
+        assert found.count("<tr>") == MOST_MOVES + 1
+        assert ("<p>" in found) == bool(more)
+        assert more in found
+
+
+@pytest.mark.parametrize("count", [MAX_LINES, MAX_LINES + 1])
+def test_output_of_many_lines_is_shortened_in_the_middle(count: int) -> None:
+    text = f"Dim k As Integer\nFor k = 1 To {count}\nPrint k\nNext\n"
+    lines = (
+        html(run(Source("a.mnt", text), cache=False)).partition("</pre>")[0].removeprefix("<pre>").split("\n")
+    )
+    half = MAX_LINES // 2
+    if count == MAX_LINES:
+        assert len(lines) == MAX_LINES
+    else:
+        assert lines[half] == "… 1 lines …"
+        assert len(lines) == MAX_LINES + 1
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (None, ""),
+        (True, "true"),
+        (False, "false"),
+        (12, "12"),
+        (1 / 3, "0.333333"),
+        ("a\nb", "a · b"),
+        ("x" * 40, "x" * 40),
+        ("x" * 41, "x" * 39 + "…"),
+    ],
+)
+def test_a_cell_of_a_sweep(value: object, text: str) -> None:
+    assert cell(value) == text
+
+
+def test_a_narrow_sweep_drops_its_last_columns() -> None:
+    """The first two are always shown; texts are on the left, numbers on the right."""
+    rows = [[1, "x", 2.5, 3], [10, "yy", 2, 4]]
+    names, units = ["n", "name", "time", "peak"], ["", "", "s", "uu/s"]
+    wide = sweep_table(names, units, rows, width=80)
+    assert [line.split() for line in wide[-2:]] == [["1", "x", "2.5", "3"], ["10", "yy", "2", "4"]]
+    assert wide[-2].startswith(" 1  x ")
+    assert wide[-1].startswith("10  yy")
+    full = max(map(len, wide))
+    for width, shown in ((full, 4), (full - 1, 3), (5, 2)):
+        assert len(sweep_table(names, units, rows, width=width)[-1].split()) == shown
