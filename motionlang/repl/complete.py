@@ -70,6 +70,6 @@ def _help(row: Keyword) -> str:
 
 
 def _in_prose(dialect: Dialect, line: str) -> bool:
-    """True if the end of `line` is in a comment or a string."""
+    """True if the end of `line` is in a comment or a string, which may be open."""
     pieces = list(dialect.tokens(line))
-    return bool(pieces) and pieces[-1][0] in _PROSE
+    return bool(pieces) and (pieces[-1][0] in _PROSE or pieces[-1][1].startswith('"'))

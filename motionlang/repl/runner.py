@@ -21,6 +21,8 @@ from motionlang.source import Source
 
 # Machine time after which a busy command is polled again for Ctrl-C.
 SLICE = 0.25
+# Machine time after eight hours in which `.run 28800` still ends.
+REST = 1e-3
 NOWHERE = Source("input", "")
 
 
@@ -91,7 +93,7 @@ class Runner:
     def _run(self, task: Task, source: Source) -> bool:
         scheduler, clock = self._scheduler, self.machine.controller.clock
         self._let_run(task)
-        end = clock.now + ONE_SHIFT
+        end = clock.now + ONE_SHIFT + REST
 
         def run() -> bool:
             while not scheduler.run_program(min(clock.now + SLICE, end)):
