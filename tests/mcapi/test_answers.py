@@ -433,3 +433,32 @@ def test_the_loop_rate_of_a_board_without_rates() -> None:
     found = mc.MCAXISCONFIG()
     host.GetAxisConfiguration(1, found)
     assert (found.HighRate, found.MediumRate, found.LowRate) == (1000.0, 1000.0, 1000.0)
+
+
+def test_the_configuration_of_a_multiflex(host: Mcapi) -> None:
+    """Type 9, 8 axes, fractions of gains, 255 channels, 256 points, all abilities, 12 bits for ±10 V, no line mode."""
+    converse(
+        host,
+        """
+        MCGetConfigurationEx 1 + -> 0 0 9 8 8 8 1 255 255 255 256 1 1 1 1 1 1 1 -10.0 10.0 12 -10.0 10.0 12 1 1 1 0
+        MCGetConfiguration 1 + -> 0 0 9 8 255 255 255 1 1 1 1 1 1 1 1 256 1 1 1 1 1 1 1
+        """,
+    )
+
+
+def test_calls_of_the_owner_go_first(host: Mcapi) -> None:
+    """While a handle has reserved the interface, calls of others wait until it is free again."""
+    session, console = host.board._session, host.board.console
+    assert session.call("MCOpen", 0, (0, 2, None)).result == 2
+    assert session.call("pmclock", 1, (0,)).result == 0
+    other = session.call("MCSetVelocity", 2, (1, 7.0))
+    read = session.call("MCGetVelocityEx", 2, (1, 1))
+    own = session.call("MCSetVelocity", 1, (1, 5.0))
+    console.run(0.1)
+    assert (own.done, other.done, read.done) == (True, False, False)
+    assert session.call("pmcunlock", 2, ()).done  # not the owner
+    console.run(0.2)
+    assert not other.done
+    session.call("pmcunlock", 1, ())
+    console.run(0.3)
+    assert (other.done, read.outputs) == (True, (7.0,))

@@ -104,6 +104,19 @@ def test_exclusive_with_others(host: Mcapi) -> None:
     assert host.Open(0, mc.MC_OPEN_BINARY) == -mc.MCERR_OPEN_EXCLUSIVE
 
 
+def test_calls_over_one_connection(serve: Serve) -> None:
+    """Each host opens its own; a call before MCOpen has none, and closing it is no error."""
+    board = serve()
+    host, other = Mcapi(board.name), Mcapi(board.name)
+    assert code(host, "MCGetPositionEx", 1, 1) == mc.MCERR_SOCKET
+    assert (host.Open(0, mc.MC_OPEN_BINARY), other.Open(0, mc.MC_OPEN_BINARY)) == (1, 1)
+    host.SetPosition(1, 7.0)
+    assert (host.GetPositionEx(1), other.GetPositionEx(1)) == (7.0, 7.0)
+    host.Close()
+    assert host.Open(0, mc.MC_OPEN_BINARY) == 1
+    assert host.GetPositionEx(1) == 7.0
+
+
 def test_a_server_that_ends(serve: Serve) -> None:
     """Every call then returns 32, until another server is opened."""
     board = serve()

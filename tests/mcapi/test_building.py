@@ -21,7 +21,9 @@ class Compiler:
         self.commands: list[list[str]] = []
         self.exports = ""
         monkeypatch.delenv("CC", raising=False)
-        monkeypatch.setattr(shutil, "which", lambda name: f"/usr/bin/{name}")
+        monkeypatch.setattr(
+            shutil, "which", lambda name: None if name.startswith("-") else f"/usr/bin/{name}"
+        )
         monkeypatch.setattr(subprocess, "run", self.run)
         monkeypatch.setattr("motionlang.mcapi.build.sys.platform", "linux")
 

@@ -357,3 +357,12 @@ def test_calls_with_the_same_begin_keep_their_order() -> None:
         "0.7 0.7 4 MCOpen 0 2 - = 1\n"
     )
     assert [entry.line for entry in read(io.BytesIO(text.encode()))] == [2, 4, 3, 5]
+
+
+def test_a_zero_that_is_set_shifts_positions_in_motion() -> None:
+    """The start is set to 100, so after 495 counts the position is 595."""
+    log = SLOW.replace(
+        "0.2 0.2 1 MCMoveAbsolute", "0.15 0.15 1 MCSetPosition 1 1 100.0 = -\n0.2 0.2 1 MCMoveRelative"
+    )
+    for position, counts in ((595.0, {}), (395.0, {"position": 1}), (495.0, {"position": 1})):
+        assert replayed(f"{log}0.7 0.7 2 MCGetPositionEx 1 1 + = 0 {position}\n").counts == counts

@@ -332,4 +332,11 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/serve/address.py: listen: 1 -> 2": "a socket option is on at every value but 0",
     "motionlang/serve/channel.py: TcpChannel: __init__: 1 -> 2": "a socket option is on at every value but 0",
     "motionlang/serve/channel.py: TcpChannel: __init__: 1 -> 2 #2": "a socket option is on at every value but 0",
+    "motionlang/mcapi/call.py: Call: __init__: 0 -> 1": "a call has the number of its host before it begins",
+    "motionlang/mcapi/calls/dialogs.py: _sections: 1e+300 -> 1e+300": "the same number in floating point",
+    "motionlang/mcapi/calls/settings.py: _direction: axis.direction > 0 -> axis.direction >= 0": (
+        "a direction is 1 or -1"
+    ),
+    "motionlang/mcapi/session.py: Session: open: 2 -> 3": "one number behind the last is enough to be refused",
+    "motionlang/mcapi/session.py: wrapped: bits < 0 -> bits <= 0": "no integer has 0 bits",
 }

@@ -203,4 +203,4 @@ def test_an_axis_is_shown_once_it_has_moved(debugged: Session) -> None:
     assert ": position 20" in then
     assert then.endswith(", velocity 50")
     assert "axis 1" not in text
-    assert debugged.feed(".go").startswith("ended after 2.")
+    assert debugged.feed(".go").startswith("2\nended after 2.")

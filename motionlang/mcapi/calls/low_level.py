@@ -196,7 +196,7 @@ def _give(call: Call, text: str, kind: int) -> None:
     if kind not in NUMBERS:
         call.code = mc.MCERR_CONSTANT
         return
-    call.outputs = (_typed(int(value) if kind == mc.MC_TYPE_LONG else value, kind),)
+    call.outputs = (_typed(value, kind),)
 
 
 # ----------------------------------------------------------------------------------------------------- lock
