@@ -115,6 +115,8 @@ def test_calls_over_one_connection(serve: Serve) -> None:
     host.Close()
     assert host.Open(0, mc.MC_OPEN_BINARY) == 1
     assert host.GetPositionEx(1) == 7.0
+    for each in (host, other):
+        each._calls.close()
 
 
 def test_a_server_that_ends(serve: Serve) -> None:

@@ -339,4 +339,5 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/mcapi/session.py: Session: open: 2 -> 3": "one number behind the last is enough to be refused",
     "motionlang/mcapi/session.py: wrapped: bits < 0 -> bits <= 0": "no integer has 0 bits",
+    "motionlang/client/answer.py: end_of: 1 -> 2": "the byte before the searched ones belongs to no prompt",
 }
