@@ -224,3 +224,15 @@ def test_a_silent_client_makes_room() -> None:
         with silent, client(server) as ask:
             assert ask(words(3, 1, 1)) == bytes.fromhex("03 02 0003")
             assert silent.recv(1) == b""
+
+
+def test_a_client_that_has_sent_nothing_makes_room_and_requests_are_counted() -> None:
+    """A request that is rejected counts unless it cannot be parsed."""
+    with served(Limits(hosts=1, idle=0.0)) as server:
+        silent = socket.create_connection(("127.0.0.1", server.port), PATIENCE)
+        with silent, client(server) as ask:
+            assert ask(words(3, 1, 1)) == bytes.fromhex("03 02 0003")
+            assert ask(bytes.fromhex("2b 0e 01 07"))[:1] == b"\x2b"
+            assert ask(bytes.fromhex("01 0000 0001")) == bytes.fromhex("81 01")
+            assert silent.recv(1) == b""
+            assert server.requests == 2

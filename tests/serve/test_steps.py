@@ -333,7 +333,13 @@ def test_a_text_of_the_identification_has_60_characters_of_ascii() -> None:
     assert identity.objects == {0: b"?" * 60, 1: b"p", 2: b"v", 4: b"p"}
     answer = identity.answer(bytes.fromhex("2b 0e 03 04"))
     assert answer == bytes.fromhex("2b 0e 03 82 00 00 01 04 01") + b"p"
-    for data, code in (("2b", 1), ("2b 0e 00 00", 3), ("2b 0e 01 00 00", 3), ("2b 0f 01 00", 1)):
+    for data, code in (
+        ("2b", 1),
+        ("2b 0e", 3),
+        ("2b 0e 00 00", 3),
+        ("2b 0e 01 00 00", 3),
+        ("2b 0f 01 00", 1),
+    ):
         with pytest.raises(Rejected) as caught:
             identity.answer(bytes.fromhex(data))
         assert caught.value.code == code
