@@ -166,7 +166,8 @@ def test_the_variables_of_each_scope(stopped: tuple[Client, dict[str, Any]]) -> 
 def reference(client: Client, stop: dict[str, Any], scope: str) -> int:
     frame = client.ask("stackTrace", threadId=stop["body"]["threadId"])["stackFrames"][0]["id"]
     scopes = client.ask("scopes", frameId=frame)["scopes"]
-    return next(each["variablesReference"] for each in scopes if each["name"] == scope)
+    (found,) = [int(each["variablesReference"]) for each in scopes if each["name"] == scope]
+    return found
 
 
 def test_elements_and_their_sections(stopped: tuple[Client, dict[str, Any]]) -> None:
@@ -412,7 +413,7 @@ def test_an_internal_error_in_a_command_ends_the_session_with_its_text(
     def fail() -> None:
         raise KeyError("broken")
 
-    client.adapter._debugger.next = fail  # type: ignore[assignment, method-assign, return-value]
+    client.adapter._debugger.next = fail  # type: ignore[method-assign]
     client.ask("next")
     output = client.wait("output")
     assert output["body"] == {"category": "stderr", "output": "internal error: KeyError: 'broken'\n"}

@@ -179,7 +179,7 @@ def test_the_profile_in_force_at_a_time() -> None:
     assert [track.index_at(time) for time in times] == [-1, 0, 0, 1, 1, 2, 2, 3, 4]
     assert track.count(0.0, 99.0) == 0
     assert track.between(1.5, 2.0) == (track.starts, track.profiles)
-    assert (track.position(2.9), track.at(2.9).velocity) == (pytest.approx(10.0), 0.0)
+    assert (track.position(2.9), track.at(2.9).velocity) == pytest.approx((10.0, 0.0))
 
 
 def test_the_pieces_of_a_track() -> None:

@@ -221,7 +221,7 @@ def test_a_renamed_name() -> None:
         "code": -32803, "message": "MOVER is a keyword",
     }  # fmt: skip
     edits = [{"range": each, "newText": "done"} for each in COUNT]
-    rename = {"position": at(0, 5), "newName": "done"}
+    rename: dict[str, Any] = {"position": at(0, 5), "newName": "done"}
     assert ask(PROGRAM, "rename", **rename) == {"changes": {URI: edits}}
     for has_versions in (False, True):
         capabilities = {"workspace": {"workspaceEdit": {"documentChanges": has_versions}}}
@@ -327,6 +327,28 @@ def test_semantic_tokens_count_from_the_previous_token() -> None:
     found = ask('Print 1 : Print 2\n\nPrint "\U0001f527", 3\n', "semanticTokens/full")
     places = [tuple(found["data"][k : k + 3]) for k in range(0, len(found["data"]), 5)]
     assert places == [(0, 0, 5), (0, 6, 1), (0, 4, 5), (0, 6, 1), (2, 0, 5), (0, 6, 4), (0, 6, 1)]
+
+
+def test_tokens_that_have_not_changed_are_an_empty_difference() -> None:
+    """A difference to other tokens than the last ones is the whole list."""
+
+    async def whole() -> list[Any]:
+        wire = Wire()
+        wire.request("first", "initialize", INITIALIZE)
+        item = {"uri": URI, "languageId": "mint", "version": 1, "text": "Print 1\n"}
+        wire.notify("textDocument/didOpen", {"textDocument": item})
+        document = {"textDocument": {"uri": URI}}
+        wire.request(1, "textDocument/semanticTokens/full/delta", {**document, "previousResultId": "1"})
+        wire.request(2, "textDocument/semanticTokens/full/delta", {**document, "previousResultId": "1"})
+        wire.request(3, "textDocument/semanticTokens/full/delta", {**document, "previousResultId": "1"})
+        await wire.settled()
+        return [wire.answers()[number][0]["result"] for number in (1, 2, 3)]
+
+    first, second, third = asyncio.run(whole())
+    data = [0, 0, 5, 0, 0, 0, 6, 1, 9, 0]
+    assert first == {"data": data, "resultId": "1"}
+    assert second == {"edits": [], "resultId": "2"}
+    assert third == {"data": data, "resultId": "3"}
 
 
 @pytest.mark.parametrize(

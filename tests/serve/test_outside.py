@@ -88,7 +88,7 @@ def test_in_lock_step_an_event_or_an_endless_wait_ends_with_the_question(
     assert (outside.clock.now, len(times)) == (0.01, 1)
     outside.clock.at(0.5, lambda: None)
     outside.advance(1.0)
-    assert (outside.clock.now, len(times)) == (pytest.approx(0.02), 2)
+    assert (outside.clock.now, len(times)) == pytest.approx((0.02, 2))
 
 
 def test_a_question_fails_with_its_exception_and_after_the_end() -> None:

@@ -157,7 +157,7 @@ class Pace:
 
 
 def host_of(peer: Any, **limits: int) -> Host:
-    return Host(1, peer, peer, Limits(**limits), None)  # type: ignore[arg-type]
+    return Host(1, peer, peer, Limits(**limits), None)
 
 
 def test_a_host_is_read_up_to_the_size_of_its_inbox() -> None:
