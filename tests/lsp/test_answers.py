@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -380,3 +381,48 @@ def test_lenses_of_the_commands_that_an_editor_has(options: object, titles: list
     assert [each["command"]["title"] for each in found] == titles
     assert all(each["range"] == span(0, 0, 0) for each in found)
     assert all(each["command"]["arguments"] == [URI] for each in found)
+
+
+@pytest.mark.parametrize(
+    ("name", "language", "count"),
+    [
+        ("a.mnt", "toml", 1),
+        ("a.txt", "mint", 1),
+        ("a.txt", "toml", None),
+        ("a.mcl", "mint", 1),
+        ("b.machine.toml", "", 1),
+    ],
+)
+def test_the_language_of_a_text(name: str, language: str, count: int | None) -> None:
+    """It is that of the suffix, else the one that the editor names; other texts are not checked."""
+
+    async def whole() -> list[Any]:
+        wire = Wire()
+        wire.request("first", "initialize", INITIALIZE)
+        item = {"uri": f"file:///nowhere/{name}", "languageId": language, "version": 1, "text": "( = )\n"}
+        wire.notify("textDocument/didOpen", {"textDocument": item})
+        await wire.settled()
+        return [
+            each["params"] for each in wire.sent if each.get("method") == "textDocument/publishDiagnostics"
+        ]
+
+    published = asyncio.run(whole())
+    assert len(published) == (0 if count is None else 1)
+    assert all(each["diagnostics"] for each in published)
+
+
+def test_the_machine_file_on_the_disk(tmp_path: Path) -> None:
+    """The travel of axis 0 ends at 100, the move at 500."""
+    program = (tmp_path / "a.mnt").as_uri()
+
+    async def codes() -> list[str]:
+        wire = Wire()
+        wire.request("first", "initialize", INITIALIZE)
+        item = {"uri": program, "languageId": "mint", "version": 1, "text": "MOVEA(0) = 500 : GO(0)\n"}
+        wire.notify("textDocument/didOpen", {"textDocument": item})
+        await wire.settled()
+        return [each["code"] for each in wire.sent[-1]["params"]["diagnostics"]]
+
+    assert asyncio.run(codes()) == []
+    (tmp_path / "a.machine.toml").write_text("[axis.0]\ntravel = [0, 100]\n")
+    assert asyncio.run(codes()) == ["beyond-travel"]
