@@ -448,3 +448,50 @@ def test_requests_in_the_wrong_phase(client: Client, tmp_path: Path) -> None:
     client.begin()
     assert client.refused("initialize") == "initialize is not possible now: the session is stopped"
     assert "time must be a time in seconds" in client.refused("goToTime")
+
+
+def test_numbers_that_json_does_not_have_are_no_message() -> None:
+    with pytest.raises(ValueError, match="not JSON compliant"):
+        written({"a": float("nan")})
+
+
+def test_an_error_has_a_number_and_is_shown_for_requests_of_the_user(client: Client) -> None:
+    """Braces would be variables of the text."""
+    error = client.request("fly{me}")["body"]["error"]
+    assert error == {"id": 1, "format": "there is no request 'fly(me)'", "showUser": True}
+
+
+def test_filters_by_name(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text(MOVE)
+    client.launch(path)
+    found = client.ask("setExceptionBreakpoints", filters=["error", "limit", "rain"])["breakpoints"]
+    assert [each["verified"] for each in found] == [True, True, False]
+    assert found[2]["message"] == "there is no filter 'rain'"
+
+
+@pytest.mark.parametrize("first", [0, 1])
+def test_completions_of_a_client_that_counts_columns_from_0_or_1(
+    client: Client, tmp_path: Path, first: int
+) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text(CALLS)
+    client.ask("initialize", adapterID="motionlang", columnsStartAt1=bool(first))
+    client.ask("launch", program=str(path), stopOnEntry=True)
+    client.begin()
+    found = client.ask("completions", text="1 + to", column=6 + first)["targets"]
+    assert [(each["label"], each["start"], each["length"]) for each in found] == [("total", 4 + first, 2)]
+
+
+def test_the_console_is_free_again_after_an_answer(client: Client, tmp_path: Path) -> None:
+    """The first line answers INPUT; the next one is an expression."""
+    path = tmp_path / "a.mnt"
+    path.write_text("Dim n As Integer\nINPUT n\nPrint n\n")
+    client.launch(path)
+    client.ask("setBreakpoints", source={"path": str(path)}, breakpoints=[{"line": 3}])
+    client.ask("configurationDone")
+    while "waits for a line" not in client.wait("output")["body"]["output"]:
+        pass
+    client.ask("evaluate", expression="21", context="repl")
+    client.wait("stopped")
+    assert client.ask("evaluate", expression="n * 2", context="repl")["result"] == "42"

@@ -319,3 +319,26 @@ def test_a_descriptor_that_is_closed_here_discards_what_is_written() -> None:
         assert near.recv(1) == b""
         assert os.write(far.fileno(), b"abc") == 3
         assert os.read(far.fileno(), 10) == b""
+
+
+def test_a_search_backwards_prints_no_log_point() -> None:
+    messages: list[str] = []
+    debugger = mint(CALLS, log_message=messages.append)
+    debugger.start()
+    debugger.go_to_line(11)
+    debugger.set_breakpoints([at(debugger, 5, message="{n}"), at(debugger, 8)])
+    stop = debugger.reverse()
+    assert stop is not None
+    assert (stop.line, messages) == (8, [])
+
+
+def test_a_step_back_from_the_first_statement_of_a_task() -> None:
+    """It goes to the statement before, of another task."""
+    debugger = mint("Run Blink\nWAIT(100)\nEnd\nTask Blink\n  OUTX(1) = 1\nEnd Task\n")
+    debugger.start()
+    first = debugger.go_to_line(5)
+    assert first is not None
+    back = debugger.step_back()
+    assert back is not None
+    assert (back.number, back.task) == (first.number - 1, "ParentTask")
+    debugger.abandon()
