@@ -496,3 +496,46 @@ _add("mccl_field", "time_out", 'LU"STATUS",AR60\nMD6,RA30,AA1,AR30,IG500000,1ST,
      + _MOVES.format("AL0,AR30,MC6"), neighbour="mccl_ws")  # fmt: skip
 _add("mccl_field", "two_counts", "MD5,RA40,AA1,AR40,NO,RP\nMD6,IN6,RA41,AA1,AR41,NO,RP\nGT5\nGT6\n"
      + _MOVES.format("1WS"), neighbour="mccl_ws")  # fmt: skip
+
+# Loops that poll alongside a TIMER, with a WAIT or a counter of their own.
+_LOOPS = {
+    "wait_5": "    WAIT(5)\n",
+    "wait_5_counted": "    n = n + 1\n    WAIT(5)\n",
+    "wait_1": "    WAIT(1)\n",
+    "counted": "    n = n + 1\n",
+    "guarded_wait_5": "    If INX(5) Then STOP(0)\n    WAIT(5)\n",
+}
+_TIMERS = {"toggles": "  OUTX(3) = Not OUTX(3)\n", "lamp": _LAMP.replace("@", "3")}
+for _period in (1, 10):
+    for _handler, _steps in _TIMERS.items():
+        for _name, _body in _LOOPS.items():
+            _add(
+                "timers",
+                f"{_period}_{_handler}_{_name}",
+                _cycle(
+                    f"  While Not IDLE(0)\n{_body}  End While\n",
+                    head=f"TIMEREVENT = {_period}\n",
+                    blocks=f"Event TIMER\n{_steps}End Event\n",
+                ),
+                neighbour="rest_pause",
+            )
+for _name, _wait, _count, _body in (
+    ("lamp_wait_10", _PAUSE, 1, _LAMP + "  WAIT(10)\n"),
+    ("poll_and_lamp_wait_10", _POLLED, 1, _LAMP + "  WAIT(10)\n"),
+    ("wait_5_and_lamp", "  While Not IDLE(0)\n    WAIT(5)\n  End While\n", 1, _LAMP),
+    ("two_guards_wait_10", _PAUSE, 2, "  If INX(@) Then STOP(0)\n  WAIT(10)\n"),
+    ("poll_and_two_guards_wait_10", _POLLED, 2, "  If INX(@) Then STOP(0)\n  WAIT(10)\n"),
+    ("poll_and_two_lamps", _POLLED, 2, _LAMP),
+    ("poll_and_heartbeat", _POLLED, 1, "  OUTX(7) = 1\n  WAIT(500)\n  OUTX(7) = 0\n  WAIT(500)\n"),
+):
+    _runs, _blocks = _tasks(_count, _body)
+    _add(
+        "timers",
+        f"tasks_{_name}",
+        _cycle(
+            _wait,
+            head="TIMEREVENT = 10\n" + _runs,
+            blocks=_blocks + "Event TIMER\n  ticks = ticks + 1\nEnd Event\n",
+        ),
+        neighbour="rest_pause",
+    )
