@@ -1,4 +1,4 @@
-"""Variables that a handler only counts, and how often they may advance.
+"""Variables that a handler or polling loops only count, and how often they may advance.
 
 The compiler names them (`mint/compile/handler_counters.py`). A counter is no part of a state that recurs.
 """
@@ -8,11 +8,10 @@ from __future__ import annotations
 from types import FunctionType
 
 from motionlang.fast.loop_counters import counted
-from motionlang.mint.runtime.task_state import of_values
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
     from types import CellType
     from typing import Any
 
@@ -23,38 +22,53 @@ class HandlerCounters:
     """The counters of the handler of one kind of event."""
 
     def __init__(self, events: Events, kind: str, beside_loops: bool = False) -> None:
-        """Find the counters; `beside_loops` without those that a polling loop may use."""
-        self._environment = events.environment
-        cells = _cells(events.handler(kind))
+        """Find the counters.
+
+        `beside_loops` omits those that a polling loop may use, and adds those that polling loops count.
+        """
+        self._environment = environment = events.environment
+        functions = {kind: events.handler(kind)}
+        if beside_loops:
+            functions.update(environment.blocks)
         found = [
-            (cells[name], levels, is_set)
-            for name, (levels, (is_polled, is_set)) in events.environment.handler_counters.get(
-                kind, {}
-            ).items()
+            (cells[name], levels, is_set, key != kind)
+            for key, function in functions.items()
+            for cells in (_cells(function),)
+            for name, (levels, (is_polled, is_set)) in environment.handler_counters.get(key, {}).items()
             if name in cells and not (beside_loops and is_polled)
         ]
-        self._cells = [cell for cell, _, _ in found]
-        self._levels = [levels for _, levels, _ in found]
-        self._are_set = [is_set for _, _, is_set in found]
+        self._cells = [cell for cell, *_ in found]
+        for cell in self._cells:
+            if cell.cell_contents is None:  # of a task that has not been started
+                cell.cell_contents = 0.0
+        self._levels = [levels for _, levels, _, _ in found]
+        self._are_set = [is_set for _, _, is_set, _ in found]
+        self._are_of_loops = [is_of_loop for *_, is_of_loop in found]
+        # The least and the greatest step of each counter so far.
+        self._least: list[float] = []
+        self._greatest: list[float] = []
+        self.forget()
 
     def values(self) -> tuple[float, ...]:
         """Return the present values."""
         return tuple([cell.cell_contents for cell in self._cells])
 
-    def other_variables(self, alive: dict[int, object]) -> bytes:
-        """Return the variables that functions share, without the counters."""
+    def hide(self) -> tuple[float, ...]:
+        """Set all counters to 0, so that they are no part of a state; return their values."""
         values = self.values()
         for cell in self._cells:
             cell.cell_contents = 0.0
-        try:
-            return of_values(self._environment.variables(), alive)
-        finally:
-            for cell, value in zip(self._cells, values, strict=True):
-                cell.cell_contents = value
+        return values
 
-    def is_proved(self, steps: Sequence[float]) -> bool:
-        """True if what advanced by `steps` was counted, since it is never set."""
-        return not any(step and is_set for step, is_set in zip(steps, self._are_set, strict=True))
+    def set(self, values: Sequence[float]) -> None:
+        """Give the counters some values."""
+        for cell, value in zip(self._cells, values, strict=True):
+            cell.cell_contents = value
+
+    def of_set(self, steps: Sequence[float]) -> list[float]:
+        """Return the steps of the counters that the handler also sets; no steps are zeros."""
+        given = steps or [0.0] * len(self._cells)
+        return [step for step, is_set in zip(given, self._are_set, strict=True) if is_set]
 
     def sides(self) -> list[int]:
         """Return the signs of the counters less the constants that they are compared with."""
@@ -63,6 +77,29 @@ class HandlerCounters:
             for value, levels in zip(self.values(), self._levels, strict=True)
             for level in levels
         ]
+
+    def loops_count(self, steps: Sequence[float]) -> bool:
+        """True if a counter of a loop advances."""
+        return any(step and of_loop for step, of_loop in zip(steps, self._are_of_loops, strict=False))
+
+    def record(self, steps: Sequence[float]) -> None:
+        """Record how far the counters advance at once, for `most_recorded`."""
+        self._least = [min(0.0, *each) for each in zip(self._least, steps, strict=True)]
+        self._greatest = [max(0.0, *each) for each in zip(self._greatest, steps, strict=True)]
+
+    def forget(self) -> None:
+        """Forget the recorded steps."""
+        self._least = self._greatest = [0.0] * len(self._cells)
+
+    def most_recorded(self, values: Sequence[float]) -> int:
+        """Return how often the counters may advance by any recorded step before one changes its side of a level."""
+        return int(
+            min(
+                counted(values, self._least, self._levels),
+                counted(values, self._greatest, self._levels),
+                1e9,
+            )
+        )
 
     def most(self, steps: Sequence[float]) -> float:
         """Return how often the counters may advance by `steps` before one passes a level."""
@@ -74,8 +111,8 @@ class HandlerCounters:
             cell.cell_contents += count * step
 
 
-def _cells(function: Any) -> dict[str, CellType]:
+def _cells(function: Any) -> Mapping[str, CellType]:
     """Return the variables that a function shares, by name."""
     if function.__class__ is not FunctionType:
-        return {}
+        return getattr(function, "cells", {})
     return dict(zip(function.__code__.co_freevars, function.__closure__ or (), strict=True))

@@ -100,12 +100,14 @@ class Recurrence:
         """Invalidate the stored state of a task that has run."""
         self._states.pop(task, None)
 
-    def leap(self, tasks: Sequence[Task], next_index: int, until: float) -> None:
+    def leap(self, tasks: Sequence[Task], next_index: int, until: float, without_waits: bool = False) -> None:
         """Skip as many complete periods as fit before a change, if a period is known.
 
-        This is called after a time slice.
+        This is called after a time slice. `without_waits`: no task of a period may wait.
         """
         shared = tasks[0].shared
+        if without_waits and not any(task.wait is None for task in tasks):
+            return
         if shared is None or self._statements.reached != self._clock.now:
             self.forget()
             return
@@ -141,7 +143,7 @@ class Recurrence:
         # The tasks of a period are those that poll and wait for at most this long, s.
         max_waits = {longest, min(longest, LONGER * shortest)}
         if any(task.wait is None for task in tasks):
-            max_waits.add(0.0)
+            max_waits = {0.0} if without_waits else max_waits | {0.0}
         for max_wait in sorted(max_waits, reverse=True):
             inner = [task for task in tasks if task.poll_check and _duration(task.wait) <= max_wait]
             others = [task.wait for task in tasks if task.wait is not None and task not in inner]

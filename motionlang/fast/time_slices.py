@@ -191,13 +191,13 @@ class TimeSlices(Scheduler):
             recurrence = self._recurrence = Recurrence(self.machine, self.pace)
         elif self._idle_rounds == 1:
             recurrence.forget()  # tasks may have run since the last call
-        recurrence.leap(self.tasks, self._next_index, self.until)
+        recurrence.leap(self.tasks, self._next_index, self.until, self.is_observed)
 
     def timer_set(self, events: Any) -> None:
         """Prepare to run a timer's ticks while all tasks wait, after its period is set."""
         from motionlang.fast.timer_ticks import TimerTicks
 
-        self._ticks = TimerTicks(events)
+        self._ticks, self.is_observed = TimerTicks(events), False
 
     def _jump(self, until: float) -> None:
         """Jump to the next time at which something can change, or run ticks."""
@@ -210,11 +210,11 @@ class TimeSlices(Scheduler):
         """The index of the task at which the search for the next one begins."""
         return self._next_index
 
-    def _forget(self, task: Task) -> None:
-        """Drop a task that has ended, and skip ticks after a handler of TIMER."""
-        super()._forget(task)
+    def _leave(self, task: Task, event: float, time: float, several: bool) -> None:
+        """Leave a task, and skip ticks of TIMER if possible."""
+        super()._leave(task, event, time, several)
         if self._ticks is not None:
-            self._ticks.handled(self, task)
+            self._ticks.left(self, task)
 
     def ran_handler(self, task: Task, until: float) -> bool:
         """Let a handler interrupt the waiting tasks; True if it ends in one slice."""

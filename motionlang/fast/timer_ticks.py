@@ -55,6 +55,8 @@ ENTRY = KINDS.index(TIMER), 0
 # A period of more ticks is not found, nor one with more records.
 MAX_PERIOD, MAX_ROWS = 64, 256
 MAX_BACK_OFF = 4096
+# During a shorter WAIT, s, ticks are left to `polled_ticks.py`.
+SHORT_WAIT = 0.06
 # Ticks closer to the end of a skip than this, s, are executed.
 MARGIN = 1e-6
 # The levels of readings that only a loop may use.
@@ -74,17 +76,18 @@ class TimerTicks:
         self._left = self._back_off = 0
         self._polled: PolledTicks | None = None
 
-    def handled(self, scheduler: Any, task: Task) -> None:
-        """Skip ticks after a handler has ended, if tasks poll."""
-        if (
-            task.__class__ is not EventTask
-            or task.name != TIMER
-            or self._event is not self._events.tick_event
-        ):
+    def left(self, scheduler: Any, task: Task) -> None:
+        """Skip ticks after a handler has ended, or a task has begun a WAIT, if tasks poll."""
+        if self._event is not self._events.tick_event:
+            scheduler.is_observed = False
             return
+        by_tick = task.done and task.__class__ is EventTask and task.name == TIMER
+        if not by_tick and (not scheduler.is_observed or task.wait is None or task.wait.cause != "time"):
+            return
+        polls = any(each.wait is None for each in scheduler.tasks) or _is_short(scheduler)
         if self._polled is not None:
-            self._polled.handled(scheduler)
-        elif any(each.wait is None for each in scheduler.tasks):
+            self._polled.reached(scheduler, by_tick, polls)
+        elif polls:
             from motionlang.fast.polled_ticks import PolledTicks
 
             self._polled = PolledTicks(self._events, TIMER)
@@ -105,6 +108,8 @@ class TimerTicks:
             or environment.machine.hook is not None
             or environment.machine.assumptions
         ):
+            return False
+        if (self._polled is None or self._polled.is_searching) and _is_short(scheduler):
             return False
         waits = [task.wait for task in scheduler.tasks]
         ends = (wait.solved if wait.__class__ is Condition else wait.ends or INFINITY for wait in waits)
@@ -226,7 +231,9 @@ class _Search:
     def period(self) -> int | None:
         """Record the state after a tick; return the number of ticks since it was the same."""
         environment, events = self._environment, self._events
-        state = self._counters.other_variables({}), environment.controller.outputs.values
+        values = self._counters.hide()
+        state = environment.state({}), environment.controller.outputs.values
+        self._counters.set(values)
         number = len(self.marks)
         self.marks.append((tuple(map(len, self._streams)), self._counters.values()))
         self.times.append(events.tick_time(events.ticks - 1))
@@ -291,6 +298,12 @@ class _Search:
         statements.base = events.tick_time(last)
         clock.now = statements.leave(statements.count)
         environment.fired = clock.fired
+
+
+def _is_short(scheduler: Any) -> bool:
+    """True if a task is in a WAIT so short that the ticks up to its end are not worth a search of their own."""
+    waits = [task.wait for task in scheduler.tasks if task.wait is not None and task.wait is task.delay]
+    return any(wait.ends - wait.since < SHORT_WAIT for wait in waits)
 
 
 def _quiet_until(wait: Any) -> float:

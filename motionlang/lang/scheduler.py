@@ -101,6 +101,8 @@ class Scheduler:
 
     # When another task continues, if that is known without checking each; in the past if not.
     next_slice = -INFINITY
+    # True while each beginning of a wait must be seen here, so that no wait passes within its statement.
+    is_observed = False
 
     def __init__(
         self,
@@ -145,8 +147,8 @@ class Scheduler:
 
     @property
     def by_itself(self) -> bool:
-        """True if nothing but the tasks limits the advance of the clock."""
-        return self.pace is None and self.outside is None
+        """True if nothing but the tasks limits the advance of the clock, and nothing observes them."""
+        return self.pace is None and self.outside is None and not self.is_observed
 
     def _where(self) -> int:
         """Return the source position of the program, for the log."""
@@ -187,9 +189,9 @@ class Scheduler:
             self.outside is not None,
             self.parent,
         )
-        by_itself = self.by_itself
         self.until, self._end = until, 0.0
         while not parent.done:
+            by_itself = self.by_itself
             if self.current.wait is not None and len(self.tasks) > 1 and by_itself and self.idle_round(until):
                 continue
             now = clock.now

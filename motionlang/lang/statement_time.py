@@ -25,16 +25,18 @@ class StatementTime:
 
     Both are in seconds. `count` is the statement at which the last task stopped, `reached` its time: a task
     that continues from there continues the count. `until` is the horizon of the running task. Up to `free` no
-    other task can act and the time is a whole number of units; it is `NEVER` if the task is not `alone`.
+    other task can act and the time is a whole number of units; it is `NEVER` if the task is not `alone`. `repeated`
+    is the first progress that was repeated since it was set to None: its base, its first statement and its last one.
     """
 
-    __slots__ = ("alone", "base", "cost", "count", "free", "reached", "until")
+    __slots__ = ("alone", "base", "cost", "count", "free", "reached", "repeated", "until")
 
     def __init__(self, cost: float) -> None:
         self.cost = cost
         self.base = self.count = 0.0
         self.reached, self.until = -1.0, INFINITY
         self.alone, self.free = False, NEVER
+        self.repeated: tuple[float, float, float] | None = None
 
     def at(self, count: float) -> float:
         """Return the time of a statement."""
@@ -108,6 +110,8 @@ class StatementTime:
 
     def repeat(self, base: float, count: float, times: float) -> float:
         """Repeat the progress since `base` and `count`; return the new statement."""
+        if self.repeated is None:
+            self.repeated = base, count, self.count
         if base != self.base:
             here = units(self.base)
             self.base = (here + int(times) * (here - units(base))) / UNITS

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from motionlang import report, run
-from motionlang.fast.polled_ticks import PolledTicks, Transition
+from motionlang.fast.polled_ticks import PolledTicks
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.cases import cases
@@ -23,9 +23,9 @@ def skipped(monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
     found = [0]
     passed = PolledTicks._pass
 
-    def counted(self: PolledTicks, steps: list[Transition], *given: Any) -> bool:
-        found[0] += len(steps)
-        return passed(self, steps, *given)
+    def counted(self: PolledTicks, walk: Any, *given: Any) -> None:
+        found[0] += sum(step.handler is not None for step in walk.steps[: walk.good])
+        passed(self, walk, *given)
 
     monkeypatch.setattr(PolledTicks, "_pass", counted)
     return lambda: found[0]
@@ -132,3 +132,77 @@ def test_tasks_that_poll_beside_the_timer_are_skipped(skipped: Callable[[], int]
     found = ran(text)
     assert printed(found) == [4100, 0]
     assert skipped() > 4000
+
+
+@cases(
+    "body, period",
+    (
+        ("WAIT(5)", 10),
+        ("n = n + 1\n  WAIT(5)", 10),
+        ("WAIT(1)", 10),
+        ("WAIT(0.3)", 7),
+        ("If INX(5) Then STOP(0)\n  WAIT(5)", 1),
+        ("WAIT(1)", 1),
+    ),
+)
+def test_a_loop_with_a_wait_is_skipped(body: str, period: int, skipped: Callable[[], int]) -> None:
+    """WAITs end anywhere between ticks, within handlers, and at the statement that a tick interrupts."""
+    found = ran(handled(_MOVE.format(body), "m = m + 1\nOUTX(3) = Not OUTX(3)", period))
+    assert len(found.machine.log.events) in range(4100 // period, 4106 // period + 1)
+    assert skipped() > 0.7 * 4100 / period
+
+
+def test_a_loop_with_a_wait_has_counted_each_iteration() -> None:
+    """The move takes 4.1 s, and an iteration 5.03 ms: a WAIT and three statements.
+
+    The iteration with number 815 begins at 815 * 5.03 ms = 4.0995 s, the next one would begin at 4.1045 s. A tick
+    during a WAIT delays nothing, and one that comes between the three statements 20 us at most, at 1 % of the ticks.
+    """
+    n, m = printed(ran(handled(_MOVE.format("n = n + 1\n  WAIT(5)"), "m = m + 1", 10)))
+    assert n == 816
+    assert m == 410
+
+
+def test_a_loop_counts_up_to_a_constant(skipped: Callable[[], int]) -> None:
+    """An iteration takes three statements, so 5000 of them take 0.15 s."""
+    body = "k = k + 1\n  If k = 5000 Then n = TIME"
+    n, m = printed(ran(handled(_MOVE.format(body), "m = m + 1", 10)))
+    assert (n, m) == (150, 410)
+    assert skipped() > 350
+
+
+def test_a_counter_that_another_loop_changes_is_no_counter() -> None:
+    """The second loop doubles what the first one has counted."""
+    text = "While TIME < 500\n  k = k + 1\nEnd While\nk = 3\n"
+    text += "While k < 1000000 And TIME < 900\n  k = k * 2\n  WAIT(10)\nEnd While\nn = k\n"
+    assert printed(ran(handled(text, "m = m + 1", 10)))[0] == 3 * 2**19
+
+
+@cases(
+    "main, tasks",
+    (
+        ("PAUSE IDLE(0)", ("OUTX(1) = VEL(0) > 0\n  WAIT(10)",)),
+        ("While Not IDLE(0) : End While", ("OUTX(1) = VEL(0) > 0\n  WAIT(10)",)),
+        ("PAUSE IDLE(0)", ("If INX(1) Then STOP(0)\n  WAIT(10)", "If INX(2) Then STOP(0)\n  WAIT(10)")),
+        ("While Not IDLE(0) : WAIT(5) : End While", ("OUTX(7) = 1 : WAIT(50) : OUTX(7) = 0 : WAIT(50)",)),
+        ("While Not IDLE(0) : WAIT(5) : End While", ("OUTX(1) = VEL(0) > 0",)),
+    ),
+)
+def test_tasks_with_waits_of_their_own_are_skipped(
+    main: str, tasks: tuple[str, ...], skipped: Callable[[], int]
+) -> None:
+    text = "".join(f"Run T{k}\n" for k in range(len(tasks)))
+    text += handled(f"MOVEA(0) = 400 : GO(0)\n{main}\n", "n = n + 1", 10)
+    for k, body in enumerate(tasks):
+        text += f"Task T{k}\nLoop\n  {body}\nEnd Loop\nEnd Task\n"
+    assert printed(ran(text))[0] == 410
+    assert skipped() > 300
+
+
+def test_an_input_between_two_ticks_ends_a_loop_with_a_wait() -> None:
+    """The input comes at 1.0234 s, between two ticks, and the loop sees it after its WAIT."""
+    text = "While Not INX(2)\n  WAIT(3)\nEnd While\nn = TIME\n"
+    found = ran(handled(text, "m = m + 1", 10), input=[{"channel": 2, "at": 1.0234}])
+    n, m = printed(found)
+    assert 1023 <= n <= 1027
+    assert m == 102

@@ -37,14 +37,26 @@ _POLLS = (
     "x = POS(0)", "OUTX(1) = INX(0)", "If a Then OUTX(1) = 1 Else OUTX(1) = 0", "If ticks > 30 Then c = 2",
     "k@ = 1 - k@", "c = 0", "If INX(0) Then b = 1\n    If INX(1) Then b = 0", "WAIT(1)", "WAIT(3)", "Nothing",
     "k@ = k@ + 1 : If k@ > 200 Then k@ = 0", "COMMS(1) = 4", "c = other",
+    "k@ = k@ + 1 : If k@ > 70 Then OUTX(6) = 1", "k@ = k@ + 2\n    WAIT(5)", "WAIT(10)", "WAIT(5)", "WAIT(0.3)",
+    "WAIT(wait@)",
 )  # fmt: skip
 _MAIN = (
     "MOVER(0) = 9 : GO(0)\n  While Not IDLE(0)\n    @@\n  End While",
     "MOVER(0) = -9 : GO(0)\n  Repeat\n    @@\n  Until IDLE(0)",
     "t = TIME\n  While TIME - t < 150\n    @@\n  End While",
-    "WAIT(60)", "MOVER(0) = 5 : GO(0) : PAUSE IDLE(0)", "PAUSE INX(1) Or TIME > 400",
+    "WAIT(60)",
+    "MOVER(0) = 5 : GO(0) : PAUSE IDLE(0)",
+    "PAUSE INX(1) Or TIME > 400",
     'PRINT ticks, " ", a, b, c, " ", other',
-    "ticks = 0", "MOVER(1) = 3 : GO(1)",
+    "ticks = 0",
+    "MOVER(1) = 3 : GO(1)",
+    "MOVER(0) = 30 : GO(0)\n  While Not IDLE(0)\n    @@\n  End While",
+    "MOVER(0) = -25 : GO(0)\n  While Not IDLE(0)\n    n = n + 1\n    WAIT(5)\n  End While\n  PRINT n",
+)
+# Bodies of the loops of tasks, in addition to those of `_POLLS`.
+_BEATS = (
+    "OUTX(7) = 1 : WAIT(20) : OUTX(7) = 0 : WAIT(20)", "WAIT(30) : OUTX(7) = Not OUTX(7)",
+    "If VEL(0) > 0 Then OUTX(2) = 1 Else OUTX(2) = 0\n    WAIT(10)", "If INX(2) Then STOP(0)\n    WAIT(7)",
 )  # fmt: skip
 
 
@@ -61,7 +73,10 @@ def program(seed: int) -> tuple[str, dict[str, object]]:
     ]
     lines += ["  If TIME > 900 Then Exit Loop", "End Loop", 'PRINT "end ", TIME, ticks, a, b, c, x', "End"]
     for k in range(1, count + 1):
-        lines += [f"Task T{k}\n  Loop\n    {_poll(random, k)}\n  End Loop\nEnd Task"]
+        body = random.choice(_BEATS) if random.random() < 0.3 else _poll(random, k)
+        lines += [
+            f"Task T{k}\n  wait{k} = {random.choice((1, 2, 5))}\n  Loop\n    {body}\n  End Loop\nEnd Task"
+        ]
     lines += ["Event TIMER", *_handler(random), "End Event", "Sub Nothing\n  If INX(3) Then c = 3\nEnd Sub"]
     inputs: list[dict[str, object]] = [
         {

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
+from motionlang.fast.polled_ticks import PolledTicks
 from motionlang.fast.timer_ticks import _Search
 from tests.cases import covering
 from tests.generated.handlers import PARTS, is_equal, program
@@ -19,13 +22,16 @@ def test_a_slice_of_programs_is_the_same_without_accelerators(monkeypatch: pytes
     """
     seeds = covering(PARTS, SLICE, lambda seed: program(seed)[0])
     found: set[int] = set()
-    skip = _Search.skip
 
-    def counted(self: _Search, period: int, count: int, rows: object) -> None:
-        found.add(seed)
-        skip(self, period, count, rows)  # type: ignore[arg-type]
+    def counting(skip: Callable[..., None]) -> Callable[..., None]:
+        def counted(*given: object) -> None:
+            found.add(seed)
+            skip(*given)
 
-    monkeypatch.setattr(_Search, "skip", counted)
+        return counted
+
+    monkeypatch.setattr(_Search, "skip", counting(_Search.skip))
+    monkeypatch.setattr(PolledTicks, "_pass", counting(PolledTicks._pass))
     for seed in seeds:
         assert is_equal(seed), seed
     assert len(found) >= len(seeds) // 3

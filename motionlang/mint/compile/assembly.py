@@ -92,7 +92,7 @@ def _shared(whole: SharedData, bodies: dict[Function, Body]) -> list[str]:
             names += [
                 s.python for s in _own(function) if s.home is not whole.names.main and not b.is_local(s)
             ]
-            names += [s.python for s in _own(function) if b.chunks and b.is_local(s)]
+            names += [s.python for s in _own(function) if b.chunks and b.is_local(s)] or sorted(b.cells)
     return names
 
 

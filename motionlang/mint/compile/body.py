@@ -254,6 +254,7 @@ class Body:
         "at",
         "callee",
         "calls",
+        "cells",
         "chunks",
         "copies",
         "deepest",
@@ -295,6 +296,8 @@ class Body:
         self.temps = 0
         # Names of outer functions that this one assigns to.
         self.outside: set[str] = set()
+        # Names of its own variables that are cells of the program.
+        self.cells: set[str] = set()
         self._stretches: list[tuple[str, list[nodes.Stmt]]] | None = None
         self._labels: dict[str, int] | None = None
         # The state that is compared for an iteration that ends with a Goto, None until it is known, () if the

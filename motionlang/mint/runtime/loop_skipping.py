@@ -98,7 +98,7 @@ class Site:
                 self._environment.task.poll_check = None
                 elements = sum([len(each) for each in state if isinstance(each, tuple)])
                 left, self.left = self.left, min(2.0 * self.left or 1.0, MAX_BACK_OFF + 4 * elements)
-                if left:
+                if left and not self._environment.machine.scheduler.is_observed:  # type: ignore[union-attr]
                     dependencies.rest()
                     return t, horizon, None, left, counters
             else:
@@ -150,7 +150,7 @@ class Site:
         task.last_poll = self.read_names
         if several and not self.reads and not scheduler.reach():
             return None  # a loop that only counts is quicker unchecked than skipped slice by slice
-        if environment.resumed != others:
+        if environment.resumed != others or (scheduler.is_observed and base != statements.base):
             return t, horizon, counters
         until = statements.until
         if (
