@@ -73,7 +73,7 @@ class TimeSlices(Scheduler):
         It stops at the time of a more complex case: two tasks can continue, an event comes first, a task does
         not wait, or the end of its wait is not predictable. False if no task continued.
         """
-        if self._left:
+        if self._left or self.is_observed:
             return False
         tasks, clock, log, interrupts = self.tasks, self.clock, self.machine.log, self.interrupts
         waits: Callable[[Any], object] = log.waits.append
@@ -198,6 +198,8 @@ class TimeSlices(Scheduler):
         from motionlang.fast.timer_ticks import TimerTicks
 
         self._ticks, self.is_observed = TimerTicks(events), False
+        # Programs without a timer do not pay for this.
+        self._leave = self._leave_beside_timer  # type: ignore[method-assign]
 
     def _jump(self, until: float) -> None:
         """Jump to the next time at which something can change, or run ticks."""
@@ -210,7 +212,7 @@ class TimeSlices(Scheduler):
         """The index of the task at which the search for the next one begins."""
         return self._next_index
 
-    def _leave(self, task: Task, event: float, time: float, several: bool) -> None:
+    def _leave_beside_timer(self, task: Task, event: float, time: float, several: bool) -> None:
         """Leave a task, and skip ticks of TIMER if possible."""
         super()._leave(task, event, time, several)
         if self._ticks is not None:

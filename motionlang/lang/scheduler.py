@@ -189,9 +189,9 @@ class Scheduler:
             self.outside is not None,
             self.parent,
         )
+        by_itself = self.pace is None and not outside
         self.until, self._end = until, 0.0
         while not parent.done:
-            by_itself = self.by_itself
             if self.current.wait is not None and len(self.tasks) > 1 and by_itself and self.idle_round(until):
                 continue
             now = clock.now
@@ -203,7 +203,7 @@ class Scheduler:
                 continue
             horizon = min(clock.next_time(), until)
             several = outside or len(self.tasks) > 1
-            statements.alone, statements.free = by_itself and not several, NEVER
+            statements.alone, statements.free = by_itself and not several and not self.is_observed, NEVER
             event, self.began, self._alone = horizon, now, not several
             if several:
                 if not self._end:

@@ -6,7 +6,6 @@ from collections import Counter
 
 from motionlang.mint.compile import operators
 from motionlang.mint.compile.polling import may_poll, reached
-from motionlang.mint.resolve.handlers import handles
 from motionlang.mint.resolve.symbols import NUMERIC
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
@@ -35,7 +34,7 @@ def describe(b: Body) -> None:
     so that it can be advanced while the task is suspended.
     """
     function = b.function
-    if b.whole.typed or not any(handles(b.whole.names, each) for each in HANDLERS):
+    if b.whole.typed or not _has_handler(b):
         return
     if function.kind == "event" and function.name.lower() in HANDLERS:
         _describe(b, function.name.lower(), [function.body], _shared, _polled(b))
@@ -45,6 +44,14 @@ def describe(b: Body) -> None:
         found = _describe(b, key, loops, lambda node: _local(b, node), None)
         b.cells = {own.python for own in found}
         b.outside |= b.cells
+
+
+def _has_handler(b: Body) -> bool:
+    """True if the program has a block for one of the events."""
+    for function in b.whole.names.functions:  # noqa: SIM110 - a generator costs more than the rest
+        if function.kind == "event" and function.name.lower() in HANDLERS:
+            return True
+    return False
 
 
 def _describe(
@@ -63,8 +70,10 @@ def _describe(
     directions: dict[Symbol, set[str]] = {}
     is_set: set[Symbol] = set()
     constants: dict[Symbol, list[float]] = {}
+    # Loops inside others are reached with these.
     seen: set[int] = set()
-    for node in (node for body in bodies for node in reached(b, body)):
+    bodies = [body for body in bodies if body]
+    for node in (node for body in bodies if id(body[0]) not in seen for node in reached(b, body)):
         if id(node) in seen:
             continue
         seen.add(id(node))
