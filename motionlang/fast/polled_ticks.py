@@ -647,7 +647,8 @@ class PolledTicks:
             self._events.timer / 1000.0,
         )
         count, number, last = own.count, own.number, statements.first(end)
-        gaps = known.get(own.state)
+        present = own.state
+        gaps = known.get(present)
         most = min(MAX_WALK, self._counters.most_recorded(own.values))
         if gaps is None:
             return None
@@ -675,7 +676,7 @@ class PolledTicks:
                 break
             steps.append(step)
             state = step.state
-            if state == own.state:
+            if state == present:
                 walk.good, good = len(steps), count
             gaps = known.get(state, _NO_GAPS)
         if not walk.good:
