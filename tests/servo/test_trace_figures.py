@@ -1,0 +1,96 @@
+"""Figures of a short trace, and the matrix exponential, by hand."""
+
+from __future__ import annotations
+
+from math import cos, e, inf, sin
+
+import numpy as np
+import pytest
+
+from motionlang.servo import Loop, Motor
+from motionlang.servo.discrete import exponential
+from motionlang.servo.settings import make_loop
+from motionlang.servo.trace import ServoTrace
+
+
+def trace(error: list[float], output: list[float], current: list[float]) -> ServoTrace:
+    """Return a trace of a motor held at 0, with a sample every millisecond."""
+    columns = {
+        "position": -np.array(error),
+        "velocity": np.zeros(len(error)),
+        "output": np.array(output),
+        "current": np.array(current),
+    }
+    motor = Motor(torque_constant=0.5, quantised=False)
+    made = ServoTrace(Loop(servo_rate=1000.0, trajectory_rate=1000.0), motor, columns, ())
+    made.commanded = np.zeros(len(error))
+    return made
+
+
+def of_errors(*errors: float) -> ServoTrace:
+    return trace([*errors], [0.0] * len(errors), [0.0] * len(errors))
+
+
+def test_the_root_mean_square_of_the_torque() -> None:
+    """Of 3, 4, 0, 0 it is sqrt(25 / 4); from 1 ms to 2 ms, both included, sqrt(16 / 2)."""
+    made = trace([0.0] * 4, [0.0] * 4, [6.0, 8.0, 0.0, 0.0])
+    assert made.rms_torque == pytest.approx(2.5)
+    assert made.rms_torque_between(0.001, 0.002) == pytest.approx(8.0**0.5)
+    assert made.rms_torque_between(0.0, 1.0) == pytest.approx(2.5)
+    assert made.rms_torque_between(1.0, 2.0) == 0.0
+    assert of_errors().rms_torque == 0.0
+
+
+def test_peaks_are_those_of_either_sign() -> None:
+    made = trace([1.0, -5.0, 2.0], [-9.0, 3.0, 8.0], [0.0] * 3)
+    assert (made.peak_error, made.peak_output) == (5.0, 9.0)
+    assert of_errors().peak_error == 0.0
+
+
+@pytest.mark.parametrize(
+    ("window", "after", "settled"),
+    [
+        (5.0, 0.0, 0.0),
+        (4.0, 0.0, 0.001),
+        (3.0, 0.0, 0.001),
+        (2.0, 0.0, 0.003),
+        (1.0, 0.0, 0.003),
+        (0.5, 0.0, inf),
+        (2.0, 0.002, 0.003),
+        (2.0, 0.004, 0.004),
+    ],
+)
+def test_the_time_from_which_the_error_stays_small(window: float, after: float, settled: float) -> None:
+    """The errors are 5, -2, 3, 1 and -1. An error on the window is within it."""
+    assert of_errors(5.0, -2.0, 3.0, 1.0, -1.0).settled_at(window, after) == pytest.approx(settled)
+
+
+@pytest.mark.parametrize(
+    ("limit", "time"), [(0.5, 0.0), (1.0, 0.001), (2.0, 0.002), (2.9, 0.002), (3.0, inf)]
+)
+def test_the_time_at_which_the_error_first_exceeds_a_limit(limit: float, time: float) -> None:
+    assert of_errors(1.0, -2.0, 3.0).first_beyond(limit) == time
+
+
+def test_the_matrix_exponential() -> None:
+    """Of a diagonal its exponentials, of a rotation its cosine and sine."""
+    assert exponential([[1.0, 0.0], [0.0, -2.0]]) == [
+        [pytest.approx(e), 0.0],
+        [0.0, pytest.approx(e**-2)],
+    ]
+    rotation = exponential([[0.0, -3.0], [3.0, 0.0]])
+    assert rotation[0] == pytest.approx([cos(3.0), -sin(3.0)], rel=1e-13)
+    assert rotation[1] == pytest.approx([sin(3.0), cos(3.0)], rel=1e-13)
+    assert exponential([[0.0, 0.0], [0.0, 0.0]]) == [[1.0, 0.0], [0.0, 1.0]]
+    assert exponential([[0.0, 7.0], [0.0, 0.0]])[0] == pytest.approx([1.0, 7.0])
+
+
+@pytest.mark.parametrize("bits", [0, 8, 16])
+def test_a_dac_has_8_to_16_bits_or_is_not_quantised(bits: int) -> None:
+    assert make_loop({"dac_bits": bits}).dac_bits == bits
+
+
+@pytest.mark.parametrize("bits", [1, 7, 17])
+def test_a_dac_of_other_bits_is_refused(bits: int) -> None:
+    with pytest.raises(ValueError, match="16"):
+        make_loop({"dac_bits": bits})
