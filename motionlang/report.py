@@ -160,7 +160,10 @@ def _line_of_ramps(
     duration: float,
     recipe: tuple[float, ...],
 ) -> str:
-    """Return the line of a move of ramps, like that of its row (`_move`), in half the time."""
+    """Return the line of a move of ramps.
+
+    It is that of its row (`_move`), in half the time.
+    """
     axis, command, at, start_time, asked, scale, zero, ended = about
     scale = scale or 1.0
     size = abs(scale)

@@ -1,4 +1,6 @@
-"""Variables that a handler or polling loops only count, and how often they may advance.
+"""Variables that a handler or polling loops only count.
+
+Also how often they may advance.
 
 The compiler names them (`mint/compile/handler_counters.py`). A counter is no part of a state that recurs.
 """
@@ -92,7 +94,10 @@ class HandlerCounters:
         self._least = self._greatest = [0.0] * len(self._cells)
 
     def most_recorded(self, values: Sequence[float]) -> int:
-        """Return how often the counters may advance by any recorded step before one changes its side of a level."""
+        """Return how often the counters may advance by any recorded step.
+
+        Each stays on its side of a level until then.
+        """
         return int(
             min(
                 counted(values, self._least, self._levels),

@@ -146,7 +146,10 @@ class Transition:
 
 
 class _Node:
-    """The transition after some ticks and ends, and the nodes after one more, by its index and statement."""
+    """The transition after some ticks and ends.
+
+    Also the nodes after one more, by its index and statement.
+    """
 
     __slots__ = ("next", "transition")
 
@@ -156,7 +159,9 @@ class _Node:
 
 
 class _Checkpoint:
-    """A state with its times: base and count of the statements, and the next tick and ends in order.
+    """A state with its times.
+
+    These are the base and count of the statements, and the next tick and ends in order.
 
     `number` is that of the next tick, `values` are those of the counters and `lengths` those of the streams.
     """
@@ -178,7 +183,7 @@ class _Checkpoint:
 
 
 class _Walk:
-    """Transitions in a row, the first `good` of which lead to the present state.
+    """Transitions in a row; the first `good` ones lead to the present state.
 
     `switching` has the number of each that switches outputs, its base and its origin. `polling` has the number of each
     before whose origin a task polls, the task and the statements of that. `reached` are base, count, ticks and ends,
@@ -214,7 +219,7 @@ class PolledTicks:
         self._alive: dict[int, object] = {}
         self._numbers: dict[object, int] = {}
         # By state: its transitions, true if all tasks wait in it, the name of the task that polls in it if there is
-        # just one, and the period of that task: its begin after the checkpoint and its length, in statements.
+        # just one, and the period of that task: its start after the checkpoint and its length, in statements.
         self._known: dict[int, _Node] = {}
         # Of these, transitions from states in which all tasks wait for just one tick or end, by its index, and those
         # of states in which no task is in a WAIT, by the number of statements up to the tick.
@@ -422,7 +427,9 @@ class PolledTicks:
     def _path(
         self, before: _Checkpoint, after: _Checkpoint, base: float, origin: float
     ) -> list[tuple[Due, float]] | None:
-        """Return the ticks and ends between two checkpoints, each with the first statement after it.
+        """Return the ticks and ends between two checkpoints.
+
+        Each has the first statement after it.
 
         None if they cannot be compared.
         """
@@ -530,7 +537,7 @@ class PolledTicks:
     def _origin(
         self, state: int, base: float, count: float, due: Due, by_tick: bool
     ) -> tuple[float, float] | None:
-        """Return the base and the statement from which a transition counts, if `due` comes next.
+        """Return the base and statement from which a transition counts to `due`.
 
         None if rounding might decide. `by_tick`: no task is in a WAIT, so the distances to the tick are few.
         """
@@ -638,7 +645,10 @@ class PolledTicks:
         return walk if walk.good else None
 
     def _walk_ticks(self, own: _Checkpoint, end: float) -> _Walk | None:
-        """Return the same as `_walk` while no task is in a WAIT: a shorter way for a short TIMER."""
+        """Return the same as `_walk` while no task is in a WAIT.
+
+        A shorter way for a short TIMER.
+        """
         known, statements = self._gaps, self._environment.statements
         base, cost, started, period = (
             statements.base,
@@ -730,7 +740,10 @@ class PolledTicks:
             self._back_off = 1
 
     def _log_handlers(self, handlers: list[tuple[object, ...]]) -> None:
-        """Log a record for each of the next ticks; many equal ones in a row become a template."""
+        """Log a record for each of the next ticks.
+
+        Many equal ones in a row become a template.
+        """
         events, stream = self._events, self._log.events
         started, period, number = events.started, events.timer / 1000.0, events.ticks
         rows: list[tuple[object, ...]] = []

@@ -301,7 +301,7 @@ class _Search:
 
 
 def _is_short(scheduler: Any) -> bool:
-    """True if a task is in a WAIT so short that the ticks up to its end are not worth a search of their own."""
+    """True if a task is in a WAIT too short for a search of its own."""
     waits = [task.wait for task in scheduler.tasks if task.wait is not None and task.wait is task.delay]
     return any(wait.ends - wait.since < SHORT_WAIT for wait in waits)
 

@@ -147,7 +147,7 @@ class Scheduler:
 
     @property
     def by_itself(self) -> bool:
-        """True if nothing but the tasks limits the advance of the clock, and nothing observes them."""
+        """True if nothing but the tasks limits the clock, and nothing observes them."""
         return self.pace is None and self.outside is None and not self.is_observed
 
     def _where(self) -> int:

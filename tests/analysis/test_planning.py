@@ -84,7 +84,10 @@ def test_a_ramp_that_is_missing_is_that_of_the_other_end(given: dict[str, float]
     ],
 )
 def test_a_move_too_short_for_its_speed(given: dict[str, float], assumed: set[str]) -> None:
-    """10 uu at 2000 uu/s² reach sqrt(10 · 2000) = 141.4 of 300 uu/s, which takes 0.15 s."""
+    """10 uu at 2000 uu/s² reach sqrt(10 · 2000) = 141.4 of 300 uu/s.
+
+    That takes 0.15 s.
+    """
     figures, mirrored, wanted = solve_plan({"distance": 10.0, "speed": 300.0, **given}, None)
     assert figures["speed"] == pytest.approx(20_000.0**0.5)
     assert figures["slew_time"] == 0.0

@@ -30,7 +30,10 @@ class LateWire(ScriptedWire):
 
 
 def test_a_silent_board_is_asked_three_times() -> None:
-    """Each attempt has a third of the time-out, 1 s, and 50 ms of silence in front of it."""
+    """Each attempt has a third of the time-out, 1 s.
+
+    There are 50 ms of silence before it.
+    """
     wire = LateWire(SILENCE, SILENCE, SILENCE)
     with pytest.raises(NoReply, match="VE: no answer within 3 s"):
         Client(wire, timeout=3.0)
@@ -82,7 +85,10 @@ def test_a_line_may_be_silent_for_its_time_out() -> None:
     ("version", "end"), [(VERSION, b"\n>"), (VERSION_WITHOUT_PROMPT, b"\r\n")], ids=["prompt", "no prompt"]
 )
 def test_an_escape_waits_for_its_answer(version: bytes, end: bytes) -> None:
-    """The answer after 0.5 s, and 50 ms of silence; the time-out of the client is 0.9 s."""
+    """The answer after 0.5 s, and 50 ms of silence.
+
+    The time-out of the client is 0.9 s.
+    """
     wire = ScriptedWire([(0.0, version)], [(0.5, b"?-7" + end)], [(0.0, b"01 0" + end)])
     board = Client(wire, timeout=0.9)
     begin = wire.now()

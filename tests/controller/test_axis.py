@@ -13,7 +13,10 @@ from tests.controller.machines import machine, until
 
 
 def test_past_times_have_the_profile_of_their_time() -> None:
-    """10 counts/s and 100 counts/s2: 0.1 s and 0.5 counts up. From 1 s on down, 9.5 to 10 counts."""
+    """10 counts/s and 100 counts/s2: 0.1 s and 0.5 counts up.
+
+    From 1 s on down, 9.5 to 10 counts.
+    """
     c = machine(1)
     c.jog(0, 10.0)
     until(c, 1.0).stop(0)
@@ -150,7 +153,10 @@ def test_index_marks_are_apart_by_whole_counts_whatever_the_sign_of_the_scale() 
 
 
 def test_at_the_time_of_a_crossing_the_position_is_exactly_the_one_crossed() -> None:
-    """At 1 s the axis is at 9.5 counts; the time of a crossing is rounded, its position is not."""
+    """At 1 s the axis is at 9.5 counts.
+
+    The time of a crossing is rounded, its position is not.
+    """
     c = machine(1)
     c.jog(0, 10.0)
     a = until(c, 1.0).axes[0]

@@ -84,7 +84,10 @@ def test_what_remains_of_a_motion_is_that_of_the_last_one() -> None:
 
 
 def test_times_at_which_axes_will_be_idle() -> None:
-    """30 at 50 with rates of 100 takes 0.5 + 0.1 + 0.5 s, and 12.5 takes 2 sqrt(12.5 / 100)."""
+    """30 at 50 with rates of 100 takes 0.5 + 0.1 + 0.5 s.
+
+    12.5 takes 2 sqrt(12.5 / 100).
+    """
     c = controller()
     assert (c.idle_time(0), c.standstill_time(0), c.rest_time(0), c.settled_time(0)) == (0.0, 0.0, 0.0, 0.0)
     assert (c.moving(), c.settling(), c.settled_since(0)) == ([], [], 0.0)
@@ -129,7 +132,10 @@ def test_the_direction_of_two_axes_is_that_in_user_units(
 
 
 def test_crossing_times_of_a_position() -> None:
-    """50 t² during the first 0.5 s, then 50 counts/s, and 0.5 s down; infinity is the next reversal."""
+    """50 t² during the first 0.5 s, then 50 counts/s, and 0.5 s down.
+
+    Infinity is the next reversal.
+    """
     c = controller()
     assert c.crossing_time(0, 5.0) == inf
     assert c.crossing_time(0, inf) == 0.0

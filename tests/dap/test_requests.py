@@ -1,4 +1,7 @@
-"""Requests of the debug adapter: arguments, lines from 0 or 1, variables, watches, and the frames of messages."""
+"""Requests of the debug adapter.
+
+Arguments, lines from 0 or 1, variables, watches, and the frames of messages.
+"""
 
 from __future__ import annotations
 
@@ -106,7 +109,10 @@ def framed(*parts: bytes) -> io.BytesIO:
 
 
 def test_messages_one_after_another() -> None:
-    """The header has any letter case and further fields; blank lines before it are skipped."""
+    """The header has any letter case and further fields.
+
+    Blank lines before it are skipped.
+    """
     stream = framed(
         written({"a": "ä"}),
         b"\r\n\n",
@@ -136,7 +142,10 @@ def test_messages_one_after_another() -> None:
     ],
 )
 def test_a_message_that_cannot_be_read(data: bytes, message: str, is_fatal: bool) -> None:
-    """The stream can go on after a body that is no message, but not after a wrong header."""
+    """The stream can go on after a body that is no message.
+
+    It cannot after a wrong header.
+    """
     with pytest.raises(WrongMessage) as caught:
         read(framed(data))
     assert (str(caught.value), caught.value.is_fatal) == (message, is_fatal)
@@ -425,7 +434,10 @@ def test_an_internal_error_in_a_command_ends_the_session_with_its_text(
     [("Print 1\n", 0, "ended after "), ("Print 1\nDim a(2)\na(n + 9) = 1\n", 1, "fault after ")],
 )
 def test_the_end_of_a_program(client: Client, tmp_path: Path, text: str, status: int, last: str) -> None:
-    """The exit status is that of the command line; the console says how the program ended."""
+    """The exit status is that of the command line.
+
+    The console says how the program ended.
+    """
     path = tmp_path / "a.mnt"
     path.write_text("Dim n As Integer\n" + text)
     client.launch(path)

@@ -23,7 +23,10 @@ READINGS = {
 
 
 class State:
-    """Variables `a` = 2, `t` = "x", the array `v` and the register R10; every reading has a value of its own."""
+    """Variables `a` = 2, `t` = "x", the array `v` and the register R10.
+
+    Every reading has a value of its own.
+    """
 
     def variable(self, name: str, subscripts: list[float]) -> float | str | None:
         if name == "v":
@@ -92,7 +95,10 @@ class State:
     ],
 )
 def test_the_value_of_an_expression(text: str, wanted: float | str) -> None:
-    """The operators and their precedence are those of Mint; `mod` and `\\` round towards 0."""
+    """The operators and their precedence are those of Mint.
+
+    `mod` and `\\` round towards 0.
+    """
     assert parse(text)(State()) == wanted
 
 

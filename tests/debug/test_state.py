@@ -1,4 +1,7 @@
-"""The state at a stop: axes, channels, variables and expressions, and the copies of a run."""
+"""The state at a stop.
+
+Axes, channels, variables and expressions, and the copies of a run.
+"""
 
 from __future__ import annotations
 

@@ -146,7 +146,7 @@ def test_tasks_that_poll_beside_the_timer_are_skipped(skipped: Callable[[], int]
     ),
 )
 def test_a_loop_with_a_wait_is_skipped(body: str, period: int, skipped: Callable[[], int]) -> None:
-    """WAITs end anywhere between ticks, within handlers, and at the statement that a tick interrupts."""
+    """WAITs end between ticks, in handlers and at interrupted statements."""
     found = ran(handled(_MOVE.format(body), "m = m + 1\nOUTX(3) = Not OUTX(3)", period))
     assert len(found.machine.log.events) in range(4100 // period, 4106 // period + 1)
     assert skipped() > 0.7 * 4100 / period
@@ -200,7 +200,10 @@ def test_tasks_with_waits_of_their_own_are_skipped(
 
 
 def test_an_input_between_two_ticks_ends_a_loop_with_a_wait() -> None:
-    """The input comes at 1.0234 s, between two ticks, and the loop sees it after its WAIT."""
+    """The input comes at 1.0234 s, between two ticks.
+
+    The loop sees it after its WAIT.
+    """
     text = "While Not INX(2)\n  WAIT(3)\nEnd While\nn = TIME\n"
     found = ran(handled(text, "m = m + 1", 10), input=[{"channel": 2, "at": 1.0234}])
     n, m = printed(found)

@@ -17,7 +17,10 @@ from tests.log.test_trace import ballscrew
 
 
 def machine(**settings: float) -> Controller:
-    """Return a controller of one axis: 50 counts/s, 500 counts/s² up, 250 counts/s² down."""
+    """Return a controller of one axis.
+
+    50 counts/s, 500 counts/s² up, 250 counts/s² down.
+    """
     controller = Controller(1)
     for name, value in {"speed": 50.0, "accel": 500.0, "decel": 250.0, **settings}.items():
         controller.configure(0, name, value)
@@ -25,7 +28,10 @@ def machine(**settings: float) -> Controller:
 
 
 def test_the_extremes_of_a_trapezoid_and_their_times() -> None:
-    """0.1 s up, 0.2 s down, and 100 - 2.5 - 5 counts at speed in 1.85 s; then back to -20 at rest at 3 s."""
+    """0.1 s up, 0.2 s down, and 100 - 2.5 - 5 counts at speed in 1.85 s.
+
+    Then back to -20 at rest at 3 s.
+    """
     controller = machine()
     controller.clock.advance(1.0)
     controller.move_to(0, 100.0)
@@ -57,7 +63,10 @@ def test_the_peak_speed_up_to_a_time(until: float, speed: float) -> None:
 
 
 def test_extremes_are_in_user_units() -> None:
-    """A scale of -2 counts per unit turns the axis around: the highest position is that of the start."""
+    """A scale of -2 counts per unit turns the axis around.
+
+    The highest position is that of the start.
+    """
     controller = machine()
     controller.move_to(0, 100.0)
     controller.clock.advance(5.0)
@@ -69,7 +78,10 @@ def test_extremes_are_in_user_units() -> None:
 
 
 def test_an_s_curve_has_its_peaks_inside_its_ramps() -> None:
-    """A sinusoidal ramp to v at a mean rate A has the peak π/2·A in its middle, and the jerk π²/2·A²/v at its ends."""
+    """A sinusoidal ramp to v at a mean rate A has the peak π/2·A in its middle.
+
+    Its jerk is π²/2·A²/v at its ends.
+    """
     controller = Controller(1)
     for name, value in (("speed", 50.0), ("accel", 500.0), ("decel", 500.0)):
         controller.configure(0, name, value)
@@ -163,7 +175,9 @@ def test_the_number_of_rows(rate: float, until: float, rows: int) -> None:
 
 
 def test_the_profile_in_force_at_a_time() -> None:
-    """A move of 10 from 1 s on takes 0.35 s, as long as that back from 3 s on; each is followed by a standstill.
+    """A move of 10 from 1 s on takes 0.35 s, as long as that back from 3 s on.
+
+    Each is followed by a standstill.
 
     50 counts/s need 2.5 and 5 counts of ramps, 2.5 counts at speed take 0.05 s.
     """
@@ -183,7 +197,10 @@ def test_the_profile_in_force_at_a_time() -> None:
 
 
 def test_the_pieces_of_a_track() -> None:
-    """Standstill, three pieces of the move, and standstill again; the last piece has no end."""
+    """Standstill, three pieces of the move, and standstill again.
+
+    The last piece has no end.
+    """
     controller = machine()
     controller.clock.advance(1.0)
     controller.move_to(0, 100.0)
@@ -204,7 +221,10 @@ def test_axes_that_ever_moved() -> None:
 
 
 def test_a_tie_takes_up_a_ratio_once() -> None:
-    """A curve takes up none; after a curve, or with another master or ratio, a ratio is taken up again."""
+    """A curve takes up none.
+
+    After a curve, or with another master or ratio, a ratio is taken up again.
+    """
     one, other = Controller(2).axes[0], Controller(2).axes[1]
     ratio = Tie(one, 2.0)
     curve: Any = Tie(one, curve=one.profiles[0])

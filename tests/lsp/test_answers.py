@@ -1,4 +1,7 @@
-"""Answers of the server, in this process: positions, kinds and forms of each request."""
+"""Answers of the server, in this process.
+
+Positions, kinds and forms of each request.
+"""
 
 from __future__ import annotations
 
@@ -109,7 +112,10 @@ CONVERTED = [
 def test_a_diagnostic_marks_its_place_or_its_line(
     place: tuple[int, int, int], wanted: dict[str, Any]
 ) -> None:
-    """A line is marked without the blanks around it; no place at all is the first line."""
+    """A line is marked without the blanks around it.
+
+    No place at all is the first line.
+    """
     document = Document(URI, "first\n  one b  \n", 1)
     found = diagnostic(document, Diagnostic("syntax", "message", *place[:2], length=place[2]))
     start, end = found.range.start, found.range.end
@@ -141,7 +147,10 @@ def test_characters_of_utf_16_units(line: str, count: int, wanted: int) -> None:
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 def test_positions_of_offsets(end: str) -> None:
-    """An offset counts one character for a line end; a position outside is the nearest one."""
+    """An offset counts one character for a line end.
+
+    A position outside is the nearest one.
+    """
     document = Document(URI, f"ab{end}\U0001f527c{end}", 1)
     places = [(0, 0), (0, 1), (0, 2), (1, 0), (1, 2), (1, 3), (2, 0)]
     for offset, (line, character) in enumerate(places):
@@ -324,7 +333,10 @@ def test_folds() -> None:
 
 
 def test_semantic_tokens_count_from_the_previous_token() -> None:
-    """Line, character, length, kind and modifiers; a symbol outside the BMP has 2 UTF-16 units."""
+    """Line, character, length, kind and modifiers.
+
+    A symbol outside the BMP has 2 UTF-16 units.
+    """
     found = ask('Print 1 : Print 2\n\nPrint "\U0001f527", 3\n', "semanticTokens/full")
     places = [tuple(found["data"][k : k + 3]) for k in range(0, len(found["data"]), 5)]
     assert places == [(0, 0, 5), (0, 6, 1), (0, 4, 5), (0, 6, 1), (2, 0, 5), (0, 6, 4), (0, 6, 1)]
@@ -394,7 +406,10 @@ def test_lenses_of_the_commands_that_an_editor_has(options: object, titles: list
     ],
 )
 def test_the_language_of_a_text(name: str, language: str, count: int | None) -> None:
-    """It is that of the suffix, else the one that the editor names; other texts are not checked."""
+    """It is that of the suffix, else the one that the editor names.
+
+    Other texts are not checked.
+    """
 
     async def whole() -> list[Any]:
         wire = Wire()

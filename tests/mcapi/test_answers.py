@@ -1,4 +1,6 @@
-"""Answers of a board, as lines of the port: a call, and its result with the values that it returns.
+"""Answers of a board, as lines of the port.
+
+A call, and its result with the values that it returns.
 
 The machine is a MultiFlex of 8 axes. Constants are numbers, as on the port: see `motionlang/mcapi/constants.py`.
 """
@@ -180,7 +182,10 @@ def test_commands_by_their_codes() -> None:
 
 
 def test_counts(host: Mcapi) -> None:
-    """Contour paths (4) and recorded points (32) are counted here, others only on a board."""
+    """Contour paths (4) and recorded points (32) are counted here.
+
+    The others are counted only on a board.
+    """
     converse(
         host,
         """
@@ -419,7 +424,10 @@ def test_a_recording_is_read_in_any_part(host: Mcapi) -> None:
 
 @pytest.mark.parametrize(("stepper", "wanted"), [(False, (252, 1, 1)), (True, (253, 1, 2))])
 def test_the_configuration_of_an_axis(stepper: bool, wanted: tuple[int, int, int]) -> None:
-    """Records are 16 + 32 + 64 + 128 = 240 of at most 10,000 points; a servo has no step rates."""
+    """Records are 16 + 32 + 64 + 128 = 240 of at most 10,000 points.
+
+    A servo has no step rates.
+    """
     host = opened({"axis.1.motor": "stepper"} if stepper else {})
     top = 5e6 if stepper else 0.0
     assert ask(host, "MCGetAxisConfiguration 1 1 +") == encode(
@@ -436,7 +444,10 @@ def test_the_loop_rate_of_a_board_without_rates() -> None:
 
 
 def test_the_configuration_of_a_multiflex(host: Mcapi) -> None:
-    """Type 9, 8 axes, fractions of gains, 255 channels, 256 points, all abilities, 12 bits for ±10 V, no line mode."""
+    """The parameters of a board with 8 axes.
+
+    Type 9, fractions of gains, 255 channels, 256 points, all abilities, 12 bits for ±10 V, no line mode.
+    """
     converse(
         host,
         """
@@ -447,7 +458,7 @@ def test_the_configuration_of_a_multiflex(host: Mcapi) -> None:
 
 
 def test_calls_of_the_owner_go_first(host: Mcapi) -> None:
-    """While a handle has reserved the interface, calls of others wait until it is free again."""
+    """While a handle has reserved the interface, calls of others wait."""
     session, console = host.board._session, host.board.console
     assert session.call("MCOpen", 0, (0, 2, None)).result == 2
     assert session.call("pmclock", 1, (0,)).result == 0

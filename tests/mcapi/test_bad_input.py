@@ -105,7 +105,10 @@ def test_exclusive_with_others(host: Mcapi) -> None:
 
 
 def test_calls_over_one_connection(serve: Serve) -> None:
-    """Each host opens its own; a call before MCOpen has none, and closing it is no error."""
+    """Each host opens its own.
+
+    A call before MCOpen has none, and closing it is no error.
+    """
     board = serve()
     host, other = Mcapi(board.name), Mcapi(board.name)
     assert code(host, "MCGetPositionEx", 1, 1) == mc.MCERR_SOCKET

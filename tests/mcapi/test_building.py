@@ -1,4 +1,7 @@
-"""The commands that build the C library, with a compiler that only writes its output file."""
+"""The commands that build the C library.
+
+The compiler of these tests only writes its output file.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,10 @@ from motionlang.mcapi.table import FUNCTIONS, MCAPI
 
 
 class Compiler:
-    """Writes an empty library for each command; `commands` and the last `exports` are recorded."""
+    """Writes an empty library for each command.
+
+    `commands` and the last `exports` are recorded.
+    """
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.commands: list[list[str]] = []
@@ -55,7 +61,10 @@ def test_a_library_for_linux(compiler: Compiler, tmp_path: Path) -> None:
 def test_a_library_for_windows(
     compiler: Compiler, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, target: str, bits: int, tool: str
 ) -> None:
-    """A second library forwards the functions of MCDLG; CC is the compiler of Linux alone."""
+    """A second library forwards the functions of MCDLG.
+
+    CC is the compiler of Linux alone.
+    """
     monkeypatch.setenv("CC", "clang")
     path = build(TARGETS[target], tmp_path)
     assert path == tmp_path / f"mcapi{bits}.dll"

@@ -1,4 +1,7 @@
-"""The MCCL commands that each function stands for, as `motionlang mcapi log` prints them."""
+"""The MCCL commands that each function stands for.
+
+`motionlang mcapi log` prints them.
+"""
 
 from __future__ import annotations
 
@@ -179,7 +182,10 @@ WRITERS = {
 
 @pytest.mark.parametrize(("field", "value", "wanted"), FIELDS)
 def test_the_command_of_a_field(field: str, value: float, wanted: str) -> None:
-    """In each structure that has the field; a field that is 0 differs by its command only."""
+    """In each structure that has the field.
+
+    A field that is 0 differs by its command only.
+    """
     for structure, function in WRITERS.items():
         names = [each.name for each in STRUCTURES[structure].values]
         if field in names:

@@ -1,4 +1,7 @@
-"""Lines of the port: words, texts and integers of C, and what the board does with lines that do not fit."""
+"""Lines of the port.
+
+Words, texts and integers of C, and what the board does with lines that do not fit.
+"""
 
 from __future__ import annotations
 
@@ -32,7 +35,10 @@ def test_a_call_is_read_as_it_is_written(line: str) -> None:
 
 
 def test_the_words_of_values() -> None:
-    """A character is written as its code if it is not printable in ASCII, and as `?` above 255."""
+    """A character that is not printable in ASCII is written as its code.
+
+    Above 255 it is `?`.
+    """
     assert encode([None, 7, -2.5, 1e300]) == "- 7 -2.5 1e+300"
     assert encode(["\x1f ~\x7f\xffĀ€"]) == '"\\x1f ~\\x7f\\xff??"'
     assert decode("+ - 7 -2.5 inf -INF") == [1, None, 7, -2.5, float("inf"), float("-inf")]
@@ -81,7 +87,10 @@ def test_a_call_that_does_not_match_its_function(host: Mcapi, line: str, message
 
 
 def test_missing_values_of_a_structure_are_0(host: Mcapi) -> None:
-    """An older structure has fewer fields; here the time unit is missing, and 0 is out of range."""
+    """An older structure has fewer fields.
+
+    Here the time unit is missing, and 0 is out of range.
+    """
     assert ask(host, "MCSetScale 1 1 5 1.0 2.0 3.0 4.0 5.0") == "18"
     assert ask(host, "MCSetScale 1 1 6 1.0 2.0 3.0 4.0 5.0 6.0") == "0"
     assert ask(host, "MCEnableAxis 1 1 1") == "0"
@@ -141,7 +150,10 @@ def test_an_escape_discards_characters_that_wait() -> None:
 
 
 def test_a_condition_that_holds_needs_no_time(host: Mcapi) -> None:
-    """The call is answered at once; so is one without a time-out for an axis that moves."""
+    """The call is answered at once.
+
+    So is one without a time-out for an axis that moves.
+    """
     ours, console = host.board._session, host.board.console
     assert ours.call("MCIsStopped", 1, (1, 60.0)).done
     host.EnableAxis(1, True)
@@ -158,7 +170,10 @@ def test_a_condition_that_holds_needs_no_time(host: Mcapi) -> None:
 
 
 def test_the_calls_of_a_host_that_is_gone_are_dropped(host: Mcapi) -> None:
-    """A wait of an hour and a poll of an hour end, and neither is answered; motion continues."""
+    """A wait of an hour and a poll of an hour end, and neither is answered.
+
+    Motion continues.
+    """
     console, desk = host.board.console, host.board.desk
     answers: list[object] = []
     gone = desk.session()

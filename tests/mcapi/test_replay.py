@@ -284,14 +284,19 @@ def test_a_reading_at_rest(answer: str, counts: dict[str, int]) -> None:
 
 
 def test_a_speed_that_changes_may_be_off_by_the_skew() -> None:
-    """At 100,000 counts/s² a skew of 4 ms is 400 counts/s; 5 ms after the start it has 500."""
+    """At 100,000 counts/s² a skew of 4 ms is 400 counts/s.
+
+    5 ms after the start it has 500.
+    """
     for speed, counts in ((150.0, {}), (850.0, {}), (50.0, {"position": 1}), (950.0, {"position": 1})):
         log = f"{SLOW}0.205 0.205 1 MCGetVelocityActual 1 1 + = 0 {speed}\n"
         assert replayed(log, skew=0.004).counts == counts
 
 
 def test_a_poll_of_one_host_does_not_delay_another() -> None:
-    """Host 2 stops the axis at 495 while host 1 waits for its end; it needs v²/2a = 5 counts.
+    """Host 2 stops the axis at 495 while host 1 waits for its end.
+
+    It needs v²/2a = 5 counts.
 
     The wait ends early, and the axis stays at 500.
     """
@@ -305,7 +310,10 @@ def test_a_poll_of_one_host_does_not_delay_another() -> None:
 
 
 def test_handles_may_have_other_numbers() -> None:
-    """A real library numbers handles in another way; each call uses the handle of its own MCOpen."""
+    """A real library numbers handles in another way.
+
+    Each call uses the handle of its own MCOpen.
+    """
     log = (
         "mcapi-log 1\n"
         "0.0 0.0 1 MCOpen 0 2 - = 2\n"
@@ -322,7 +330,10 @@ def test_handles_may_have_other_numbers() -> None:
 
 
 def test_a_position_of_a_scaled_axis_is_exact() -> None:
-    """At 40 counts per unit, 0.01 units are 0.4 counts; without units positions are whole."""
+    """At 40 counts per unit, 0.01 units are 0.4 counts.
+
+    Without units positions are whole.
+    """
     scale = "0.15 0.15 1 MCSetScale 1 1 6 1.0 0.0 1.0 {} 0.0 1.0 = -\n0.16 0.16 1 MCEnableAxis 1 1 1 = -\n"
     head = SLOW.partition("0.2 0.2")[0]
     for counts_per_unit, wanted in ((40.0, {"position": 1}), (1.0, {})):

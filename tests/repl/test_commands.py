@@ -58,7 +58,10 @@ def test_live_mode_is_on_or_off() -> None:
 
 
 def test_axes_in_every_state() -> None:
-    """At rest, with a scale, in motion without an end, with a move in the buffer, off, and with a fault."""
+    """At rest, with a scale, and in motion without an end.
+
+    Also with a move in the buffer, off, and with a fault.
+    """
     lines = talk(
         "SPEED(0) = 50 : MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)",
         "SCALE(1) = 2",
@@ -127,7 +130,10 @@ def test_a_number_without_noise(value: float, text: str) -> None:
     ],
 )
 def test_the_first_completion(text: str, first: str | None, replaced: int) -> None:
-    """Keywords are written as the user types them; there are none in a comment or an open text."""
+    """Keywords are written as the user types them.
+
+    There are none in a comment or an open text.
+    """
     found = candidates(dialect("mint"), text)
     assert (found[0][:2] if found else (None, 0)) == (first, replaced)
 

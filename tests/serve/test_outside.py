@@ -1,4 +1,7 @@
-"""Questions to a running program: real time and lock step, with a clock that the test sets."""
+"""Questions to a running program.
+
+Real time and lock step, with a clock that the test sets.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +25,10 @@ def ask(outside: Outside, times: list[float]) -> None:
 
 @pytest.mark.parametrize(("factor", "sleeps"), [(1.0, [2.0]), (4.0, [0.5])])
 def test_a_wait_takes_real_time(factor: float, sleeps: list[float], monkeypatch: pytest.MonkeyPatch) -> None:
-    """2 machine seconds take 2 s, or 0.5 s at 4 × real time; the real time before the first wait does not count."""
+    """2 machine seconds take 2 s, or 0.5 s at 4 × real time.
+
+    The real time before the first wait does not count.
+    """
     wall, slept = Wall(), list[float]()
     outside = RealTime(factor, wall)
     started(outside)
@@ -42,7 +48,10 @@ def test_a_wait_takes_real_time(factor: float, sleeps: list[float], monkeypatch:
 
 
 def test_an_answer_ends_a_wait_in_real_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    """All waiting questions are answered at the present time; the rest of the wait is left."""
+    """All waiting questions are answered at the present time.
+
+    The rest of the wait is left.
+    """
     wall = Wall()
     outside = RealTime(1.0, wall)
     times = started(outside)

@@ -1,4 +1,7 @@
-"""The components of the server without sockets: log, buffers, addresses, clocks and Modbus requests."""
+"""The components of the server without sockets.
+
+Log, buffers, addresses, clocks and Modbus requests.
+"""
 
 from __future__ import annotations
 
@@ -228,7 +231,10 @@ def idle(factor: float = 1.0) -> tuple[RealTime, Console, Wall]:
 
 
 def test_the_time_until_the_next_event_depends_on_the_factor() -> None:
-    """A wait of 10 s takes 2.5 s at 4 × real time; when it is late, there is no time left."""
+    """A wait of 10 s takes 2.5 s at 4 × real time.
+
+    When it is late, there is no time left.
+    """
     pace, console, wall = idle(4.0)
     console.open(echo=False).feed(b"WA10\r")
     pace.work()
@@ -264,7 +270,10 @@ def test_a_board_may_be_late_by_a_quarter_of_a_second(behind: float, late: float
 
 
 def test_slices_grow_again_on_a_computer_that_has_time() -> None:
-    """A slice is 2 ms at most, a quarter after each slow one, and doubles after each fast one."""
+    """A slice is 2 ms at most, a quarter after each slow one.
+
+    It doubles after each fast one.
+    """
     pace, console, wall = idle()
     console.open(echo=False).feed(b"AA1,RP\r")
     wall.time += 1000.0

@@ -1,4 +1,7 @@
-"""The lines that describe the difference of two reports, which are written by hand."""
+"""The lines that describe the difference of two reports.
+
+The reports are written by hand.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Find counters beside a TIMER: variables that its handler, or polling loops, only advance and compare."""
+"""Find counters in programs with a TIMER.
+
+They are variables that its handler, or polling loops, only advance and compare.
+"""
 
 from __future__ import annotations
 
@@ -61,7 +64,9 @@ def _describe(
     variable: Callable[[object], Symbol | None],
     polled: set[Symbol] | None,
 ) -> list[Symbol]:
-    """Describe the counters among the variables of some statements under `key`, and return them.
+    """Describe and return the counters among the variables of some statements.
+
+    They are described under `key`.
 
     `polled` are the variables that loops use; None if the counters may not be set.
     """
@@ -126,13 +131,19 @@ def _shared(node: object) -> Symbol | None:
 
 
 def _local(b: Body, node: object) -> Symbol | None:
-    """Return the numeric variable of this function alone that a node names, None for any other node."""
+    """Return the numeric variable of this function alone that a node names.
+
+    None for any other node.
+    """
     own = _numeric(node)
     return own if own is not None and not own.shared and own.home is b.function else None
 
 
 def _numeric(node: object) -> Symbol | None:
-    """Return the numeric variable that a node names, unless it can be changed by another name."""
+    """Return the numeric variable that a node names.
+
+    None if it can be changed by another name.
+    """
     symbol = node.symbol if isinstance(node, nodes.Name) and node.args is None else None
     if symbol is None or symbol.kind != "variable" or symbol.type.name not in NUMERIC:
         return None

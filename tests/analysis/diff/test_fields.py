@@ -70,7 +70,10 @@ def test_a_commanded_speed_is_no_motion() -> None:
 
 
 def test_the_moves_of_a_line_together() -> None:
-    """The durations add up, the first figures are shown; a later start alone is a wait."""
+    """The durations add up, the first figures are shown.
+
+    A later start alone is a wait.
+    """
     old = report(move(), move(begin=1.0), move(begin=2.0))
     new = report(move(duration=1.25), move(begin=1.25, duration=1.5), move(begin=3.0))
     (change,) = difference(old, new).lines
@@ -83,7 +86,10 @@ def test_the_moves_of_a_line_together() -> None:
 
 
 def test_a_later_motion_shifts_what_follows_and_is_reported_once() -> None:
-    """The move takes 0.5 s longer, so the second one and the end of the run come 0.5 s later."""
+    """The move takes 0.5 s longer.
+
+    So the second one and the end of the run come 0.5 s later.
+    """
     old = report(move(), move(2, begin=1.0))
     new = report(move(duration=1.5), move(2, begin=1.5), time=5.5)
     found = difference(old, new)
@@ -189,7 +195,10 @@ def test_figures_of_events_have_the_tolerance_of_positions_or_of_speeds() -> Non
 def test_an_event_may_shift_with_the_motion_or_stay(
     was: float, time: float, axis: int, differs: bool
 ) -> None:
-    """The only move ends 0.5 s later, at 1.5 s: an event at its end may come as much later, on any axis."""
+    """The only move ends 0.5 s later, at 1.5 s.
+
+    An event at its end may come as much later, on any axis.
+    """
     old = report(move(), events=[event(was, axis=axis)])
     new = report(move(duration=1.5), events=[event(time, axis=axis)])
     assert bool(difference(old, new).events) is differs

@@ -185,7 +185,10 @@ def test_a_text_is_cut_off_at_its_length(length: int, text: str) -> None:
 @cases("text, expected", [("", []), ("A", [0x41000000]), ("ABCD", [0x41424344]), ("ABCDE", [0x41424344, 0x45000000]),
                           ("\xff", [0xFF000000 - (1 << 32)]), ("\u20ac", [0x3F000000])])  # fmt: skip
 def test_packed_texts(text: str, expected: list[int]) -> None:
-    """Four characters in a word, the first one highest; `?` for one that Latin-1 does not have."""
+    """Four characters in a word, the first one highest.
+
+    `?` for one that Latin-1 does not have.
+    """
     assert packed(text) == expected
 
 
@@ -216,7 +219,10 @@ def test_registers_from_an_odd_one_to_an_even_one_change_two_halves() -> None:
 
 
 def test_how_values_of_the_machine_file_are_stored() -> None:
-    """An integer in the comms array is a float unless it says otherwise; elsewhere it is an integer."""
+    """An integer in the comms array is a float unless it says otherwise.
+
+    Elsewhere it is an integer.
+    """
     clock, memory = Clock(), HostMemory()
     clock.advance(2.0)
     entries: list[tuple[str, dict[str, object]]] = [

@@ -193,7 +193,10 @@ def test_below_a_position() -> None:
 
 
 def test_the_travel_is_counted_from_the_start() -> None:
-    """The axis starts at 3 within -5 to 9: 8 back and 6 on; marks every 5 from machine position 0."""
+    """The axis starts at 3 within -5 to 9: 8 back and 6 on.
+
+    Marks every 5 from machine position 0.
+    """
     settings: dict[str, object] = {
         "axis__0__travel": [-5.0, 9.0],
         "axis__0__start": 3.0,
@@ -234,7 +237,10 @@ def test_a_home_switch_without_an_input_is_only_a_switch() -> None:
 
 
 def test_a_drive_is_disabled_at_once_while_its_enable_input_is_off() -> None:
-    """Channel 3 is off at power-up; the stop of the moving axis is an e-stop in the log."""
+    """Channel 3 is off at power-up.
+
+    The stop of the moving axis is an e-stop in the log.
+    """
     c = machine(axis__0__enable_input=3, input=[{"channel": 3, "at": 1.0, "for": 2.0}])
     assert not c.is_enabled(0)
     assert c.is_enabled(1)
@@ -252,7 +258,10 @@ def test_a_drive_is_disabled_at_once_while_its_enable_input_is_off() -> None:
 
 
 def test_errors_of_drives_and_of_the_controller() -> None:
-    """A drive has its error bits until its fault is cleared; only a new error of the controller is reported."""
+    """A drive has its error bits until its fault is cleared.
+
+    Only a new error of the controller is reported.
+    """
     c, misc = Controller(2), list[int]()
     world = World(
         c,
@@ -303,7 +312,10 @@ def test_encoders_run_from_their_time_on() -> None:
 
 
 def test_a_sensor_along_the_travel_in_user_units() -> None:
-    """2 V and 0.5 V per unit from 6 on, in the region up to 10; the scale is 4 counts per unit."""
+    """2 V and 0.5 V per unit from 6 on, in the region up to 10.
+
+    The scale is 4 counts per unit.
+    """
     entry = {"channel": 1, "axis": 0, "between": [6.0, 10.0], "value": 2.0, "per_unit": 0.5}
     for start in (0.0, 1.0):
         c = machine(analogue=[entry], axis__0__start=start)

@@ -61,7 +61,10 @@ def test_the_ramp_to_the_velocity_of_a_jog(
 def test_the_ramp_from_one_jog_to_another(
     velocity: float, rates: Rates | None, settings: dict[str, float], time: float
 ) -> None:
-    """From 20 counts/s at 1 s on, down at the deceleration, and up or beyond rest at the acceleration."""
+    """From 20 counts/s at 1 s it slows down at the deceleration.
+
+    It speeds up, or beyond rest, at the acceleration.
+    """
     c = machine(1, **settings)
     c.jog(0, 20.0)
     until(c, 1.0).jog(0, velocity, rates=rates)

@@ -124,7 +124,7 @@ def test_times_at_which_so_much_is_left() -> None:
 
 
 def test_offsets_that_sum_to_nothing() -> None:
-    """At rest nothing is left to do; on its way an offset turns back."""
+    """At rest nothing is left to do; in between an offset turns back."""
     c = moving()
     entries = len(c.log.moves)
     c.offset(1, 0.0)

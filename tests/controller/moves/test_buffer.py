@@ -170,7 +170,10 @@ def test_the_override_multiplies_the_speed_of_moves_loaded_with_bit_1(
 
 
 def test_relative_moves_keep_their_ends_when_the_present_one_gets_another() -> None:
-    """10, then 5 more, a dwell and 3 more: 15 and 18, although the first one ends at 12."""
+    """10, then 5 more, a dwell and 3 more.
+
+    15 and 18, although the first one ends at 12.
+    """
     c = machine(1, buffer_size=5)
     c.load_to(0, 10.0)
     for distance in (5.0, 0.0, 3.0):

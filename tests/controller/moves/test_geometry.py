@@ -80,7 +80,10 @@ def test_an_arc(
     entry: tuple[float, float],
     leaving: tuple[float, float],
 ) -> None:
-    """From 100, 0 about 0, 0; again about 7, -3 and with 20 counts per unit of the second axis."""
+    """From 100, 0 about 0, 0.
+
+    Again about 7, -3 and with 20 counts per unit of the second axis.
+    """
     half = radians(middle)
     for (cx, cy), ky in (((0.0, 0.0), 10.0), ((7.0, -3.0), 20.0)):
         arc, scales = Arc((cx, cy), angle), (10.0, ky)
@@ -108,7 +111,10 @@ def test_an_arc(
     ],
 )
 def test_a_helix(plane: tuple[int, int], start: tuple[float, ...], end: tuple[float, ...]) -> None:
-    """A quarter of the circle in the plane of two axes; the third one climbs 30 counts, 15 units."""
+    """A quarter of the circle in the plane of two axes.
+
+    The third one climbs 30 counts, 15 units.
+    """
     rise = next(axis for axis in range(3) if axis not in plane)
     scales = [2.0 if axis == rise else 10.0 for axis in range(3)]
     arc = Arc((0.0, 0.0), 90.0, [35.0], plane=plane)

@@ -331,7 +331,10 @@ def test_entries_end_with_a_carriage_return_or_a_line_feed() -> None:
 
 
 def test_what_a_busy_port_accepts() -> None:
-    """ESC, and at the beginning the control characters and blanks; one key while it single-steps."""
+    """ESC, and at the beginning the control characters and blanks.
+
+    One key while it single-steps.
+    """
     console, port = board()
     assert port.accepts(b"1TP\r")
     waiting = bytearray(b"1TP\r\x1b2TP\r\x1b3TP\r")

@@ -1,4 +1,7 @@
-"""The assumptions about MCCL that a machine file can settle: each choice, shown by its output."""
+"""The assumptions about MCCL that a machine file can settle.
+
+Each choice, shown by its output.
+"""
 
 from __future__ import annotations
 

@@ -43,7 +43,10 @@ def test_mint_has_the_same_with_the_play_on_one_side(motor: bool) -> None:
 
 
 def test_the_variable_is_the_position_of_the_motor(mccl: Runner) -> None:
-    """The motor is 10 counts ahead of the load: a written 100 is the motor's, and the load is at 90."""
+    """The motor is 10 counts ahead of the load.
+
+    A written 100 is the motor's, and the load is at 90.
+    """
     written = 'LU"POSITION",AR10,AL100,1WL@10,1RL@10,TR0,1TP,1TT,1TO'
     result = mccl(f"1MN,1BD10,1BN,1MR500,1WS\n{written}\n1MA190,1WS,1TP,1TT\n1MA90,1WS,1TP,1TT")
     assert result.output == [
@@ -52,6 +55,9 @@ def test_the_variable_is_the_position_of_the_motor(mccl: Runner) -> None:
 
 
 def test_a_new_size_counts_from_the_next_motion_on(mccl: Runner) -> None:
-    """BD20 while compensation is on: the motor stays where it is, and leads by 20 after the next move."""
+    """BD20 while compensation is on.
+
+    The motor stays where it is, and leads by 20 after the next move.
+    """
     result = mccl('1MN,1BD10,1BN,1MR500,1WS,1TP,1BD20,1TP,1MR100,1WS,1TP,1TT,LU"BACKLASH",1RL@0,TR0')
     assert result.output == ["01 510", "01 510", "01 620", "01 600", "20"]

@@ -118,7 +118,7 @@ def test_what_is_left_of_a_move_at_a_new_zero_is_held_to_what_it_was_planned_wit
 
 
 def ended(text: str) -> tuple[float, float]:
-    """Return the end and the duration of the last move of a program, counts and seconds."""
+    """Return the end (counts) and duration (s) of the last move of a program."""
     moves = run(Source("step.mcl", text), cache=False).controller.log.moves
     profile = moves[-1].profile
     assert profile is not None
@@ -151,9 +151,9 @@ def test_a_move_from_rest(commands: str, end: float, duration: float) -> None:
 @cases(
     "then, end, duration",
     [
-        # On the way at MV itself: 500 counts are left, and another 1000.
+        # In between at MV itself: 500 counts are left, and another 1000.
         ("1SV1000,1MR1000,WA0.5,1MR1000", 2000.0, 1.5),
-        # The same on the way back.
+        # The same in the other direction.
         ("1SV1000,1MA2000,1WS,1MR-1000,WA0.5,1MR-500", 500.0, 1.0),
         # At 500 counts/s, below MV, after 250 counts: an ordinary move from that velocity. 0.05 s and 37.5 counts up,
         # 0.2 s and 100 counts down; the rest at 1000 counts/s.

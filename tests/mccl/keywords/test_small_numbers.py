@@ -1,4 +1,7 @@
-"""The least and the largest numbers of registers, macros, tasks, texts, channels and limits."""
+"""The least and the largest numbers that MCCL accepts.
+
+They are those of registers, macros, tasks, texts, channels and limits.
+"""
 
 from __future__ import annotations
 

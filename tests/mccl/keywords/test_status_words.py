@@ -16,7 +16,7 @@ AT_REST = ON | 1 << 2 | 1 << 3
 
 
 def words(mccl: Runner, text: str, **options: object) -> list[int]:
-    """Return the words that a program tells with TS."""
+    """Return the words that a program reports with TS."""
     return [int(line.split()[1]) for line in mccl(text, **options).output]
 
 
@@ -24,7 +24,10 @@ def words(mccl: Runner, text: str, **options: object) -> list[int]:
     "at, word", [(0.002, 9), (0.099, 9), (0.102, 1), (0.5, 1), (0.949, 1), (0.952, 1), (1.149, 1), (1.152, 1)]
 )
 def test_the_profile_word_shows_the_acceleration(at: float, word: int, mccl: Runner) -> None:
-    """8 while the axis accelerates, up to 0.1 s, and nothing more from there to its target."""
+    """8 while the axis accelerates, up to 0.1 s.
+
+    Nothing more from there to its target.
+    """
     assert words(mccl, f"{RATES}1MR1000,WA{at},1TS2") == [word]
 
 
@@ -41,7 +44,10 @@ def test_the_profile_word_shows_that_the_axis_stops(after: float, word: int, mcc
 def test_bit_12_is_on_until_the_last_point_is_recorded(
     points: int, at: float, on: bool, mccl: Runner
 ) -> None:
-    """There is a point every millisecond, the first one at PR: the fifth comes after 4 ms."""
+    """There is a point every millisecond, the first one at PR.
+
+    The fifth comes after 4 ms.
+    """
     assert words(mccl, f"1PR{points},WA{at},1TS1,2TS1") == [1 + 4096 * on, 1]
 
 
@@ -118,7 +124,10 @@ def test_the_auxiliary_word(commands: str, word: int, mccl: Runner) -> None:
     ],
 )
 def test_the_primary_word(commands: str, word: int, mccl: Runner) -> None:
-    """An axis without limits, marks and inputs: soft limits of 0 have no effect until it moves."""
+    """An axis without limits, marks and inputs.
+
+    Soft limits of 0 have no effect until it moves.
+    """
     assert words(mccl, f"{commands},1TS") == [word]
 
 
@@ -134,7 +143,10 @@ CHANNELS = [
 def test_each_input_of_an_axis_is_a_channel_and_a_bit(
     axis: int, channel: int, bit: int, mccl: Runner
 ) -> None:
-    """Home, amplifier fault, auxiliary, limits + and -, user inputs: bits 23 to 29; off again at 0.2 s."""
+    """Home, amplifier fault, auxiliary, limits + and -, user inputs: bits 23 to 29.
+
+    Off again at 0.2 s.
+    """
     machine: Any = {"controller.axes": 8, "input": [{"channel": channel, "at": 0.1, "for": 0.1}]}
     off, on, again = words(mccl, f"{axis}MN,{axis}TS,WA0.15,{axis}TS,WA0.1,{axis}TS", machine=machine)
     assert (off, on, again) == (AT_REST, AT_REST | 1 << bit, AT_REST)

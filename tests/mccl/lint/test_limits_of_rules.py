@@ -44,7 +44,10 @@ def found(text: str) -> Found:
     ],
 )  # fmt: skip
 def test_commands_that_never_run_and_loops_that_never_end(text: str, expected: Found) -> None:
-    """Jumps count from the first command of the line or macro, JR from itself; NO is only padding."""
+    """Jumps count from the first command of the line or macro, JR from itself.
+
+    NO is only padding.
+    """
     assert found(text) == expected
 
 
@@ -67,7 +70,10 @@ def test_commands_that_never_run_and_loops_that_never_end(text: str, expected: F
     ],
 )  # fmt: skip
 def test_waits_before_any_motion(text: str, expected: Found) -> None:
-    """A macro that the file does not define may move any axis, and so may a line that repeats."""
+    """A macro that the file does not define may move any axis.
+
+    So may a line that repeats.
+    """
     assert found(text) == expected
 
 

@@ -1,4 +1,7 @@
-"""Axes that run on, waits for a position, auxiliary encoders and searches: the cases by hand."""
+"""Axes that run on, waits for a position, auxiliary encoders and searches.
+
+The cases by hand.
+"""
 
 from __future__ import annotations
 
@@ -114,7 +117,10 @@ def test_the_next_index_mark_of_an_auxiliary_encoder(
      (1000, 1, 0), (999, 0, 1000), (1001, 1, 1000), (-1000, 1, -2000)],
 )  # fmt: skip
 def test_the_next_index_mark_of_an_axis(start: int, back: int, mark: int, mccl: Runner) -> None:
-    """Marks every 1000 counts; WI waits for one without a change of the zero, FI gives it a position."""
+    """Marks every 1000 counts.
+
+    WI waits for one without a change of the zero, FI gives it a position.
+    """
     begin = f"{HEAD}1MA{start},1WS,1VM,1DI{back},1GO,"
     machine = {"axis.1.index_every": 1000.0}
     waited = mccl(f"{begin}1WI,1TP,1TZ,1AB", machine=machine)

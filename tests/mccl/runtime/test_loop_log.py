@@ -7,7 +7,7 @@ import pytest
 from tests.cases import cases
 from tests.mccl.conftest import Runner
 
-# Program, and for each loop the command that jumps back, its begin and end, and the calls around it, s. A command takes
+# Program, and for each loop the command that jumps back, its start and end, and the calls around it, s. A command takes
 # 10 us. A loop from the beginning of a line begins with it, any other with its first jump back.
 LOOPS: list[tuple[str, list[tuple[str, float, float, tuple[str, ...]]]]] = [
     ("AL0\nAA1,WA0.1,IB5,JR-3,NO,TR0", [("JR-3", 0.0, 0.5, ())]),

@@ -52,7 +52,10 @@ from tests.cases import cases
     ],
 )
 def test_the_tests_of_a_loop(text: str, governs: int, expected: dict[int, list[str] | None] | None) -> None:
-    """By the index of the command that reads; None if the value is used for more than tests."""
+    """By the index of the command that reads.
+
+    None if the value is used for more than tests.
+    """
     line = line_of(text)
     assert line is not None
     found = find_tests(line.commands, governs)

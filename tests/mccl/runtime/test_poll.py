@@ -108,7 +108,10 @@ def test_skipping_changes_nothing(name: str, mccl: Runner, monkeypatch: pytest.M
 def test_an_iteration_that_reads_a_position_is_skipped_whatever_the_type(
     read: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """50 s of polling are a million iterations of four commands; a few hundred are carried out."""
+    """50 s of polling are a million iterations of four commands.
+
+    A few hundred are carried out.
+    """
     rounds, again = [0], Poll.again
 
     def count(poll: Poll) -> object:

@@ -1,4 +1,4 @@
-"""What the loops of a program read, and where it depends on inputs."""
+"""The values that the loops of a program read, and where they depend on inputs."""
 
 from __future__ import annotations
 
