@@ -7,7 +7,7 @@ from math import exp, inf, nan, pi
 
 import pytest
 
-from motionlang.planners import plan_trapezoid, plan_velocity
+from motionlang.planners import plan_sinusoidal, plan_trapezoid, plan_velocity
 from motionlang.planners.counts import linear_scale, rotary_scale
 from motionlang.planners.curve import from_curve, hold
 from motionlang.planners.dissect import (
@@ -558,3 +558,18 @@ def test_a_table_with_unequal_distances() -> None:
     made = table_curve([0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 1.0, 0.0], "cubic")
     assert [made.velocity(x) for x in (0.0, 1.0, 3.0)] == pytest.approx([0.0, 1.2, -1.2])
     assert table_curve([0.0, 1.0, 3.0], [0.0, 1.0, 0.0], "cubic").velocity(1.0) == pytest.approx(0.75)
+    # The same mirrored: 2 m (1/2 + 1/1) = 3 (0.5/2 - 1/1).
+    assert table_curve([0.0, 2.0, 3.0], [0.0, 1.0, 0.0], "cubic").velocity(2.0) == pytest.approx(-0.75)
+
+
+def test_a_sum_of_formulas_adds_their_states() -> None:
+    """A wave and a lead have no common pieces; each derivative is the sum of both."""
+    wave, ahead = plan_sinusoidal(0.0, 100.0, 100.0, 1000.0, 1000.0), Extrapolated(MOVE, 0.01)
+    both = added(wave, ahead, "sum")
+    for time in (0.01, 0.05, 0.5, 1.0):
+        one, other, found = wave.at(time), ahead.at(time), both.at(time)
+        for name in ("position", "velocity", "acceleration", "jerk"):
+            assert getattr(found, name) == pytest.approx(getattr(one, name) + getattr(other, name))
+    assert both.at(0.01).jerk > 0.0
+    other_order = added(ahead, wave, "sum")
+    assert other_order.at(0.01).jerk == pytest.approx(both.at(0.01).jerk)

@@ -32,10 +32,7 @@ def of_errors(*errors: float) -> ServoTrace:
 
 
 def test_the_root_mean_square_of_the_torque() -> None:
-    """Of 3, 4, 0, 0 it is sqrt(25 / 4).
-
-    From 1 ms to 2 ms, both included, sqrt(16 / 2).
-    """
+    """Of 3, 4, 0, 0 it is sqrt(25 / 4); from 1 ms up to 2 ms it is sqrt(16 / 2)."""
     made = trace([0.0] * 4, [0.0] * 4, [6.0, 8.0, 0.0, 0.0])
     assert made.rms_torque == pytest.approx(2.5)
     assert made.rms_torque_between(0.001, 0.002) == pytest.approx(8.0**0.5)
