@@ -306,6 +306,7 @@ OUTSIDE = {
     "PRINT MODBUSTCP32(1, 65535)": "Modbus server 1 rejects registers 65535 and 65536",
     "PRINT LATCHVALUE(32)": "there is no latch channel 32",
     "PRINT CAPTUREMODE(8)": "there is no capture channel 8",
+    "PRINT CAMBOX(32)": "there is no cam box 32",
     "CAPTURENUMPOINTS = 0": "a capture cannot have 0 points",
     "CAPTURENUMPOINTS = 100001": "a capture cannot have 100001 points",
     "PRINT ENCODER(99)": "there is no encoder 99",
