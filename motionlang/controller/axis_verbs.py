@@ -336,6 +336,8 @@ class AxisVerbs(Core):
         A `hard` stop uses `error_decel`.
         """
         a = self.axes[axis]
+        if not hard:
+            motion.halt.check_stop(self, a)
         if ended == "stop":
             triggers.events.stopped(self, a, ended, hard)
         if self.expected_motion is not None:

@@ -66,16 +66,15 @@ class Core(Readings):
     def rates(self, a: Axis, speed: float) -> tuple[float, float]:
         """Return the rates for a move at `speed`; raise Rejected unless both are positive."""
         accel, decel = a.rates(speed)
-        for rate, what in ((accel, "acceleration"), (decel, "deceleration")):
-            if not rate > 0:
-                raise Rejected(
-                    "zero-acceleration",
-                    f"axis {a.index} cannot move: its {what} is {rate:g}",
-                    f"a move needs an {what} above zero"
-                    if what[0] == "a"
-                    else f"a move needs a {what} above zero",
-                )
+        for rate, what in ((accel, "an acceleration"), (decel, "a deceleration")):
+            _check_rate(a, rate, what, "move")
         return accel, decel
+
+    def decel(self, a: Axis, speed: float) -> float:
+        """Return the rate of a stop from `speed`; raise Rejected unless positive."""
+        decel = a.rates(speed)[1]
+        _check_rate(a, decel, "a deceleration", "stop")
+        return decel
 
     def plan_move(self, a: Axis, move: Move) -> Profile:
         """Return the profile of a move from the present state of its axis."""
@@ -343,3 +342,12 @@ class Core(Readings):
         self.end_move(a, ended)
         self.extend_track(a, hold(here))
         self.notify("idle", a.index)
+
+
+def _check_rate(a: Axis, rate: float, what: str, purpose: str) -> None:
+    if not rate > 0:
+        raise Rejected(
+            "zero-acceleration",
+            f"axis {a.index} cannot {purpose}: its {what.partition(' ')[2]} is {rate:g}",
+            f"a {purpose} needs {what} above zero",
+        )

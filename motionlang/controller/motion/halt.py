@@ -59,12 +59,19 @@ def stop(controller: Core, a: Axis, ended: str, hard: bool = False) -> None:
     a.target = move.target = profile.end
 
 
+def check_stop(controller: Core, a: Axis) -> None:
+    """Raise Rejected, before anything changes, if a stop has no deceleration."""
+    move = a.move
+    if move is not None and (move.action is None or type(move.action).stop is Action.stop):
+        _decel(controller, a)
+
+
 def braking(controller: Core, a: Axis, decel: float) -> Profile:
     """Return the motion from the state of the axis to rest."""
     from motionlang.planners.ramp_down import stop_in_motion
 
     now, jerks = controller.clock.now, (a.accel_jerk, a.decel_jerk)
-    accel = None if keeps_rates(a.move) else min(controller.rates(a, a.speed)[0], a.max_accel)
+    accel = None if keeps_rates(a.move) else min(a.rates(a.speed)[0], a.max_accel)
     try:
         made = stop_in_motion(a.profiles[-1], now - a.starts[-1], a.shape, decel, a.ramp, *jerks, accel)
     except ValueError as problem:
@@ -85,7 +92,7 @@ def with_standstill(controller: Core, a: Axis) -> Profile:
 
 def _decel(controller: Core, a: Axis) -> float:
     speed = a.speed if a.move is None or a.move.speed is None else a.move.speed
-    decel = controller.rates(a, speed)[1]
+    decel = controller.decel(a, speed)
     if a.move is not None and a.move.rates is not None:
         decel = a.move.rates[1] or decel
     return min(decel, a.max_decel)

@@ -68,6 +68,34 @@ def test_stop_ends_what_is_suspended() -> None:
     assert c.log.moves[0].ended == "stop"
 
 
+@pytest.mark.parametrize("jogs", [True, False])
+def test_a_stop_needs_no_acceleration(jogs: bool) -> None:
+    """At 1 s the axis is at 9.5 with a velocity of 10; at 100 it stops within 0.5."""
+    c = machine()
+    if jogs:
+        c.jog(0, 10.0)
+    else:
+        c.move_to(0, 20.0)
+    until(c, 1.0).configure(0, "accel", 0.0)
+    c.stop(0)
+    assert until(c, 2.0).position(0) == pytest.approx(10.0)
+
+
+def test_a_stop_without_a_deceleration_is_rejected_and_changes_nothing() -> None:
+    c = machine()
+    c.jog(0, 10.0)
+    until(c, 1.0).configure(0, "decel", 0.0)
+    c.load_to(0, 5.0)
+    with pytest.raises(Rejected, match="axis 0 cannot stop: its deceleration is 0"):
+        c.stop(0)
+    assert len(c.axes[0].buffer) == 1
+    assert list(c.log.events) == []
+    assert until(c, 2.0).velocity(0) == 10.0
+    c.configure(0, "decel", 100.0)
+    c.stop(0)
+    assert until(c, 3.0).is_idle(0)
+
+
 def test_a_new_end_point_keeps_the_move() -> None:
     c = machine()
     c.move_to(0, 20.0)
