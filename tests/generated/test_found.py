@@ -1240,3 +1240,16 @@ def test_a_path_keeps_a_deceleration_that_a_lower_rate_could_not_reduce_before_r
     result = proved(RATES + move)
     assert positions(result, 0, 1) == pytest.approx([6.0, 8.0])
     assert result.time == pytest.approx(0.9)
+
+
+def test_a_move_keeps_rates_with_whose_jerk_it_would_run_back() -> None:
+    """From 20 to 5 at 100 takes 0.15 s and 1.875; it begins at 8, after 0.5 s.
+
+    50 ms later the velocity is 15. A jerk of 100 would reduce its deceleration to zero in 1 s, at a velocity of -35. So
+    ACCEL has no effect. Of 210 there are 200 left at 5, and 0.125 for the stop in 0.05 s.
+    """
+    jerks = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 1000 : DECELJERK(0) = 100 : ACCEL(0) = 50\n"
+    lower = "WAIT = 500\nSPEED(0) = 5\nWAIT = 50\n"
+    result = proved(RATES + "MOVER(0) = 210 : GO(0)\n" + lower + jerks + "PAUSE IDLE(0)\n", until=60.0)
+    assert positions(result, 0) == pytest.approx([210.0])
+    assert result.time == pytest.approx(0.5 + 0.15 + (210.0 - 8.0 - 1.875 - 0.125) / 5.0 + 0.05)

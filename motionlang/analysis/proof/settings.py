@@ -70,7 +70,9 @@ def _check_setting(
         shaped = state.acceleration and not by.smooth and order.shape != "trapezoid"
         if state.velocity * left <= 0.0 or shaped:
             return
-        if abs(lead(state.velocity, acceleration, 0.0, by)[1]) < abs(left) * (1.0 - SLACK):
+        # With a lower jerk it may run back before its deceleration is zero, which is an overshoot, too.
+        stop = lead(state.velocity, acceleration, 0.0, by)[1]
+        if 0.0 <= stop / left < 1.0 - SLACK:
             words = f"it keeps the rates {order.rates[0]:g} and {order.rates[1]:g}"
             proof.breaks(
                 order.line, f"{where}: {words}, commanded {wanted.rates[0]:g} and {wanted.rates[1]:g}"
