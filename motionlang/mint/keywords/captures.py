@@ -138,7 +138,8 @@ class Capture:
             self._trigger()
             return
         self._events.append(self._clock.at(now + self._ahead * self._period, self._watch_triggers))
-        self._report_progress(now, self._ahead)
+        duration = self._ahead * self._period
+        self._report_progress(lambda percent: now + duration * percent / 100.0)
 
     def stop(self) -> None:
         """End the capture; the points recorded so far remain."""
@@ -165,7 +166,8 @@ class Capture:
         self._first, self.status = now - self._ahead * self._period, CAPTURING
         last = max(self._first + (self._count - 1) * self._period, now)
         self._events.append(self._clock.at(last, self._end))
-        self._report_progress(now, self._count - self._ahead)
+        points, period = self._count - self._ahead, self._period
+        self._report_progress(lambda percent: now + (ceil(points * percent / 100.0) - 1) * period)
 
     def _watch_triggers(self) -> None:
         """Watch the triggers, now that the time before the trigger has been recorded."""
@@ -265,15 +267,19 @@ class Capture:
             share = float(self.status != IDLE)
         return min(int(share * 100.0 + 1e-6), 100)
 
-    def _report_progress(self, begin: float, points: int) -> None:
-        """Schedule an event at each percent, so that polling tasks check again."""
-        if not self.reports_progress or points <= 1:
+    def _report_progress(self, reached_at: Callable[[int], float]) -> None:
+        """Schedule an event at each percent, so that polling tasks check again.
+
+        `reached_at` returns the time of a percent.
+        """
+        if not self.reports_progress:
             return
 
         def step(percent: int) -> None:
-            at = begin + ceil(points * percent / 100.0) * self._period
+            while percent < 100 and reached_at(percent) <= self._clock.now:
+                percent += 1
             if percent < 100:
-                self._events.append(self._clock.at(max(at, self._clock.now), lambda: step(percent + 1)))
+                self._events.append(self._clock.at(reached_at(percent), lambda: step(percent + 1)))
 
         step(1)
 

@@ -151,6 +151,23 @@ def test_a_capture_that_waits_ends_without_a_point() -> None:
     assert printed(text) == ["111000", "00"]
 
 
+@pytest.mark.parametrize(
+    "wait", ["PAUSE CAPTUREPROGRESS({}) >= {}", "While CAPTUREPROGRESS({}) < {} : WAIT 1 : End While"]
+)
+def test_progress_is_seen_at_the_time_of_its_percent(wait: str) -> None:
+    """300 points are 10 ms apart, and point n comes after (n - 1) 10 ms.
+
+    3 points are 1 % after 20 ms, 150 are 50 % after 1490 ms, and 297 are 99 % after 2960 ms.
+    Of 30 ms before a trigger 10 % are 3 ms, and 50 % are 15 ms.
+    """
+    text = "CAPTUREMODE(0) = 3 : CAPTURENUMPOINTS = 300 : CAPTUREPERIOD = 10000\nTIME = 0 : CAPTURE = 1\n"
+    text += "".join(f"{wait.format(1, percent)}\nPRINT TIME\n" for percent in (1, 50, 99))
+    text += "PAUSE CAPTURESTATUS = 3\nCAPTURETRIGGERSOURCE(0) = 13 : CAPTURETRIGGERMODE(0) = 1\n"
+    text += "CAPTUREPRETRIGGERDURATION = 30 : TIME = 0 : CAPTURECOMMAND = 1\n"
+    text += "".join(f"{wait.format(0, percent)}\nPRINT TIME\n" for percent in (10, 50))
+    assert printed(text) == ["20", "1490", "2960", "3", "15"]
+
+
 def test_the_time_before_the_trigger_is_whole_periods_and_leaves_a_point() -> None:
     """35 ms are 3 periods of 10 ms; of 4 points at most 3 come before the trigger.
 
