@@ -74,6 +74,11 @@ def test_an_analogue_input_gets_the_level_that_is_waited_for(cell: Cell) -> None
     assert found["analogue"] == [{"channel": 2, "value": 100.0, "at": 0.8, "guess": True}]
 
 
+def test_only_the_analogue_inputs_of_a_condition_get_a_level(cell: Cell) -> None:
+    found: list[dict[str, object]] = guesses(cell, "PAUSE ADC.2 > 60 And INX.3\n")["analogue"]  # type: ignore[assignment]
+    assert [each["channel"] for each in found] == [2]
+
+
 def test_mccl(cell: Cell) -> None:
     text = "CN33,WN1\nCF33,WF1\nWN2\nIN3,NO,NO\n"
     assert inputs(cell, text, "old.mccl") == [

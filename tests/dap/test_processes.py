@@ -12,6 +12,7 @@ from typing import IO, Any
 import pytest
 
 from motionlang.dap.framing import read, written
+from motionlang.serve.address import listen, shown
 from tests.debug.test_debugger import CALLS
 
 ENDLESS = "Dim n As Integer\nLoop\n  n = n + 1\n  If n > 99 Then n = 0\nEnd Loop\n"
@@ -33,6 +34,15 @@ def stdio() -> Iterator[subprocess.Popen[bytes]]:
         for stream in (process.stdin, process.stdout):
             if stream is not None and not stream.closed:
                 stream.close()
+
+
+def has_ipv6() -> bool:
+    """True if this computer can listen on its own IPv6 address."""
+    try:
+        listen("::1", 0).close()
+    except OSError:
+        return False
+    return True
 
 
 def requests(program: Path, *more: str) -> list[dict[str, Any]]:
@@ -82,12 +92,16 @@ def test_a_session_over_stdio(stdio: subprocess.Popen[bytes], tmp_path: Path) ->
     assert stdio.stderr.read() == b""
 
 
-def test_a_session_over_tcp(tmp_path: Path) -> None:
-    process = start("--tcp", "127.0.0.1:0")
+@pytest.mark.parametrize("host", ["127.0.0.1", "::1"])
+def test_a_session_over_tcp(tmp_path: Path, host: str) -> None:
+    if host == "::1" and not has_ipv6():
+        pytest.skip("no IPv6 on this computer")
+    process = start("--tcp", shown(host, 0))
     assert process.stderr is not None
-    port = int(process.stderr.readline().decode().rpartition(":")[2])
+    text, _, port = process.stderr.readline().decode().rstrip().rpartition(":")
+    assert text == f"listening on {shown(host, 0).removesuffix(':0')}"
     with (
-        socket.create_connection(("127.0.0.1", port), PATIENCE) as connection,
+        socket.create_connection((host, int(port)), PATIENCE) as connection,
         connection.makefile("rwb") as stream,
     ):
         send(stream, requests(program(tmp_path, CALLS)))  # type: ignore[arg-type]

@@ -63,6 +63,15 @@ def test_an_axis_in_motion_and_one_without_an_end() -> None:
     debugger.abandon()
 
 
+def test_the_time_at_a_stop_and_at_the_end() -> None:
+    debugger = mint("WAIT = 250\nPrint 1\n")
+    debugger.start()
+    debugger.go_to_line(2)
+    assert value(debugger, "time") == pytest.approx(0.25, abs=1e-3)
+    assert debugger.go_on() is None
+    assert value(debugger, "time") == pytest.approx(0.25, abs=1e-3)
+
+
 def test_channels_that_have_had_a_value() -> None:
     settings: dict[str, object] = {
         "input": [{"channel": 5, "at": 0.0, "value": 1}],

@@ -246,3 +246,19 @@ def test_warnings_about_its_travel(text: str, expected: list[tuple[int, str]]) -
 def test_warnings_about_what_waits_for_a_move(text: str, expected: list[tuple[int, str]]) -> None:
     found = DIALECT.check(Source("a.mnt", text), {})
     assert [(each.line, each.code) for each in found] == expected
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("PRINT 1", [(6, "two-tasks")]),
+        ("PAUSE TASKSTATUS(Press) = 0", []),
+        ("TASKSUSPEND(Press)", []),
+        ("TASKRESUME(Press)", []),
+        ("End Press", []),
+    ],
+)
+def test_tasks_that_take_turns_may_command_one_axis(line: str, expected: list[tuple[int, str]]) -> None:
+    task = "Task Press\nMOVER(0) = 5 : GO(0)\nEnd Task\n"
+    found = DIALECT.check(Source("a.mnt", f"Run Press\n{line}\nMOVER(0) = 3 : GO(0)\nEnd\n{task}"), {})
+    assert [(each.line, each.code) for each in found] == expected

@@ -340,4 +340,16 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mcapi/session.py: Session: open: 2 -> 3": "one number behind the last is enough to be refused",
     "motionlang/mcapi/session.py: wrapped: bits < 0 -> bits <= 0": "no integer has 0 bits",
     "motionlang/client/answer.py: end_of: 1 -> 2": "the byte before the searched ones belongs to no prompt",
+    "motionlang/planners/feasibility.py: _travel: 0.0 -> 1.0 #10": "both ends of a slew have the same speed",
+    "motionlang/planners/jerk.py: _directly: 3.0 -> 4.0": (
+        "a plan without a closed form is left to the search, which finds the same plan"
+    ),
+    "motionlang/planners/solve.py: 0.0 -> 1.0": "equal ramps have no share of the time",
+    "motionlang/fast/polled_ticks.py: 2 -> 3": "a walk that ends earlier continues tick by tick",
+    "motionlang/mint/resolve/definitions.py: _Finder: _outline: block.name < 0 -> block.name <= 0": (
+        "the name of a block follows its first token, so it is never token 0"
+    ),
+    "motionlang/mint/resolve/definitions.py: _Finder: _outline: block.name < 0 -> block.name <= 0 #2": (
+        "the name of a block follows its first token, so it is never token 0"
+    ),
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -174,7 +175,14 @@ def test_a_program_that_does_not_run(tmp_path: Path, capsys: pytest.CaptureFixtu
 def test_each_run_of_the_dac_has_a_row_of_the_picture(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    """Four rows of 1.9 inches and 0.8 for the time axis are 8.4 inches of 72 points."""
+    """Four rows of 1.9 inches and 0.8 for the time axis are 8.4 inches of 72 points.
+
+    Each row has two dashed limits. They are thinner than a point, and the curves are not.
+    """
     file = tmp_path / "dac.svg"
     run_command(capsys, "dac", "--plot", str(file))
-    assert 'height="604.8pt"' in file.read_text()
+    drawn = file.read_text()
+    assert 'height="604.8pt"' in drawn
+    limits = re.findall(r'stroke-dasharray: \d[^"]*stroke-width: ([\d.]+)', drawn)
+    assert len(limits) == 8
+    assert all(float(width) < 1.0 for width in limits)

@@ -41,6 +41,16 @@ def test_of_several_axes_each_is_named(axes: tuple[int, ...], titles: list[str])
     assert [title for title in named if title] == [title for title in titles if title]
 
 
+def test_the_legend_of_the_shades_lies_within_the_picture() -> None:
+    made = run(Source("a.mnt", "MOVER(0) = 1 : GO(0)\n"), cache=False)
+    figure = plot._figure(made, {}, Window())
+    (legend,) = figure.legends
+    figure.draw_without_rendering()
+    box = legend.get_window_extent()
+    assert 0.5 * figure.bbox.width < box.x0 < box.x1 < figure.bbox.width
+    assert 0.5 * figure.bbox.height < box.y0 < box.y1 < figure.bbox.height
+
+
 @pytest.fixture
 def figures(monkeypatch: pytest.MonkeyPatch) -> list[Figure]:
     """Return the pictures that a test draws of sweeps; no files are written."""

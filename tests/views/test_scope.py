@@ -200,6 +200,15 @@ def test_a_rounding_error_is_no_block_of_the_critical_path() -> None:
     assert [(begin, end) for begin, end, *_ in bands[0]["spans"] if end - begin < 1e-12] == []
 
 
+def test_a_page_holds_200000_records(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = pick()
+    monkeypatch.setattr("motionlang.views.scope._records", lambda run: 200_000)
+    assert data_of(page(made))["axes"]
+    monkeypatch.setattr("motionlang.views.scope._records", lambda run: 200_001)
+    with pytest.raises(ValueError, match="has 200001 records, but a page holds at most 200000; "):
+        page(made)
+
+
 def test_more_than_a_page_holds_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     made, path = pick(), tmp_path / "a.html"
     log = made.controller.log

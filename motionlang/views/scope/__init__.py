@@ -279,7 +279,7 @@ def _track(controller: Controller, axis: int) -> tuple[Row, bool]:
     starts, pieces = pieces_of(WholeTrack(a))
     used = max(1, bisect_right(starts, controller.clock.now))
     starts, pieces = starts[:used], pieces[:used]
-    positions, *others, amplitudes, _, _ = zip(*pieces, strict=True) if pieces else ((),) * 7
+    positions, *others, amplitudes, _, _ = zip(*pieces, strict=True)
     zero, counts = a.scale.zero, a.scale.counts or 1.0
     cubic = [_in_units(positions, zero, counts), *(_in_units(values, 0.0, counts) for values in others)]
     return {

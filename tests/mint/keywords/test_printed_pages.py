@@ -39,9 +39,11 @@ STOP(0)
     assert "AUXENCODERMODE" in result.machine.without_effect
 
 
-def test_encoder_stops_when_its_mode_is_reset() -> None:
-    text = "AUXENCODERSPEED(0) = 50\nAUXENCODERMODE(0) = 8\nWAIT = 1000\nAUXENCODERMODE(0) = 0\nWAIT = 1000\n"
-    assert ran(text + "PRINT AUXENCODER(0) USING 1, 1, AUXENCODERVEL(0)").output == ["50.00.0000"]
+@pytest.mark.parametrize("channel", [0, 1])
+def test_encoder_stops_when_its_mode_is_reset(channel: int) -> None:
+    text = "AUXENCODERSPEED({0}) = 50\nAUXENCODERMODE({0}) = 8\nWAIT = 1000\nAUXENCODERMODE({0}) = 0\nWAIT = 1000\n"
+    text += "PRINT AUXENCODER({0}) USING 1, 1, AUXENCODERVEL({0})"
+    assert ran(text.format(channel)).output == ["50.00.0000"]
 
 
 def test_the_mark_of_a_move_has_16_bits() -> None:
