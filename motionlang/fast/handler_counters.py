@@ -86,8 +86,8 @@ class HandlerCounters:
 
     def record(self, steps: Sequence[float]) -> None:
         """Record how far the counters advance at once, for `most_recorded`."""
-        self._least = [min(0.0, *each) for each in zip(self._least, steps, strict=True)]
-        self._greatest = [max(0.0, *each) for each in zip(self._greatest, steps, strict=True)]
+        self._least = [min(each) for each in zip(self._least, steps, strict=True)]
+        self._greatest = [max(each) for each in zip(self._greatest, steps, strict=True)]
 
     def forget(self) -> None:
         """Forget the recorded steps."""
