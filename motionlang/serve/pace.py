@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 # Machine seconds between two polls of the hosts while the board is busy, and while it is overloaded.
 SLICE, MIN_SLICE = 2e-3, 2e-5
-# Machine seconds by which an answer may be early: a command takes machine time, and its host would wait in
+# Seconds of real time by which an answer may be early: a command takes machine time, and its host would wait in
 # real time.
 LEAD = 2e-3
 # Seconds of real time that the board may take to catch up before hosts are read again, and that it may be

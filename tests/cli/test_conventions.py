@@ -40,6 +40,14 @@ def test_help_fits_80_columns(parser: object, monkeypatch: pytest.MonkeyPatch) -
     assert [line for line in text.splitlines() if len(line) > 80] == []
 
 
+def test_a_long_example_continues_after_a_backslash(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In 40 columns the example takes 3 lines; a shell accepts it as it is."""
+    monkeypatch.setenv("COLUMNS", "40")
+    assert (
+        "  motionlang serve --can \\\n      socketcan:vcan0 --drives 2 \\\n      --eds drive.eds\n"
+    ) in cell("serve", "--help").out
+
+
 @pytest.mark.parametrize("verb", PRINTING)
 def test_o_writes_what_is_printed_into_a_file(verb: str, program: Cell) -> None:
     line = (verb, *PRINTING[verb], "--format", "json")

@@ -71,6 +71,15 @@ def test_mccl_has_operations_instead_of_code(cell: Cell) -> None:
     )
 
 
+def test_long_commands_of_mccl_are_not_broken(cell: Cell) -> None:
+    text = f'OT"{"part " * 20}"'
+    cell.write("feed.mcl", f"1MR-2.5,{text}\n")
+    lines = [line.rstrip() for line in cell("run", "feed.mcl", "--show-code").out.splitlines()]
+    assert [line for line in lines if line.startswith(" 1MR") or "OT" in line] == [
+        f"#   1  1MR-2.5,{text}", " 1MR-2.5", f" {text}",
+    ]  # fmt: skip
+
+
 @cases("file", ["wrong.mnt", "wrong.mcl"])
 def test_mistakes_are_those_of_check(cell: Cell, file: str) -> None:
     cell.write("wrong.mnt", "SPEED(0) = 1\nMOVR(0) = 1\nPRINT TIEM\n")

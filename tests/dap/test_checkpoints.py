@@ -161,7 +161,8 @@ def test_no_process_is_left_when_the_engine_is_killed(tmp_path: Path) -> None:
     os.kill(engine, signal.SIGKILL)
     client.wait("terminated")
     assert all(ends(each) for each in copies)
-    assert client.refused("threads") == "the debugger has ended unexpectedly"
+    error = client.request("threads")["body"]["error"]
+    assert error == {"id": 1, "format": "the debugger has ended unexpectedly", "showUser": True}
     assert client.finish() == (0, b"")
 
 

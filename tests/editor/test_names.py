@@ -64,6 +64,13 @@ def test_the_definition_of_a_name_is_its_declaration() -> None:
     assert navigation.definition(shown, offset) == (6, 11)
 
 
+def test_a_member_is_declared_in_its_type_even_if_that_follows() -> None:
+    text = "Dim j As Job\nj.si|ze = 1\nType Job\n  Dim size As Float\nEnd Type\n"
+    shown, offset = at_cursor(text)
+    declared = shown.text.index("size As Float")
+    assert navigation.definition(shown, offset) == (declared, declared + len("size"))
+
+
 def test_references_are_all_uses_with_or_without_the_declaration() -> None:
     shown, offset = at_cursor(with_cursor("  count = cou|nt + 1"))
     lines = [shown.source.location(start)[0] for start, _ in navigation.references(shown, offset)]

@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 import motionlang
-from motionlang import run
+from motionlang import execution, run
 from motionlang.lang.scheduler import Scheduler
 from motionlang.log.track import Recorded
 from motionlang.planners.packed import packed
@@ -121,8 +121,6 @@ def tracing(ended: Ended) -> Iterator[None]:
 
 
 def ran(source: Source, ended: Ended, monkeypatch: pytest.MonkeyPatch) -> Run:
-    from motionlang import execution
-
     execute = execution._execute
 
     def watched(*given: Any) -> None:
@@ -164,6 +162,18 @@ def test_it_may_end_at_any_line(
         assert max(ends, default=0.0) <= result.time + 1e-9, at
         result.trace.sample(100.0)
         assert [each.message for each in result.proof().violations] == [], at
+
+
+@pytest.mark.parametrize(("name", "text"), [("a.mnt", "WAIT = 100\n" * 3), ("a.mcl", "WA0.1\n" * 3)])
+def test_ctrl_c_has_the_position_of_the_wait(name: str, text: str) -> None:
+    """Of three waits of 0.1 s the third ends after 0.3 s."""
+
+    def pace(time: float) -> None:
+        if time > 0.25:
+            raise KeyboardInterrupt
+
+    (found,) = execution.run(Source(name, text), cache=False, pace=pace).diagnostics
+    assert (found.code, found.line, found.column) == ("interrupted", 3, 1)
 
 
 def motion(result: Run) -> dict[int, list[tuple[float, str]]]:

@@ -352,4 +352,11 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mint/resolve/definitions.py: _Finder: _outline: block.name < 0 -> block.name <= 0 #2": (
         "the name of a block follows its first token, so it is never token 0"
     ),
+    "motionlang/serve/outside.py: RealTime: advance: due_time > self.clock.now -> due_time >= self.clock.now": (
+        "an advance to the present changes nothing"
+    ),
+    "motionlang/analysis/proof/entries.py: _check_ended: time < end + (late if last.tie is not None else -late) -> "
+    "time <= end + (late if last.tie is not None else -late)": (
+        "just at the size of rounding either is right"
+    ),
 }

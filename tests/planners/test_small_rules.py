@@ -86,21 +86,33 @@ def test_a_course_that_is_over_already_stands() -> None:
 
 @pytest.mark.parametrize(("v0", "a0"), [(20.0, 100.0), (20.0, -100.0), (-20.0, -100.0), (20.0, 20.0)])
 @pytest.mark.parametrize("distance", [30.0, 1000.0])
-def test_the_search_comes_to_the_plan_of_the_closed_form(v0: float, a0: float, distance: float) -> None:
-    rates = (400.0, 300.0, 2000.0, 1500.0)
-    target = distance if v0 > 0.0 else -distance
+@pytest.mark.parametrize("unit", [1.0, 1e-3])
+def test_the_search_comes_to_the_plan_of_the_closed_form(
+    v0: float, a0: float, distance: float, unit: float
+) -> None:
+    """The figures are in millimetres; in metres the plan is the same."""
+    rates = (400.0 * unit, 300.0 * unit, 2000.0 * unit, 1500.0 * unit)
+    target = distance * unit if v0 > 0.0 else -distance * unit
 
     def straight(here: float, velocity: float) -> Profile:
-        return plan_jerk(here, target, 200.0, *rates, velocity)
+        return plan_jerk(here, target, 200.0 * unit, *rates, velocity)
 
-    searched = jerk_limited_approach(jerk_ramps(*rates), 0.0, target, 200.0, v0, a0, straight)
-    closed = plan_jerk(0.0, target, 200.0, *rates, v0, a0)
+    searched = jerk_limited_approach(
+        jerk_ramps(*rates), 0.0, target, 200.0 * unit, v0 * unit, a0 * unit, straight
+    )
+    closed = plan_jerk(0.0, target, 200.0 * unit, *rates, v0 * unit, a0 * unit)
     assert searched is not None
     assert (searched.duration, searched.end_velocity) == pytest.approx((closed.duration, 0.0))
     for i in range(12):
         time = closed.duration * i / 12
-        assert searched.position(time) == pytest.approx(closed.position(time), abs=1e-9 * distance)
-        assert searched.velocity(time) == pytest.approx(closed.velocity(time), abs=1e-6)
+        assert searched.position(time) == pytest.approx(closed.position(time), abs=1e-9 * distance * unit)
+        assert searched.velocity(time) == pytest.approx(closed.velocity(time), abs=1e-6 * unit)
+
+
+@pytest.mark.parametrize("v0", [1e-3, -1e-3])
+def test_an_axis_that_stops_within_rounding_of_its_target_does_not_return(v0: float) -> None:
+    """The stop takes v/A = 10 µs and v²/2A = 5e-9; doubles at 1e9 are 1e-7 apart."""
+    assert plan_trapezoid(1e9, 1e9, 100.0, 100.0, 100.0, v0).duration == pytest.approx(1e-5)
 
 
 def test_a_scaled_profile_makes_its_pieces_when_the_first_one_has_them() -> None:

@@ -130,10 +130,11 @@ def test_other_computers_are_let_in_only_when_it_is_said() -> None:
     )
 
 
-def test_a_port_that_is_taken(capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("option", ["--tcp", "--mcapi"])
+def test_a_port_that_is_taken(option: str, capsys: pytest.CaptureFixture[str]) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
-        assert main(["serve", "--tcp", str(port)]) == 1
+        assert main(["serve", option, str(port)]) == 1
     assert capsys.readouterr().err == (
         f"error[address]: cannot listen on 127.0.0.1:{port}: address already in use\n"
     )

@@ -79,6 +79,16 @@ def test_an_answer_comes_a_little_early_and_no_more() -> None:
     assert console.now <= LEAD + 1e-9
 
 
+def test_answers_are_early_by_real_time() -> None:
+    """At 10 × real time, 2 ms of real time are 20 ms of machine time."""
+    console = Console(Machine(first_axis=1))
+    pace = RealTime(console, 10.0, Wall())
+    console.open(echo=False).feed(b"AA1,RP\r")
+    for _ in range(20):
+        pace.work()
+    assert console.now == pytest.approx(0.02, abs=1e-3)
+
+
 def test_a_board_with_more_to_do_than_can_be_computed_falls_behind() -> None:
     console = Console(Machine(first_axis=1))
     pace = RealTime(console, 1e5)

@@ -45,6 +45,12 @@ def test_the_first_sample_on_a_side_and_on_another_one() -> None:
     assert next_other_side(np.array([1.0, 0.0, 1.0]), 0.0) == 1
 
 
+def test_a_motor_within_a_millionth_of_a_count_is_at_the_level() -> None:
+    """It came from above: it changes sides as it goes below, not as it returns."""
+    assert next_side(np.array([0.0, 1e-6, -1.0]), 0.0, 1) == (2, -1)
+    assert next_side(np.array([0.0, -1e-6, 1.0]), 0.0, 1) == (None, 1)
+
+
 def test_the_current_of_a_motor_without_inductance() -> None:
     """I = (gain u - K w)/R, with w in radians per second."""
     motor = Motor(

@@ -9,6 +9,7 @@ import pytest
 
 from motionlang.analysis.diff.accept import Change, changes, merged
 from motionlang.analysis.diff.reports import difference
+from motionlang.analysis.diff.timeline import Timeline
 from motionlang.execution import run
 from motionlang.report import rendered, text
 from motionlang.source import Source
@@ -82,3 +83,16 @@ def test_each_change_is_reported_by_itself() -> None:
     assert [each.kind for each in every] == ["moves", "print", "field"][: len(every)]
     assert change_lines(found, every[0])[0].startswith("new: line 6: MOVEA of axis 0 by 100 uu at ")
     assert len(change_lines(found, every[0])) == 4
+
+
+@pytest.mark.parametrize(("accepted", "begin"), [(True, 0.25), (False, 0.5)])
+def test_a_merged_run_without_moves_begins_at_0(accepted: bool, begin: float) -> None:
+    """It waits as long as one of the runs after its last move, which it does not have.
+
+    The old move ends at 2 s, 0.5 s before the end; the new one at 3 s, 0.25 s before the end.
+    """
+    line = Timeline()
+    line.alone({"start_time": 0.0, "duration": 2.0}, 0, False)
+    line.alone({"start_time": 0.0, "duration": 3.0}, 1, False)
+    ends = [{"start_time": time, "duration": 0.0} for time in (2.5, 3.25)]
+    assert line.pair(ends[0], ends[1], accepted=accepted) == (-0.25, begin)

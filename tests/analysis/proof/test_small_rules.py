@@ -14,7 +14,7 @@ from motionlang.analysis.proof.checker import Proof, position
 from motionlang.analysis.proof.followers import FOUR, _check_table, _moments, _wanted
 from motionlang.analysis.proof.outputs import check_trace
 from motionlang.analysis.proof.path_layout import PathLayout
-from motionlang.analysis.proof.paths import _check_along, _counts, spans_along
+from motionlang.analysis.proof.paths import _check_along, _check_path_time, _counts, spans_along
 from motionlang.analysis.proof.segments import Span, _from
 from motionlang.analysis.proof.time_bounds import Law, lead
 from motionlang.execution import run
@@ -199,6 +199,27 @@ def test_a_path_that_comes_too_fast_may_become_as_fast_as_its_jerk_makes_it(name
     proof, span = Proof(), Span(0.0, length, (0.0, speed, 0.5 * rate, jerk / 6.0, 0.0, 0.0, 0.0))
     _check_along(proof, order, PathLayout(path, [0.0]), [span], "here")
     assert [each.message for each in proof.violations] == [f"here: {each}" for each in messages]
+
+
+@pytest.mark.parametrize(
+    ("took", "messages"), [(12.0, []), (12.5, ["here: it takes 12.5 s, expected at most 12 s"])]
+)
+def test_a_path_that_begins_within_an_s_ramp_may_take_that_ramp_twice(
+    took: float, messages: list[str]
+) -> None:
+    """At 10 counts/s² and a ramp of one half, a change of 10 counts/s takes 2 s.
+
+    From rest it covers 10 counts. A stop from 10 counts/s takes 2 s, the flank of a ramp to 20 counts/s 4 s, a ramp
+    to the speed 2 s, and a move of 20 counts from rest 4 s.
+    """
+    path = PathOrder(
+        (0,), (1.0,), 0.0, 0, True, (9.0,), (0.0, 20.0), 0.0, (), (0, 1), None, (inf,), (inf,), (inf,), 0.0
+    )
+    order = Order("path", 1, speed=10.0, rates=(10.0, 10.0), path=path, shape="scurve", ramp=0.5)
+    bend = (20.0 - 10.0 * took) / took**2
+    proof, span = Proof(), Span(0.0, took, (0.0, 10.0, bend, 0.0, 0.0, 0.0, 0.0))
+    _check_path_time(proof, order, PathLayout(path, [0.0]), [span], "here")
+    assert [each.message for each in proof.violations] == messages
 
 
 def test_a_piece_counted_from_elsewhere_is_the_same_piece() -> None:

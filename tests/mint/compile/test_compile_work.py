@@ -195,6 +195,15 @@ def test_each_of_the_first_mistakes_has_a_suggestion() -> None:
     assert [hint.startswith("did you mean part") for hint in hints] == [True] * MAX_PROBLEMS + [False] * 5
 
 
+@pytest.mark.parametrize(
+    ("reads", "hint"),
+    [(1, "did you mean totl in its assignment?"), (2, "assign it in its Dim or before it is read")],
+)
+def test_a_variable_that_is_read_twice_is_not_misspelled(reads: int, hint: str) -> None:
+    text = "Dim total\ntotl = 1\n" + "PRINT totl\n" * reads + "PRINT total\n"
+    assert [(each.code, each.hint) for each in check(Source("a.mnt", text))] == [("no-value", hint)]
+
+
 def test_the_words_to_compare_with_are_collected_only_for_reported_mistakes() -> None:
     problems = Problems(parse(Source("a.mnt", "a = 1\n" * MAX_PROBLEMS)))
     collected = []
