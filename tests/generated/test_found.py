@@ -1253,3 +1253,16 @@ def test_a_move_keeps_rates_with_whose_jerk_it_would_run_back() -> None:
     result = proved(RATES + "MOVER(0) = 210 : GO(0)\n" + lower + jerks + "PAUSE IDLE(0)\n", until=60.0)
     assert positions(result, 0) == pytest.approx([210.0])
     assert result.time == pytest.approx(0.5 + 0.15 + (210.0 - 8.0 - 1.875 - 0.125) / 5.0 + 0.05)
+
+
+def test_a_move_may_begin_and_be_reset_at_the_same_time() -> None:
+    """VELREF(1) = 0 slows the offset down for 1 ms, which is the duration of its statement.
+
+    So the move begins at the moment of RESET, which cancels it and sets its position to 0.
+    """
+    moves = "ACCELJERK(1) = 2500\nOFFSET(1) = -2 : GO(1)\nMOVEA(1) = 48 : GO(1)\nWAIT = 12\n"
+    settings = "SCALEFACTOR(1) = 4\nSPEED(1) = 8 : ACCEL(1) = 676 : DECEL(1) = 951.544\nPROFILEMODE(1) = 1\n"
+    result = proved(settings + moves + "VELREF(1) = 0\nRESET(1)\nWAIT = 5\n", statement=1e-3)
+    last = result.moves[-1]
+    assert (last.command, last.duration, last.ended) == ("MOVEA", 0.0, "cancel")
+    assert positions(result, 1) == [0.0]

@@ -303,8 +303,13 @@ class Run:
         return a.profiles[a.index_at(time)].shape == "blend"
 
     def logged(self, a: WholeTrack, move: Move, time: float, ending: bool) -> float:
-        """Return a track's position from a log entry, without the motion of blended paths."""
+        """Return a track's position from a log entry, without the motion of blended paths.
+
+        An entry without a duration may precede a position that is set at the same time.
+        """
         done = position(a, time, ending)
+        if move.profile is not None and not move.profile.duration:
+            done = _at_instant(a, time, move.profile.start, done)
         k = self._chain_of.get(id(move))
         if k is None:
             return done
@@ -321,6 +326,18 @@ class Run:
             done -= fsum(travelled(entry, time)[0] for entry in chains[after] if entry.start_time < time)
             after += 1
         return done
+
+
+def _at_instant(a: WholeTrack, time: float, stated: float, last: float) -> float:
+    """Return the position at a time that is nearest to the stated one.
+
+    `last` is the final one; others are those of profiles that began then and were replaced at once.
+    """
+    found, i = [last], a.index_at(time)
+    while i >= 0 and a.starts[i] == time:
+        found.append(a.profiles[i].start)
+        i -= 1
+    return min(found, key=lambda each: abs(each - stated))
 
 
 def _end(move: Move) -> float:
