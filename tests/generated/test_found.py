@@ -1256,7 +1256,7 @@ def test_a_move_keeps_rates_with_whose_jerk_it_would_run_back() -> None:
 
 
 def test_a_move_may_begin_and_be_reset_at_the_same_time() -> None:
-    """VELREF(1) = 0 slows the offset down for 1 ms, which is the duration of its statement.
+    """VELREF(1) = 0 slows the offset down for 1 ms, as long as its statement.
 
     So the move begins at the moment of RESET, which cancels it and sets its position to 0.
     """
@@ -1266,3 +1266,17 @@ def test_a_move_may_begin_and_be_reset_at_the_same_time() -> None:
     last = result.moves[-1]
     assert (last.command, last.duration, last.ended) == ("MOVEA", 0.0, "cancel")
     assert positions(result, 1) == [0.0]
+
+
+def test_a_blended_path_without_room_for_a_stop_at_a_lower_jerk_ends_as_planned() -> None:
+    """The first path, 10 long, slows down at 100 from 0.5 s to 0.8 s.
+
+    At 0.65 s it has a velocity of 10, and 75/200 + 1/6 = 0.54 are left. A suspension at a jerk of 100 would have
+    100²/20 = 500, by which the deceleration is zero at rest, after 0.2 s and 10 * 0.2 / 3 = 0.67.
+    """
+    jerks = "PROFILEMODE(0, 1) = 1; : ACCELJERK(0, 1) = 1000; : DECELJERK(0, 1) = 1000;\n"
+    paths = "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 1\nVECTORR(0, 1) = 6, 8 : VECTORR(0, 1) = 8, -6 : GO(0)\n"
+    suspended = "WAIT = 650\nDECELJERK(0) = 100 : SUSPEND(0) = 1\nWAIT = 900\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n"
+    result = proved(RATES + jerks + paths + suspended)
+    assert positions(result, 0, 1) == pytest.approx([14.0, 2.0])
+    assert result.moves[0].duration == pytest.approx(0.8)

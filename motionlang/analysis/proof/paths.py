@@ -139,8 +139,11 @@ def stops_within(run: Run, wanted: Order, time: float) -> bool:
         left += before.length
     by = _least(wanted, layout)[1]
     by = by._replace(rates=(by.rates[0], _gentlest(wanted, layout, by.rates[1])))
-    if not path.comes_to_rest and _runs_back(first[1], first[2], by):
-        return False
+    if _runs_back(first[1], first[2], by):
+        if not path.comes_to_rest:
+            return False
+        # A stop takes its deceleration back just until it rests.
+        by = by._replace(jerks=(by.jerks[0], 0.5 * first[2] ** 2 / first[1]))
     # A path that does stop has just the distance left that it needs.
     return lead(first[1], first[2] if by.smooth else 0.0, 0.0, by)[1] <= left * (1.0 + SLACK)
 
