@@ -41,6 +41,7 @@ _FIRST = ("schema", "program", "dialect", "status", "time", "output")
 _LISTS = ("moves", "events")
 # Moves that are written at once.
 AT_ONCE = 1000
+# The figures of a move apart from its profile, in the order of `_line_of_ramps`.
 _figures = attrgetter("commanded_speed", "scale", "zero", "ended")
 
 
@@ -136,16 +137,15 @@ def _move_lines(run: Run) -> Iterator[str]:
     for number, move in enumerate(run.controller.log.moves.as_stored()):
         text = ""
         if isinstance(move, tuple):
-            axis, start_time, start, end, duration, recipe, asked, scale, zero, (_, _, command, at, _, _) = (
-                move
-            )
-            about = axis, command, at, start_time, asked, scale, zero, ""
+            axis, start_time, start, end, duration, recipe, asked, scale, zero, entry = move
+            about = axis, entry[2], entry[3], start_time, asked, scale, zero, ""
             text = _line_of_ramps(about, "trapezoid", start, end, duration, recipe)
         elif id(move) not in running and not move.overlaid and number not in figures:
             profile = packed(move.profile)  # type: ignore[arg-type]
             if len(profile) == RAMPS:
                 about = move.axis, move.command, move.line, move.start_time, *_figures(move)
                 text = _line_of_ramps(about, *profile)  # type: ignore[arg-type]
+        # JSON has null for a figure that has overflowed.
         if not text or "inf" in text or "nan" in text:
             whole = move_of(move) if isinstance(move, tuple) else move
             text = line(_move(run, whole, running, figures.get(number)))

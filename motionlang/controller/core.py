@@ -66,8 +66,8 @@ class Core(Readings):
     def rates(self, a: Axis, speed: float) -> tuple[float, float]:
         """Return the rates for a move at `speed`; raise Rejected unless both are positive."""
         accel, decel = a.rates(speed)
-        for rate, what in ((accel, "an acceleration"), (decel, "a deceleration")):
-            _check_rate(a, rate, what, "move")
+        _check_rate(a, accel, "an acceleration", "move")
+        _check_rate(a, decel, "a deceleration", "move")
         return accel, decel
 
     def decel(self, a: Axis, speed: float) -> float:
@@ -345,9 +345,11 @@ class Core(Readings):
 
 
 def _check_rate(a: Axis, rate: float, what: str, purpose: str) -> None:
+    """Raise Rejected unless a rate is positive; `what` is its name with an article."""
     if not rate > 0:
+        name = what.split()[1]
         raise Rejected(
             "zero-acceleration",
-            f"axis {a.index} cannot {purpose}: its {what.partition(' ')[2]} is {rate:g}",
+            f"axis {a.index} cannot {purpose}: its {name} is {rate:g}",
             f"a {purpose} needs {what} above zero",
         )

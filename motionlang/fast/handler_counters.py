@@ -1,8 +1,7 @@
 """Variables that a handler or polling loops only count.
 
-Also how often they may advance.
-
-The compiler names them (`mint/compile/handler_counters.py`). A counter is no part of a state that recurs.
+They may advance until one passes a constant with which it is compared. The compiler names them
+(`mint/compile/handler_counters.py`). A counter is no part of a state that recurs.
 """
 
 from __future__ import annotations
@@ -67,7 +66,7 @@ class HandlerCounters:
         for cell, value in zip(self._cells, values, strict=True):
             cell.cell_contents = value
 
-    def of_set(self, steps: Sequence[float]) -> list[float]:
+    def steps_of_set(self, steps: Sequence[float]) -> list[float]:
         """Return the steps of the counters that the handler also sets; no steps are zeros."""
         given = steps or [0.0] * len(self._cells)
         return [step for step, is_set in zip(given, self._are_set, strict=True) if is_set]

@@ -148,7 +148,7 @@ class Transition:
 class _Node:
     """The transition after some ticks and ends.
 
-    Also the nodes after one more, by its index and statement.
+    `next` has the nodes after one more of them, by its index and statement.
     """
 
     __slots__ = ("next", "transition")
@@ -161,9 +161,8 @@ class _Node:
 class _Checkpoint:
     """A state with its times.
 
-    These are the base and count of the statements, and the next tick and ends in order.
-
-    `number` is that of the next tick, `values` are those of the counters and `lengths` those of the streams.
+    These are the base and count of the statements, and the next tick and ends in order. `number` is that of the
+    next tick, `values` are those of the counters and `lengths` those of the streams.
     """
 
     __slots__ = ("base", "count", "dues", "lengths", "number", "state", "values")
@@ -361,7 +360,7 @@ class PolledTicks:
             due, statement = path[0]
             self._gaps.setdefault(before.state, {})[statement - origin[1]] = made
         is_tick = made.handler is not None
-        advance = self._counters.of_set(made.steps) if is_tick else []
+        advance = self._counters.steps_of_set(made.steps) if is_tick else []
         if known is not None or (is_tick and self._advance not in (None, advance)):
             self._known, self._alone, self._gaps, self._advance = {}, {}, {}, None
         elif is_tick:
@@ -429,9 +428,7 @@ class PolledTicks:
     ) -> list[tuple[Due, float]] | None:
         """Return the ticks and ends between two checkpoints.
 
-        Each has the first statement after it.
-
-        None if they cannot be compared.
+        Each has the first statement after it. None if they cannot be compared.
         """
         if base != after.base or origin > after.count:
             return None
@@ -647,7 +644,7 @@ class PolledTicks:
     def _walk_ticks(self, own: _Checkpoint, end: float) -> _Walk | None:
         """Return the same as `_walk` while no task is in a WAIT.
 
-        A shorter way for a short TIMER.
+        It takes less time for each tick.
         """
         known, statements = self._gaps, self._environment.statements
         base, cost, started, period = (

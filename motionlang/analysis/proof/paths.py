@@ -10,7 +10,16 @@ from motionlang.analysis.proof.checker import SLACK, Uses
 from motionlang.analysis.proof.path_layout import PathLayout, end_positions
 from motionlang.analysis.proof.segments import combined, spans
 from motionlang.analysis.proof.slowing import slowing
-from motionlang.analysis.proof.time_bounds import law, lead, move_time, move_times, ramp, rounding, top_speed
+from motionlang.analysis.proof.time_bounds import (
+    law,
+    lead,
+    move_time,
+    move_times,
+    ramp,
+    reverses,
+    rounding,
+    top_speed,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -139,13 +148,14 @@ def stops_within(run: Run, wanted: Order, time: float) -> bool:
         left += before.length
     by = _least(wanted, layout)[1]
     by = by._replace(rates=(by.rates[0], _gentlest(wanted, layout, by.rates[1])))
-    if _runs_back(first[1], first[2], by):
-        if not path.comes_to_rest:
-            return False
+    velocity, acceleration = first[1], first[2] if by.smooth else 0.0
+    if reverses(velocity, acceleration, by, -SLACK):
+        if not path.comes_to_rest or velocity <= 0.0:
+            return path.comes_to_rest
         # A stop takes its deceleration back just until it rests.
-        by = by._replace(jerks=(by.jerks[0], 0.5 * first[2] ** 2 / first[1]))
+        by = by._replace(jerks=(by.jerks[0], 0.5 * acceleration**2 / velocity))
     # A path that does stop has just the distance left that it needs.
-    return lead(first[1], first[2] if by.smooth else 0.0, 0.0, by)[1] <= left * (1.0 + SLACK)
+    return lead(velocity, acceleration, 0.0, by)[1] <= left * (1.0 + SLACK)
 
 
 def check_tail(
@@ -218,14 +228,9 @@ def _cannot_stop(order: Order, layout: PathLayout, along: list[Span], beyond: fl
     travelled, v0, a0, _ = along[0].at(0.0)
     by = _least(order, layout)[1]
     left = layout.length - travelled + beyond
-    if _runs_back(v0, a0, by):
+    if reverses(v0, a0, by, -SLACK):
         return True
     return by.rates[1] > 0.0 and lead(v0, a0 if by.smooth else 0.0, 0.0, by)[1] > left * (1.0 + SLACK)
-
-
-def _runs_back(v0: float, a0: float, by: Law) -> bool:
-    """True if a path comes to rest before its deceleration could be zero."""
-    return by.smooth and a0 < 0.0 and 0.5 * a0 * a0 / by.jerks[1] >= v0 * (1.0 - SLACK)
 
 
 def plan_in_force(run: Run, a: WholeTrack, i: int, order: Order) -> Order:

@@ -72,7 +72,7 @@ def lead(v0: float, a0: float, v1: float, by: Law) -> Leg:
         time, covered = lead(-v0, -a0, -v1, by)
         return time, -covered
     if v1 < 0.0:
-        if _reverses(v0, a0, by):  # it is already accelerating that way when its acceleration is ramped down
+        if reverses(v0, a0, by):  # it is already accelerating that way when its acceleration is ramped down
             back = _steps(v0, a0, [(-a0, -a0 / by.jerks[1])])
             return _both(back, lead(v0 - 0.5 * a0 * a0 / by.jerks[1], 0.0, v1, by))
         return _both(lead(v0, a0, 0.0, by), lead(0.0, 0.0, v1, by))
@@ -124,7 +124,7 @@ def move_time(v0: float, a0: float, distance: float, speed: float, by: Law, roun
     """
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and distance < 0.0))):
         v0, a0, distance = -v0, -a0, -distance
-    if _reverses(
+    if reverses(
         v0, a0, by
     ):  # it moves the other way when its acceleration is ramped down, possibly towards the target
         change = -a0 / by.jerks[1]
@@ -160,16 +160,19 @@ def move_times(
     return least, max(times)
 
 
-def _reverses(v0: float, a0: float, by: Law) -> bool:
-    """True if a velocity changes sign before its acceleration can be ramped down."""
-    return by.smooth and a0 < 0.0 and 0.5 * a0 * a0 / by.jerks[1] > v0 * (1.0 + 1e-9)
+def reverses(v0: float, a0: float, by: Law, margin: float = 1e-9) -> bool:
+    """True if a velocity changes sign before its acceleration can be ramped down.
+
+    It has to do so by a fraction `margin` of v0; with a negative one, just reaching zero counts, too.
+    """
+    return by.smooth and a0 < 0.0 and 0.5 * a0 * a0 / by.jerks[1] > v0 * (1.0 + margin)
 
 
 def top_speed(v0: float, a0: float, distance: float, speed: float, by: Law) -> float:
     """Return the top speed of a move to rest after `distance`, at most `speed`."""
     if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and distance < 0.0))):
         v0, a0, distance = -v0, -a0, -distance
-    if lead(v0, a0, 0.0, by)[1] > distance or _reverses(v0, a0, by):
+    if lead(v0, a0, 0.0, by)[1] > distance or reverses(v0, a0, by):
         return speed
     return _top(v0, a0, distance, speed, by)[0]
 

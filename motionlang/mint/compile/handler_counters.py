@@ -66,9 +66,7 @@ def _describe(
 ) -> list[Symbol]:
     """Describe and return the counters among the variables of some statements.
 
-    They are described under `key`.
-
-    `polled` are the variables that loops use; None if the counters may not be set.
+    They are described under `key`. `polled` are the variables that loops use; None if the counters may not be set.
     """
     uses: Counter[Symbol] = Counter()
     explained: Counter[Symbol] = Counter()
