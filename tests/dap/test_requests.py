@@ -6,7 +6,6 @@ Arguments, lines from 0 or 1, variables, watches, and the frames of messages.
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -26,13 +25,6 @@ n = n + 1
 PAUSE IDLE(0)
 Print n
 """
-
-
-@pytest.fixture
-def client() -> Iterator[Client]:
-    made = Client()
-    yield made
-    made.close()
 
 
 @pytest.fixture

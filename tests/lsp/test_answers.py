@@ -19,21 +19,9 @@ from motionlang.errors import Diagnostic
 from motionlang.lsp.convert import diagnostic
 from motionlang.lsp.documents import Document, characters
 from motionlang.lsp.features import _difference as difference
-from tests.lsp.wire import INITIALIZE, URI, Wire
+from tests.lsp.wire import INITIALIZE, PROGRAM, URI, Wire
 
 MACHINE = "file:///nowhere/a.machine.toml"
-PROGRAM = """\
-Dim count As Integer
-SPEDE = 3
-' Moves by a distance.
-Sub Travel(far As Float)
-  MOVER(0) = far : GO(0)
-  Pause IDLE(0)
-  count = count + 1
-End Sub
-Travel(10)
-Print count
-"""
 
 
 def ask(

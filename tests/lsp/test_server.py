@@ -11,20 +11,9 @@ from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 
 from tests.lsp.conftest import Editor, InOneServer, at, insertion, session
+from tests.lsp.wire import PROGRAM
 
 EDITORS = ("visual-studio-code", "neovim", "emacs")
-PROGRAM = """\
-Dim count As Integer
-SPEDE = 3
-' Moves by a distance.
-Sub Travel(far As Float)
-  MOVER(0) = far : GO(0)
-  Pause IDLE(0)
-  count = count + 1
-End Sub
-Travel(10)
-Print count
-"""
 
 
 def changes_of(edit: types.WorkspaceEdit, uri: str) -> list[types.TextEdit]:

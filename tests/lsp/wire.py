@@ -16,6 +16,19 @@ from motionlang.lsp.server import Server
 from motionlang.lsp.workers import Inline
 
 URI = "file:///nowhere/a.mnt"
+# A program with a declaration, a mistake, a comment and a sub.
+PROGRAM = """\
+Dim count As Integer
+SPEDE = 3
+' Moves by a distance.
+Sub Travel(far As Float)
+  MOVER(0) = far : GO(0)
+  Pause IDLE(0)
+  count = count + 1
+End Sub
+Travel(10)
+Print count
+"""
 REQUESTS = (
     "textDocument/hover", "textDocument/definition", "textDocument/references", "textDocument/documentHighlight",
     "textDocument/prepareRename", "textDocument/rename", "textDocument/documentSymbol", "textDocument/completion",
