@@ -23,6 +23,9 @@ _MAX_CROSSINGS = 10_000
 # Curves and positions whose crossings are cached: a program watches a few positions of a few cams.
 _MAX_CACHED = 32
 
+# Fractions of a duration by which two crossings at an extremum may differ, and by which one may be inexact.
+_EXTREMUM = 1e-7
+_ROUNDING = 1e-14
 AT_END = 1e-9
 """Fraction of a curve by which rounding may exceed its end.
 
@@ -235,19 +238,26 @@ def knot_distances(path: Profile) -> list[float]:
 def crossings(profile: Profile, position: float) -> list[float]:
     """Return all times at which a profile reaches `position`.
 
-    For a rest at `position` that is its beginning. Two crossings closer than a ten-millionth of the duration, as at an
-    extremum, count as one.
+    For a rest at `position` that is its beginning. At an extremum, whose crossings are exact to a ten-millionth of the
+    duration, two of them count as one unless the profile goes beyond `position` between them.
     """
     found: list[float] = []
     after = 0.0
-    nearness = 1e-7 * (1.0 + min(profile.duration, 1e6))
+    duration = 1.0 + min(profile.duration, 1e6)
+    nearness, step = _EXTREMUM * duration, _ROUNDING * duration
+    least = _ROUNDING * max(abs(profile.start), abs(profile.end), abs(position))
     while len(found) < _MAX_CROSSINGS:
         time = profile.crossing(position, after)
         if time is None or time > profile.duration or time == inf:
             break
         if time > after or not found:
+            if found and time - found[-1] < nearness:
+                between = profile.position(0.5 * (found[-1] + time))
+                if abs(between - position) <= least:
+                    after = time + max(step, time - found[-1])
+                    continue
             found.append(time)
-            after = time + nearness
+            after = time + step
             continue
         after = next((knot for knot in profile.knots if knot > after), inf)  # it rests there
         if after == inf:

@@ -49,7 +49,9 @@ def initial_steps(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Step
     jerk = bounds.decel_jerk
     eased = v0 - 0.5 * a0 * a0 / jerk
     left = eased - v1
-    if abs(left) <= NOTHING * (bounds.decel * bounds.decel / jerk + v0) and left <= HARDLY * abs(v0 - v1):
+    if abs(left) <= NOTHING * (bounds.decel * bounds.decel / jerk + v0) and abs(left) <= HARDLY * abs(
+        v0 - v1
+    ):
         return ((jerk, -a0 / jerk),), v1
     if v1 < eased:
         return tuple((-j, t) for j, t in _ramp(v0 - v1, -a0, bounds.decel, jerk)), v1

@@ -309,6 +309,18 @@ def test_every_time_at_a_place() -> None:
     assert crossings(there_and_back, 11.0) == []
 
 
+@pytest.mark.parametrize("depth", [1e-9, 1e-12])
+def test_two_crossings_at_a_corner_are_two_however_near_they_are(depth: float) -> None:
+    """Down at 5 to `-depth` at 2 s, and up at 10: it is at 0 `depth / 5` before and `depth / 10` after."""
+    pieces = ((10.0 - depth, -5.0, *[0.0] * 5), (-depth, 10.0, *[0.0] * 5))
+    corner = from_curve(
+        "cam", 10.0 - depth, 20.0 - depth, ((0.0, 2.0, 4.0), pieces, (("cam", 0),)), -5.0, 10.0
+    )
+    found = crossings(corner, 0.0)
+    assert [each - 2.0 for each in found] == pytest.approx([-depth / 5.0, depth / 10.0], rel=1e-3, abs=1e-15)
+    assert crossings(corner, -depth) == pytest.approx([2.0])
+
+
 @pytest.mark.parametrize("degrees", [0, 90, 180, 270, 360, -90, 450])
 def test_quarter_turns_are_exact(degrees: float) -> None:
     x, y = rotated(3.0, 4.0, degrees)

@@ -233,3 +233,14 @@ def test_a_stop_that_has_hardly_begun_takes_its_own_time_whatever_its_velocity()
         assert made.duration == pytest.approx(whole - 1e-9, rel=1e-6)
         back = plan("scurve", 0.0, -1.0, 10.0, 1e5, 1e5, begun, 0.0, 1e6, 1e6, -1e-3)
         assert back.phases[0].duration == pytest.approx(whole - 1e-9, rel=1e-6)
+
+
+def test_a_ramp_that_has_hardly_begun_is_taken_back_whole() -> None:
+    """A deceleration of J·t after t s has cost J·t²/2, and costs as much again until it is zero.
+
+    A ramp regains J·t² in 2·t, so that all takes 3·t, even if the velocity has changed by 1 in 10¹⁴.
+    """
+    jerk, lasted = 1e6, 1e-9
+    slowed = 46.6 - 0.5 * jerk * lasted**2
+    made = plan_velocity("scurve", 0.0, slowed, 46.6, 1e3, 1e3, 0.0, jerk, jerk, -jerk * lasted)
+    assert made.knots[-2] == pytest.approx(3.0 * lasted, rel=0.02)
