@@ -123,6 +123,7 @@ limitforwardinput lfi limitreverseinput lri softlimitforward softlimitreverse li
     "mint.driveenableswitch": "driveenableswitch des enableswitch",
     "mint.folerror": "folerror fe",
     "mint.home-types": "home hm",
+    "mint.homing-replaced": "home hm",
     "mint.axismode": "axismode amd",
     "mint.idlemode": "idlemode",
     "mint.idle-of-axes": "axes",

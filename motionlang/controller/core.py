@@ -323,6 +323,8 @@ class Core(Readings):
             move.profile = done
             move.ended = ended
             a.move = None
+            if a.index in self.homings:
+                self.homings[a.index].replaced(move)
 
     def freeze(self, a: Axis, ended: str) -> None:
         """Stop the axis at once at its present position."""

@@ -99,6 +99,22 @@ def test_an_axis_that_turns_beyond_a_limit_that_was_lowered_brakes_for_it() -> N
     assert 30.0 < peak <= hypot(80.0, rate)
 
 
+def test_a_stop_that_would_enter_the_next_path_too_fast_begins_there() -> None:
+    """After 50 ms the speed is 5 and the acceleration 100, which a jerk of 400 takes back only at 17.5.
+
+    So the first line of 5 keeps its trapezoid, of 0.1 s and 0.45 s at 10. The stop with the S-ramp takes
+    2·sqrt(10/400) s of the second line, at 5 on average: 1.5811, of which x has 0.6.
+    """
+    lines = "CONTOURMODE(0) = 1\nVECTORR(0, 1) = 3, 4\nVECTORR(0, 1) = 12, 16\nGO(0)\nWAIT = 50\n"
+    stop = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400 : STOP(1)\n"
+    result = proved(f"SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100\n{lines}{stop}")
+    last = 2.0 * sqrt(10.0 / 400.0)
+    assert result.time == pytest.approx(0.55 + last, abs=1e-4)
+    assert positions(result, 0, 1) == pytest.approx(
+        [3.0 + 0.6 * 5.0 * last, 4.0 + 0.8 * 5.0 * last], abs=1e-6
+    )
+
+
 def test_a_spline_that_is_resumed_takes_the_suspend_time_to_its_next_point() -> None:
     """The rest of the first segment takes the suspend time of 100 ms.
 

@@ -104,7 +104,7 @@ def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
                 _until_rest(along)[1] if follows_stop else along
             )  # a stop by earlier rates takes its own time
             if timed:
-                _check_path_time(proof, order, layout, timed, where)
+                _check_path_time(proof, plan, layout, timed, where)
 
 
 def _speeds_up(run: Run, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
@@ -244,7 +244,7 @@ def plan_in_force(run: Run, a: WholeTrack, i: int, order: Order) -> Order:
         return order
     master = run.axes[path.members[0]]
     i = master.index_at(a.starts[i])
-    plan = _plan_before(run, master, i, order)
+    plan = _plan_before(run, master, i, run.expected_motion.of[master.index][i])
     moves = run.members(path)
     if plan is None or len(moves) != len(path.members):
         return order

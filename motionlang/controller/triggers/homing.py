@@ -107,6 +107,11 @@ class Homing:
         if self._ended is not None:
             self._ended(self)
 
+    def replaced(self, move: Move) -> None:
+        """End the homing if `move`, which another motion has replaced, is its own."""
+        if move is self._move:
+            self.cancel()
+
     def _release(self) -> None:
         """Return the control of the axis and of its limits."""
         self._controller.listeners.remove(self._on_change)
@@ -143,6 +148,7 @@ class Homing:
     # ---------------------------------------------------------------------------------------------- moving
 
     def _jog(self, velocity: float) -> None:
+        self._move = None  # this jog may replace the previous one
         self._controller.jog(self.axis, velocity, self._command, self.line)
         self._move = self._axis.move
 
@@ -206,7 +212,7 @@ class Homing:
     def _on_change(self, what: str, axis: int) -> None:
         if axis != self.axis:
             return
-        if what == "fault" or (self._axis.move is not self._move and self._axis.move is not None):
+        if what == "fault":
             self.cancel()
         elif what == self._switch:
             self._switch_changed(self._on_switch())

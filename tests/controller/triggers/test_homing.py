@@ -6,9 +6,11 @@ from math import inf
 
 import pytest
 
+from motionlang import run
 from motionlang.controller.controller import Controller
 from motionlang.controller.io.wiring import World
 from motionlang.controller.triggers.homing import Homing, next_index
+from motionlang.source import Source
 from tests.cases import cases
 
 # The machine's own zero is 20 counts below its position; the switch is active from -4 to 1, marks every 10.
@@ -124,6 +126,22 @@ def test_another_motion_ends_the_homing() -> None:
     c.clock.advance(60.0)
     assert (homing.found, homing.state) == (False, "done")
     assert c.velocity(0) == -2.0
+
+
+@pytest.mark.parametrize("command", ["JOG(0) = 2", "SPEEDREF(0) = 2", "JOG(1) = 2 : FOLLOW(0) = 1"])
+def test_another_motion_ends_the_homing_at_once(command: str) -> None:
+    """It passes the mark at 10 at 2/s, and goes on: no datum is set, and nothing stops it."""
+    program = f"""\
+JOG(1) = 2 : MASTERSOURCE(0) = _msPOS : MASTERCHANNEL(0) = 1
+HOMESPEED(0) = 4 : HOME(0) = _hmPOSITIVE_INDEX : WAIT = 500
+{command}
+PRINT HOMEPHASE(0); " "; HOMESTATUS(0)
+WAIT = 10000
+PRINT HOMEPHASE(0); " "; HOMESTATUS(0); " "; VEL(0)
+"""
+    result = run(Source("a.mnt", program), machine={"axis.0.index_every": 10.0}, cache=False, until=10.6)
+    assert result.output == ["0 0", "0 0 2.0000"]
+    assert result.controller.position(0) > 20.0
 
 
 def test_rest_is_not_notified_before_the_end() -> None:
