@@ -311,7 +311,10 @@ def test_every_time_at_a_place() -> None:
 
 @pytest.mark.parametrize("depth", [1e-9, 1e-12])
 def test_two_crossings_at_a_corner_are_two_however_near_they_are(depth: float) -> None:
-    """Down at 5 to `-depth` at 2 s, and up at 10: it is at 0 `depth / 5` before and `depth / 10` after."""
+    """Down at 5 to `-depth` at 2 s, and up at 10.
+
+    It is at 0 `depth / 5` before the corner and `depth / 10` after it.
+    """
     pieces = ((10.0 - depth, -5.0, 0.0, 0.0, 0.0, 0.0, 0.0), (-depth, 10.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     corner = from_curve(
         "cam", 10.0 - depth, 20.0 - depth, ((0.0, 2.0, 4.0), pieces, (("cam", 0),)), -5.0, 10.0

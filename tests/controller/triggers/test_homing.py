@@ -130,7 +130,10 @@ def test_another_motion_ends_the_homing() -> None:
 
 @pytest.mark.parametrize("command", ["JOG(0) = 2", "SPEEDREF(0) = 2", "JOG(1) = 2 : FOLLOW(0) = 1"])
 def test_another_motion_ends_the_homing_at_once(command: str) -> None:
-    """It passes the mark at 10 at 2/s, and goes on: no datum is set, and nothing stops it."""
+    """It passes the mark at 10 at 2/s and goes on.
+
+    No datum is set, and nothing stops it.
+    """
     program = f"""\
 JOG(1) = 2 : MASTERSOURCE(0) = _msPOS : MASTERCHANNEL(0) = 1
 HOMESPEED(0) = 4 : HOME(0) = _hmPOSITIVE_INDEX : WAIT = 500
