@@ -111,25 +111,6 @@ class AxisVerbs(Core):
         """Set the unit of time, as a number of seconds."""
         self.axes[axis].scale.set_rate(seconds)
 
-    def lend_rates(self, axis: int, accel: float | None, decel: float | None) -> dict[str, float | None]:
-        """Override the rates of the axis and return the replaced ones for `return_rates`.
-
-        None does not override a rate.
-        """
-        a = self.axes[axis]
-        own: dict[str, float | None] = {}
-        for name, rate in (("accel", accel), ("decel", decel)):
-            if rate is not None:
-                for each in (name, f"{name}_time"):
-                    own[each] = getattr(a, each)
-                self.configure(axis, name, rate)
-        return own
-
-    def return_rates(self, axis: int, own: Mapping[str, float | None]) -> None:
-        """Restore the rates that `lend_rates` returned, for motion that begins later."""
-        for name, value in own.items():
-            setattr(self.axes[axis], name, value)
-
     # ------------------------------------------------------------------------------ switches and limits
 
     def set_home_switch(self, axis: int, on: bool) -> None:

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 # Verb -> description. Every verb is a method of `Controller`; the dialects call no other.
 VERBS: dict[str, str] = {
     "configure": "Set one of an axis's settings: a speed, a rate, a time, a shape, a buffer size.",
-    "lend_rates": "Other rates than an axis's own, for a while.",
-    "return_rates": "An axis's own rates are in force again.",
     "set_home_switch": "Close or open the home switch of an axis.",
     "add_limit": "A further limit of an axis's travel.",
     "set_limit_action": "Say what an axis does at a limit.",
@@ -176,7 +174,6 @@ class Recorder:
             "is_at_standstill": True,
             "master_of": None,
             "is_enabled": True,
-            "lend_rates": {},
             "room": 2,
             "moving": [],
             "settling": [],

@@ -141,12 +141,3 @@ def test_a_recorder_writes_every_reading_and_every_setting_down() -> None:
     assert recorder.reader("speed", 1, "uu/s")() == 2.0
     recorder.writer("speed", 1, "uu/s")(4.0)
     assert recorder.calls[1:] == [("position", 1), ("setting", 1, "speed"), ("configure", 1, "speed", 40.0)]
-
-
-def test_lent_rates_are_given_back_whatever_was_written_of_the_other_one() -> None:
-    controller = scaled()
-    own = controller.lend_rates(0, 100.0, None)
-    controller.configure(0, "decel", 5.0)
-    assert controller.setting(0, "accel") == 100.0
-    controller.return_rates(0, own)
-    assert (controller.setting(0, "accel"), controller.setting(0, "decel")) == (16.0, 5.0)

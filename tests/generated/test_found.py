@@ -102,8 +102,9 @@ def test_an_axis_that_turns_beyond_a_limit_that_was_lowered_brakes_for_it() -> N
 def test_a_stop_that_would_enter_the_next_path_too_fast_begins_there() -> None:
     """After 50 ms the speed is 5, and the S-ramp would first take it to 17.5.
 
-    The acceleration is 100, the jerk 400, so that it is zero only then. So the first line of 5 keeps its trapezoid, of 0.1 s and 0.45 s at 10.
-    The stop with the S-ramp takes 2·sqrt(10/400) s of the second line, at 5 on average: 1.5811, and 0.6 of it in x.
+    The acceleration is 100, the jerk 400, so that it is zero only then. So the first line of 5 keeps its
+    trapezoid, of 0.1 s and 0.45 s at 10. The stop with the S-ramp takes 2·sqrt(10/400) s of the second line, at
+    5 on average: 1.5811, and 0.6 of it in x.
     """
     lines = "CONTOURMODE(0) = 1\nVECTORR(0, 1) = 3, 4\nVECTORR(0, 1) = 12, 16\nGO(0)\nWAIT = 50\n"
     stop = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400 : STOP(1)\n"

@@ -238,7 +238,8 @@ def test_a_stop_that_has_hardly_begun_takes_its_own_time_whatever_its_velocity()
 def test_a_ramp_that_has_hardly_begun_is_taken_back_whole() -> None:
     """A deceleration of J·t has cost J·t²/2 after t s.
 
-    It costs as much again until it is zero. A ramp regains J·t² in 2·t, so that all takes 3·t, even if the velocity has changed by 1 in 10¹⁴.
+    It costs as much again until it is zero. A ramp regains J·t² in 2·t, so that all takes 3·t, even if the
+    velocity has changed by 1 in 10¹⁴.
     """
     jerk, lasted = 1e6, 1e-9
     slowed = 46.6 - 0.5 * jerk * lasted**2

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from motionlang.controller.triggers.limit import Limit
     from motionlang.controller.triggers.watch import Watch
 
+    Rates = tuple[float | None, float | None]
+
 # The target of the search: the home switch, the limit switch of its direction, or only an index mark.
 HOME, LIMIT, INDEX = "home", "limit", "index"
 # In order of occurrence; "done" is also the state after any other end of the homing.
@@ -47,7 +49,8 @@ _SOFT = (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE)
 class Homing:
     """One homing in progress on one axis; `found` is set when the datum is known.
 
-    `direction` is that of the search, speeds are counts/s, `datum` is the position given to the datum,
+    `direction` is that of the search, speeds are counts/s, `rates` its acceleration and deceleration, counts/s²
+    (None: that of the axis), `datum` is the position given to the datum,
     `offset` how far from the datum the axis ends (None: where it stops). `before` is the datum's position until
     then; `line` is the program line that began the homing. `provided` is true if the machine has the switch or mark
     that the homing searches for. `ended` is called at the end, whatever its cause.
@@ -66,6 +69,7 @@ class Homing:
         index: bool = False,
         datum: float = 0.0,
         offset: float | None = None,
+        rates: Rates = (None, None),
         provided: bool = True,
         ended: Callable[[Homing], None] | None = None,
         command: str = "HOME",
@@ -74,6 +78,7 @@ class Homing:
         self._controller, self.axis, self._direction = controller, axis, direction
         self.speed, self.back_off_speed, self._creep_speed = speed, back_off_speed, creep_speed
         self._switch, self._index, self._datum, self._offset = switch, index, datum, offset
+        self._rates = rates
         self._ended, self._command, self.line = ended, command, line
         self.provided = provided
         self._watch: Watch | None = None
@@ -101,6 +106,8 @@ class Homing:
     def cancel(self) -> None:
         """End the homing, complete or not; the cause of its end then controls the axis."""
         self.state = "done"
+        if self._move is not None:
+            self._move.rates = None  # a stop that ends the homing is one at the rates of the axis
         if self._on_change not in self._controller.listeners:
             return
         self._release()
@@ -149,7 +156,7 @@ class Homing:
 
     def _jog(self, velocity: float) -> None:
         self._move = None  # this jog may replace the previous one
-        self._controller.jog(self.axis, velocity, self._command, self.line)
+        self._controller.jog(self.axis, velocity, self._command, self.line, self._rates)
         self._move = self._axis.move
 
     def _search(self) -> None:
@@ -185,9 +192,10 @@ class Homing:
         """Move from the stop to the offset position, at creep speed."""
         self.state = "offset"
         a, controller = self._axis, self._controller
-        accel, decel = controller.rates(a, self._creep_speed)
+        own, its = self._rates, controller.rates(a, self._creep_speed)
+        accel, decel = min(own[0] or its[0], a.max_accel), min(own[1] or its[1], a.max_decel)
         target = self._datum + offset
-        here, speed = a.position(controller.clock.now), self._creep_speed
+        here, speed = a.position(controller.clock.now), min(self._creep_speed, a.max_speed)
         profile = plan(a.shape, here, target, speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk)
         controller.play(self.axis, profile, self._command, self.line)
         self._move = a.move

@@ -28,8 +28,6 @@ class Homes(Settings):
         self.found: dict[int, bool] = {}
         # The position of the datum in the coordinates before homing.
         self._before: dict[int, float] = {}
-        # The rates of the axes that home at those of HOMEACCEL and HOMEDECEL.
-        self._own_rates: dict[int, dict[str, float | None]] = {}
 
     def setting(self, name: str, axis: int) -> float:
         """Return a setting or, until it is written, the value used in its place."""
@@ -57,43 +55,29 @@ class Homes(Settings):
         _, direction, switch, index = HOME_TYPES[kind]
         self.types[axis], self.found[axis] = kind, False
         provided = self._provided(axis, switch, index, line)
-        self._borrow(axis)
         speed = self.setting("HOMESPEED", axis)
-        try:
-            self._active[axis] = Homing(
-                self.controller,
-                axis,
-                direction,
-                speed,
-                speed / self.setting("HOMEBACKOFF", axis),
-                self.setting("HOMECREEPSPEED", axis),
-                switch=switch,
-                index=index,
-                datum=self.setting("HOMEREFPOS", axis),
-                offset=self.setting("HOMEOFFSET", axis),
-                provided=provided,
-                ended=self._ended,
-                line=line,
-            )
-        except Rejected:
-            self._give_back(axis)
-            raise
+        self._active[axis] = Homing(
+            self.controller,
+            axis,
+            direction,
+            speed,
+            speed / self.setting("HOMEBACKOFF", axis),
+            self.setting("HOMECREEPSPEED", axis),
+            switch=switch,
+            index=index,
+            datum=self.setting("HOMEREFPOS", axis),
+            offset=self.setting("HOMEOFFSET", axis),
+            rates=(self._settings.get(("HOMEACCEL", axis)), self._settings.get(("HOMEDECEL", axis))),
+            provided=provided,
+            ended=self._ended,
+            line=line,
+        )
 
     def _ended(self, homing: Homing) -> None:
         self._active.pop(homing.axis, None)
-        self._give_back(homing.axis)
         self.found[homing.axis] = homing.found
         if homing.found:
             self._before[homing.axis] = homing.before
-
-    def _borrow(self, axis: int) -> None:
-        """Use HOMEACCEL and HOMEDECEL in place of ACCEL and DECEL during homing."""
-        accel, decel = (self._settings.get((name, axis)) for name in ("HOMEACCEL", "HOMEDECEL"))
-        own = self.controller.lend_rates(axis, accel, decel)
-        self._own_rates[axis] = own | self._own_rates.get(axis, {})
-
-    def _give_back(self, axis: int) -> None:
-        self.controller.return_rates(axis, self._own_rates.pop(axis))
 
     def _provided(self, axis: int, switch: str, index: bool, line: int) -> bool:
         """True if the machine has all switches and marks that HOME searches for.

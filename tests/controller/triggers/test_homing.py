@@ -147,6 +147,30 @@ PRINT HOMEPHASE(0); " "; HOMESTATUS(0); " "; VEL(0)
     assert result.controller.position(0) > 20.0
 
 
+def test_a_homing_has_its_own_rates_and_leaves_those_of_the_axis_alone() -> None:
+    """At HOMEACCEL 20, a speed of 10 is reached in 0.5 s.
+
+    At HOMEDECEL 40 it is left in 0.25 s after the mark at 10. The return over 1.25, at a creep speed of 1, has ramps
+    of 0.05 s and 0.025 s. The jog that follows has the ACCEL that was written during the homing.
+    """
+    program = """\
+SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 50
+HOMESPEED(0) = 10 : HOMEACCEL(0) = 20 : HOMEDECEL(0) = 40
+HOME(0) = _hmPOSITIVE_INDEX
+PRINT ACCEL(0); " "; DECEL(0)
+ACCEL(0) = 400
+PAUSE IDLE(0)
+PRINT TIME; " "; ACCEL(0); " "; DECEL(0)
+JOG(0) = 40 : WAIT = 100 : PRINT VEL(0)
+"""
+    machine = {"axis.0.index_every": 10.0, "controller.instruction_time": 1e-9}
+    result = run(Source("a.mnt", program), machine=machine, cache=False, until=10.0)
+    there = 0.5 + (10.0 - 2.5) / 10.0 + 0.25
+    back = 1.25 + 0.5 * (0.05 + 0.025)
+    assert result.output == ["100.0000 50.0000", f"{int(1000 * (there + back))} 400.0000 50.0000", "40.0000"]
+    assert [move["duration"] for move in result.report["moves"][:2]] == pytest.approx([there, back])
+
+
 def test_rest_is_not_notified_before_the_end() -> None:
     c = machine()
     idle: list[float] = []
