@@ -22,6 +22,15 @@ _WORKED: dict[type[ast.operator], type[ast.operator]] = {
     ast.BitOr: ast.BitAnd, ast.LShift: ast.RShift, ast.RShift: ast.LShift, ast.FloorDiv: ast.Mult,
 }  # fmt: skip
 
+# Most nodes of a tree are names and operators, which are skipped. So are messages and assertions.
+_UNCHANGED = frozenset(
+    {
+        *(ast.Name, ast.Load, ast.Store, ast.Del, ast.And, ast.Or, ast.Not, ast.USub, ast.alias, ast.Pass),
+        *(*_COMPARED, *_WORKED, ast.JoinedStr, ast.Assert, ast.Raise),
+    }
+)
+_MUTABLE = frozenset({ast.Compare, ast.BinOp, ast.BoolOp, ast.UnaryOp, ast.Constant, ast.IfExp})
+
 
 class Mutant(NamedTuple):
     """One change: the index of its position in a file, a stable name, and the change.
@@ -118,17 +127,16 @@ def woven(path: Path, numbers: Mapping[int, int]) -> str:
 def _changes(tree: ast.AST, where: str) -> Iterator[tuple[str, ast.expr, str]]:
     """Yield the name of each position, its expression, and the replacement."""
     for node in ast.iter_child_nodes(tree):
-        if isinstance(node, ast.Assert | ast.Raise) or _is_for_types(node) or _asserts_length(node):
+        if type(node) in _UNCHANGED or _is_for_types(node) or _asserts_length(node):
             continue
         if isinstance(node, ast.AnnAssign):
             yield from _changes(ast.Expression(node.value), where) if node.value is not None else ()
             continue
-        if isinstance(node, ast.JoinedStr) or (
-            isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
-        ):
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             continue
-        for changed, after in _of(node):
-            yield where, changed, after
+        if type(node) in _MUTABLE:
+            for changed, after in _of(node):
+                yield where, changed, after
         if isinstance(node, ast.FunctionDef):
             for statement in node.body:
                 yield from _changes(ast.Module([statement], []), f"{where}{node.name}: ")
