@@ -7,6 +7,7 @@ import socket
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import nullcontext
+from types import SimpleNamespace
 
 import pytest
 
@@ -28,10 +29,19 @@ def console() -> Console:
 
 
 @pytest.fixture(params=TRANSPORTS)
-def open_client(request: pytest.FixtureRequest, console: Console) -> Iterator[Open]:
+def open_client(
+    request: pytest.FixtureRequest, console: Console, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Open]:
+    """Yield a function that connects a client.
+
+    pyserial pauses for 0.3 s after it has closed a `socket://`, in case of a quick reconnection. Here it does not.
+    """
     if request.param == "virtual":
         yield lambda: Client.virtual(console)
         return
+    if request.param == "socket://":
+        library = pytest.importorskip("serial.urlhandler.protocol_socket")
+        monkeypatch.setattr(library, "time", SimpleNamespace(sleep=lambda _: None))
     with Server(console, LockStep(console)) as server:
         address = server.listen("127.0.0.1", 0)
         over = {"tcp": "", "socket://": "socket://"}.get(request.param)
