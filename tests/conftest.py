@@ -111,10 +111,11 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def _import_backwards(config: pytest.Config) -> None:
-    """Import all test modules in reverse order in every second process of the whole suite.
+    """Import all test modules in reverse order in every second process.
 
-    The processes meet halfway, and each finds the bytecode of the other: in a fresh clone, assertions are then
-    rewritten once. A module that cannot be imported is reported when its tests are collected.
+    This is for the whole suite. The processes meet halfway, and each finds the bytecode of the other: in a fresh
+    clone, assertions are then rewritten once. A module that cannot be imported is reported when its tests are
+    collected.
     """
     process = getattr(config, "workerinput", {}).get("workerid", "gw0")
     if config.args_source is not pytest.Config.ArgsSource.TESTPATHS or int(process[2:]) % 2 == 0:
@@ -128,10 +129,11 @@ def _import_backwards(config: pytest.Config) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection(session: pytest.Session) -> Iterator[object]:
-    """Exempt the modules and tests from garbage collection, for speed; they live as long as the process.
+    """Exempt the modules and tests from garbage collection, for speed.
 
-    The garbage of a test is collected while it is in the processor's cache. With Python's threshold of 700
-    objects, live ones are visited more often than necessary; with 20 000, the garbage is out of the cache.
+    They live as long as the process. The garbage of a test is collected while it is in the processor's cache. With
+    Python's threshold of 700 objects, live ones are visited more often than necessary; with 20 000, the garbage is
+    out of the cache.
     """
     gc.disable()
     try:

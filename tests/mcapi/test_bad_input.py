@@ -159,7 +159,7 @@ def test_a_host_that_is_gone_in_a_block(serve: Serve) -> None:
 
 
 def test_a_host_that_is_gone_in_a_wait(serve: Serve) -> None:
-    """A wait of an hour ends 0.05 s after its host disconnects; the next host is served."""
+    """A wait of an hour ends 0.05 s after its host is gone; the next host is served."""
     board = serve(clock="real", limits=Limits(linger=0.05))
     gone, other = board.connect(), board.connect()
     for line in (gone, other):
