@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -267,10 +267,14 @@ FIELDS = {"Axis": 50, "Scheduler": 18}
 OLDER = frozenset(("Watches",))
 
 
+@cache
+def classes() -> Classes:
+    return Classes({path.relative_to(PACKAGE).as_posix(): tree_of(path) for path in FILES})
+
+
 @cases("name", sorted(FIELDS))
 def test_the_centre_has_few_fields(name: str) -> None:
-    classes = Classes({path.relative_to(PACKAGE).as_posix(): tree_of(path) for path in FILES})
-    assert classes.with_owned(name, CLASSES[name], OLDER) <= FIELDS[name]
+    assert classes().with_owned(name, CLASSES[name], OLDER) <= FIELDS[name]
 
 
 # Methods that change a list, a set or a dictionary.
@@ -303,9 +307,9 @@ def is_of_controller(node: ast.AST, names: set[str]) -> bool:
             return isinstance(node, ast.Call) and ast.unparse(node.func) == "scale_of"
 
 
-def bindings(function: ast.AST) -> Iterator[tuple[ast.AST, ast.AST]]:
-    """Yield each binding of a name in a function: the target and its value."""
-    for node in ast.walk(function):
+def bindings(nodes: Iterable[ast.AST]) -> Iterator[tuple[ast.AST, ast.AST]]:
+    """Yield each binding of a name in nodes of a function: the target and its value."""
+    for node in nodes:
         if isinstance(node, ast.For | ast.comprehension):
             yield node.target, node.iter
         elif isinstance(node, ast.Assign):
@@ -328,12 +332,14 @@ def reaches_into_the_controller(tree: ast.AST) -> Iterator[str]:
             for a in arguments
             if a.annotation and ast.unparse(a.annotation).split(" |")[0] in OF_THE_CONTROLLER
         }
+        nodes = list(ast.walk(function))
+        bound = list(bindings(nodes))
         for _ in range(3):
-            for target, given in bindings(function):
+            for target, given in bound:
                 if is_of_controller(given, names):
                     elements = target.elts if isinstance(target, ast.Tuple) else [target]
                     names.update(each.id for each in elements if isinstance(each, ast.Name))
-        for node in ast.walk(function):
+        for node in nodes:
             found = False
             if isinstance(node, ast.Attribute | ast.Subscript):
                 private = (

@@ -22,6 +22,7 @@ import tempfile
 import tokenize
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from functools import cache
 from inspect import cleandoc
 from pathlib import Path
 from random import Random
@@ -188,6 +189,12 @@ def texts(root: Path = ROOT, *, quick: bool = False) -> Iterator[Text]:
             yield from passages(path, file)
 
 
+@cache
+def public_names(root: Path = ROOT) -> tuple[tuple[str, str], ...]:
+    """Return the public names of the package with their files."""
+    return tuple(each for each in names(root) if not each[0].startswith("_"))
+
+
 def names(root: Path = ROOT) -> Iterator[tuple[str, str]]:
     """Yield the names of the package with their files, except `TYPE_CHECKING`."""
     for path in sorted((root / "motionlang").rglob("*.py")):
@@ -270,7 +277,7 @@ def drawn(date: str) -> Iterator[str]:
         for each in random.sample(some, count):
             yield f"{each.file}:{each.line}\n    " + each.text.strip().replace("\n", "\n    ")
         yield ""
-    public = [each for each in names() if not each[0].startswith("_")]
+    public = public_names()
     yield f"30 of {len(public)} names"
     yield from (f"{name}  ({file})" for name, file in random.sample(public, 30))
 
