@@ -19,7 +19,7 @@ from tests.built import distributions
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Generator
 
     from motionlang.lang.program import Program
     from motionlang.lang.scheduler import Outside
@@ -128,7 +128,7 @@ def _import_backwards(config: pytest.Config) -> None:
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_collection(session: pytest.Session) -> Iterator[object]:
+def pytest_collection(session: pytest.Session) -> Generator[None, object, object]:
     """Exempt the modules and tests from garbage collection, for speed.
 
     They live as long as the process. The garbage of a test is collected while it is in the processor's cache. With
