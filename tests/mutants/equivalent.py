@@ -359,4 +359,13 @@ EQUIVALENT: dict[str, str] = {
     "time <= end + (late if last.tie is not None else -late)": (
         "just at the size of rounding either is right"
     ),
+    "motionlang/serve/address.py: listen: 128 -> 129": "the system bounds how many connections may wait",
+    "motionlang/serve/server.py: Server: _woken: 64 -> 65": "how many signals to wake up are taken at once",
+    "motionlang/serve/modbus.py: 10.0 -> 11.0": "the longest wait for a thread that starts and ends at once",
+    "motionlang/serve/pace.py: LockStep: entered: self._busy_until > self._console.now -> "
+    "self._busy_until >= self._console.now": "to run up to the present changes nothing",
+    "motionlang/serve/pace.py: LockStep: work: self._busy_until > console.now -> self._busy_until >= console.now": (
+        "to run up to the present changes nothing"
+    ),
+    "motionlang/serve/pace.py: LockStep: work: 1e+300 -> 1e+300": "the same number in floating point",
 }

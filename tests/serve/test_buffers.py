@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
 from typing import Any
+from unittest.mock import MagicMock
 
 import pytest
 
 from motionlang.serve import Limits
+from motionlang.serve.channel import DeviceChannel, Gone, TcpChannel
 from motionlang.serve.host import Host
 
 
@@ -45,3 +48,34 @@ def test_all_output_is_sent_in_order() -> None:
     for _ in range(3):
         host.flush()
     assert (bytes(peer.received), host.unsent) == (b"abcdabcdab", True)
+
+
+def test_a_connection_that_is_not_ready_transfers_nothing_and_does_not_wait() -> None:
+    """An error of the network ends it, and so does an empty read."""
+    for error in (BlockingIOError(), InterruptedError()):
+        connection = MagicMock(recv=MagicMock(side_effect=error), send=MagicMock(side_effect=error))
+        channel = TcpChannel(connection, "a host")
+        connection.setblocking.assert_called_once_with(False)
+        assert (channel.receive(10), channel.send(b"abc")) == (b"", 0)
+    connection.recv.side_effect = connection.send.side_effect = ConnectionResetError()
+    with pytest.raises(Gone):
+        channel.receive(10)
+    with pytest.raises(Gone):
+        channel.send(b"abc")
+    connection.recv = MagicMock(return_value=b"")
+    assert channel.receive(10) is None
+
+
+def test_a_device_that_is_not_read_takes_no_more() -> None:
+    """It accepts bytes until the buffer of the system is full, and then none; nothing comes in."""
+    pytest.importorskip("pty")
+    channel = DeviceChannel()
+    try:
+        assert not os.get_blocking(channel.fileno())
+        assert channel.receive(10) == b""
+        for _ in range(1000):
+            if not channel.send(bytes(4096)):
+                break
+        assert (channel.send(bytes(4096)), channel.receive(10)) == (0, b"")
+    finally:
+        channel.close()

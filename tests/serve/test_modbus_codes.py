@@ -12,12 +12,18 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from threading import Thread
+from types import SimpleNamespace
+from typing import Any
+from unittest.mock import MagicMock
+
+import pytest
 
 from motionlang.execution import run
-from motionlang.serve import Limits
+from motionlang.serve import Limits, modbus
 from motionlang.serve.modbus import ModbusServer
 from motionlang.serve.modbus_requests import Identity
 from motionlang.serve.outside import LockStep
+from motionlang.serve.refusals import Refusals
 from motionlang.source import Source
 
 PATIENCE = 60.0
@@ -236,3 +242,50 @@ def test_a_client_that_has_sent_nothing_makes_room_and_requests_are_counted() ->
             assert ask(bytes.fromhex("01 0000 0001")) == bytes.fromhex("81 01")
             assert silent.recv(1) == b""
             assert server.requests == 2
+
+
+def test_rejected_clients_are_reported_once_a_second(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first is reported at once; one call reports the others a second later."""
+    calls, lines, now = list[float](), list[str](), [100.0]
+    loop = SimpleNamespace(call_later=lambda seconds, call: calls.append(seconds))
+    monkeypatch.setattr(modbus, "asyncio", SimpleNamespace(get_running_loop=lambda: loop))
+    server = ModbusServer(LockStep(), "127.0.0.1", 0)
+    server._refusals = Refusals(lines.append, lambda: now[0])
+    for text in ("first", "second", "third"):
+        server._refuse(text)
+        now[0] += 0.25
+    assert (lines, calls) == (["first"], [0.75])
+    server._refusals.flush()
+    assert lines == ["first", "third (1 more since the last line)"]
+
+
+@pytest.mark.parametrize(
+    ("last_received", "busy", "left"),
+    [
+        ((41.0, 40.5), (False, False), []),  # neither has been silent for 60 s
+        ((41.0, 40.0), (False, False), [1]),
+        ((39.0, 40.0), (False, False), [0]),  # the longest-silent one
+        ((39.0, 40.0), (True, False), [1]),
+        ((39.0, 39.0), (True, True), []),
+    ],
+)
+def test_a_client_that_is_silent_for_a_minute_makes_room(
+    last_received: tuple[float, float],
+    busy: tuple[bool, bool],
+    left: list[int],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It is 100 s; the task of a client that makes room is cancelled."""
+    monkeypatch.setattr(modbus, "monotonic", lambda: 100.0)
+    cancelled: list[int] = []
+    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0)
+    for number, (time, is_busy) in enumerate(zip(last_received, busy, strict=True)):
+        task = MagicMock(cancel=partial(cancelled.append, number))
+        server._connections[task] = SimpleNamespace(last_received=time, busy=is_busy)
+    assert server._make_room() is bool(left)
+    assert cancelled == left
+    assert len(server._connections) == 2 - len(left)
+
+
+def test_a_server_that_has_not_started_can_be_stopped() -> None:
+    ModbusServer(LockStep(), "127.0.0.1", 0).stop()

@@ -6,18 +6,21 @@ Log, buffers, addresses, clocks and Modbus requests.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from motionlang.controller.clock import INFINITY
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
 from motionlang.serve import Limits, LockStep, RealTime
-from motionlang.serve.address import BadAddress, is_loopback, parse, shown
+from motionlang.serve import pace as pace_module
+from motionlang.serve.address import BadAddress, is_loopback, listen, parse, shown
 from motionlang.serve.host import Host
 from motionlang.serve.modbus_requests import Identity, Rejected, Request
 from motionlang.serve.modbus_requests import parse as parse_request
-from motionlang.serve.pace import BUDGET, LATEST, TICK
+from motionlang.serve.pace import BUDGET, TICK
 from motionlang.serve.spy import MAX_LINE, Spy
 from tests.serve.test_time import Wall
 
@@ -107,6 +110,13 @@ def test_how_an_address_is_shown() -> None:
 )
 def test_addresses_of_this_computer_alone(host: str, wanted: bool) -> None:
     assert is_loopback(host) is wanted
+
+
+def test_a_listening_socket_does_not_wait() -> None:
+    with listen("127.0.0.1", 0) as listener:
+        assert not listener.getblocking()
+        with pytest.raises(BlockingIOError):
+            listener.accept()
 
 
 # ------------------------------------------------------------------------------------------------ one host
@@ -246,6 +256,16 @@ def test_the_time_until_the_next_event_depends_on_the_factor() -> None:
     assert pace.due == pytest.approx(24.0)
 
 
+def test_real_time_begins_at_the_present_machine_time() -> None:
+    """At 4 × real time, 3 s later it is 12 s more."""
+    console, wall = Console(Machine(first_axis=1)), Wall()
+    console.run(10.0)
+    pace = RealTime(console, 4.0, wall)
+    assert pace.due == 10.0
+    wall.time += 3.0
+    assert pace.due == 22.0
+
+
 def test_a_busy_board_is_polled_each_millisecond() -> None:
     pace, console, _ = idle()
     console.open(echo=False).feed(b"AA1,RP\r")
@@ -253,7 +273,7 @@ def test_a_busy_board_is_polled_each_millisecond() -> None:
     assert pace.timeout() == TICK == 1e-3
 
 
-@pytest.mark.parametrize(("behind", "late"), [(0.9 * LATEST, 0.0), (2.0 * LATEST, 2.0 * LATEST)])
+@pytest.mark.parametrize(("behind", "late"), [(0.225, 0.0), (0.5, 0.5)])
 def test_a_board_may_be_late_by_a_quarter_of_a_second(behind: float, late: float) -> None:
     """Beyond that, the real time that has been lost is not made up for."""
     wall, console = Wall(), Console(Machine(first_axis=1))
@@ -287,6 +307,31 @@ def test_slices_grow_again_on_a_computer_that_has_time() -> None:
     assert ran == pytest.approx([2.0, 2.0, 0.5, 1.0, 2.0, 2.0, 2.0], abs=0.03)
 
 
+@pytest.mark.parametrize(
+    ("took", "before", "after"),
+    [
+        (1.01, 2.0, 0.5),  # a slow one: a quarter
+        (1.0, 2.0, 2.0),
+        (1.01, 0.06, 0.02),  # not below 20 µs
+        (0.25, 0.5, 0.5),
+        (0.24, 0.5, 1.0),  # a fast one: twice
+        (0.24, 1.5, 2.0),  # not above 2 ms
+    ],
+)
+def test_the_next_slice_depends_on_the_time_that_the_last_one_took(
+    took: float, before: float, after: float
+) -> None:
+    """`took` is in budgets of 5 ms, and slices are in ms."""
+    console = Console(Machine(first_axis=1))
+    times = iter([0.0, 0.0, took * 5e-3])
+    pace = RealTime(console, wall=lambda: next(times))
+    pace._slice = before * 1e-3
+    ran: list[float] = []
+    pace._bounded(ran.append, 1.0)
+    assert pace._slice == pytest.approx(after * 1e-3)
+    assert ran == [1.0]  # an idle board has no event before
+
+
 def test_in_lock_step_a_program_may_react_before_the_answer_is_sent() -> None:
     """Each line takes 10 ms, before the next line or `at_once`."""
     for at_once, times in ((False, [0.0, 0.01]), (True, [0.01, 0.02])):
@@ -308,6 +353,122 @@ def test_lines_that_arrive_together_have_a_step_each() -> None:
         pace.entered()
     pace.work()
     assert console.now == pytest.approx(0.03)
+
+
+@dataclass
+class Board:
+    """A console whose `settle` records its limit, and takes an answer and the time then from `settled`."""
+
+    settled: list[tuple[bool, float]]
+    event: float = INFINITY
+    now: float = 1.0
+    limits: list[float] = field(default_factory=list)
+    runs: list[float] = field(default_factory=list)
+
+    @property
+    def working(self) -> bool:
+        return bool(self.settled)
+
+    def next_time(self) -> float:
+        return self.event
+
+    def settle(self, limit: float) -> bool:
+        self.limits.append(limit)
+        answer, self.now = self.settled.pop(0)
+        return answer
+
+    def run(self, until: float) -> None:
+        self.now = until
+        self.runs.append(until)
+
+
+@pytest.mark.parametrize(
+    ("behind", "slice_time", "runs"),
+    [
+        (0.0, 0.0, []),
+        (5.0, 1.0, [2.0, 4.0, 5.0]),  # 3 ms are enough
+        (10.0, 2.5, [2.0, 4.0]),  # 5 ms are up
+        (10.0, 2.4, [2.0, 4.0, 6.0]),
+    ],
+)
+def test_a_board_catches_up_for_five_milliseconds(
+    behind: float, slice_time: float, runs: list[float]
+) -> None:
+    """Times are in ms; a busy board is run in slices of 2 ms, each of which takes `slice_time` of real time."""
+    wall = Wall()
+    wall.time = 0.0
+    board: Any = Board([], event=0.0, now=0.0)
+    run = board.run
+
+    def slow(until: float) -> None:
+        run(until)
+        wall.time += slice_time * 1e-3
+
+    board.run = slow
+    pace = RealTime(board, wall=wall)
+    pace._began = -behind * 1e-3
+    pace.before()
+    assert board.runs == pytest.approx([each * 1e-3 for each in runs])
+
+
+@pytest.mark.parametrize(("behind", "late"), [(0.125, 0.0), (0.25, 0.0), (0.5, 0.5)])
+def test_the_time_that_a_board_has_lost_is_real_time(behind: float, late: float) -> None:
+    """At 4 × real time; a quarter of a second can be made up for."""
+    wall = Wall()
+    board: Any = Board([], now=0.0)
+    pace = RealTime(board, 4.0, wall)
+    wall.time += behind
+    pace._fall_behind()
+    assert (pace.late, pace.due) == (late, 0.0 if late else 4.0 * behind)
+
+
+@pytest.mark.parametrize(
+    ("event", "settled", "limits", "timeout"),
+    [
+        (INFINITY, [], [], None),
+        (3.0, [(True, 3.0), (True, 3.0)], [3.002, 3.002], None),  # until no line is carried out
+        (0.0, [(True, 1.5), (True, 1.5)], [1.002, 1.502], None),  # something to do at once
+        (3.0, [(False, 3.002), (True, 4.0)], [3.002, 3.004], None),  # a time slice was not enough
+        (3.0, [(False, 3.001), (True, 4.0)], [3.002], None),  # nothing advances: it waits for the host
+        (INFINITY, [(False, 1.0), (True, 4.0)], [1e300], None),
+        (0.0, [(True, 1.0)] * 9, [1.002] * 4, 0.0),  # real time is up
+    ],
+)
+def test_in_lock_step_time_passes_while_a_line_is_carried_out(
+    event: float,
+    settled: list[tuple[bool, float]],
+    limits: list[float],
+    timeout: float | None,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It is 1 s; machine time passes to the next event and 2 ms further.
+
+    Each time takes 0.05 ms of the 0.2 ms in which the hosts are not read.
+    """
+    wall = iter([0.0, *(0.05e-3 * k for k in range(9))])
+    monkeypatch.setattr(pace_module, "time", SimpleNamespace(monotonic=lambda: next(wall)))
+    board: Any = Board(list(settled), event)
+    pace = LockStep(board)
+    pace.work()
+    assert board.limits == pytest.approx(limits, abs=1e-9)
+    assert (pace.timeout(), board.runs) == (timeout, [])
+
+
+@pytest.mark.parametrize(
+    ("settled", "runs"),
+    [([], [1.001]), ([(False, 1.0)], [1.001]), ([(True, 1.0)] * 9, []), ([(True, 2.0)], [])],
+)
+def test_at_once_the_time_of_a_line_passes_when_it_has_ended_or_waits(
+    settled: list[tuple[bool, float]], runs: list[float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A line takes 1 ms. It has not ended when real time is up, and another one has taken longer."""
+    wall = iter([0.0, *(0.1e-3 * k for k in range(9))])
+    monkeypatch.setattr(pace_module, "time", SimpleNamespace(monotonic=lambda: next(wall)))
+    board: Any = Board(list(settled))
+    pace = LockStep(board, at_once=True)
+    pace.entered()
+    pace.work()
+    assert board.runs == pytest.approx(runs)
 
 
 # --------------------------------------------------------------------------------------------------- Modbus
