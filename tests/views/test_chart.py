@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.controller import Controller
+from motionlang.views import curve as curves
 from motionlang.views.chart import dots, velocity_chart, velocity_spans
+from motionlang.views.curve import velocity_curve
 from tests.views.runs import ballscrew, pick
 
 TRAPEZOID = """\
@@ -53,5 +56,86 @@ def test_spans_hold_every_velocity() -> None:
             assert low - 1e-6 <= axis.velocity(time) <= high + 1e-6
 
 
-def test_dots_join_their_neighbours() -> None:
-    assert dots([(0, 0), (3, 3)], 0, 3, 1) == ["⣸"]
+def moved(stop: float | None) -> Axis:
+    """Return an axis that has moved 300 counts from 1 s on, at 100 counts/s and 100 counts/s².
+
+    It ramps up until 2 s and down from 4 to 5 s; `stop` is the time of a command that stops it.
+    """
+    controller = Controller(1)
+    for name in ("speed", "accel", "decel"):
+        controller.configure(0, name, 100.0)
+    controller.clock.advance(1.0)
+    controller.move_by(0, 300.0)
+    if stop is not None:
+        controller.clock.advance(stop)
+        controller.stop(0)
+    controller.clock.advance(10.0)
+    return controller.axes[0]
+
+
+REST, UP, SLEW = (0.0, 0.0), (0.0, 100.0), (100.0, 100.0)
+
+
+@pytest.mark.parametrize(
+    ("end", "stop", "spans"),
+    [
+        (8.0, None, [REST, UP, SLEW, SLEW, UP, REST, REST, REST]),
+        (8.0, None, [UP, SLEW, UP, REST]),
+        (10.0, None, [UP]),
+        (5.0, None, [REST, UP, SLEW, SLEW, UP]),
+        (1.5, None, [REST, (0.0, 50.0)]),  # the ramp has come to 50 counts/s
+        (2.0, None, [REST, UP]),
+        (8.0, 1.5, [REST, (0.0, 50.0), REST, REST, REST, REST, REST, REST]),  # from 50 counts/s to 0 at 2 s
+        (10.0, 1.5, [(0.0, 50.0)]),
+        (1.5, 1.5, [REST, REST, (0.0, 50.0)]),
+        (6.0, 1.75, [(0.0, 75.0), (0.0, 50.0), REST]),  # 75 counts/s at 1.75 s, 50 at 2 s, 0 at 2.5 s
+    ],
+)
+def test_spans_of_a_trapezoid(end: float, stop: float | None, spans: list[tuple[float, float]]) -> None:
+    """The time is divided into as many intervals as there are spans."""
+    found = velocity_spans(moved(stop), end, len(spans))
+    assert [each for span in found for each in span] == pytest.approx(
+        [each for span in spans for each in span]
+    )
+
+
+def test_a_chart_has_ten_columns_at_least() -> None:
+    """The line of the times has one blank between them: "0" and "1.00005 s" have ten letters."""
+    run = ballscrew()
+    *rows, times = velocity_chart(run.controller.axes[0], run.time, width=0, height=3)
+    assert max(len(row) for row in rows) == 12 + 10
+    assert times == f"{'0':>13} 1.00005 s"
+
+
+@pytest.mark.parametrize(
+    ("spans", "low", "height", "drawn"),
+    [
+        ([(0, 0), (3, 3)], 0, 1, ["⣸"]),  # from the lowest left dot up to the highest right one
+        ([(3, 3), (0, 0)], 0, 1, ["⢹"]),
+        ([(0, 1), (3, 3)], 0, 1, ["⡼"]),  # from the third dot, the upper end of the span on the left
+        ([(2, 3), (0, 0)], 0, 1, ["⢳"]),
+        ([(0, 3), (0, 3), (0, 3)], 0, 1, ["⣿⡇"]),
+        ([(-4, -4), (3, 3)], -4, 2, ["⢸", "⣸"]),
+        ([(-1, 0), (-1, -1)], -4, 2, ["⡀", "⠉"]),
+    ],
+)
+def test_dots_join_their_neighbours(
+    spans: list[tuple[float, float]], low: float, height: int, drawn: list[str]
+) -> None:
+    """A row has four dots in height; 3 is the highest value."""
+    assert dots(spans, low, 3, height) == drawn
+
+
+def test_the_curve_of_a_velocity_passes_through_all_extremes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An interval of 1 s is 130 pixels wide, and its extremes are in its middle; 50 uu/s are at the top.
+
+    The line rises in the second interval and falls in the last one.
+    """
+    monkeypatch.setattr(curves, "COLUMNS", 5)
+    axis = moved(None)
+    axis.scale.set(2.0, 1.0, 0.0)
+    drawn = velocity_curve(axis, 5.0)
+    points = "135.0,90.0 135.0,90.0 265.0,90.0 265.0,0.0 395.0,0.0 395.0,0.0 525.0,0.0 525.0,0.0 655.0,0.0 655.0,90.0"
+    assert f'points="{points}"' in drawn
+    assert 'text-anchor="end">50<' in drawn
+    assert "<title>axis 0: velocity, uu/s</title>" in drawn

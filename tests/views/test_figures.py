@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-
 import numpy as np
 import pytest
 
@@ -49,20 +46,6 @@ def test_the_legend_of_the_shades_lies_within_the_picture() -> None:
     box = legend.get_window_extent()
     assert 0.5 * figure.bbox.width < box.x0 < box.x1 < figure.bbox.width
     assert 0.5 * figure.bbox.height < box.y0 < box.y1 < figure.bbox.height
-
-
-@pytest.fixture
-def figures(monkeypatch: pytest.MonkeyPatch) -> list[Figure]:
-    """Return the pictures that a test draws of sweeps; no files are written."""
-    drawn: list[Figure] = []
-
-    @contextmanager
-    def drawing(path: str, width: float, height: float) -> Iterator[Figure]:
-        drawn.append(Figure(figsize=(width, height)))
-        yield drawn[-1]
-
-    monkeypatch.setattr(sweep_plot, "drawing", drawing)
-    return drawn
 
 
 def test_panels_of_a_sweep_have_one_scale(figures: list[Figure]) -> None:

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import io
 import re
+import sys
 import threading
+from itertools import pairwise
+from typing import Any
 
 import pytest
 
 from motionlang.views import progress
 from motionlang.views.progress import Progress, Watcher, is_shown, run_line
 
+# As the module has them; the fixture sets them to zero.
+WAITS = progress.PATIENCE, progress.PERIOD, progress.RUN_PATIENCE, progress.RUN_PERIOD
 HOME = "\r\x1b[1A\x1b[2K"
 """The sequence by which rich removes a line."""
 
@@ -141,3 +146,71 @@ def test_a_watcher_that_is_stopped_at_once_writes_nothing() -> None:
 def test_how_far_a_run_has_come(arguments: tuple[float, float, int], line: str) -> None:
     assert run_line(*arguments) == f"{line} · Ctrl-C ends it"
     assert "machine time · computing · " in run_line(*arguments, is_computing=True)
+
+
+def test_a_bar_appears_after_half_a_second_and_changes_ten_times_a_second(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A bar made at 7 s: calls at 7.5 and 7.6 s write it, a call just before does not."""
+    now = 7.0
+    monkeypatch.setattr(progress, "PATIENCE", WAITS[0])
+    monkeypatch.setattr(progress, "PERIOD", WAITS[1])
+    monkeypatch.setattr(progress, "monotonic", lambda: now)
+    terminal = Terminal()
+    bar, lengths = Progress(terminal, "x.csv"), [0]
+    for now in (7.0, 7.499, 7.5, 7.599, 7.6001, 7.69):  # noqa: B007
+        bar(0.5)
+        lengths.append(len(terminal.getvalue()))
+    bar.done()
+    assert [after > before for before, after in pairwise(lengths)] == [False, False, True, False, True, False]
+
+
+def test_the_line_of_a_run_appears_after_a_second_and_changes_five_times_a_second() -> None:
+    """The thread waits for its end: 1 s first, then 0.2 s each time; here it ends at the third wait."""
+    waits: list[float] = []
+
+    class Stop:
+        def acquire(self, timeout: float) -> bool:
+            waits.append(timeout)
+            return len(waits) == 3
+
+    terminal = Terminal()
+    watcher: Any = Watcher(terminal, lambda: f"line {len(waits)}")
+    watcher._stop = Stop()
+    watcher._ended.acquire()
+    watcher._watch()
+    assert waits == [1.0, 0.2, 0.2]
+    assert terminal.words()[0] == "line 1"
+    assert terminal.words()[-1] == "line 2"
+    assert not watcher._ended.locked()
+
+
+@pytest.mark.parametrize("kind", ["bar", "line"])
+def test_a_line_leaves_the_streams_of_the_program_as_they_are(kind: str) -> None:
+    """Output of the program is not redirected, and no further thread writes."""
+    terminal, threads, streams = Terminal(), threading.active_count(), (sys.stdout, sys.stderr)
+    bar, watcher = Progress(terminal, "x.csv"), Watcher(terminal, lambda: "working")
+    if kind == "bar":
+        bar(0.5)
+    else:
+        watcher.show()
+    assert (sys.stdout, sys.stderr) == streams
+    assert threading.active_count() == threads
+    bar.done()
+    watcher.above(terminal.write, "")
+
+
+@pytest.mark.parametrize(
+    ("environment", "has_colour"), [({"NO_COLOR": "1"}, False), ({"FORCE_COLOR": "1"}, True)]
+)
+def test_a_bar_has_colour_if_the_terminal_does(
+    environment: dict[str, str], has_colour: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("NO_COLOR")
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    terminal = Terminal()
+    bar = Progress(terminal, "x.csv")
+    bar(0.5)
+    bar.done()
+    assert bool(re.search(r"\x1b\[[\d;]+m", terminal.getvalue())) is has_colour

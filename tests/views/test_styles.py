@@ -7,7 +7,8 @@ other defaults. `--update` rewrites it. The data of figures, and their texts and
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,9 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from motionlang.cli import main
+from motionlang.notes.chapter12 import Settings, run_listing
+from motionlang.views.chapter12_plot import draw_figure
+from motionlang.views.servo_plot import plot_listing
 
 GOLDEN = Path(__file__).parent / "styles.golden.txt"
 VERSION = "matplotlib {}.{}".format(*matplotlib.__version__.split("."))
@@ -49,6 +53,15 @@ COMMANDS = {
     "chapter 12": ["notes", "chapter12", "12.3"],
     "figure 12.7": ["servo", "figure", "12.7"],
     "tn1069": ["notes", "tn1069", "--distance", "3000"],
+}
+
+LISTING = run_listing(Settings(100, 10, 1, 40, kd=80, hold=4, max_steps=32), 100.0, 2.0, 20)
+DRAWINGS: dict[str, Callable[[str], None]] = {
+    **{
+        f"drawing {number}": partial(draw_figure, number)
+        for number in ("12.1", "12.4", "12.5", "12.6", "12.10", "12.11")
+    },
+    "listing": partial(plot_listing, LISTING),
 }
 
 
@@ -96,7 +109,7 @@ def artist_style(artist: Any) -> Iterator[str]:
 
 def text_style(kind: str, text: Any) -> str:
     """Return the style of a text, and True if it may be read as a formula."""
-    shift = tuple(map(float, text.xyann)) if getattr(text, "textcoords", "data") == "offset points" else ""
+    shift = tuple(map(float, text.xyann)) if getattr(text, "anncoords", "data") == "offset points" else ""
     return f"{kind} {text.get_fontsize():g} {text.get_fontweight()} {text.get_parse_math()} {shift}".rstrip()
 
 
@@ -113,9 +126,6 @@ def golden() -> dict[str, str]:
 def test_the_styles_of_figures(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
 ) -> None:
-    update, recorded = request.config.getoption("--update"), golden()
-    if not (update or recorded):
-        pytest.skip(f"the styles of {VERSION} are not recorded")
     drawn: list[Figure] = []
     monkeypatch.setattr(Figure, "savefig", lambda figure, *_, **__: drawn.append(figure))
     monkeypatch.chdir(tmp_path)
@@ -123,9 +133,24 @@ def test_the_styles_of_figures(
     assert main([*COMMANDS[name], "--plot", "a.svg"]) == 0
     (figure,) = drawn
     figure.draw_without_rendering()
+    compare(name, figure, request)
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_the_styles_of_drawings(name: str, figures: list[Figure], request: pytest.FixtureRequest) -> None:
+    """Their data is in `test_note_figures.py`."""
+    DRAWINGS[name]("x.svg")
+    compare(name, figures[0], request)
+
+
+def compare(name: str, figure: Figure, request: pytest.FixtureRequest) -> None:
+    """Compare the styles of a figure with its section of the golden file."""
+    update, recorded = request.config.getoption("--update"), golden()
+    if not (update or recorded):
+        pytest.skip(f"the styles of {VERSION} are not recorded")
     text = "".join(f"{line}\n" for line in dict.fromkeys(styles(figure)))
     if update:
         recorded[name] = text
-        sections = [f"# {each}\n{recorded[each]}" for each in COMMANDS if each in recorded]
+        sections = [f"# {each}\n{recorded[each]}" for each in (*COMMANDS, *DRAWINGS) if each in recorded]
         GOLDEN.write_text("".join([f"{VERSION}\n", *sections]), encoding="utf-8", newline="\n")
     assert text == recorded[name]
