@@ -368,4 +368,6 @@ EQUIVALENT: dict[str, str] = {
         "to run up to the present changes nothing"
     ),
     "motionlang/serve/pace.py: LockStep: work: 1e+300 -> 1e+300": "the same number in floating point",
+    "motionlang/views/servo_plot.py: plot_comparison: 0 -> 1 #2": "every panel has the same lines for the legend",
+    "motionlang/views/servo_plot.py: plot_comparison: 0 -> 1 #3": "every panel has the same lines for the legend",
 }

@@ -73,7 +73,7 @@ def shapes(panel: Axes) -> list[tuple[str, list[list[float]]]]:
 
 
 def have_one_time_scale(panels: Sequence[Axes]) -> bool:
-    return all(panels[0].get_shared_x_axes().joined(panels[0], each) for each in panels)
+    return all(panels[0].get_shared_x_axes().joined(panels[0], each) for each in panels[1:])
 
 
 # ------------------------------------------------------------------------------------------------------ AN00115
@@ -472,7 +472,7 @@ def test_profiles_are_compared_in_columns(figures: list[Figure]) -> None:
     ]
     assert [panel.get_xlabel() for panel in grid.flat] == ["", "", "", "", "time (s)", "time (s)"]
     (legend,) = figures[0].legends
-    assert len(legend.get_texts()) == 4
+    assert (len(legend.get_texts()), legend._ncols, legend.get_frame_on()) == (4, 4, False)  # type: ignore[attr-defined]
     assert figures[0].get_size_inches().tolist() == approx([11.8, 7.2])
     assert [have_one_time_scale(panels) for panels in (grid[:, 0], grid[:, 1], grid[0])] == [
         True,
