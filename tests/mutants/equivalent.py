@@ -370,4 +370,20 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/serve/pace.py: LockStep: work: 1e+300 -> 1e+300": "the same number in floating point",
     "motionlang/views/servo_plot.py: plot_comparison: 0 -> 1 #2": "every panel has the same lines for the legend",
     "motionlang/views/servo_plot.py: plot_comparison: 0 -> 1 #3": "every panel has the same lines for the legend",
+    "motionlang/views/csv.py: Formatter: _block: 1 -> 2 #3": "no row is a single character",
+    "motionlang/views/csv.py: Formatter: _block: 1 -> 2 #4": "of the last row only what follows the first comma is used",
+    "motionlang/views/csv.py: Formatter: _block: not self._first.fill(columns[:1], self._decimals[:1], _COMMA) -> "
+    "self._first.fill(columns[:1], self._decimals[:1], _COMMA)": "the slow way writes the same",
+    "motionlang/views/csv.py: _standstills: np.diff(edges) > LONG_REST -> np.diff(edges) >= LONG_REST": (
+        "a rest is written the same in either way"
+    ),
+    "motionlang/views/csv.py: _Buffer: fill: 10.0 -> 11.0": "the slow way writes the same",
+    "motionlang/views/outline.py: thinned: begin > 0.0 -> begin >= 0.0": "no point lies before 0",
+    "motionlang/views/terminal.py: _picture: code < 32 -> code <= 32": "a blank is printable",
+    "motionlang/views/terminal.py: _picture: 32 -> 33": "a blank is printable",
+    "motionlang/views/table.py: _is_short: row.get('commanded_speed', 0.0) > row['peak_speed'] * (1.0 + 1e-09) -> "
+    "row.get('commanded_speed', 0.0) >= row['peak_speed'] * (1.0 + 1e-09)": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/views/diff.py: change_lines: 0 -> 1": "only the line of the status is taken",
 }

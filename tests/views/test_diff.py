@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from motionlang.analysis.diff.charged import Charge
-from motionlang.analysis.diff.reports import difference
-from motionlang.views.diff import _charged, diff_lines
+from motionlang.analysis.diff.reports import LineChange, difference
+from motionlang.views.diff import _charged, _together, diff_lines
 from tests.analysis.diff.test_fields import event, move, report
 
 
@@ -108,3 +108,14 @@ def test_lines_that_time_is_charged_to() -> None:
     )
     assert _charged(charges, 2) == "line 1 +0.500000 s, line 2 (new) +0.250000 s, 3 more +0.875000 s"
     assert _charged(charges, 5).endswith("no line +1.000000 s")
+
+
+def test_the_largest_changes_in_time_come_first() -> None:
+    """Line 3 takes 2 s less, line 1 1.5 s more, and line 2 as long, since its move starts earlier."""
+    changes = [LineChange(line, line, 0, "MOVER", 0.0) for line in (1, 2, 3)]
+    for change, (duration, wait) in zip(changes, ((1.0, 0.5), (4.0, -4.0), (-1.5, -0.5)), strict=True):
+        change.count, change.duration, change.wait = 1, duration, wait
+    assert [[each.new for each in group] for group in _together(changes)] == [[3], [1], [2]]
+    other = LineChange(1, 1, 1, "MOVER", 0.0)
+    other.count, other.duration, other.wait = 1, 1.0, 0.5
+    assert [[each.axis for each in group] for group in _together([other, *changes])] == [[0], [0, 1], [0]]

@@ -74,6 +74,38 @@ def test_a_map_is_a_grid_if_a_quarter_of_it_is_known(
     assert type(drawn).__name__ == ("QuadMesh" if is_grid else "PathCollection")
 
 
+@pytest.mark.parametrize(
+    ("across", "up", "is_grid"), [(2, 2, True), (1, 4, False), (4, 1, False), (2, 3, True)]
+)
+def test_a_map_is_a_grid_if_both_names_have_two_values(
+    across: int, up: int, is_grid: bool, figures: list[Figure]
+) -> None:
+    points = [(float(x), float(y), 10.0 * x + y) for x in range(across) for y in range(up)]
+    sweep_plot.plot_map("x.svg", ("speed", "accel", "time"), points, {"time": "s"}, best=(0.0, 0.0))
+    panel, bar = figures[0].axes
+    drawn = panel.collections[0]
+    assert type(drawn).__name__ == ("QuadMesh" if is_grid else "PathCollection")
+    rows = (
+        [[10.0 * x + y for x in range(across)] for y in range(up)]
+        if is_grid
+        else [each[2] for each in points]
+    )
+    assert np.asarray(drawn.get_array()).tolist() == rows
+    assert (panel.get_xlabel(), panel.get_ylabel(), bar.get_ylabel()) == ("speed", "accel", "time (s)")
+    assert [np.asarray(line.get_xydata()).tolist() for line in panel.lines] == [[[0.0, 0.0]]]
+
+
+def test_a_front_is_drawn_over_all_variants(figures: list[Figure]) -> None:
+    points = [(1.0, 5.0), (2.0, 3.0), (2.5, 4.0)]
+    sweep_plot.plot_front("x.svg", ("time", "peak"), points, points[:2], {"peak": "V"})
+    (panel,) = figures[0].axes
+    variants, front = panel.lines
+    assert np.asarray(variants.get_xydata()).tolist() == [list(each) for each in points]
+    assert np.asarray(front.get_xydata()).tolist() == [list(each) for each in points[:2]]
+    assert (variants.get_linestyle(), front.get_drawstyle()) == ("None", "steps-post")
+    assert (panel.get_xlabel(), panel.get_ylabel()) == ("time", "peak (V)")
+
+
 def test_an_acceleration_is_drawn_from_just_before_its_motion_to_just_behind_it() -> None:
     figure = Figure()
     _draw_motion([("", trapezoid(), "black")], figure)

@@ -48,6 +48,13 @@ def test_a_file_full_of_mistakes_is_shown_in_bounds() -> None:
     )
 
 
+def test_a_hundred_are_shown_and_more_are_counted() -> None:
+    found = [Diagnostic("unknown-word", f"message {k}") for k in range(102)]
+    for count, end in ((100, "message 99\n"), (101, "and 1 error more in the JSON report\n")):
+        assert render_all(found[:count]).endswith(end)
+    assert render_all(found).endswith("\nand 2 errors more in the JSON report\n")
+
+
 def test_equal_diagnostics_of_a_run_are_one() -> None:
     """A warning in a loop is shown once."""
     program = Source(

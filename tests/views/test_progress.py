@@ -140,6 +140,8 @@ def test_a_watcher_that_is_stopped_at_once_writes_nothing() -> None:
     [
         ((11_501.0, 2.0, 12_345), "3 h 11 min 41 s of machine time · 5 750 × real time · 12 345 moves"),
         ((0.5123, 0.25, 1), "0.5 s of machine time · 2.0 × real time · 1 move"),
+        ((10.0, 1.0, 2), "10 s of machine time · 10 × real time · 2 moves"),
+        ((9.96, 1.0, 2), "10 s of machine time · 10.0 × real time · 2 moves"),
         ((0.0, 0.0, 0), "0 s of machine time · 0.0 × real time · 0 moves"),
     ],
 )

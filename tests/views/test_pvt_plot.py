@@ -61,6 +61,7 @@ def test_given_points_are_marked_unless_there_are_very_many(
     panels = drawn[0].axes
     marks = [[line for line in panel.lines if line.get_marker() == "*"] for panel in panels]
     assert [len(each) for each in marks] == ([1, 1, 0] if is_marked else [0, 0, 0])
+    assert not any(line.get_clip_on() for each in marks for line in each)
     points = [np.asarray(line.get_xydata()).tolist() for each in marks for line in each]
     if is_marked:
         assert points == [

@@ -23,6 +23,7 @@ from motionlang.cli import main
 from motionlang.notes.chapter12 import Settings, run_listing
 from motionlang.views.chapter12_plot import draw_figure
 from motionlang.views.servo_plot import plot_listing
+from motionlang.views.sweep_plot import plot_front, plot_map
 
 GOLDEN = Path(__file__).parent / "styles.golden.txt"
 VERSION = "matplotlib {}.{}".format(*matplotlib.__version__.split("."))
@@ -62,6 +63,8 @@ DRAWINGS: dict[str, Callable[[str], None]] = {
         for number in ("12.1", "12.4", "12.5", "12.6", "12.10", "12.11")
     },
     "listing": partial(plot_listing, LISTING),
+    "map": lambda path: plot_map(path, ("x", "y", "z"), [(0, 0, 1), (1, 0, 2), (2, 0, 4)], {}, (1, 0)),
+    "front": lambda path: plot_front(path, ("x", "y"), [(0, 3), (1, 1), (2, 2)], [(0, 3), (1, 1)], {}),
 }
 
 

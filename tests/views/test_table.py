@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
 import pytest
 
 from motionlang.report import moves
 from motionlang.views.grid import Column, decimals_of, grid
-from motionlang.views.table import _Gathered, render
+from motionlang.views.table import _Events, _Gathered, render
 from motionlang.views.words import clock_time, figure
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
@@ -133,7 +134,9 @@ def test_of_very_many_figures_few_are_stored_that_add_up_to_the_same(monkeypatch
     whole = render(shift())
     monkeypatch.setattr("motionlang.views.table.MAX_TERMS", 7)
     assert render(shift()) == whole
-    totals = _Gathered(moves(shift()), False).totals.values()
+    gathered = _Gathered(moves(shift()), False)
+    assert (gathered.count, gathered.by_axis) == (400, {0: 100, 1: 100, 2: 100, 3: 100})
+    totals = gathered.totals.values()
     assert [total.count for total in totals] == [100] * 4
     assert max(len(each) for total in totals for each in (total.durations, total.distances)) < 7
 
@@ -145,10 +148,53 @@ def test_all_moves_with_their_phases_where_everything_is_requested() -> None:
     assert "more moves" not in made
 
 
-def test_twenty_moves_are_a_line_each() -> None:
-    lines = render(shift(20)).splitlines()
-    assert sum("MOVER" in line for line in lines) == 20
-    assert not any("accel" in line for line in lines)
+@pytest.mark.parametrize(
+    ("count", "shown", "phases", "more"),
+    [(10, 10, 10, ""), (11, 11, 0, ""), (20, 20, 0, ""), (40, 40, 0, ""), (41, 10, 0, "… and 31 more moves")],
+)
+def test_ten_moves_have_their_phases_and_forty_a_line_each(
+    count: int, shown: int, phases: int, more: str
+) -> None:
+    """Of more than 40 moves ten are shown; the totals have a line for each of the four axes."""
+    text = render(shift(count))
+    head, _, totals = text.partition("\nline  command")
+    assert sum("MOVER" in line for line in head.splitlines()) == shown
+    assert head.count("accel") == phases
+    assert totals.count("MOVER") == (4 if more else 0)
+    assert ("more moves" in text) is bool(more)
+    assert more in text
+
+
+@pytest.mark.parametrize(
+    ("kinds", "everything", "shown"),
+    [
+        ({"handler": 40}, False, ["handler"] * 40),
+        ({"handler": 41}, False, ["handler"] * 10),
+        ({"handler": 41}, True, ["handler"] * 41),
+        ({"handler": 40, "limit": 1}, False, ["limit"]),  # of more than 40 the important ones
+        ({"handler": 29, "limit": 12}, False, ["limit"] * 10),
+        ({"stop": 29, "override": 8, "buffer full": 5}, False, ["stop"] * 10),
+        ({"handler": 28, "limit": 12}, False, ["handler"] * 28 + ["limit"] * 12),
+    ],
+)
+def test_of_more_than_forty_events_ten_important_ones_are_shown(
+    kinds: dict[str, int], everything: bool, shown: list[str]
+) -> None:
+    rows = [{"kind": kind} for kind, count in kinds.items() for _ in range(count)]
+    events = _Events(iter(rows), everything)
+    assert [row["kind"] for row in events.shown] == shown
+    assert (events.count, events.counts) == (sum(kinds.values()), kinds)
+
+
+def test_columns_are_left_out_one_after_the_other() -> None:
+    """On ever narrower terminals, from the commanded speed to the profile."""
+    heads = [
+        render(pick(), width=width).splitlines()[2].replace("ended by", "ended")
+        for width in range(140, 40, -1)
+    ]
+    left = [set(before.split()) - set(after.split()) for before, after in pairwise(heads)]
+    assert [name for names in left for name in sorted(names)] == [
+        "commanded", "from", "start", "line", "to", "ended", "profile"]  # fmt: skip
 
 
 def test_nothing_moved() -> None:

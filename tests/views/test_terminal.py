@@ -12,6 +12,7 @@ from motionlang.views.terminal import (
     is_terminal,
     printable,
     styled,
+    table_width,
     wants_colour,
     width_of,
 )
@@ -57,6 +58,14 @@ def test_a_closed_stream_is_no_terminal() -> None:
 def test_the_width_is_columns_or_a_hundred(monkeypatch: pytest.MonkeyPatch, columns: str, width: int) -> None:
     monkeypatch.setenv("COLUMNS", columns)
     assert width_of(io.StringIO()) == width
+
+
+def test_a_table_in_a_pipe_has_room_for_all_columns(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "37")
+    stream = io.StringIO()
+    assert table_width(stream) == 160
+    monkeypatch.setattr(stream, "isatty", lambda: True)
+    assert table_width(stream) == 37
 
 
 def test_only_unicode_has_lines() -> None:
