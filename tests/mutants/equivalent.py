@@ -371,7 +371,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/views/servo_plot.py: plot_comparison: 0 -> 1 #2": "every panel has the same lines for the legend",
     "motionlang/views/servo_plot.py: plot_comparison: 0 -> 1 #3": "every panel has the same lines for the legend",
     "motionlang/views/csv.py: Formatter: _block: 1 -> 2 #3": "no row is a single character",
-    "motionlang/views/csv.py: Formatter: _block: 1 -> 2 #4": "of the last row only what follows the first comma is used",
+    "motionlang/views/csv.py: Formatter: _block: 1 -> 2 #4": "only what follows the first comma is used",
     "motionlang/views/csv.py: Formatter: _block: not self._first.fill(columns[:1], self._decimals[:1], _COMMA) -> "
     "self._first.fill(columns[:1], self._decimals[:1], _COMMA)": "the slow way writes the same",
     "motionlang/views/csv.py: _standstills: np.diff(edges) > LONG_REST -> np.diff(edges) >= LONG_REST": (

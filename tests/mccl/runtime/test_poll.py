@@ -110,7 +110,7 @@ def test_an_iteration_that_reads_a_position_is_skipped_whatever_the_type(
 ) -> None:
     """50 s of polling are a million iterations of four commands.
 
-    A few hundred are carried out.
+    At most eleven are carried out.
     """
     rounds, again = [0], Poll.again
 
@@ -121,7 +121,7 @@ def test_an_iteration_that_reads_a_position_is_skipped_whatever_the_type(
     monkeypatch.setattr(Poll, "again", count)
     result = mccl(f'LU"POSITION",AR20\n1MN,1SV1000,1MR50000\n1{read}@20,IB45000.5,JR-2,NO,1TP,1WS')
     assert result.output == ["01 45001"]
-    assert rounds[0] < 1000
+    assert rounds[0] <= 11
 
 
 def test_eight_hours_of_polling(mccl: Runner) -> None:
@@ -140,15 +140,15 @@ def test_eight_hours_of_polling(mccl: Runner) -> None:
 
 
 @pytest.mark.parametrize(
-    "watch",
+    ("watch", "most"),
     [
-        "IN5,CN34,NO,IF5,CF34,NO,1RL@21,IC3,JR-9,NO",
-        "1RL@20,IG2000,CN34,NO,IB2001,CF34,NO,1RL@21,IC3,JR-9,NO",
-        "1RL@22,IG1,CN34,NO,1RL@21,IC3,JR-6,NO",
+        ("IN5,CN34,NO,IF5,CF34,NO,1RL@21,IC3,JR-9,NO", 0),
+        ("1RL@20,IG2000,CN34,NO,IB2001,CF34,NO,1RL@21,IC3,JR-9,NO", 28),
+        ("1RL@22,IG1,CN34,NO,1RL@21,IC3,JR-6,NO", 14),
     ],
 )
 def test_an_hour_of_watching_is_over_at_once(
-    watch: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch
+    watch: str, most: int, mccl: Runner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """At 1 count/s, 3600 counts take an hour, and a ramp takes 1 s more."""
     jumps, again = 0, Poll.again
@@ -162,7 +162,7 @@ def test_an_hour_of_watching_is_over_at_once(
     variables = 'LU"POSITION",AR20,LU"STATUS",AR21,LU"VELOCITY",AR22'
     result = mccl(f"{variables}\n1MN,1SV1,1SA1,1DS1,1MR3600\n{watch}", until=1e4)
     assert result.time == pytest.approx(3601.0, abs=0.001)
-    assert jumps < 300
+    assert jumps <= most
 
 
 @pytest.mark.parametrize("bit", [3, 25])

@@ -244,7 +244,7 @@ def test_an_error_of_a_motor_is_solved_with_or_without_its_sign(monkeypatch: pyt
     checked = count_calls(monkeypatch, (Site, "check"))
     result = run(Source("a.mnt", text), machine=MOTOR, cache=False)
     assert result.time > 0.2
-    assert checked.calls < 100
+    assert checked.calls <= 6
 
 
 @pytest.mark.parametrize("seed", one_in(4, range(24)))
@@ -316,7 +316,7 @@ def test_a_state_machine_polls_for_eight_hours_at_the_price_of_its_moves(
     assert result.time > 28_000.0
     moves = len(result.controller.log.moves)
     assert moves > 1900
-    assert count < 20 * moves
+    assert count < 5 * moves
 
 
 # Each waits for 400 s: an iteration of the counter takes 20 µs, and a ramp of 0.1 s delays the move by half of it.
@@ -341,7 +341,16 @@ def test_sums_counters_copies_and_host_memory_cost_no_more_than_a_reading(
 ) -> None:
     result, count = effort(f"{SHIFTED[name]}\nPRINT TIME\nCANCEL(0)", monkeypatch)
     assert float(result.output[0]) == pytest.approx(400_000, abs=1)
-    assert count < 200
+    assert count <= 4
+
+
+# How often a task is resumed or checked, if that is more than three times.
+MOST = {
+    "a parent beside a task that waits": 13,
+    "a task that waits beside one that does not": 37,
+    "tasks side by side": 21,
+    "tasks that wait": 1360,
+}
 
 
 @pytest.mark.parametrize("name", FOR_EVER)
@@ -349,7 +358,7 @@ def test_eight_hours_of_nothing_are_over_at_once(name: str, monkeypatch: pytest.
     result, count = effort(FOR_EVER[name], monkeypatch)
     assert not result.diagnostics
     assert result.time == pytest.approx(28_800.0, abs=0.05)
-    assert count < 2000
+    assert count <= MOST.get(name, 3)
 
 
 @pytest.mark.parametrize(
@@ -484,4 +493,4 @@ def test_a_task_that_only_counts_costs_nothing_while_it_is_alone(monkeypatch: py
     monkeypatch.setattr(Site, "check", counted)
     text = "Run T1\nWAIT(1000)\nPRINT TIME\nEnd\nTask T1\nLoop\n  n = n + 1\nEnd Loop\nEnd Task\n"
     assert run(Source("a.mnt", text), cache=False, fast=True).machine.terminal.lines == ["1000"]
-    assert calls < 50
+    assert calls <= 5
