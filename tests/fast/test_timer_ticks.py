@@ -5,10 +5,12 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
+from motionlang.fast import timer_ticks
 from motionlang.fast.timer_ticks import TimerTicks
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.cases import cases
+from tests.counted_calls import count_calls
 
 # The ticks at which a handler of one path is executed: to find that they repeat, and the last ones.
 FEW = 5
@@ -103,6 +105,18 @@ def test_a_handler_that_decides_does_so_at_the_right_tick(
     found = ran(handler, input=[{"channel": 2, "at": 3.0005, "for": 4.0}])
     assert printed(found)[:2] == [n, m]
     assert len(ticks) <= most
+
+
+def test_searches_that_fail_become_rare(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No two ticks are alike, so a search ends after 65 ticks.
+
+    The next one begins at once, then after 1, 2, 4, … ticks: ten of them take 650 ticks and 511 between them, eleven
+    1738.
+    """
+    searches = count_calls(monkeypatch, (timer_ticks._Search, "__init__"))
+    text = "Dim n As Integer, m As Integer\nTIMEREVENT = 1\nWAIT(1700)\nEnd\nEvent TIMER\nm = n\nn = n + 1\nEnd Event\n"
+    run(Source("a.mnt", text), cache=False, fast=True)
+    assert searches.calls == 11
 
 
 def test_a_handler_that_watches_a_move_sees_the_level_pass(ticks: list[float]) -> None:

@@ -386,4 +386,11 @@ EQUIVALENT: dict[str, str] = {
         "just at the size of rounding either is right"
     ),
     "motionlang/views/diff.py: change_lines: 0 -> 1": "only the line of the status is taken",
+    "motionlang/fast/command_rounds.py: CommandRounds: jumped: until - CLOSE - now -> until - CLOSE + now": (
+        "the lines that follow come down to the rounds that fit"
+    ),
+    "motionlang/fast/recurrence.py: Recurrence: __init__: abs(cost_units - round(cost_units)) < 1e-06 -> "
+    "abs(cost_units - round(cost_units)) <= 1e-06": "just at the size of rounding either is right",
+    "motionlang/fast/recurrence.py: Recurrence: __init__: 0 -> 1 #2": "one byte more of ten million",
+    "motionlang/fast/recurrence.py: Recurrence: _begin: 0 -> 1": "one byte more of ten million",
 }

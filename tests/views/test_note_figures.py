@@ -474,7 +474,9 @@ def test_profiles_are_compared_in_columns(figures: list[Figure]) -> None:
     (legend,) = figures[0].legends
     assert (len(legend.get_texts()), legend._ncols, legend.get_frame_on()) == (4, 4, False)  # type: ignore[attr-defined]
     assert figures[0].get_size_inches().tolist() == approx([11.8, 7.2])
-    assert [have_one_time_scale(panels) for panels in (list(grid[:, 0]), list(grid[:, 1]), list(grid[0]))] == [
+    assert [
+        have_one_time_scale(panels) for panels in (list(grid[:, 0]), list(grid[:, 1]), list(grid[0]))
+    ] == [
         True,
         True,
         False,
