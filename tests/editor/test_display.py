@@ -35,6 +35,18 @@ def test_a_word_has_the_kind_of_its_definition() -> None:
     assert ("' up", "comment") in found
 
 
+def test_tokens_of_some_lines_are_those_of_the_whole_text() -> None:
+    """Also if the first or the last of the lines is empty."""
+    shown = page("Dim a\n\nGO(0)\n\nSTOP(1)\n")
+    found = list(tokens(shown, 1, 6))
+    assert {line for line, *_ in found} == {0, 2, 4}
+    for first in range(1, 6):
+        for last in range(first, 6):
+            assert list(tokens(shown, first, last)) == [
+                each for each in found if first <= each[0] + 1 <= last
+            ]
+
+
 def test_a_macro_file_has_axes_commands_and_registers() -> None:
     assert kinds("1MR@10 ; go\n", "mccl") == [
         ("1", "number"), ("MR", "function"), ("@10", "variable"), ("; go", "comment"),

@@ -44,6 +44,38 @@ def test_completion(text: str, found: list[str]) -> None:
     assert completed(text) == found
 
 
+TRAVEL = "two numbers in brackets", "The positions of the two limit switches, in user units."
+
+
+@pytest.mark.parametrize(
+    ("text", "label", "kind", "detail", "help", "start", "wanted"),
+    [
+        ("[[enc", "[[encoder]]", "type", "entries", "", 2, "encoder]]"),
+        ("\n[axis.2.p", "[axis.2.plant]", "type", "", "", 2, "axis.2.plant]"),
+        ("[axis.3]\ntra", "travel", "setting", *TRAVEL, 9, "travel = "),
+        ("axis.3.tra", "axis.3.travel", "setting", *TRAVEL, 0, "axis.3.travel = "),
+        ("[axis.0]\nguess = t", "true", "constant", "", "", 17, "true"),
+        ('[axis.0]\nmotor = "st', "stepper", "constant", "", "", 17, '"stepper"'),
+        (
+            "[axis.1.plant]\nqu",
+            "quantised",
+            "setting",
+            "one of true, false",
+            "true: the encoder gives whole counts. Default false.",
+            15,
+            "quantised = ",
+        ),
+    ],
+)
+def test_a_proposal_replaces_what_was_begun(
+    text: str, label: str, kind: str, detail: str, help: str, start: int, wanted: str
+) -> None:
+    """`start` is where the word or the value begins that the text ends with."""
+    (found,) = complete_machine_file(Source("a.machine.toml", text), len(text))
+    assert (found.label, found.kind, found.detail, found.help) == (label, kind, detail, help)
+    assert (found.start, found.text, found.snippet, found.rank) == (start, wanted, "", 0)
+
+
 def test_hover_has_meaning_unit_and_default() -> None:
     assert shown("[axis.3]\ntravel = [0, 1]", "travel") == (
         "**axis.3.travel** · two numbers in brackets\n\nThe positions of the two limit switches, in user units."

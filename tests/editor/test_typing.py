@@ -45,6 +45,80 @@ def test_what_fits_is_proposed(language: str, text: str, wanted: tuple[str, ...]
     assert bool(found) is bool(wanted)
 
 
+# Language, a text with the cursor, and of some proposals there: label, kind, detail, text, snippet and rank.
+WHOLE = (
+    (
+        "mint",
+        SUBS + "sp|\n",
+        2,
+        (
+            ("speedy", "variable", "Dim speedy As Integer", "speedy", "", 0),
+            ("span", "constant", "Const span = 3", "span", "", 0),
+            ("Spin", "sub", "Sub Spin(turns As Float, n As Float)", "Spin", "Spin(${1:turns}, ${2:n})", 0),
+            ("spare", "task", "Task spare", "spare", "", 0),
+            ("SPEEDREF", "setting", "setting, uu/s", "speedref", "speedref(${1:0}) = $0", 2),
+        ),
+    ),
+    ("mint", TYPES + "j.s|\n", 1, (("size", "member", "Job.size As Float", "size", "", 0),)),
+    ("mint", "#START\nGoto ST|\n", 2, (("START", "label", "#START", "START", "", 0),)),
+    (
+        "mint",
+        "whil|\n",
+        4,
+        (
+            ("While", "block", "block", "while", "While ${1:condition}\n\t$0\nEnd While", 1),
+            ("While", "statement", "statement", "while", "", 2),
+        ),
+    ),
+    (
+        "mint",
+        "MOVER|\n",
+        5,
+        (
+            ("MOVER", "move", "move, uu", "MOVER", "MOVER(${1:0}) = $0", 2),
+            (
+                "MOVERTEST",
+                "setting",
+                "setting, not simulated",
+                "MOVERTEST",
+                "MOVERTEST(${1:axis, param}) = $0",
+                3,
+            ),
+        ),
+    ),
+    ("mint", "x = PO|\n", 2, (("POSREF", "setting", "setting, uu", "POSREF", "POSREF(${1:0})", 2),)),
+    ("mint", "Dim i As in|\n", 2, (("Integer", "type", "", "Integer", "", 1),)),
+    (
+        "mccl",
+        "1M|\n",
+        1,
+        (
+            ("MV", "setting", "setting, uu/s", "MV", "MV${1:n}", 2),
+            ("MN", "command", "command", "MN", "", 2),
+            ("MR", "move", "move, uu", "MR", "MR${1:n}", 2),
+        ),
+    ),
+    (
+        "mccl",
+        "MD1,1MN\nMD12,1WS\nMC1|\n",
+        1,
+        (("1", "macro", "MD1,1MN", "1", "", 0), ("12", "macro", "MD12,1WS", "12", "", 0)),
+    ),
+    ("mccl", "AL5,AR10,AA@1|\n", 1, (("10", "register", "register 10", "10", "", 0),)),
+)
+
+
+@cases("language, text, begun, wanted", WHOLE)
+def test_a_proposal_replaces_what_was_begun(
+    language: str, text: str, begun: int, wanted: tuple[tuple[object, ...], ...]
+) -> None:
+    """The last `begun` characters before the cursor are replaced; a word has the case of its beginning."""
+    found = proposed(text, language)
+    assert {each.start for each in found} == {text.index("|") - begun}
+    rows = [(each.label, each.kind, each.detail, each.text, each.snippet, each.rank) for each in found]
+    assert [row for row in wanted if row not in rows] == []
+
+
 def test_only_tasks_follow_run_and_only_members_a_dot() -> None:
     assert [each.label for each in proposed(SUBS + "Run |\n")] == ["spare"]
     assert [each.label for each in proposed(TYPES + "j.|\n")] == ["size", "skew"]
