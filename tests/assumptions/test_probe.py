@@ -12,7 +12,8 @@ import pytest
 from motionlang import run
 from motionlang.assumptions.answers import HOLDS, Answers, machine_text, read
 from motionlang.assumptions.entries import assumptions
-from motionlang.assumptions.probe import BEGIN, END, NEXT, Motion, asked, mark, written
+from motionlang.assumptions.probe import BEGIN, END, NEXT, Motion, alone, asked, mark, written
+from motionlang.assumptions.questions import questions
 from motionlang.execution import dialect
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.switch import Switch
@@ -221,3 +222,37 @@ def test_an_unexpected_answer_sets_nothing() -> None:
     found = read("<probe|mint 2>\n<mint.truth|yes>\n<mint.homespeed-default|fast>\n<end|mint 2>\n")
     assert [each.status for each in found.verdicts] == ["unknown"] * 2
     assert "[assumptions]" not in machine_text(found, "log.txt")
+
+
+@pytest.mark.parametrize(
+    ("language", "motion", "wanted"),
+    [
+        ("mint", None, "It moves nothing and writes no setting."),
+        ("mccl", None, "It moves nothing and writes no setting."),
+        (
+            "mint",
+            Motion(2, 10.0),
+            "It moves axis 2 within 10 user units of its position, and puts back what it writes.",
+        ),
+        (
+            "mccl",
+            Motion(2, 500.0),
+            "It moves axis 2 within 500 user units of its position, which is 0 afterwards, "
+            "switches it on and leaves its velocity at 250.",
+        ),
+    ],
+)
+def test_a_probe_says_first_what_it_does(language: str, motion: Motion | None, wanted: str) -> None:
+    text = " ".join(line.strip(" ';") for line in written(language, 2, motion).splitlines())
+    assert wanted in text
+
+
+def test_a_question_alone_names_its_axis_and_the_next_one() -> None:
+    """`{a}` is the axis of the question, and `{b}` the one after it."""
+    found = [each for each in questions().values() if each.probe is not None and "{b}" in each.probe.needs]
+    assert found
+    for each in found:
+        assert each.probe is not None
+        text = " ".join(line.strip("';") for line in alone(each, 5, Motion(5, 10.0)).splitlines())
+        expected = each.probe.needs.replace("{a}", "5").replace("{b}", "6")
+        assert f"First: {expected}." in " ".join(text.split())

@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import io
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from motionlang.dap.arguments import Arguments, Refused
 from motionlang.dap.framing import MAX_BODY, MAX_HEADER, WrongMessage, read, written
+from motionlang.dap.showing import Showing
 from tests.dap.client import Client
 from tests.debug.test_debugger import CALLS, MOVE
 
@@ -499,3 +501,42 @@ def test_the_console_is_free_again_after_an_answer(client: Client, tmp_path: Pat
     client.ask("evaluate", expression="21", context="repl")
     client.wait("stopped")
     assert client.ask("evaluate", expression="n * 2", context="repl")["result"] == "42"
+
+
+@pytest.mark.parametrize(
+    ("lines", "first", "line", "column"), [([3, 7], 1, 7, 1), ([3, 7], 0, 6, 0), ([], 1, 1, 1), ([], 0, 0, 0)]
+)
+def test_the_frame_of_a_program_that_has_ended(lines: list[int], first: int, line: int, column: int) -> None:
+    """It is after the last statement; numbers of earlier frames are not used again."""
+    state = SimpleNamespace(tasks=list)
+    debugger: Any = SimpleNamespace(run=object(), lines=lines, state=lambda: state)
+    showing = Showing(debugger, "/programs/a.mnt", first, first)
+    for number in (1, 2):
+        assert showing.stack(Arguments({"threadId": 1})) == {
+            "stackFrames": [
+                {
+                    "id": number,
+                    "name": "end of the program",
+                    "source": {"name": "a.mnt", "path": "/programs/a.mnt"},
+                    "line": line,
+                    "column": column,
+                }
+            ],
+            "totalFrames": 1,
+        }
+        showing.forget()
+    with pytest.raises(Refused, match="there is no thread 2"):
+        showing.stack(Arguments({"threadId": 2}))
+    debugger.run = None
+    with pytest.raises(Refused, match="there is no thread 1"):
+        showing.stack(Arguments({"threadId": 1}))
+
+
+def test_threads_have_numbers_and_variables_of_the_stopped_one_can_be_set() -> None:
+    debugger: Any = SimpleNamespace(stop=None)
+    showing = Showing(debugger, "a.mnt", 1, 1)
+    assert [showing.number(name) for name in ("main", "lamp", "main", "timer")] == [1, 2, 1, 3]
+    showing._frames += [("main", 0), ("lamp", 0)]
+    assert not showing._is_current(0)
+    debugger.stop = SimpleNamespace(task="lamp")
+    assert [showing._is_current(frame) for frame in (0, 1)] == [False, True]

@@ -54,7 +54,7 @@ def handled(text: str, handler: str, period: int = 1) -> str:
 
 
 def executed(found: Run, skipped: Callable[[], int]) -> int:
-    """Return the number of ticks that have been executed, not skipped, since the last call."""
+    """Return how many ticks were executed, not skipped, since the last call."""
     return len(found.machine.log.events) - skipped()
 
 
@@ -86,7 +86,10 @@ def test_a_counter_has_counted_every_tick_of_a_move(skipped: Callable[[], int]) 
 def test_iterations_of_any_length_are_interrupted_at_the_same_statement(
     body: str, cost: float, most: int, skipped: Callable[[], int]
 ) -> None:
-    """The log has the source position of the statement that each tick interrupts; `most` ticks are executed."""
+    """The log has the source position of the statement that each tick interrupts.
+
+    `most` ticks are executed.
+    """
     found = ran(handled(_MOVE.format(body), "n = n + 1"), **{"controller.instruction_time": cost})
     assert executed(found, skipped) <= most
 
@@ -161,7 +164,10 @@ def test_tasks_that_poll_beside_the_timer_are_skipped(skipped: Callable[[], int]
     ),
 )
 def test_a_loop_with_a_wait_is_skipped(body: str, period: int, most: int, skipped: Callable[[], int]) -> None:
-    """WAITs end between ticks, in handlers and at interrupted statements; `most` ticks are executed."""
+    """WAITs end between ticks, in handlers and at interrupted statements.
+
+    `most` ticks are executed.
+    """
     found = ran(handled(_MOVE.format(body), "m = m + 1\nOUTX(3) = Not OUTX(3)", period))
     assert len(found.machine.log.events) in range(4100 // period, 4106 // period + 1)
     assert executed(found, skipped) <= most

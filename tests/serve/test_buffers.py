@@ -67,7 +67,7 @@ def test_a_connection_that_is_not_ready_transfers_nothing_and_does_not_wait() ->
 
 
 def test_a_device_that_is_not_read_takes_no_more() -> None:
-    """It accepts bytes until the buffer of the system is full, and then none; nothing comes in."""
+    """It accepts bytes until the buffer of the system is full; nothing comes in."""
     pytest.importorskip("pty")
     channel = DeviceChannel()
     try:

@@ -357,7 +357,10 @@ def test_lines_that_arrive_together_have_a_step_each() -> None:
 
 @dataclass
 class Board:
-    """A console whose `settle` records its limit, and takes an answer and the time then from `settled`."""
+    """A console whose `settle` records its limit.
+
+    Its answers, and the times then, are in `settled`.
+    """
 
     settled: list[tuple[bool, float]]
     event: float = INFINITY
@@ -394,7 +397,10 @@ class Board:
 def test_a_board_catches_up_for_five_milliseconds(
     behind: float, slice_time: float, runs: list[float]
 ) -> None:
-    """Times are in ms; a busy board is run in slices of 2 ms, each of which takes `slice_time` of real time."""
+    """Times are in ms; a busy board is run in slices of 2 ms.
+
+    Each slice takes `slice_time` of real time.
+    """
     wall = Wall()
     wall.time = 0.0
     board: Any = Board([], event=0.0, now=0.0)
@@ -461,7 +467,10 @@ def test_in_lock_step_time_passes_while_a_line_is_carried_out(
 def test_at_once_the_time_of_a_line_passes_when_it_has_ended_or_waits(
     settled: list[tuple[bool, float]], runs: list[float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A line takes 1 ms. It has not ended when real time is up, and another one has taken longer."""
+    """A line takes 1 ms.
+
+    One has not ended when real time is up, and another one has taken longer.
+    """
     wall = iter([0.0, *(0.1e-3 * k for k in range(9))])
     monkeypatch.setattr(pace_module, "time", SimpleNamespace(monotonic=lambda: next(wall)))
     board: Any = Board(list(settled))

@@ -43,7 +43,7 @@ def host(**given: Any) -> Any:
 
 @pytest.fixture
 def now(monkeypatch: pytest.MonkeyPatch) -> float:
-    """Return the present real time of the server, which stands still."""
+    """Return the present real time of the server, which does not pass."""
     monkeypatch.setattr(serving, "time", SimpleNamespace(monotonic=lambda: 100.0))
     return 100.0
 
@@ -181,7 +181,7 @@ def test_the_selector_waits_for_what_a_host_can_do(server: Server, monkeypatch: 
 
 
 def test_limits_of_a_host_and_of_a_server() -> None:
-    """64 hosts, 4 KiB a read, 64 KiB each way, 10 s for last lines, and 60 s of silence."""
+    """64 hosts, 4 KiB a read, 64 KiB each way, 10 s to end, and 60 s of silence."""
     assert Limits() == Limits(hosts=64, chunk=4096, inbox=65536, outbox=65536, linger=10.0, idle=60.0)
     console = Console(Machine(first_axis=1))
     given = Limits(hosts=1)
@@ -255,7 +255,10 @@ def test_a_wait_is_reported_once_if_the_controller_has_no_event(
     complaints: list[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Of three waits the first is over, the second ends at a known time, and nothing ends the third."""
+    """Of three waits nothing ends the third.
+
+    The first is over, and the second ends at a known time.
+    """
     waits = [
         SimpleNamespace(ready=lambda ready=ready: ready, due=lambda due=due: due, why="for axis 1")
         for ready, due in ((True, INFINITY), (False, 7.0), (False, INFINITY))

@@ -60,8 +60,9 @@ def test_spans_hold_every_velocity() -> None:
 
 
 def moved(stop: float | None) -> Axis:
-    """Return an axis that has moved 300 counts from 1 s on, at 100 counts/s and 100 counts/s².
+    """Return an axis that has moved 300 counts from 1 s on.
 
+    Its speed is 100 counts/s, and its acceleration 100 counts/s².
     It ramps up until 2 s and down from 4 to 5 s; `stop` is the time of a command that stops it.
     """
     controller = Controller(1)
@@ -103,7 +104,7 @@ def test_spans_of_a_trapezoid(end: float, stop: float | None, spans: list[tuple[
 
 
 def test_a_chart_has_ten_columns_at_least() -> None:
-    """The line of the times has one blank between them: "0" and "1.00005 s" have ten letters."""
+    """The times, "0" and "1.00005 s", have ten letters and one blank between them."""
     run = ballscrew()
     *rows, times = velocity_chart(run.controller.axes[0], run.time, width=0, height=3)
     assert max(len(row) for row in rows) == 12 + 10
@@ -130,9 +131,9 @@ def test_dots_join_their_neighbours(
 
 
 def test_the_curve_of_a_velocity_passes_through_all_extremes(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An interval of 1 s is 130 pixels wide, and its extremes are in its middle; 50 uu/s are at the top.
+    """An interval of 1 s is 130 pixels wide; 50 uu/s are at the top.
 
-    The line rises in the second interval and falls in the last one.
+    Its extremes are in its middle. The line rises in the second interval and falls in the last one.
     """
     monkeypatch.setattr(curves, "COLUMNS", 5)
     axis = moved(None)

@@ -111,7 +111,10 @@ def test_lines_that_time_is_charged_to() -> None:
 
 
 def test_the_largest_changes_in_time_come_first() -> None:
-    """Line 3 takes 2 s less, line 1 1.5 s more, and line 2 as long, since its move starts earlier."""
+    """Line 3 takes 2 s less, line 1 1.5 s more, and line 2 as long as before.
+
+    Its move takes 4 s more, but starts earlier.
+    """
     changes = [LineChange(line, line, 0, "MOVER", 0.0) for line in (1, 2, 3)]
     for change, (duration, wait) in zip(changes, ((1.0, 0.5), (4.0, -4.0), (-1.5, -0.5)), strict=True):
         change.count, change.duration, change.wait = 1, duration, wait

@@ -29,7 +29,7 @@ from motionlang.views.servo_plot import BLUE, GREEN, GREY, RED, VIOLET
 
 RAMP, TOTAL, SPEED, LIMIT = 0.5175983, 1.7175983, 5.0 / 3.0, 3.22
 STEP, STEP_TIME = 0.048828125, 252.7336
-"""A step of a DAC of 12 bits: 100 ft/min / 2048, and the µs that 3.22 ft/s² takes for it."""
+"""A step of a DAC of 12 bits, 100 ft/min / 2048, and its time at 3.22 ft/s², µs."""
 
 
 def approx(points: Any) -> Any:
@@ -68,7 +68,7 @@ def arrows(panel: Axes) -> list[tuple[float, ...]]:
 
 
 def shapes(panel: Axes) -> list[tuple[str, list[list[float]]]]:
-    """Return the filled shapes of a panel with their corners, without the one that closes them."""
+    """Return the filled shapes of a panel, each with its colour and corners."""
     return [(to_hex(each.get_facecolor()), np.asarray(each.get_xy())[:-1].tolist()) for each in panel.patches]  # type: ignore[attr-defined]
 
 
@@ -123,9 +123,10 @@ def test_the_trapezoid_of_a_plan_is_drawn_with_its_times(figures: list[Figure]) 
 
 
 def test_the_rectangle_of_a_plan_has_the_triangle_moved(figures: list[Figure]) -> None:
-    """The rectangle ends at Ta + Ts = 0.4 s; an arrow leads from the cut triangle to its new position.
+    """The rectangle ends at Ta + Ts = 0.4 s.
 
-    It begins at 0.6 - 0.65 · 0.2 = 0.47 s and 0.35 of the speed, and ends at 0.35 · 0.2 = 0.07 s and 0.7.
+    An arrow leads from the cut triangle to its new position. It begins at 0.6 - 0.65 · 0.2 = 0.47 s and 0.35 of the
+    speed, and ends at 0.35 · 0.2 = 0.07 s and 0.7.
     """
     draw_plan(solve_move("third", distance=20.0, time=0.6), "x.svg")
     panel = figures[0].axes[1]
@@ -270,7 +271,7 @@ def test_figure_12_5_builds_up_to_a_step_in_five_time_constants(figures: list[Fi
 
 
 def test_figure_12_6_has_the_answers_to_steps_of_1_2_and_1(figures: list[Figure]) -> None:
-    """An answer to a step s from v is s - (s - v) e^(-t/T) after t updates of the time constant T.
+    """After t updates the answer to a step s from v is s - (s - v) e^(-t/T).
 
     With T = 1 it is 1 - e^-1 = 0.632121 after one update, and 3 - (3 - 0.632121) e^-1 = 2.128906 after two.
     """
@@ -296,7 +297,7 @@ def test_figure_12_6_has_the_answers_to_steps_of_1_2_and_1(figures: list[Figure]
 
 
 def test_figure_12_7_is_a_progression(figures: list[Figure]) -> None:
-    """2, 4, …, 20 are 110 counts, and 18, 16, …, 2 are 90: together the 200 counts of the move."""
+    """2, 4, …, 20 are 110 counts, and 18, 16, …, 2 are 90: 200 in all."""
     upper, lower = panels_of("12.7", figures)
     ((blue, velocities),), ((red, changes),) = curves(upper), curves(lower)
     assert (blue, red) == (BLUE, RED)
@@ -335,9 +336,9 @@ def test_figures_12_8_and_12_9_compare_profiles(
 
 
 def test_figure_12_10_has_the_steps_of_two_dacs(figures: list[Figure]) -> None:
-    """In 1500 µs a DAC of 12 bits makes 5.9 steps and one of 16 bits 95; the next step is outside the picture.
+    """In 1500 µs a DAC of 12 bits makes 5.9 steps and one of 16 bits 95.
 
-    The limit is 3.22 · 60 · 0.0015 = 0.2898 ft/min then.
+    The next step is outside the picture. The limit is 3.22 · 60 · 0.0015 = 0.2898 ft/min then.
     """
     (panel,) = panels_of("12.10", figures)
     found = ends(panel)

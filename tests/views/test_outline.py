@@ -43,7 +43,7 @@ def test_nothing_moved_is_one_point() -> None:
 
 
 def test_a_window_has_the_values_of_the_motion_in_it() -> None:
-    """From 0.05 to 0.9 s: most of the ramps, and the slew at 250 uu/s from 0.20005 to 0.80005 s.
+    """From 0.05 to 0.9 s: a part of each ramp, and the slew at 250 uu/s.
 
     The speed is 1250 uu/s² times the time since 50 µs, or up to the end at 1.00005 s. The window has ten even steps.
     """
@@ -58,7 +58,10 @@ def test_a_window_has_the_values_of_the_motion_in_it() -> None:
     ("count", "left"), [(16, [k / 15 for k in range(16)]), (17, [0.0, 7 / 16, 8 / 16, 1.0])]
 )
 def test_more_than_eight_points_a_bin_are_thinned_to_its_extremes(count: int, left: list[float]) -> None:
-    """Two bins of a rising line have two extremes each; the first and the last point occur twice."""
+    """Two bins of a rising line have two extremes each.
+
+    The first and the last point occur twice.
+    """
     times = np.linspace(0.0, 1.0, count)
     found, values = thinned(times, 3.0 * times, (0.0, 1.0), bins=2)
     assert sorted(set(found.tolist())) == pytest.approx(left)

@@ -80,7 +80,7 @@ def test_each_line_is_named_at_the_middle_of_its_time(twice: Run) -> None:
     ],
 )
 def test_a_window_names_the_lines_in_it(begin: float, end: float, names: list[str], twice: Run) -> None:
-    """Each move begins a little later than the one before ends, so the window has 1 ms more."""
+    """A statement takes some time before each move, so the window has 1 ms more."""
     figure = path_figure(twice, (0, 1), Window(begin, min(end + 0.001, twice.time), path=(0, 1)))
     assert [name for name, _ in labels(figure.axes[0])] == names
 

@@ -168,7 +168,7 @@ def test_a_bar_appears_after_half_a_second_and_changes_ten_times_a_second(
 
 
 def test_the_line_of_a_run_appears_after_a_second_and_changes_five_times_a_second() -> None:
-    """The thread waits for its end: 1 s first, then 0.2 s each time; here it ends at the third wait."""
+    """The thread waits for its end, and writes after each wait; the third is the last."""
     waits: list[float] = []
 
     class Stop:

@@ -55,7 +55,7 @@ def test_a_curve_has_both_ends_of_each_piece(order: int, ends: list[float]) -> N
 def test_given_points_are_marked_unless_there_are_very_many(
     most: int, is_marked: bool, drawn: list[Figure], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Positions and the velocities after the points; the last point has that before it."""
+    """The velocity is that after a point, and before the last one."""
     monkeypatch.setattr(pvt_plot, "MAX_MARKS", most)
     pvt_plot.write_pvt_plot([LINES], ["a move"], str(tmp_path / "x.svg"))
     panels = drawn[0].axes

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
 from motionlang.errors import Diagnostic
 from motionlang.execution import run
-from motionlang.report import SCHEMA, build, failure, moves, text
+from motionlang.report import SCHEMA, _axis, build, failure, moves, text
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
@@ -197,3 +199,28 @@ def test_rows_of_moves_of_a_motor_are_whole() -> None:
     of_motor, other = moves(result, 0)
     assert (of_motor, "motor" in of_motor) == (next(moves(result)), True)
     assert set(other) == {"axis", "command", "line", "duration", "distance", "peak_speed"}
+
+
+@pytest.mark.parametrize(
+    ("counts", "output", "chosen", "row"),
+    [
+        (200.0, 1.5, None, {"following_error": 0.25, "output": 1.5, "gains": "not needed"}),
+        (-200.0, -1.5, "suggested", {"following_error": 0.25, "output": -1.5, "gains": "suggested"}),
+        (0.0, -0.0, "program", {"following_error": 50.0, "output": 0.0, "gains": "program"}),
+    ],
+)
+def test_an_axis_with_a_motor_has_its_error_in_user_units(
+    counts: float, output: float, chosen: str | None, row: dict[str, object]
+) -> None:
+    """The error is 50 counts; without a scale they are user units."""
+    motor = SimpleNamespace(
+        position=600.0,
+        error=50.0,
+        output=output,
+        chosen=None if chosen is None else SimpleNamespace(gains=chosen),
+    )
+    scale = SimpleNamespace(counts=counts, position_to_user=lambda position: position / 200.0)
+    axis: Any = SimpleNamespace(index=3, scale=scale, enabled=True, faults=4, feedback=motor)
+    assert json.dumps(_axis(axis, 0.0)["motor"]) == json.dumps(row)
+    assert [_axis(axis, 0.0)[name] for name in ("axis", "position", "counts", "error", "feedback")] == [
+        3, 3.0, 600.0, 4, "simulated motor"]  # fmt: skip

@@ -155,7 +155,7 @@ def test_all_moves_with_their_phases_where_everything_is_requested() -> None:
 def test_ten_moves_have_their_phases_and_forty_a_line_each(
     count: int, shown: int, phases: int, more: str
 ) -> None:
-    """Of more than 40 moves ten are shown; the totals have a line for each of the four axes."""
+    """Of more than 40 moves ten are shown, and totals of each of the four axes."""
     text = render(shift(count))
     head, _, totals = text.partition("\nline  command")
     assert sum("MOVER" in line for line in head.splitlines()) == shown

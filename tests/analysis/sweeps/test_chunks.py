@@ -1,4 +1,4 @@
-"""Chunks of a sweep: their size, how many are in progress, and what a lost worker means.
+"""Chunks of a sweep: their size, how many are in progress, and lost workers.
 
 The executors of these tests only record what they are given.
 """
@@ -17,7 +17,10 @@ from motionlang.analysis.sweeps.pool import Hand, _Chunk
 
 
 class Recorded(Executor):
-    """An executor that starts nothing; `sizes` are the numbers of variants in its chunks."""
+    """An executor that starts nothing.
+
+    `sizes` are the numbers of variants in its chunks.
+    """
 
     def __init__(self, broken: int = 0) -> None:
         self.sizes: list[int] = []
@@ -32,7 +35,10 @@ class Recorded(Executor):
 
 
 def hand(count: int, executor: Recorded | None = None, jobs: int = 2, cost: float = 0.0) -> Any:
-    """Return the hand of a sweep of `count` variants; without `executor` it has a pool of its own."""
+    """Return the hand of a sweep of `count` variants.
+
+    Without `executor` it has a pool of its own.
+    """
     job: Any = SimpleNamespace(keep=("time", "peak"))
     made: Any = Hand(job, ((k, (float(k),)) for k in range(count)), count, executor, jobs)
     made._cost = cost
@@ -145,7 +151,7 @@ def test_a_chunk_of_a_lost_worker_is_divided(
 
 
 def test_a_variant_that_was_tried_five_times_is_lost() -> None:
-    """Without any answer so far, the executor does not work at all."""
+    """Without any answer so far, the executor does not work."""
     made = hand(10, Recorded())
     chunk = _Chunk([(7, ())], 4)
     with pytest.raises(OSError, match="no worker"):
@@ -175,7 +181,7 @@ def test_rows_teach_how_long_a_variant_takes() -> None:
 
 
 def test_a_small_sweep_needs_no_other_process(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Variants are run here for 50 ms, and on while all the rest takes less than 0.2 s.
+    """Variants run here for 50 ms, and on while the rest takes less than 0.2 s.
 
     The first one takes 30 ms and each other one 25 ms. After two, 7 of 9 take 0.175 s more, and 10 of 12 take 0.25 s.
     """
