@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.cli.keyword_search import MAX_FOUND, search
+from motionlang.cli.keyword_search import MAX_FOUND, _are_similar, search
 from motionlang.execution import dialect, dialects
 from tests.cli.programs import Cell
 
@@ -51,3 +51,19 @@ def test_what_nothing_describes_is_unknown(cell: Cell) -> None:
     ran = cell("keywords", "xyzzy frobnicate")
     assert ran.status == 1
     assert "there is no keyword xyzzy frobnicate" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "similar"),
+    [
+        ("mov", "mov", True),
+        ("mov", "move", True),
+        ("mover", "mov", True),  # two letters more
+        ("mov", "movers", False),
+        ("mo", "mov", False),  # fewer than three letters
+        ("mo", "mo", True),
+        ("mov", "dmov", False),
+    ],
+)
+def test_stems_that_begin_alike_are_similar(one: str, other: str, similar: bool) -> None:
+    assert _are_similar(one, other) is similar

@@ -6,11 +6,13 @@ import csv
 import json
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from motionlang.analysis.sweeps import Sweep
+from motionlang.cli.sweep_report import Report
 from tests.cli.programs import Cell
 
 STROKE = """\
@@ -186,3 +188,47 @@ def test_what_cannot_be_read_is_reported(stroke: Cell) -> None:
         assert ran.status in (1, 2)
         assert message in ran.err, ran.err
     assert json.dumps(sorted(each.name for each in Path(stroke.folder).glob("*.part"))) == "[]"
+
+
+def made_report(where: str | None = None, **expressions: Any) -> Any:
+    """Return the report of a sweep over `x`; its expressions are only texts."""
+    named = {name: SimpleNamespace(text=text, names=()) for name, text in expressions.items()}
+    if where is not None:
+        named["where"] = SimpleNamespace(text=where, names=())
+    description: Any = SimpleNamespace(expressions=lambda: named, costs=list)
+    return Report(description, ["x"], ["time"])
+
+
+@pytest.mark.parametrize(
+    ("count", "line", "wanted"),
+    [
+        (1, 0, "fault: stopped\n    with x = 0\n"),
+        (3, 7, "fault: stopped (line 7)\n    with x = 0; x = 1; x = 2\n"),
+        (4, 7, "fault: stopped (line 7)\n    with x = 0; x = 1; x = 2; and 1 more\n"),
+        (6, 7, "fault: stopped (line 7)\n    with x = 0; x = 1; x = 2; and 3 more\n"),
+    ],
+)
+def test_three_variants_of_an_error_are_named(
+    count: int, line: int, wanted: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    sweep: Any = SimpleNamespace(space=[(k,) for k in range(9)])
+    problem = {"code": "fault", "message": "stopped", "line": line}
+    made_report()._report_failures(sweep, dict.fromkeys(range(count), problem), 9)
+    assert capsys.readouterr().err == f"{count} of 9 variants failed\n  {wanted}"
+
+
+def test_errors_that_differ_in_figures_are_one(capsys: pytest.CaptureFixture[str]) -> None:
+    sweep: Any = SimpleNamespace(space=[(k,) for k in range(9)])
+    messages = ("limit 5.5 passed", "limit 7 passed", "no motion")
+    bad = {k: {"code": "limit", "message": each, "line": 0} for k, each in enumerate(messages)}
+    made_report()._report_failures(sweep, bad, 9)
+    assert capsys.readouterr().err == (
+        "3 of 9 variants failed\n  limit: limit 5.5 passed\n    with x = 0; x = 1\n  limit: no motion\n    with x = 2\n"
+    )
+
+
+def test_without_a_best_variant_the_condition_is_named() -> None:
+    wanted: Any = SimpleNamespace(text="time")
+    sweep: Any = None
+    assert made_report("peak < 5")._best_line(sweep, {}, None, wanted) == "no variant has peak < 5"
+    assert made_report()._best_line(sweep, {}, None, wanted) == "no variant has a time"

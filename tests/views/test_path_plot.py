@@ -51,7 +51,8 @@ def test_a_path_has_its_positions_and_the_colour_of_its_speed(twice: Run) -> Non
     colours = np.asarray(lines.get_colors())
     slewing = int(np.argmin(np.abs(segments[:, 0, 0] - 15.0)))  # at 100 uu/s
     np.testing.assert_allclose(colours[[0, slewing]], colormaps["turbo"]([0.0, 1.0]), atol=0.02)
-    assert (axes.get_xlim(), axes.get_ylim()) == (pytest.approx((-6.0, 106.0)), pytest.approx((-6.0, 46.0)))
+    assert axes.get_xlim() == pytest.approx((-6.0, 106.0))
+    assert axes.get_ylim() == pytest.approx((-6.0, 46.0))
     assert axes.get_aspect() == 1.0
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("axis 0 (uu)", "axis 1 (uu)")
     assert bar.get_ylabel() == "speed (uu/s), at most 100"
