@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from math import inf, pi
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
+import numpy as np
 import pytest
 
+from motionlang.analysis import certificate as certificates
 from motionlang.analysis.certificate import (
     Limit,
     certificate,
@@ -111,3 +115,89 @@ def test_what_prevents_signing_is_reported() -> None:
         assert found.code == "beyond-limit"
     result, lines = certified({"speed": 100.0, "acceleration": 1000.0, "position": [0.0, 40.0]})
     assert violations(result.controller, lines, result.time) == []
+
+
+# The quantity, the smallest and the largest sample, and the extremes that they contradict. The extremes are
+# -4 and 2000 for the position, so that 0.002 is rounding, 0.5 for the speed, and 3 for the acceleration.
+SAMPLES: dict[str, tuple[str, float, float, str]] = {
+    "at both extremes": ("position", -4.0, 2000.0, ""),
+    "a millionth below": ("position", -4.0019, 0.0, ""),
+    "more than a millionth below": ("position", -4.0021, 0.0, "-4 and 2000"),
+    "a millionth above": ("position", 0.0, 2000.0019, ""),
+    "more than a millionth above": ("position", 0.0, 2000.0021, "-4 and 2000"),
+    "a millionth of 1, as the speed is less": ("velocity", -0.5000009, 0.5000009, ""),
+    "a low speed exceeded": ("velocity", 0.0, 0.5000011, "-0.5 and 0.5"),
+    "a low speed exceeded in reverse": ("velocity", -0.5000011, 0.0, "-0.5 and 0.5"),
+    "an acceleration exceeded in reverse": ("acceleration", -3.1, 0.0, "-3 and 3"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_a_sample_beyond_its_extremes_is_a_contradiction(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    quantity, low, high, words = SAMPLES[name]
+    names = ("lowest", "highest", "speed", "acceleration")
+    values = (Extreme(value, 0.0) for value in (-4.0, 2000.0, 0.5, 3.0))
+    found = SimpleNamespace(**dict(zip(names, values, strict=True)))
+    monkeypatch.setattr(certificates, "extremes", lambda axis, until: found)
+    chunk = SimpleNamespace(
+        get=lambda number, asked: np.array([low, high]) if asked == quantity else np.zeros(2)
+    )
+    controller: Any = SimpleNamespace(
+        axes={7: None}, trace=SimpleNamespace(chunks=lambda *asked: iter([chunk]))
+    )
+    lines = [Limit(7, "speed", "", 1.0, None, 0), Limit(7, "jerk", "", 1.0, None, 0)]
+    message = f"axis 7: the {quantity} has samples outside its extremes {words}"
+    assert contradictions(controller, lines, 1.0) == [message] * bool(words)
+
+
+@pytest.mark.parametrize(("until", "rate"), [(0.0, 1.0), (1.0, 1000.0), (100.0, 1000.0), (400.0, 250.0)])
+def test_the_second_check_takes_a_thousand_samples_a_second_but_not_more_than_100_000(
+    until: float, rate: float
+) -> None:
+    asked = []
+
+    def chunks(*arguments: object) -> Iterator[object]:
+        asked.append(arguments)
+        return iter(())
+
+    axis = run(Source("m.mnt", SET), cache=False).controller.axes[0]
+    controller: Any = SimpleNamespace(axes={0: axis}, trace=SimpleNamespace(chunks=chunks))
+    assert contradictions(controller, [Limit(0, "speed", "", 1.0, None, 0)], until) == []
+    assert asked == [(rate, (0,), until, ("position", "velocity", "acceleration"))]
+
+
+# The limit, its value, the value reached, the margin and the verdict. A position may be exceeded by a
+# billionth of its limit, or of 1 if that is more; any other figure by a billionth of its limit.
+MARGINS: dict[str, tuple[str, float, float, float, str]] = {
+    "above the lowest position": ("lowest position", -4.0, -1.0, 3.0, "within"),
+    "below the lowest position": ("lowest position", -4.0, -6.0, -2.0, "exceeded"),
+    "below the highest position": ("highest position", 50.0, 20.0, 30.0, "within"),
+    "a position beyond by rounding": ("highest position", 1e6, 1e6 + 9e-4, -9e-4, "within"),
+    "a position beyond by more": ("highest position", 1e6, 1e6 + 2e-3, -2e-3, "exceeded"),
+    "at 0, beyond by rounding": ("lowest position", 0.0, -9e-10, -9e-10, "within"),
+    "at 0, beyond by more": ("lowest position", 0.0, -2e-9, -2e-9, "exceeded"),
+    "a quarter left": ("speed", 100.0, 75.0, 0.25, "within"),
+    "a speed beyond by rounding": ("speed", 0.1, 0.1 * (1.0 + 9e-10), -9e-10, "within"),
+    "a speed beyond by more": ("speed", 0.1, 0.1 * (1.0 + 2e-9), -2e-9, "exceeded"),
+    "twice the jerk": ("jerk", 10.0, 20.0, -1.0, "exceeded"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", MARGINS)
+def test_the_margin_of_a_limit(name: str) -> None:
+    which, limit, reached, margin, verdict = MARGINS[name]
+    line = Limit(0, which, "", limit, Extreme(reached, 0.5), 3)
+    assert line.margin == pytest.approx(margin, rel=1e-6)
+    assert line.verdict == verdict
+    assert (line.reached, line.time) == (reached, 0.5)
+
+
+def test_the_least_margin_takes_a_position_relative_to_its_limit() -> None:
+    """30 of 50 is 0.6, 3 of 4 is 0.75; without a known limit there is none."""
+    high = Limit(0, "highest position", "", 50.0, Extreme(20.0, 0.0), 0)
+    low = Limit(0, "lowest position", "", -4.0, Extreme(-1.0, 0.0), 0)
+    speed = Limit(0, "speed", "", 10.0, Extreme(3.0, 0.0), 0)
+    torque = Limit(0, "torque", "", 1.0, None, 0)
+    assert (torque.verdict, torque.reached, torque.time) == ("unknown", None, None)
+    cases = [[high, low, speed, torque], [low, speed], [low, torque], [torque], []]
+    assert [least_margin(lines) for lines in cases] == [0.6, 0.7, 0.75, None, None]

@@ -8,7 +8,7 @@ from itertools import product
 import pytest
 
 from motionlang.analysis.diff import align
-from motionlang.analysis.diff.align import aligned, common
+from motionlang.analysis.diff.align import _by_number, _latest, aligned, common
 
 
 def common_length(a: list[int], b: list[int]) -> int:
@@ -59,3 +59,70 @@ def test_twenty_thousand_entries_that_all_differ() -> None:
     a, b = (list(range(0, sign * 20_000, sign)) for sign in (1, -1))
     pairs = aligned(a, b, lambda x: x, lambda x: abs(int(str(x))) % 8)
     assert all(i == j for i, j in pairs)
+
+
+def test_sequences_too_different_for_a_key_are_aligned_by_the_next_one(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The last key pairs the nth entry of a kind with the nth; no key pairs nothing."""
+    monkeypatch.setattr(align, "MAX_EDITS", 0)
+    a, b = [1, 2, 3, 4], [4, 3, 2, 1]
+
+    def parity(x: object) -> bool:
+        return int(str(x)) % 2 == 0
+
+    assert aligned(a, b, lambda x: x) == [
+        (None, 0),
+        (None, 1),
+        (None, 2),
+        (0, 3),
+        (1, None),
+        (2, None),
+        (3, None),
+    ]
+    assert aligned(a, b, lambda x: x, parity) == [(None, 0), (0, 1), (1, 2), (2, 3), (3, None)]
+    assert aligned(a, b) == [*((n, None) for n in range(4)), *((None, n) for n in range(4))]
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "pairs"),
+    [
+        ("xyx", "xyx", [(0, 0), (1, 1), (2, 2)]),
+        ("xyx", "yxx", [(0, 1), (2, 2)]),  # the y comes too early
+        ("xyxy", "yxxy", [(0, 1), (1, 3)]),
+        ("xx", "yx", [(0, 1)]),
+        ("x", "xx", [(0, 0)]),
+        ("z", "xy", []),
+        ("", "x", []),
+    ],
+)
+def test_the_nth_of_a_kind_is_paired_with_the_nth_in_order(
+    a: str, b: str, pairs: list[tuple[int, int]]
+) -> None:
+    assert _by_number(a, b, str) == pairs
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "pairs", "latest"),
+    [
+        ("x", "xx", [(0, 1)], [(0, 0)]),
+        ("xx", "x", [(1, 0)], [(0, 0)]),
+        ("xyy", "xy", [(0, 0), (2, 1)], [(0, 0), (1, 1)]),
+        ("xy", "xyy", [(0, 0), (1, 2)], [(0, 0), (1, 1)]),
+        ("xy", "xzy", [(0, 0), (1, 2)], [(0, 0), (1, 2)]),
+        ("axx", "bx", [(2, 1)], [(2, 1)]),  # the first pair may not move beyond an entry that differs
+    ],
+)
+def test_pairs_move_to_the_front(
+    a: str, b: str, pairs: list[tuple[int, int]], latest: list[tuple[int, int]]
+) -> None:
+    assert _latest(pairs, a, b) == latest
+
+
+@pytest.mark.parametrize(("most", "pairs"), [(3, None), (4, [(0, 1), (1, 3)])])
+def test_a_difference_of_just_as_many_edits_as_allowed(
+    most: int, pairs: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """From abyc to zaxb takes out y and c, and puts in z and x."""
+    monkeypatch.setattr(align, "MAX_EDITS", most)
+    assert common("abyc", "zaxb") == pairs

@@ -10,7 +10,17 @@ from random import Random
 
 import pytest
 
-from motionlang.analysis.proof.time_bounds import Law, law, lead, move_time, ramp, top_speed
+from motionlang.analysis.proof.time_bounds import (
+    Law,
+    law,
+    lead,
+    move_time,
+    move_times,
+    ramp,
+    reverses,
+    rounding,
+    top_speed,
+)
 from motionlang.planners import plan, plan_jerk, plan_velocity
 from tests.planners.test_states import State
 
@@ -112,3 +122,83 @@ def test_the_top_speed_from_an_acceleration_by_hand(way: float) -> None:
     by = Law((400.0, 400.0), (1000.0, 1000.0))
     distance = 152.0 / 3.0 + 140.0 * 0.14**0.5
     assert top_speed(0.0, way * 200.0, way * distance, 1000.0, by) == pytest.approx(140.0, rel=1e-9)
+
+
+LIMITED = Law((100.0, 80.0), (400.0, 200.0))
+LINEAR = Law((100.0, 100.0))
+
+
+@pytest.mark.parametrize(
+    ("v0", "a0", "margin", "expected"),
+    [
+        (0.5, -20.0, 1e-9, True),
+        (1.0, -20.0, 1e-9, False),
+        (1.0, -20.0, -1e-6, True),
+        (1.0 + 2e-6, -20.0, -1e-6, False),
+        (1.0 - 2e-6, -20.0, 1e-6, True),
+        (0.5, 20.0, 1e-9, False),
+        (0.0, 0.0, -1e-6, False),
+    ],
+)
+def test_a_velocity_reverses_before_its_acceleration_is_ramped_down(
+    v0: float, a0: float, margin: float, expected: bool
+) -> None:
+    """At a jerk of 200 a deceleration of 20 takes another 20² / (2 * 200) = 1 away."""
+    assert reverses(v0, a0, LIMITED, margin) is expected
+    assert not reverses(v0, a0, LINEAR, margin)
+
+
+def test_a_distance_is_as_exact_as_its_ends() -> None:
+    assert rounding(-100.0, 5.0, -2000.0) == pytest.approx(1e-11 + 8e-13)
+    assert rounding(0.0, 3000.0, 5.0) == pytest.approx(1.2e-12)
+
+
+# The velocity, the distance, its rounding, and the shortest and the longest time at a speed of 10.
+TIMES: dict[str, tuple[float, float, float, float, float]] = {
+    "exact, from rest": (0.0, 10.0, 0.0, 1.1, 1.1),
+    "from rest, 0.5 at the speed": (0.0, 10.0, 0.5, 1.05, 1.1),
+    "from rest, in reverse": (0.0, -10.0, 0.5, 1.05, 1.1),
+    "just a stop, or 0.02 from a standstill": (10.0, 0.5, 0.02, 0.1, 0.1 + 2.0 * 0.0002**0.5),
+    "0.01 more than a stop": (10.0, 0.51, 0.02, 0.1, 0.12),
+    "0.01 less than a stop": (10.0, 0.49, 0.02, 0.1, 0.1 + 2.0 * 0.0003**0.5),
+    "far more than a stop": (10.0, 10.5, 0.5, 1.05, 1.15),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", TIMES)
+def test_a_rounded_distance_takes_from_a_shortest_to_a_longest_time(name: str) -> None:
+    """At 100 a stop from 10 takes 0.1 s over 0.5; d from rest takes 2 sqrt(d / 100) s."""
+    v0, distance, rounded, least, most = TIMES[name]
+    assert move_times(v0, 0.0, distance, 10.0, LINEAR, rounded) == pytest.approx((least, most))
+
+
+# The velocity, the acceleration and the velocity to reach, and the time and the distance of the ramp. At a
+# jerk of 400 a change of v takes 2 sqrt(v / 400) up to 25, at 200 2 sqrt(v / 200) up to 32. A flank of T s from v
+# with an acceleration a and a jerk J covers v T + a T² / 2 - J T³ / 6.
+RAMPS: dict[str, tuple[float, float, float, float, float]] = {
+    "nothing to do": (10.0, 0.0, 10.0, 0.0, 0.0),
+    "from rest, in reverse": (0.0, 0.0, -16.0, 0.4, -3.2),
+    "at the rate for 0.4 s": (0.0, 0.0, 65.0, 0.65 + 0.25, 0.9 * 32.5),
+    "just the last flank": (8.0, 80.0, 16.0, 0.2, 1.6 + 1.6 - 3.2 / 6.0),
+    "less than the last flank": (10.0, 80.0, 16.0, 0.2 + 0.2, 2.0 + 1.6 - 3.2 / 6.0 + 0.2 * 17.0),
+    "above the rate, at the rate, and a flank": (
+        0.0, 120.0, 38.0, 0.05 + 0.2 + 0.25,
+        (0.15 - 0.05 / 6.0) + (1.1 + 2.0) + (6.375 + 3.125 - 6.25 / 6.0),
+    ),
+    "braking ends first: 16 in 0.4 s": (
+        17.0, -80.0, 17.0, 0.4 + 0.4, (6.8 - 6.4 + 12.8 / 6.0) + 0.4 * 9.0,
+    ),
+    "braking ends first, at rest": (16.0, -80.0, 1.0, 0.4 + 0.1, (6.4 - 6.4 + 12.8 / 6.0) + 0.1 * 0.5),
+    "through rest": (8.0, 0.0, -16.0, 0.4 + 0.4, 0.4 * 4.0 - 0.4 * 8.0),
+    "through rest as its braking ends": (
+        2.0, -80.0, -30.0, 0.4 + 0.4, (0.8 - 6.4 + 12.8 / 6.0) - 0.4 * 22.0,
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+@pytest.mark.parametrize("name", RAMPS)
+def test_a_ramp_from_an_acceleration_by_hand(name: str, way: float) -> None:
+    v0, a0, v1, time, distance = RAMPS[name]
+    found = lead(way * v0, way * a0, way * v1, LIMITED)
+    assert found == pytest.approx((time, way * distance), abs=1e-12)

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
+from motionlang.controller.motion.profile_playback import Playback
 from motionlang.planners.table_motion import table_curve
 from tests.cases import examples
 from tests.controller.machines import machine, until
@@ -145,3 +146,29 @@ def test_the_rest_of_the_last_segment_too_takes_the_time_of_suspending() -> None
     for axis in (0, 1):
         c.resume(axis)
     assert c.idle_time(0) == pytest.approx(3.0 + 0.2)
+
+
+UNEVEN = [0.0, 0.5, 1.5, 1.75]
+# The time of a new zero, and the times from there to the points that follow.
+LEFT: dict[str, tuple[float, list[float]]] = {
+    "within the first segment": (0.25, [0.25, 1.0, 0.25]),
+    "at a point": (0.5, [1.0, 0.25]),
+    "within the second segment": (0.75, [0.75, 0.25]),
+    "within the last segment": (1.625, [0.125]),
+}
+
+
+@pytest.mark.parametrize("name", LEFT)
+def test_a_new_zero_shifts_the_points_that_are_left(name: str) -> None:
+    """The points are at 0, 3, 5 and 2 counts; 100 counts are added to each."""
+    time, left = LEFT[name]
+    c = machine()
+    c.play(0, table_curve(UNEVEN, [0.0, 3.0, 5.0, 2.0], "cubic"), "SPLINE", 3, True)
+    axis, playback = until(c, time).axes[0], Playback()
+    playback.ordered = [0.0, 3.0, 5.0, 2.0], [0.0, 10.0, 20.0, 0.0], [0.5, 1.0, 0.25]
+    playback.shift(c, axis, 100.0)
+    points, velocities, times = playback.ordered
+    count = len(left)
+    assert points == [pytest.approx(axis.position(time) + 100.0), *[103.0, 105.0, 102.0][-count:]]
+    assert velocities == [pytest.approx(axis.velocity(time)), *[10.0, 20.0, 0.0][-count:]]
+    assert times == left

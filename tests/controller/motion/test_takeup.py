@@ -73,3 +73,27 @@ def test_no_play_is_taken_up_while_a_spline_stands_on_its_way() -> None:
         result = run(Source("spline.mnt", text), machine={}, cache=False)
     assert [each.message for each in result.diagnostics] == []
     assert result.output == ["1.0000", "2.0000"]
+
+
+@pytest.mark.parametrize(
+    ("size", "velocity", "rate"), [(0.5, 2.0, 0.25), (0.5, -2.0, 0.0), (-0.5, -2.0, -0.25), (-0.5, 2.0, 0.0)]
+)
+def test_play_of_less_than_a_count_is_taken_up_at_its_rate(size: float, velocity: float, rate: float) -> None:
+    """Half a count in 2 s is 0.25 counts/s; the axis moves since 0 s."""
+    c = machine(1)
+    play = Takeup(c.axes[0], 0.0)
+    play.size, play.ramp = size, 2.0
+    c.move_to(0, 8.0 * velocity)
+    until(c, 1.0)
+    assert (play.advance(1.0, True), play.rate()) == (rate, rate)
+
+
+def test_play_without_a_ramp_is_taken_up_at_once() -> None:
+    c = machine(1)
+    play = Takeup(c.axes[0], 0.0)
+    play.size = 3.0
+    c.move_to(0, 8.0)
+    until(c, 0.1)
+    assert (play.advance(0.1, False), play.advance(0.1, True)) == (0.0, 0.0)
+    until(c, 0.2)
+    assert (play.advance(0.2, True), play.rate()) == (3.0, 0.0)
