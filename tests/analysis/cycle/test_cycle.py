@@ -183,6 +183,11 @@ def test_other_programs_read_it() -> None:
     ]
     events = list(trace_events(made))
     lanes = [event["args"]["name"] for event in events if event["name"] == "thread_name"]
+    assert [event["tid"] for event in events if event["name"] == "thread_name"] == [1, 2, 3, 4]
+    assert {event["pid"] for event in events} == {1}
+    assert {(event["tid"], event["cat"]) for event in events if event["ph"] == "X"} == {
+        (1, "critical path"), (2, "task"), (3, "axis"), (4, "axis"),
+    }  # fmt: skip
     assert lanes == ["critical path", "task ParentTask", "axis 0", "axis 1"]
     chain = {event["name"] for event in events if event.get("cat") == "critical path"}
     assert {"accelerating, line 4", "dwell, line 6", "waiting for an input, line 9"} <= chain

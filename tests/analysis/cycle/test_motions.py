@@ -7,7 +7,10 @@ from typing import Any
 
 import pytest
 
+from motionlang.analysis.cycle.critical_path import Strip, _behind
 from motionlang.analysis.cycle.motions import Motions, _cuts, _moves
+from motionlang.analysis.cycle.polls import _by_channel, _innermost, _iterates, _up_to
+from motionlang.lang.waits import ROUNDING
 from motionlang.planners import hold, plan_trapezoid
 
 STILL, MOVED = (0.0, 1.0, 0.0, 0.0), (0.0, 1.0, 0.0, 5.0, 1.0, 0.0, 0.0)
@@ -152,3 +155,93 @@ def test_motions_are_grouped_by_their_begins(begins: list[float], cuts: object) 
 )
 def test_an_axis_of_a_path_that_does_not_move_it_is_at_rest(shape: Any, moves: bool) -> None:
     assert _moves(shape) is moves
+
+
+PHASES = (("accelerating", 0.5), ("at speed", 2.0), ("decelerating", 0.25))
+
+
+@pytest.mark.parametrize(
+    ("seconds", "left"),
+    [
+        (0.0, PHASES),
+        (0.25, (("accelerating", 0.25), *PHASES[1:])),
+        (0.5, PHASES[1:]),
+        (1.5, (("at speed", 1.0), PHASES[2])),
+        (2.5, PHASES[2:]),
+        (2.625, PHASES[2:]),  # the last phase extends to the end of the link
+        (9.0, PHASES[2:]),
+    ],
+)
+def test_the_phases_behind_a_time(seconds: float, left: object) -> None:
+    assert _behind(PHASES, seconds) == left
+
+
+def test_the_phases_of_links_end_with_them() -> None:
+    """One link takes the complete move, one ends at speed, one while it speeds up."""
+    strip = Strip(SimpleNamespace(), "main", PHASES, 3)  # type: ignore[arg-type]
+    for begin, end in ((0.0, 3.0), (4.0, 5.0), (6.0, 6.25)):
+        strip.add(begin, end)
+    assert list(strip.by_phase()) == [
+        ("accelerating", [0.0, 4.0, 6.0], [0.5, 4.5, 6.25]),
+        ("at speed", [0.5, 4.5, 6.25], [2.5, 5.0, 6.25]),
+        ("decelerating", [2.5, 5.0, 6.25], [3.0, 5.0, 6.25]),
+    ]
+
+
+# Nested spans, outer ones first, and each instant of them once.
+SPANS: dict[str, tuple[list[tuple[float, float, int]], list[tuple[float, float, int]]]] = {
+    "none": ([], []),
+    "one": ([(1.0, 2.0, 7)], [(1.0, 2.0, 7)]),
+    "one after the other": ([(1.0, 2.0, 7), (2.0, 3.0, 8)], [(1.0, 2.0, 7), (2.0, 3.0, 8)]),
+    "a gap": ([(1.0, 2.0, 7), (4.0, 5.0, 8)], [(1.0, 2.0, 7), (4.0, 5.0, 8)]),
+    "one inside": ([(1.0, 5.0, 7), (2.0, 3.0, 8)], [(1.0, 2.0, 7), (2.0, 3.0, 8), (3.0, 5.0, 7)]),
+    "one at the start": ([(1.0, 5.0, 7), (1.0, 3.0, 8)], [(1.0, 3.0, 8), (3.0, 5.0, 7)]),
+    "one at the end": ([(1.0, 5.0, 7), (3.0, 5.0, 8)], [(1.0, 3.0, 7), (3.0, 5.0, 8)]),
+    "three deep, and another one": (
+        [(0.0, 9.0, 6), (1.0, 5.0, 7), (2.0, 3.0, 8), (4.0, 5.0, 9), (6.0, 7.0, 5)],
+        [(0.0, 1.0, 6), (1.0, 2.0, 7), (2.0, 3.0, 8), (3.0, 4.0, 7), (4.0, 5.0, 9), (5.0, 6.0, 6), (6.0, 7.0, 5),
+         (7.0, 9.0, 6)],
+    ),
+    "the end of one is the start of the next by rounding": (
+        [(1.0, 2.0, 7), (2.0 - 0.5 * ROUNDING, 3.0, 8)], [(1.0, 2.0, 7), (2.0, 3.0, 8)],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SPANS)
+def test_an_instant_belongs_to_the_innermost_span(name: str) -> None:
+    spans, expected = SPANS[name]
+    found = list(_innermost([(begin, end, at, ()) for begin, end, at in spans]))
+    assert found == [(begin, end, at, ()) for begin, end, at in expected]
+
+
+@pytest.mark.parametrize(
+    ("ats", "loops", "iterates"),
+    [
+        ([], [], True),
+        ([5], [], False),
+        ([5, 5], [], True),
+        ([5, 5, 6], [], False),
+        ([5, 6, 5, 6], [], True),
+        ([], [(0.0, 4.0)], True),
+        ([], [(0.0, 5.0)], False),
+        ([], [(0.0, 3.0), (4.0, 6.0)], False),
+        ([], [(6.0, 99.0)], True),  # 4 s of it are before 10 s
+        ([], [(5.0, 99.0)], False),
+    ],
+)
+def test_a_single_wait_or_an_inner_loop_is_no_iteration(
+    ats: list[int], loops: list[tuple[float, float]], iterates: bool
+) -> None:
+    waits: list[Any] = [("main", at) for at in ats]
+    assert _iterates(waits, loops, 0.0, 10.0) is iterates
+
+
+def test_changes_by_channel_and_rows_by_time() -> None:
+    changes = [SimpleNamespace(time=time, channel=n) for time, n in ((1.0, 4), (2.0, 5), (3.0, 4))]
+    assert _by_channel(changes) == {None: [1.0, 2.0, 3.0], 4: [1.0, 3.0], 5: [2.0]}
+    rows = [1.0, 2.0, 2.0, 3.0]
+    found = [
+        _up_to(rows, index, time, float) for index, time in ((0, 2.0), (2, 2.0), (1, 2.5), (0, 9.0), (3, 0.0))
+    ]
+    assert found == [1, 2, 3, 4, 3]

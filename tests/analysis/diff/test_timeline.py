@@ -44,7 +44,7 @@ def test_the_merged_run_may_have_the_old_duration() -> None:
 
 
 def test_a_move_that_only_the_old_run_has_is_waited_for_there_alone() -> None:
-    """It ends at 2.25 s. The next one waits 0.25 s after it, or 0.5 s after the first of the new run."""
+    """It ends at 2.25 s. The next one waits 0.25 s after it, 0.5 s in the new run."""
     for in_merged, accepted, start in ((False, True, 2.0), (False, False, 1.75), (True, True, 3.25)):
         line = Timeline()
         line.pair(move(0.0, 1.0), move(0.0, 1.5))
@@ -53,7 +53,7 @@ def test_a_move_that_only_the_old_run_has_is_waited_for_there_alone() -> None:
 
 
 def test_a_move_that_only_the_new_run_has_is_waited_for_there_alone() -> None:
-    """It ends at 2.75 s. The next one waits 0.5 s after it, 0.25 s after the first of the old run."""
+    """It ends at 2.75 s. The next one waits 0.5 s after it, 0.25 s in the old run."""
     for in_merged, accepted, start in ((True, True, 3.25), (True, False, 3.0), (False, True, 2.0)):
         line = Timeline()
         line.pair(move(0.0, 1.0), move(0.0, 1.5))
@@ -80,7 +80,7 @@ def test_a_move_without_an_end_is_waited_for_by_none() -> None:
 
 
 def test_the_last_end_counts_and_not_the_last_that_was_found() -> None:
-    """A move to 2.0 s is compared after one to 4.0 s; what begins at 5.0 s waits for the latter."""
+    """A move to 2.0 s is compared after one to 4.0 s, which the next one waits for."""
     line = Timeline()
     line.pair(move(0.0, 4.0), move(0.0, 4.5))
     assert line.pair(move(4.5, 0.125), move(5.0, 0.125)) == (0.0, 5.0)

@@ -70,3 +70,12 @@ def test_varied_names_may_be_tables(tmp_path: Path) -> None:
         (each.name, [each[k] for k in range(len(each))]) for each in read_description(str(file)).dimensions
     ]
     assert found == [("SPEED", [1, 2, 3]), ("axis.0.gain", [1, 2]), ("n", [7]), ("b", [True])]
+
+
+def test_folders_are_next_to_the_description_and_a_condition_is_none(tmp_path: Path) -> None:
+    file = tmp_path / "a.sweep.toml"
+    file.write_text('machines = "m"\nscenarios = "s"\nwhere = "time < 5"\n', encoding="utf-8")
+    found = read_description(str(file))
+    assert found.machines == str(tmp_path / "m")
+    assert found.scenarios == str(tmp_path / "s")
+    assert found.where == "time < 5"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import random
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
@@ -12,8 +13,10 @@ from typing import Any
 import pytest
 
 import motionlang
+from motionlang.analysis.cores import cores
 from motionlang.analysis.sweeps import Sweep
 from motionlang.analysis.sweeps import pool as pools
+from motionlang.analysis.sweeps.quantities import quantity
 from motionlang.errors import ProgramError
 from motionlang.source import Source
 
@@ -237,3 +240,90 @@ def main():
 if __name__ == "__main__":
     main()
 """
+
+
+def hand(left: int, jobs: int = 2, executor: Executor | None = None) -> Any:
+    """Return the submission of `left` variants before any has run."""
+    job: Any = None
+    return pools.Hand(job, iter([(n, ()) for n in range(left)]), left, executor, jobs)
+
+
+# The variants left, the jobs, seconds per variant, the workers seen on a cluster (None: own processes), and the
+# size of a chunk: 0.1 s, at most 500 and half of the share of a worker.
+SIZES: dict[str, tuple[int, int, float, int | None, int]] = {
+    "nothing is known yet": (1000, 2, 0.0, None, 4),
+    "a tenth of a second": (1000, 2, 0.01, None, 10),
+    "slow variants": (1000, 2, 0.5, None, 1),
+    "fast variants": (100_000, 2, 1e-5, None, 500),
+    "half of what is left for each of two": (41, 2, 0.001, None, 11),
+    "two processes and the last four": (4, 2, 0.001, None, 1),
+    "a single process": (20, 1, 0.001, None, 10),
+    "a cluster without a worker so far": (20, 8, 0.001, 0, 10),
+    "a cluster with one worker": (20, 8, 0.001, 1, 10),
+    "a cluster with five": (20, 2, 0.001, 5, 2),
+    "more workers than jobs": (20, 2, 0.001, None, 5),
+}
+
+
+@pytest.mark.parametrize("name", SIZES)
+def test_the_size_of_a_chunk(name: str) -> None:
+    left, jobs, cost, workers, size = SIZES[name]
+    made = hand(left, jobs, None if workers is None else Unreliable(lambda *_: False))
+    made._cost, made._seen = cost, {str(n) for n in range(workers or 0)}
+    assert made._size() == size
+    chunk = made._next()
+    assert [index for index, _ in chunk.variants] == list(range(size))
+    assert made._left == left - size
+
+
+def test_a_chunk_that_was_lost_runs_alone_in_single_variants() -> None:
+    """Processes of this machine divide it at once, a cluster at its second loss."""
+    lost = pools._Chunk([(0, ()), (1, ())])
+    for executor, pieces in ((None, [[0], [1]]), (Unreliable(lambda *_: True), [[0, 1]])):
+        made = hand(9, 2, executor)
+        assert list(made._failed(lost, BrokenExecutor())) == []
+        assert [[index for index, _ in each.variants] for each in made._again] == pieces
+        assert {each.tries for each in made._again} == {1}
+    assert list(made._failed(made._again.pop(), BrokenExecutor())) == []
+    assert [[index for index, _ in each.variants] for each in made._again] == [[0], [1]]
+    assert {each.tries for each in made._again} == {2}
+
+
+def test_a_chunk_that_was_lost_waits_for_the_others_of_this_machine() -> None:
+    made = hand(9)
+    made._again.append(pools._Chunk([(7, ())], 1))
+    made._running[Future()] = pools._Chunk([(8, ())])
+    assert made._next() is None
+    made._running.clear()
+    assert made._next().variants == [(7, ())]
+    assert [index for index, _ in made._next().variants] == [0, 1, 2]
+    cluster = hand(9, 2, Unreliable(lambda *_: False))
+    cluster._again.append(pools._Chunk([(7, ())], 1))
+    cluster._running[Future()] = pools._Chunk([(8, ())])
+    assert cluster._next().variants == [(7, ())]
+
+
+@pytest.mark.parametrize(
+    ("affinity", "count", "expected"), [({0, 3, 5}, 8, 3), (None, 8, 8), (None, None, 1)]
+)
+def test_the_processors_of_this_process(
+    affinity: set[int] | None, count: int | None, expected: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Some systems do not know which ones it may use, or how many there are."""
+    monkeypatch.setattr(os, "sched_getaffinity", affinity and (lambda pid: affinity), raising=False)
+    monkeypatch.setattr(os, "cpu_count", lambda: count)
+    assert cores() == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "number"), [("peak.0", 0), ("peak.7", 7), ("time", 0), ("peak.999999999", 999_999_999)]
+)
+def test_the_number_of_a_quantity(name: str, number: int) -> None:
+    row, found = quantity(name)
+    assert (row.name.partition(".")[0], found) == (name.partition(".")[0], number)
+
+
+@pytest.mark.parametrize("name", ["peak", "time.1", "peak.", "peak.-1", "peak.1000000000", "peak.²", "pak.0"])
+def test_what_is_no_quantity(name: str) -> None:
+    with pytest.raises(ValueError, match=name.partition(".")[0]):
+        quantity(name)
