@@ -14,6 +14,13 @@ import pytest
 from motionlang.planners import Profile, plan, plan_stop, plan_velocity
 from motionlang.planners.lookahead import Pace, plan_course
 from motionlang.planners.ramp_down import stop_in_motion
+from motionlang.planners.transition import (
+    Bounds,
+    distance_of_steps,
+    eased_speed,
+    initial_steps,
+    profile_of_steps,
+)
 from tests.cases import examples
 
 
@@ -245,3 +252,51 @@ def test_a_ramp_that_has_hardly_begun_is_taken_back_whole() -> None:
     slowed = 46.6 - 0.5 * jerk * lasted**2
     made = plan_velocity("scurve", 0.0, slowed, 46.6, 1e3, 1e3, 0.0, jerk, jerk, -jerk * lasted)
     assert made.knots[-2] == pytest.approx(3.0 * lasted, rel=0.02)
+
+
+UP_DOWN = Bounds(100.0, 80.0, 400.0, 200.0)
+# The velocity and acceleration, the velocity to reach, the steps by jerk and time, and the velocity after them.
+STEPS: dict[str, tuple[float, float, float, tuple[tuple[float, float], ...], float]] = {
+    "up, at the rate for 0.2 s": (
+        8.0, 80.0, 45.0, ((400.0, 0.05), (0.0, 0.2), (-400.0, 0.25)), 45.0,
+    ),
+    "just the last flank": (8.0, 80.0, 16.0, ((-400.0, 0.2),), 16.0),
+    "more than the last flank": (10.0, 80.0, 16.0, ((-400.0, 0.2),), 18.0),
+    "above the rate": (0.0, 120.0, 38.0, ((-400.0, 0.05), (0.0, 0.2), (-400.0, 0.25)), 38.0),
+    "down, at the rate": (50.0, -40.0, 10.0, ((-200.0, 0.2), (0.0, 0.15), (200.0, 0.4)), 10.0),
+    "down, below the rate": (18.0, -20.0, 11.0, ((-200.0, 0.1), (0.0, 0.0), (200.0, 0.2)), 11.0),
+    "down, above the rate": (50.0, -100.0, 10.0, ((200.0, 0.1), (0.0, 0.1875), (200.0, 0.4)), 10.0),
+    "just the last flank down": (14.0, -40.0, 10.0, ((200.0, 0.2),), 10.0),
+    "more than the last flank down": (13.0, -40.0, 10.0, ((200.0, 0.2),), 9.0),
+    "beyond rest": (3.0, -40.0, 0.0, ((200.0, 0.2),), -1.0),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", STEPS)
+def test_the_first_steps_towards_a_velocity(name: str) -> None:
+    """80 falls to 0 in 0.2 s at 400, and gains 8; 40 does at 200, and costs 4."""
+    v0, a0, v1, steps, reached = STEPS[name]
+    found, last = initial_steps(UP_DOWN, v0, a0, v1)
+    assert last == pytest.approx(reached)
+    assert len(found) == len(steps)
+    for step, expected in zip(found, steps, strict=True):
+        assert step == pytest.approx(expected, abs=1e-12)
+    velocity, acceleration, distance = v0, a0, 0.0
+    for jerk, time in steps:
+        distance += velocity * time + acceleration * time**2 / 2.0 + jerk * time**3 / 6.0
+        velocity += acceleration * time + jerk * time**2 / 2.0
+        acceleration += jerk * time
+    assert (velocity, acceleration) == pytest.approx((reached, 0.0), abs=1e-9)
+    assert distance_of_steps(v0, a0, found) == pytest.approx(distance)
+    for sign in (1.0, -1.0):
+        made = profile_of_steps(7.0, v0, a0, found, last, sign)
+        assert (made.start_velocity, made.end_velocity) == pytest.approx((sign * v0, sign * last))
+        assert made.distance == pytest.approx(sign * distance)
+        assert made.duration == pytest.approx(sum(time for _, time in steps))
+        assert made.acceleration(0.0) == pytest.approx(sign * a0)
+        assert made.phases[0].name == ("accel" if abs(reached) > v0 else "decel")
+
+
+@pytest.mark.parametrize(("a0", "expected"), [(80.0, 18.0), (-80.0, -6.0), (0.0, 10.0)])
+def test_the_velocity_after_an_acceleration_was_ramped_down(a0: float, expected: float) -> None:
+    assert eased_speed(UP_DOWN, 10.0, a0) == expected

@@ -12,7 +12,15 @@ from motionlang.servo.axis_loop import axis_loop
 from motionlang.servo.loop import Loop
 from motionlang.servo.plant import Drive, Motor
 from motionlang.servo.response import LoopFigures, bandwidth
-from motionlang.servo.tuning import BeyondPlant, _shape, _warnings, linearised, suggest, suggested_loop
+from motionlang.servo.tuning import (
+    BeyondPlant,
+    _least,
+    _shape,
+    _warnings,
+    linearised,
+    suggest,
+    suggested_loop,
+)
 
 
 @pytest.mark.parametrize(("amplifier", "resistance"), [("voltage", 2.0), ("current", 1.0)])
@@ -130,3 +138,17 @@ def test_a_suggested_loop_has_the_bandwidth() -> None:
 def test_a_bandwidth_must_be_a_positive_number(target: float) -> None:
     with pytest.raises(ValueError, match="the bandwidth must be greater than zero"):
         suggested_loop(Motor(), target, Loop())
+
+
+@pytest.mark.parametrize("power", [1, 3, 5])
+@pytest.mark.parametrize("root", [0.001, 0.3, 0.99])
+def test_the_root_of_a_steep_or_a_flat_function_takes_few_values(root: float, power: int) -> None:
+    """Bisection needs 40 values for 10⁻¹²; a secant that keeps one end needs thousands."""
+    values = []
+
+    def value(x: float) -> float:
+        values.append(x)
+        return (x**power) - root**power
+
+    assert _least(value, 0.0, 1.0) == pytest.approx(root, rel=1e-11)
+    assert len(values) <= 60

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from motionlang.planners import Profile, plan_jerk
 from motionlang.planners.pvt.points import knots, plan_points, segments
-from motionlang.planners.pvt.scurve import limited_scurve, scurve, scurve_time
+from motionlang.planners.pvt.scurve import limited_scurve, limited_times, scurve, scurve_time
 
 distances = st.floats(1.0, 1e6) | st.floats(-1e6, -1.0)
 jerks, accels, speeds = st.floats(1e3, 1e7), st.floats(1e2, 1e6), st.floats(1e1, 1e5)
@@ -97,3 +97,46 @@ def test_impossible_jerks_are_refused(jerk: float) -> None:
 def test_impossible_times_are_refused(time: float) -> None:
     with pytest.raises(ValueError, match="segment time"):
         scurve(100.0, time)
+
+
+# The distance and the limits of acceleration and speed, and the times of jerk, acceleration and speed. At a jerk of
+# 8 the acceleration is 4 after 0.5 s, the velocity 1, and 3 after another 0.5 s.
+TIMES: dict[str, tuple[float, float, float, tuple[float, float, float]]] = {
+    "all limits: 4 (2 * 0.5 + 0.5 + 1)": (10.0, 4.0, 4.0, (0.5, 0.5, 1.0)),
+    "no time at the speed": (6.0, 4.0, 4.0, (0.5, 0.5, 0.0)),
+    "the speed is not reached": (6.0, 4.0, 99.0, (0.5, 0.5, 0.0)),
+    "the acceleration is not reached": (3.0, 99.0, 2.0, (0.5, 0.0, 0.5)),
+    "neither is": (2.0, 99.0, 99.0, (0.5, 0.0, 0.0)),
+    "both just are": (2.0, 4.0, 2.0, (0.5, 0.0, 0.0)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", TIMES)
+def test_the_times_of_a_move_within_limits(name: str) -> None:
+    distance, accel, speed, times = TIMES[name]
+    assert limited_times(distance, 8.0, accel, speed) == pytest.approx(times, abs=1e-12)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_the_points_of_a_move_within_limits(sign: float) -> None:
+    found = limited_scurve(sign * 10.0, 8.0, 4.0, 4.0)
+    assert [each.time for each in found] == pytest.approx([0.5, 0.5, 0.5, 1.0, 0.5, 0.5, 0.5, 0.0])
+    positions = [0.0, 1.0 / 6.0, 7.0 / 6.0, 3.0, 7.0, 53.0 / 6.0, 59.0 / 6.0, 10.0]
+    assert [each.position for each in found] == pytest.approx([sign * each for each in positions])
+    assert [each.velocity for each in found] == pytest.approx(
+        [sign * each for each in (0, 1, 3, 4, 4, 3, 1, 0)]
+    )
+
+
+def test_times_are_rounded_up_to_a_grid() -> None:
+    """0.5, 0.5 and 1 s become 0.75, 0.75 and 1.5 s: the speed is 10 / 3.75."""
+    found = limited_scurve(10.0, 8.0, 4.0, 4.0, grid=0.75)
+    assert [each.time for each in found] == [0.75, 0.75, 0.75, 1.5, 0.75, 0.75, 0.75, 0.0]
+    assert [each.velocity for each in found][3:5] == pytest.approx([10.0 / 3.75] * 2)
+    exact = limited_scurve(10.0, 8.0, 4.0, 4.0, grid=0.25)
+    assert [each.time for each in exact] == [0.5, 0.5, 0.5, 1.0, 0.5, 0.5, 0.5, 0.0]
+
+
+@pytest.mark.parametrize("distance", [1000.0, -1000.0])
+def test_the_segment_time_of_a_distance(distance: float) -> None:
+    assert scurve_time(distance, 4000.0) == pytest.approx(0.5)
