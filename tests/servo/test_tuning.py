@@ -143,7 +143,7 @@ def test_a_bandwidth_must_be_a_positive_number(target: float) -> None:
 @pytest.mark.parametrize("power", [1, 3, 5])
 @pytest.mark.parametrize("root", [0.001, 0.3, 0.99])
 def test_the_root_of_a_steep_or_a_flat_function_takes_few_values(root: float, power: int) -> None:
-    """Bisection needs 40 values for 10⁻¹²; a secant that keeps one end needs thousands."""
+    """Bisection needs 40 values for 10⁻¹², a secant that keeps one end thousands."""
     values = []
 
     def value(x: float) -> float:

@@ -11,6 +11,7 @@ import pytest
 from motionlang.analysis.proof.checker import (
     Offsets,
     Proof,
+    Run,
     Uses,
     _at_instant,
     _continued_by,
@@ -18,6 +19,8 @@ from motionlang.analysis.proof.checker import (
     position,
     travelled,
 )
+from motionlang.controller.move import CONTINUED
+from motionlang.log.order import Order, PathOrder
 from motionlang.planners import Profile, hold, plan_trapezoid, plan_velocity
 
 # 10 counts in 1 s: a triangle of 40 counts/s². 40 counts in 4 s: a triangle of 10 counts/s².
@@ -168,3 +171,122 @@ def test_several_profiles_may_begin_at_one_time() -> None:
     assert _at_instant(track, 0.5, 3.0, 5.0) == 5.0
     assert [position(track, time) for time in (0.5, 1.0, 2.0)] == [5.0, 40.0, 40.0]
     assert [position(track, time, ending=True) for time in (0.5, 1.0, 2.0)] == [5.0, 10.0, 40.0]
+
+
+REST = Order("rest", 0)
+
+
+def ordered(begun: float, number: int) -> Order:
+    """Return the order of a path of one axis with the log entry of that number."""
+    free = (inf,)
+    path = PathOrder(
+        (0,), (1.0,), begun, 0, True, (10.0,), (0.0, 0.0), 0.0, (), (0, 1), None, free, free, free, 0.0,
+        entry=number,
+    )  # fmt: skip
+    return Order("path", number, path=path)
+
+
+def logged(start: float, profile: Profile, line: int, **fields: object) -> Any:
+    given = {"overlaid": False, "axis": 0, "ended": "", "offset": 0.0, **fields}
+    return SimpleNamespace(start_time=start, profile=profile, line=line, **given)
+
+
+def joined(starts: list[float], profiles: list[Profile]) -> Any:
+    """Return the track of axis 0."""
+    return SimpleNamespace(
+        index=0,
+        starts=starts,
+        profiles=profiles,
+        index_at=lambda time: max([k for k, start in enumerate(starts) if start <= time], default=0),
+    )
+
+
+# A move, a path and another one that begins 0.25 s before its end, a move, and a path in two entries. The zero has
+# moved by 3 during the first of these, and an offset is on top of the second one.
+FIRST = logged(0.0, SHORT, 1)
+ONE, TWO = logged(1.0, SHORT, 2), logged(1.75, SHORT.shifted(10.0), 3)
+BETWEEN = logged(4.0, SHORT, 4)
+FULL = logged(6.0, SHORT.shifted(7.0), 5, ended=CONTINUED, offset=3.0)
+REST_OF_IT = logged(7.0, SHORT.shifted(20.0), 5)
+ON_TOP = logged(7.0, SHORT, 6, overlaid=True)
+LOG = [FIRST, ONE, TWO, BETWEEN, FULL, REST_OF_IT, ON_TOP]
+TRACK = joined(
+    [0.0, 1.0, 1.75, 2.0, 4.0, 6.0, 7.0],
+    [SHORT, SHORT, SHORT.shifted(8.75), SHORT.shifted(10.0), SHORT, SHORT.shifted(7.0), SHORT.shifted(20.0)],
+)
+ORDERS = [REST, ordered(1.0, 1), ordered(1.75, 2), ordered(1.75, 2), REST, ordered(6.0, 4), ordered(6.0, 4)]
+
+
+@pytest.fixture
+def run() -> Run:
+    expected: Any = SimpleNamespace(
+        of={0: ORDERS}, offsets={(0, 7.0): (6, 10.0), (1, 6.5): (6, 10.0)}, begun={0: {0.0, 1.0, 4.0, 6.0}}
+    )
+    return Run({0: TRACK}, LOG, expected, 7.5)
+
+
+def test_the_entries_of_paths_in_a_log(run: Run) -> None:
+    assert run.paths == {0: [ONE, TWO, FULL, REST_OF_IT]}
+    assert [run.rest_of(each) for each in LOG] == [None, None, None, None, None, FULL, None]
+    assert [run.is_continued(each) for each in LOG] == [False, False, False, False, True, False, False]
+    assert list(run.moves) == LOG
+    assert [run.path_after(each) for each in (ONE, TWO, FULL, REST_OF_IT)] == [TWO, None, REST_OF_IT, None]
+    assert [run.path_before(each) for each in (ONE, TWO, FULL, REST_OF_IT)] == [None, ONE, None, FULL]
+    assert run.offsets[0].travelled(7.5) == 5.0
+
+
+def test_a_path_in_two_entries_began_with_the_first(run: Run) -> None:
+    """It began at 7; its zero has moved by 3 since, so that is at 10."""
+    order = run.order_of(REST_OF_IT)
+    assert order.path is not None
+    assert (order.path.begun, order.path.entry, order.line) == (7.0, 5, 4)
+    assert run.members(order.path) == [REST_OF_IT]
+    assert run.origins(order.path) == [10.0]
+    first = run.order_of(FULL).path
+    assert first is not None
+    assert (run.members(first), run.origins(first)) == ([FULL], [7.0])
+    assert run.members(first._replace(nth=1)) == []
+    assert [run.order_of(each) for each in (FIRST, ONE, TWO, BETWEEN)] == [REST, ORDERS[1], ORDERS[2], REST]
+
+
+def test_the_order_of_a_move_is_that_before_a_path_that_begins_at_the_same_time() -> None:
+    expected: Any = SimpleNamespace(
+        of={0: [REST, ordered(1.0, 1), ordered(1.0, 1)]}, offsets={}, begun={0: ()}
+    )
+    moves = [logged(1.0, SHORT, 1), logged(1.0, SHORT, 2)]
+    made = Run({0: joined([0.0, 1.0, 1.0], [SHORT] * 3)}, moves, expected, 9.0)
+    assert made.order_of(moves[0]) is REST
+
+
+def test_a_profile_is_in_force_until_the_next_or_its_own_end(run: Run) -> None:
+    spans = [run.span(TRACK, index) for index in (0, 1, 5, 6)]
+    assert spans == [(0.0, 1.0), (1.0, 1.75), (6.0, 7.0), (7.0, 7.5)]
+    run.until = 99.0
+    assert run.span(TRACK, 6) == (7.0, 8.0)
+
+
+@pytest.mark.parametrize(
+    ("time", "begins"),
+    [(-1.0, [0.0]), (0.0, [0.0]), (0.5, [0.0, 1.0]), (1.0, [0.0, 1.0]), (6.5, [6.0, 7.0]), (9.0, [7.0])],
+)
+def test_the_times_next_to_a_time_at_which_motion_began(run: Run, time: float, begins: list[float]) -> None:
+    """The offset of axis 0 begins at 7 s, that of another axis at 6.5 s."""
+    assert run.begins_near(0, time) == begins
+
+
+def test_the_position_of_an_entry_leaves_out_the_other_paths(run: Run) -> None:
+    """At 1.75 s the first path has 1.25 left, at 1.875 s 0.3125, and at 2 s none.
+
+    The second one has travelled 0.3125 at 1.875 s, 1.25 at 2 s and 8.75 at 2.5 s.
+    """
+    expected = {
+        1.5: (5.0, 10.0),
+        1.75: (8.75, 10.0),
+        1.875: (9.0625 - 0.3125, 9.0625 + 0.3125),
+        2.0: (10.0 - 1.25, 10.0),
+        2.5: (15.0 - 8.75, 15.0),
+    }
+    for time, (first, second) in expected.items():
+        assert run.logged(TRACK, ONE, time, False) == pytest.approx(first)
+        assert run.logged(TRACK, TWO, time, False) == pytest.approx(second)
+    assert run.logged(TRACK, FIRST, 0.5, False) == 5.0

@@ -17,10 +17,14 @@ from motionlang.analysis.proof.path_layout import PathLayout
 from motionlang.analysis.proof.paths import (
     _beyond,
     _cannot_stop,
+    _check_along,
     _check_axes,
     _check_end,
     _check_joins,
+    _check_path,
+    _check_path_time,
     _enters_too_fast,
+    _follows_stop,
     _gentlest,
     _gentlest_before,
     _hardest,
@@ -480,3 +484,166 @@ def test_a_path_ends_at_its_commanded_position_and_takes_time(name: str) -> None
     move.offset = 5.0
     check_path_end(proof, run, move, over)
     assert len(proof.violations) == len(messages)
+
+
+# -- motion along a path
+
+# With jerks of 20 a stop from 10 takes 1.5 s over 7.5; by way of 5 it takes 7.5 + 2.5. Each row has the order, the
+# segments, how far the next paths lead, whether the path has to begin within its bounds, and the violations.
+HALF = SMOOTH._replace(speed=5.0)
+STOPPING = then(SMOOTH, comes_to_rest=True)
+ALONG: dict[str, tuple[Order, list[Span], float, bool, tuple[str, ...]]] = {
+    "at the speed": (ORDER, [span(0.0, 1.0, 0.0, 10.0)], 0.0, False, ()),
+    "speeding up at the rate": (ORDER, [span(0.0, 1.0, 0.0, 0.0, 5.0)], 0.0, False, ()),
+    "speeding up too hard": (
+        ORDER, [span(0.0, 0.9, 0.0, 0.0, 5.5)], 0.0, False, ("the path acceleration reaches 11, above 10",),
+    ),
+    "braking too hard": (
+        ORDER._replace(rates=(20.0, 10.0)), [span(0.0, 0.9, 0.0, 10.0, -5.5)], 0.0, False,
+        ("the path deceleration reaches 11, above 10",),
+    ),
+    "braking as it may speed up": (
+        ORDER._replace(rates=(10.0, 20.0)), [span(0.0, 0.4, 0.0, 10.0, -10.0)], 0.0, False, (),
+    ),
+    "running back": (ORDER, [span(0.0, 1.0, 50.0, -1.0)], 0.0, False, ("it runs back along the path, at 1",)),
+    "running back by rounding": (ORDER, [span(0.0, 1.0, 50.0, -9e-7)], 0.0, False, ()),
+    "running back by more": (
+        ORDER, [span(0.0, 1.0, 50.0, -2e-6)], 0.0, False, ("it runs back along the path, at 2e-06",),
+    ),
+    "too fast for its speed, with room for it": (
+        HALF, [span(0.0, 0.5, 50.0, 10.0)], 0.0, False,
+        ("it does not slow down: 10 after 0.5 s, expected 7.5",),
+    ),
+    "too fast for too long": (
+        HALF, [span(0.0, 1.5, 50.0, 10.0)], 0.0, False,
+        ("the path speed reaches 10, above 5", "it does not slow down: 10 after 1.5 s, expected 5"),
+    ),
+    "too fast, with room for a stop alone": (HALF, [span(0.0, 0.5, 92.5, 10.0)], 0.0, False, ()),
+    "too fast, with room on the next path": (HALF, [span(0.0, 0.5, 97.5, 10.0)], 5.0, False, ()),
+    "too fast, with room for both on the next path": (
+        HALF, [span(0.0, 0.5, 97.5, 10.0)], 50.0, False,
+        ("it does not slow down: 10 after 0.5 s, expected 7.5",),
+    ),
+    "too fast as it begins": (
+        HALF, [span(0.0, 0.5, 92.5, 10.0)], 0.0, True,
+        ("the path speed reaches 10, above 5", "it does not slow down: 10 after 0.5 s, expected 5"),
+    ),
+    "a stop": (STOPPING, [
+        span(0.0, 0.5, 0.0, 10.0, 0.0, -20.0 / 6.0), span(0.5, 0.5, 4.6, 7.5, -5.0),
+        span(1.0, 0.5, 7.1, 2.5, -5.0, 20.0 / 6.0), span(1.5, 1.0, 7.5, 0.0),
+    ], 0.0, False, ()),
+    "a stop that does not come to rest": (
+        STOPPING, [span(0.0, 1.0, 0.0, 0.0), span(1.0, 1.0, 0.0, 2e-6)], 0.0, False,
+        ("the path speed reaches 2e-06, above 0", "it does not slow down: 2e-06 after 2 s, expected 0"),
+    ),
+    "a stop that rests but for rounding": (
+        STOPPING, [span(0.0, 1.0, 0.0, 0.0), span(1.0, 1.0, 0.0, 9e-7)], 0.0, False, (),
+    ),
+    "a stop from an acceleration that its jerk cannot end before rest": (
+        STOPPING, [span(0.0, sqrt(40.0) / 40.0, 0.0, 0.5, -0.5 * sqrt(40.0), 40.0 / 6.0)], 0.0, False, (),
+    ),
+    "the same at a jerk that is too high": (
+        STOPPING, [span(0.0, sqrt(40.0) / 44.0, 0.0, 0.5, -0.5 * sqrt(40.0), 44.0 / 6.0)], 0.0, False,
+        ("the path jerk reaches 44, above 40",),
+    ),
+    "a jerk that is too high": (
+        SMOOTH, [span(0.0, 0.1, 0.0, 5.0, 0.0, 21.0 / 6.0)], 0.0, False,
+        ("the path jerk reaches 21, above 20",),
+    ),
+    "an acceleration that jumps": (
+        SMOOTH, [span(0.0, 0.5, 0.0, 0.0, 0.0, 20.0 / 6.0), span(0.5, 0.5, 0.5, 2.5)], 0.0, False,
+        ("the acceleration along it jumps by 10",),
+    ),
+    "a segment as short as the rounding of a time": (
+        ORDER, [span(0.0, 1.0, 0.0, 10.0), span(1.0, 5e-13, 10.0, 10.0, 50.0)], 0.0, False, (),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ALONG)
+def test_the_motion_along_a_path_keeps_its_bounds(name: str) -> None:
+    order, along, beyond, fresh, expected = ALONG[name]
+    proof = Proof()
+    _check_along(proof, order, LAYOUT, along, "here", fresh, beyond)
+    assert [each.message.removeprefix("here: ") for each in proof.violations] == list(expected)
+
+
+# The order, the positions and velocities at the ends, the time, and the limit of that, 0.0 if it suffices.
+DURATIONS: dict[str, tuple[Order, tuple[float, float], tuple[float, float], float, float]] = {
+    "from rest to rest": (ORDER, (0.0, 0.0), (100.0, 0.0), 11.0, 0.0),
+    "too slow": (ORDER, (0.0, 0.0), (100.0, 0.0), 11.1, 11.0),
+    "the rest of it, from the speed": (ORDER, (50.0, 10.0), (100.0, 0.0), 5.5, 0.0),
+    "the rest of it, too slow": (ORDER, (50.0, 10.0), (100.0, 0.0), 5.6, 5.5),
+    "into another path: a stop and a move from rest": (ORDER, (50.0, 10.0), (100.0, 10.0), 6.5, 0.0),
+    "into another path, too slow": (ORDER, (50.0, 10.0), (100.0, 10.0), 6.6, 6.5),
+    "without a speed": (ORDER._replace(speed=0.0), (0.0, 0.0), (100.0, 0.0), 99.0, 0.0),
+    "without a rate": (ORDER._replace(rates=(10.0, 0.0)), (0.0, 0.0), (100.0, 0.0), 99.0, 0.0),
+    "at rates below 1": (ORDER._replace(rates=(0.5, 0.5)), (0.0, 0.0), (100.0, 0.0), 31.0, 20.0 * sqrt(2.0)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", DURATIONS)
+def test_a_path_takes_no_longer_than_a_stop_and_a_move_from_rest(name: str) -> None:
+    """A stop takes 1 s over 5, and 45 from rest 5.5 s; at 0.5, 100 takes 2 sqrt 200 s."""
+    order, (begin, v0), (end, v1), took, limit = DURATIONS[name]
+    # A cubic with these positions and velocities at its ends.
+    mean = (end - begin) / took
+    along = [
+        span(0.0, took, begin, v0, (3.0 * mean - 2.0 * v0 - v1) / took, (v0 + v1 - 2.0 * mean) / took**2)
+    ]
+    proof = Proof()
+    _check_path_time(proof, order, LAYOUT, along, "here")
+    message = f"here: it takes {took:g} s, expected at most {limit:g} s"
+    assert [each.message for each in proof.violations] == [message] * bool(limit)
+
+
+@pytest.mark.parametrize(("took", "count"), [(11.5, 0), (11.6, 1)])
+def test_a_path_with_a_jerk_has_the_time_of_its_ramps(took: float, count: int) -> None:
+    """Two ramps of 1.5 s cover 15, and 85 take 8.5 s."""
+    proof = Proof()
+    _check_path_time(proof, SMOOTH, LAYOUT, [span(0.0, took, 0.0, 0.0, 0.0, 100.0 / took**3)], "here")
+    assert len(proof.violations) == count
+
+
+@pytest.mark.parametrize(
+    ("factor", "shift", "start", "off"),
+    [
+        (1.0, 0.0, 0.0, ""),
+        (1.0 + 1e-6, 0.0, 0.0, ""),
+        (1.0 + 3e-6, 0.0, 0.0, "1.152e-05"),
+        (1.0, 8e-5, 0.0, ""),
+        (1.0, 1e-4, 0.0, "1.2e-05"),
+        (1.0, 1e-4, 400.0, ""),
+    ],
+)
+def test_the_axes_of_a_line_are_on_it(factor: float, shift: float, start: float, off: str) -> None:
+    """A millionth of its 10 units is rounding, or of the 100 units that it begins at.
+
+    With s counts too many, axis 1 is s / 4 units off in y: 0.48 of these across the line in x, 0.36 in y.
+    """
+    base = plan_trapezoid(0.0, 10.0, 10.0, 10.0, 10.0)
+    path = TWO._replace(relative=True)
+    layout = PathLayout(path, [0.0, start])
+    profiles = [base.scaled(0.0, 1.2), base.scaled(start + shift, -3.2 * factor)]
+    proof = Proof()
+    _check_path(proof, ORDER._replace(path=path), layout, profiles, [], (0.0, base.duration), "here")
+    message = f"here: it is {off} off the commanded path"
+    assert [each.message for each in proof.violations] == [message] * bool(off)
+
+
+@pytest.mark.parametrize(
+    ("before", "fields", "follows"),
+    [
+        ({"comes_to_rest": True}, {}, True),
+        ({}, {}, False),
+        ({"comes_to_rest": True, "entry": 7}, {}, False),
+        ({"comes_to_rest": True}, {"comes_to_rest": True}, False),
+    ],
+)
+def test_a_path_that_is_resumed_too_late_stops_first(
+    before: dict[str, Any], fields: dict[str, Any], follows: bool
+) -> None:
+    order = then(ORDER, **fields)
+    assert _follows_stop(then(ORDER, **before), order, LAYOUT, [span(0.0, 1.0, 96.0, 10.0)], 0.0) is follows
+    assert not _follows_stop(then(ORDER, **before), order, LAYOUT, [span(0.0, 1.0, 96.0, 10.0)], 1.0)
+    assert not _follows_stop(Order("move", 1), order, LAYOUT, [span(0.0, 1.0, 96.0, 10.0)], 0.0)
