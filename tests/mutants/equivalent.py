@@ -396,4 +396,123 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/editor/navigation.py: folds: last > first -> last >= first": (
         "a fold of one line is left out at the end"
     ),
+    "motionlang/analysis/proof/paths.py: _check_along: back < -SLACK * max(1.0, slow.came) -> back <= "
+    "-SLACK * max(1.0, slow.came)": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: _check_along: fast <= SLACK * max(1.0, slow.came) -> fast < "
+    "SLACK * max(1.0, slow.came)": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: _check_along: peak > SLACK -> peak >= SLACK": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/paths.py: _check_along: rate > SLACK * max(order.rates) -> rate >= SLACK "
+    "* max(order.rates)": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: _check_end: reached > expected + SLACK * max(1.0, slow.came) + "
+    "4.0 * late * max(order.rates) -> reached >= expected + SLACK * max(1.0, slow.came) + 4.0 * late * "
+    "max(order.rates)": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: _check_joins: gap > SLACK * max(1.0, came, *(r for r in "
+    "(order.speed, *order.rates) if r < inf)) -> gap >= SLACK * max(1.0, came, *(r for r in "
+    "(order.speed, *order.rates) if r < inf))": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: _check_path_time: abs(first[2]) > SLACK * max(by.rates) -> "
+    "abs(first[2]) >= SLACK * max(by.rates)": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: _check_path_time: span.peak(1) > SLACK * speed -> span.peak(1) "
+    ">= SLACK * speed": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: _check_path_time: last[1] > SLACK * speed -> last[1] >= SLACK * speed": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/paths.py: check_path: travelled >= layout.length * (1.0 - SLACK) -> "
+    "travelled > layout.length * (1.0 - SLACK)": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: check_path: abs(at - last) <= SLACK * max(1.0, abs(last)) -> "
+    "abs(at - last) < SLACK * max(1.0, abs(last))": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: check_path_end: PathLayout(path, starts).length > SLACK -> "
+    "PathLayout(path, starts).length >= SLACK": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: _enters_too_fast: lead(v0, a, most, by)[1] > left * (1.0 - "
+    "SLACK) -> lead(v0, a, most, by)[1] >= left * (1.0 - SLACK)": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/paths.py: stops_within: lead(velocity, acceleration, 0.0, by)[1] <= left "
+    "* (1.0 + SLACK) -> lead(velocity, acceleration, 0.0, by)[1] < left * (1.0 + SLACK)": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/paths.py: _until_rest: abs(span.at(span.length)[1]) <= SLACK * max(1.0, "
+    "along[0].at(0.0)[1]) -> abs(span.at(span.length)[1]) < SLACK * max(1.0, along[0].at(0.0)[1])": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/paths.py: _cannot_stop: lead(v0, a0 if by.smooth else 0.0, 0.0, by)[1] > "
+    "left * (1.0 + SLACK) -> lead(v0, a0 if by.smooth else 0.0, 0.0, by)[1] >= left * (1.0 + SLACK)": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/paths.py: _check_path: apart > slack * max(map(abs, layout.path.scales)) "
+    "-> apart >= slack * max(map(abs, layout.path.scales))": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: _check_path: off > slack -> off >= slack": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/paths.py: _leads_to: abs(after.start_time - end) > ROUNDED * (1.0 + end) "
+    "-> abs(after.start_time - end) >= ROUNDED * (1.0 + end)": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/checker.py: Proof: uses: share <= 1.0 + SLACK -> share < 1.0 + SLACK": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/checker.py: _continued_by: abs(move.start_time - end) <= 4.0 * ROUNDED * "
+    "(1.0 + end) -> abs(move.start_time - end) < 4.0 * ROUNDED * (1.0 + end)": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/checker.py: position: a.starts[i] >= time - ROUNDED * (1.0 + time) -> "
+    "a.starts[i] > time - ROUNDED * (1.0 + time)": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/offsets.py: _left: abs(start - end) > LATE * (1.0 + start) -> abs(start - "
+    "end) >= LATE * (1.0 + start)": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/offsets.py: check_offset: abs(profile.end - wanted) > SLACK * max(1.0, "
+    "abs(wanted)) -> abs(profile.end - wanted) >= SLACK * max(1.0, abs(wanted)) #2": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/offsets.py: check_offset: abs(profile.end - wanted) > SLACK * max(1.0, "
+    "abs(wanted)) -> abs(profile.end - wanted) >= SLACK * max(1.0, abs(wanted))": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/offsets.py: check_offset: abs(time - end) <= late -> abs(time - end) < late": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/diff/timeline.py: Timeline: _before: ends[0][0] <= start + NEAR -> ends[0][0] < "
+    "start + NEAR": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/slowing.py: Slowing: bound: middle < self.until -> middle <= self.until": (
+        "a segment is cut where an excuse ends, so its middle is elsewhere"
+    ),
+    "motionlang/analysis/proof/paths.py: _check_along: middle < slow.until -> middle <= slow.until": (
+        "a segment is cut where an excuse ends, so its middle is elsewhere"
+    ),
+    "motionlang/analysis/proof/paths.py: _check_along: middle < slow.eased -> middle <= slow.eased": (
+        "a segment is cut where an excuse ends, so its middle is elsewhere"
+    ),
+    "motionlang/analysis/proof/paths.py: _check_along: middle < max(slow.until, slow.eased) -> middle <= "
+    "max(slow.until, slow.eased)": ("a segment is cut where an excuse ends, so its middle is elsewhere"),
+    "motionlang/analysis/proof/slowing.py: Slowing: expected: time <= 0.0 -> time < 0.0": (
+        "no time is left for the sections that follow"
+    ),
+    "motionlang/analysis/proof/slowing.py: _stretches: size > rate -> size >= rate": (
+        "at the rate itself both formulas are the same"
+    ),
+    "motionlang/analysis/proof/slowing.py: _stretches: size > rate -> size >= rate #2": (
+        "at the rate itself both formulas are the same"
+    ),
+    "motionlang/analysis/proof/slowing.py: slowing: a0 < 0.0 -> a0 <= 0.0": (
+        "without an acceleration nothing leads beyond rest"
+    ),
+    "motionlang/analysis/proof/slowing.py: slowing: a0 > 0.0 -> a0 >= 0.0": "an acceleration of 0 adds nothing",
+    "motionlang/analysis/proof/paths.py: _check_along: slow.speed > least -> slow.speed >= least": (
+        "the speed that is always allowed is a bound without it"
+    ),
+    "motionlang/analysis/proof/path_layout.py: PathLayout: _angles: angle + k * 0.5 * pi < high -> angle "
+    "+ k * 0.5 * pi <= high": ("the end of the arc is among its angles"),
+    "motionlang/analysis/proof/checker.py: Run: logged: ends[before] > time -> ends[before] >= time": (
+        "a path that ends just then has no distance left"
+    ),
+    "motionlang/analysis/proof/checker.py: Run: logged: chains[after][0].start_time < time -> "
+    "chains[after][0].start_time <= time": ("a path that begins just then has travelled nothing"),
+    "motionlang/analysis/proof/checker.py: Run: logged: entry.start_time < time -> entry.start_time <= time": (
+        "an entry that begins just then has travelled nothing"
+    ),
+    "motionlang/analysis/proof/checker.py: Run: logged: _end(entry) <= time -> _end(entry) < time": (
+        "an entry that ends just then has no distance left"
+    ),
+    "motionlang/analysis/diff/timeline.py: Timeline: _put: 1 -> 2": "the numbers only keep the order of equal ends",
+    "motionlang/analysis/diff/timeline.py: Timeline: __init__: 0 -> 1": "the numbers only keep the order of equal ends",
 }
