@@ -119,6 +119,7 @@ def test_the_first_plan_of_an_axis_begins_at_rest() -> None:
 # with a quarter of 12 below it.
 FLANKS: dict[str, tuple[Profile, float, tuple[float, float, float]]] = {
     "while the acceleration rises": (S_RAMP, 0.2, (4.0, 0.2, 0.4 + 0.4 - 0.4 / 3.0)),
+    "as the ramp has hardly begun": (S_RAMP, 0.005, (0.0025, 0.005, 6.25e-6 + 6.25e-6 - 6.25e-6 / 3.0)),
     "while it is constant": (S_RAMP, 1.0, (50.0, 0.5, 18.75 + 6.25 - 12.5 / 6.0)),
     "while it falls": (S_RAMP, 2.2, (100.0, 0.3, 28.65 + 1.35 - 0.45)),
     "while the deceleration rises": (S_RAMP, S_RAMP.duration - 2.3, (96.0, 0.2, 19.6 - 0.4 + 0.4 / 3.0)),

@@ -34,6 +34,7 @@ from motionlang.analysis.proof.paths import (
     _speeds_up,
     _until_rest,
     check_path_end,
+    plan_in_force,
     same_law,
     stops_within,
 )
@@ -347,6 +348,57 @@ def test_a_path_that_sped_up_was_not_slowing_down_for_the_next(name: str) -> Non
     # Only the profile before counts, whatever follows it.
     master.index_at = lambda at: 0
     assert _speeds_up(run, ORDER, PATH, master, 1) is speeds_up
+
+
+@pytest.mark.parametrize(
+    ("scales", "speeds_up"), [((1.0, 1.0), True), ((1.0, 10.0), True), ((1.0, 0.1), False)]
+)
+def test_a_path_speeds_up_by_the_sum_of_its_axes(scales: tuple[float, float], speeds_up: bool) -> None:
+    """Axis 0 speeds up from 0.2 to 0.7 counts/s, axis 1 slows down from 0.4 to 0.3.
+
+    Their accelerations are 1 and -0.2. With 0.1 counts per unit, axis 1 slows down from 4 to 3.
+    """
+    up = plan_trapezoid(0.0, 100.0, 10.0, 1.0, 1.0, 0.2)
+    down = plan_trapezoid(0.0, 100.0, 0.1, 0.2, 0.2, 0.4)
+    tracks = {0: track((2.0, up), (2.5, hold(0.0))), 1: track((2.0, down), (2.5, hold(0.0)))}
+    for each in tracks.values():
+        each.index_at = lambda at: 0
+    path = PATH._replace(members=(0, 1), scales=scales)
+    earlier = ORDER._replace(path=path)
+    run: Any = SimpleNamespace(axes=tracks, expected_motion=SimpleNamespace(of={0: [earlier, earlier]}))
+    assert _speeds_up(run, earlier, path, tracks[0], 1) is speeds_up
+
+
+# The order before a stop that begins at 97 counts at 10 counts/s, the paths ahead, and the order in force: the
+# stop begins on the next path if it would enter that too fast.
+@pytest.mark.parametrize(
+    ("before", "ahead", "number"),
+    [
+        (ORDER._replace(rates=(10.0, 20.0)), (slower(9.0, 6.0),), 0),
+        (ORDER._replace(rates=(10.0, 20.0)), (slower(9.0),), 1),
+        (ORDER._replace(rates=(10.0, 20.0)), (), 1),
+        (ORDER, (slower(9.0, 6.0),), 1),  # the rates have not changed
+        (Order("move", 1), (slower(9.0, 6.0),), 1),
+    ],
+)
+def test_the_plan_in_force_while_a_stop_waits_for_the_next_path(
+    before: Order, ahead: tuple[Order, ...], number: int
+) -> None:
+    """From 97 counts it is 3 to the end, and it brakes from 10 to 6 over 3.2."""
+    order = then(ORDER, *ahead, comes_to_rest=True)
+    master = track((0.0, WHOLE), (10.2, WHOLE.after(10.2)))
+    entry = SimpleNamespace(profile=plan_trapezoid(0.0, 100.0, 10.0, 10.0, 50.0))
+    run: Any = SimpleNamespace(
+        axes={0: master},
+        expected_motion=SimpleNamespace(of={0: [before, order]}),
+        members=lambda path: [entry],
+        origins=lambda path: [0.0],
+        span=lambda a, i: (a.starts[i], 10.4),
+    )
+    assert plan_in_force(run, master, 1, order) is (before, order)[number]
+    assert plan_in_force(run, master, 1, ORDER) is ORDER
+    run.members = lambda path: []
+    assert plan_in_force(run, master, 1, order) is order
 
 
 def test_the_length_of_the_paths_until_a_rest() -> None:

@@ -75,47 +75,60 @@ def test_a_line_with_a_length_alone_moves_no_axis() -> None:
 
 
 def helix(angle: float, relative: bool = True, length: float | None = None) -> PathOrder:
-    """Return an arc about (0, 0) units in the plane of the third and the first axis.
+    """Return an arc about (0, 3) units in the plane of the third and the first axis.
 
     The second axis goes from 6 to 36 counts.
     """
-    centre, rest = ((-40.0, 0.0), (30.0,)) if relative else ((0.0, 0.0), (36.0,))
+    centre, rest = ((-40.0, 0.0), (30.0,)) if relative else ((0.0, 1.5), (36.0,))
     return PathOrder(
-        (0, 1, 2), (1.0, 2.0, 4.0), 0.0, 0, relative, (), centre, angle, rest, (2, 0), length,
+        (0, 1, 2), (0.5, 2.0, 4.0), 0.0, 0, relative, (), centre, angle, rest, (2, 0), length,
         FREE, FREE, FREE, 0.0,
     )  # fmt: skip
+
+
+HELIX_START = [1.5, 6.0, 40.0]
 
 
 @pytest.mark.parametrize("relative", [True, False])
 @pytest.mark.parametrize("sense", [1.0, -1.0])
 def test_a_helix_is_laid_out_in_user_units(relative: bool, sense: float) -> None:
-    """A quarter circle of 10 units begins at (10, 0): 40 counts of the third axis.
+    """A quarter circle of 10 units begins at (10, 3): 40 counts of the third axis.
 
     It is 5 pi long, and the second axis travels 30 counts, 15 units.
     """
-    order = helix(90.0 * sense, relative)
-    layout = PathLayout(order, [0.0, 6.0, 40.0])
+    layout = PathLayout(helix(90.0 * sense, relative), HELIX_START)
     length = hypot(5.0 * pi, 15.0)
-    assert layout.ends == pytest.approx([10.0 * sense, 36.0, 0.0])
+    assert layout.ends == pytest.approx([1.5 + 5.0 * sense, 36.0, 0.0])
     assert layout.unit is None
     assert (layout.stretch, layout.length) == pytest.approx((1.0, length))
-    assert layout.at(0.0) == pytest.approx([0.0, 6.0, 40.0])
-    assert layout.at(length / 3.0) == pytest.approx([5.0 * sense, 16.0, 20.0 * sqrt(3.0)])
+    assert layout.at(0.0) == pytest.approx(HELIX_START)
+    assert layout.at(length / 3.0) == pytest.approx([1.5 + 2.5 * sense, 16.0, 20.0 * sqrt(3.0)])
     flat, climb = 5.0 * pi / length, 15.0 / length
     assert layout.slopes(0.0, length / 3.0) == pytest.approx([flat, climb, 0.5 * flat])
     assert layout.slopes(length / 3.0, length) == pytest.approx([flat * 0.5 * sqrt(3.0), climb, flat])
     # At a standstill the acceleration is along the path; a speed of 6 adds flat² 6² / 10 across it.
     assert layout.rates(0.0, length / 3.0, 2.0, 0.0) == pytest.approx([2.0 * flat, 2.0 * climb, flat])
     across = (flat * 6.0) ** 2 / 10.0
-    rates = [hypot(0.5 * across, 0.0), 0.0, across]
-    assert layout.rates(0.0, length / 3.0, 0.0, 6.0) == pytest.approx(rates)
-    assert layout.off([0.0, 99.0, 44.0]) == pytest.approx(1.0)
-    assert layout.off([-9.5, 99.0, 0.0]) == pytest.approx(0.5)
+    assert layout.rates(0.0, length / 3.0, 0.0, 6.0) == pytest.approx([0.5 * across, 0.0, across])
+    # Both are largest at 45 degrees, if they are equal.
+    rates = layout.rates(0.0, length, across / flat, 6.0)
+    assert rates == pytest.approx([across * sqrt(2.0), across / flat * climb, across * sqrt(2.0)])
+    assert layout.off([1.5, 99.0, 44.0]) == pytest.approx(1.0)
+    assert layout.off([1.5 - 4.75, 99.0, 0.0]) == pytest.approx(0.5)
+
+
+def test_the_axes_of_a_helix_reserve_a_share_for_turning() -> None:
+    """At path speed 1 the centripetal acceleration is flat² / 10 units/s²."""
+    layout = PathLayout(helix(90.0), HELIX_START)
+    flat = 5.0 * pi / hypot(5.0 * pi, 15.0)
+    x, y = layout.turning()
+    assert x == pytest.approx((2, flat**2 / 10.0 * 4.0, 1.0 / sqrt(2.0)))
+    assert y == pytest.approx((0, flat**2 / 10.0 * 0.5, 1.0 / sqrt(2.0)))
 
 
 def test_a_helix_may_count_as_longer_than_it_is() -> None:
     """A quarter of 10 units counts as 25: 5 pi / 25 of the speed is in its plane."""
-    layout = PathLayout(helix(90.0, length=25.0), [0.0, 6.0, 40.0])
+    layout = PathLayout(helix(90.0, length=25.0), HELIX_START)
     assert (layout.length, layout.stretch) == (25.0, 1.0)
     assert layout.angle_rate == pytest.approx(0.5 * pi / 25.0)
     assert layout.slopes(0.0, 25.0) == pytest.approx([0.2 * pi, 0.6, 0.2 * pi])
