@@ -141,3 +141,17 @@ def test_a_recorder_writes_every_reading_and_every_setting_down() -> None:
     assert recorder.reader("speed", 1, "uu/s")() == 2.0
     recorder.writer("speed", 1, "uu/s")(4.0)
     assert recorder.calls[1:] == [("position", 1), ("setting", 1, "speed"), ("configure", 1, "speed", 40.0)]
+
+
+@pytest.mark.parametrize("heard", [False, True])
+def test_a_reading_of_motion_has_the_unit_of_time(heard: bool) -> None:
+    """8 counts/s are 0.8 units/s, 48 units a minute; after 4.5 s 6 counts are left."""
+    controller = scaled()
+    controller.set_time_unit(0, 60.0)
+    subscriber = Subscriber()
+    subscriber.notes = [] if heard else None
+    speed = controller.reader("velocity", 0, "uu/s", subscriber)
+    left = controller.reader("remaining", 0, "uu", subscriber)
+    controller.move_to(0, 40.0)
+    controller.clock.advance(4.5)
+    assert (speed(), left()) == pytest.approx((48.0, 0.6))

@@ -155,3 +155,15 @@ def test_constants_with_a_sign_leave_the_form() -> None:
         "    x = (c0 + p) * c1 - c2 - c3 if k > 3 else -c4\n"
     )
     assert constants == (-5.0, 1e-05, 0.5, -2.5, 1e-07)
+
+
+def test_the_acceleration_of_a_drive_goes_by_its_time_constant() -> None:
+    """It is (10 u - v) / 0.5; after a third of 0.5 s exp(-1/3) of a change is left."""
+    regime = discretise(Drive(speed_per_volt=10.0, time_constant=0.5), 0.5 / 3.0).regimes[1, 1]
+    assert regime.drive == (0.0, -2.0, 20.0, 0.0)
+    left = math.exp(-1.0 / 3.0)
+    assert regime.a[1] == pytest.approx((0.0, left))
+    assert regime.b[1] == pytest.approx(10.0 * (1.0 - left))
+    assert regime.a[0] == pytest.approx((1.0, 0.5 * (1.0 - left)))
+    assert regime.b[0] == pytest.approx(10.0 * (0.5 / 3.0 - 0.5 * (1.0 - left)))
+    assert regime.w == (0.0, 0.0)

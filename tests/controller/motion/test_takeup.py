@@ -97,3 +97,12 @@ def test_play_without_a_ramp_is_taken_up_at_once() -> None:
     assert (play.advance(0.1, False), play.advance(0.1, True)) == (0.0, 0.0)
     until(c, 0.2)
     assert (play.advance(0.2, True), play.rate()) == (3.0, 0.0)
+
+
+def test_without_backlash_nothing_is_taken_up() -> None:
+    c = machine(1)
+    play = Takeup(c.axes[0], 0.0)
+    play.ramp = 2.0
+    c.move_to(0, 8.0)
+    until(c, 0.5)
+    assert (play.advance(0.5, True), play.rate(), play.heading) == (0.0, 0.0, 1)
