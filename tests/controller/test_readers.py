@@ -155,3 +155,15 @@ def test_a_reading_of_motion_has_the_unit_of_time(heard: bool) -> None:
     controller.move_to(0, 40.0)
     controller.clock.advance(4.5)
     assert (speed(), left()) == pytest.approx((48.0, 0.6))
+
+
+def test_a_velocity_is_read_along_a_ramp_that_began_later() -> None:
+    """From 1 s on the axis speeds up at 16 counts/s², which is 1.6 units/s²."""
+    controller = scaled()
+    speed = controller.reader("velocity", 0, "uu/s")
+    controller.configure(0, "speed", 160.0)
+    controller.clock.advance(1.0)
+    controller.move_to(0, 1e6)
+    for time in (2.0, 3.0, 4.5, 7.0):
+        controller.clock.advance(time)
+        assert speed() == pytest.approx(1.6 * (time - 1.0))
