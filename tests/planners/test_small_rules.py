@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from math import exp, inf, nextafter, sqrt
-from typing import Any
+from math import exp, inf, nextafter, sqrt, tanh
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -21,7 +21,7 @@ from motionlang.planners.curve import from_curve
 from motionlang.planners.dissect import s_curve_times, slip_acceleration, step_segments, trapezoid_times
 from motionlang.planners.extrapolation import Extrapolated
 from motionlang.planners.feasibility import finish, stretched
-from motionlang.planners.jerk import jerk_ramps
+from motionlang.planners.jerk import jerk_ramps, peak_from_rest
 from motionlang.planners.jerk_limited import jerk_limited_approach
 from motionlang.planners.limits import LARGEST, SMALLEST
 from motionlang.planners.lookahead import Pace, plan_course
@@ -31,12 +31,15 @@ from motionlang.planners.ramps import MOMENT
 from motionlang.planners.rate import Rate
 from motionlang.planners.reach import remedies
 from motionlang.planners.reparametrised import knot_distances
-from motionlang.planners.segment_speed import between, entry_speed, exit_speed
+from motionlang.planners.segment_speed import _farthest, between, entry_speed, exit_speed
 from motionlang.planners.solve import solve_move
 from motionlang.planners.stop import ramps_of
 from motionlang.planners.superposition import added
 from motionlang.planners.table_motion import table_curve
 from motionlang.planners.trapezoid import from_rest
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 LIMITS = (200.0, 400.0, 400.0)
 MOVE = plan_trapezoid(0.0, 100.0, *LIMITS)
@@ -225,3 +228,60 @@ def test_the_smallest_speed_and_rates_are_allowed_and_smaller_ones_are_not(plan:
     assert planned(SMALLEST).end == 1.0
     with pytest.raises(ValueError, match=r"."):
         planned(nextafter(SMALLEST, 0.0))
+
+
+@pytest.mark.parametrize(("low", "high"), [(0.0, 10.0), (10.0, 0.0), (1.0, 1e3), (3.0, 2.0)])
+@pytest.mark.parametrize(
+    ("curve", "most"),
+    [
+        (lambda x: x - 2.5, 9),
+        (lambda x: x**3 - 15.625, 33),
+        (lambda x: sqrt(x) - sqrt(2.5), 20),
+        (lambda x: tanh(x - 2.5), 21),
+        (lambda x: (x > 2.5) - 0.5, 90),  # a jump leaves only bisection
+    ],
+)
+def test_the_farthest_number_that_fits_is_found_to_the_last_bit(
+    low: float, high: float, curve: Callable[[float], float], most: int
+) -> None:
+    """What is on the same side of 2.5 as `low` fits; bisection takes over 50 values."""
+    sign = 1.0 if high > low else -1.0
+    calls = []
+
+    def beyond(x: float) -> float:
+        calls.append(x)
+        return sign * curve(x)
+
+    found = _farthest(low, high, beyond)
+    assert len(calls) <= most
+    assert beyond(found) <= 0.0
+    assert beyond(nextafter(found, high)) > 0.0
+    assert found == pytest.approx(2.5, rel=1e-15)
+
+
+@pytest.mark.parametrize("fits", [0.0, -1.0])
+def test_the_farther_end_is_the_farthest_number_if_it_fits(fits: float) -> None:
+    assert _farthest(1.0, 9.0, lambda x: fits if x == 9.0 else -2.0) == 9.0
+
+
+# The distance, the accelerations and the jerks, and the peak speed. At 100 and a jerk of 500 a ramp to 45 takes
+# 0.65 s; without the rate, a ramp to v takes 2 sqrt(v / 500) s.
+PEAKS: dict[str, tuple[float, tuple[float, float, float, float], float]] = {
+    "both rates": (0.65 * 45.0, (100.0, 100.0, 500.0, 500.0), 45.0),
+    "both rates are just reached": (0.4 * 20.0, (100.0, 100.0, 500.0, 500.0), 20.0),
+    "neither": (0.2 * 5.0, (100.0, 100.0, 500.0, 500.0), 5.0),
+    "both rates, of which the second is lower": (
+        0.5 * 45.0 * (0.65 + 1.0), (100.0, 50.0, 500.0, 500.0), 45.0,
+    ),
+    "neither, with other jerks": (0.5 * 5.0 * (0.2 + 0.1), (100.0, 200.0, 500.0, 2000.0), 5.0),
+    "one of them": (0.5 * 10.0 * (0.3 + 2.0 * sqrt(0.02)), (50.0, 100.0, 500.0, 500.0), 10.0),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PEAKS)
+def test_the_peak_of_a_move_from_rest(name: str) -> None:
+    """A lower rate of 50 is reached at 5; a ramp at it to v takes v / 50 + 0.1 s."""
+    size, figures, peak = PEAKS[name]
+    assert peak_from_rest(size, *figures) == pytest.approx(peak)
+    accel, decel, accel_jerk, decel_jerk = figures
+    assert peak_from_rest(size, decel, accel, decel_jerk, accel_jerk) == pytest.approx(peak)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from motionlang.planners import hold, plan_sinusoidal
-from motionlang.servo import Drive, Loop, Motor, Track, simulate
+from motionlang.servo import Drive, Loop, Motor, Track, response, simulate
 from motionlang.servo.response import (
     LoopFigures,
     bandwidth,
@@ -215,3 +215,18 @@ def test_a_loop_that_is_there_in_one_sample_has_all_the_frequencies_that_there_a
     At 0.8 volts per count, an error is corrected in the next sample.
     """
     assert bandwidth(Loop(0.8), Drive(5000.0, 1e-6)) == 2000.0
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_without_the_quick_search_the_bandwidth_is_the_same(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The polynomials are not trusted if they come too near to the level."""
+    loop, plant = PAIRS[name]
+    found = bandwidth(loop, plant)
+    monkeypatch.setattr(response, "_first_below", lambda *arguments: None)
+    assert bandwidth(loop, plant) == pytest.approx(found, rel=1e-9)
+    monkeypatch.setattr(response, "_first_below", lambda f, g, c, period, grid: len(grid))
+    assert bandwidth(loop, plant) == pytest.approx(0.5 * loop.servo_rate)
+    monkeypatch.setattr(response, "_first_below", lambda *arguments: 0)
+    assert bandwidth(loop, plant) == 0.0

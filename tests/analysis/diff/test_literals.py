@@ -16,7 +16,8 @@ PROGRAMS: dict[str, tuple[str, str, list[tuple[str, str | None, str, str]]]] = {
         "ACCEL(0) = 9\n", "SPEED(0) = 30\nACCEL(0) = 8\n", [("ACCEL[0]@2", "ACCEL[0]@1", "9", "8")],
     ),
     "one among many of one name": (
-        "WAIT(10)\n" * 250, "WAIT(10)\n" * 200 + "WAIT(11)\n" + "WAIT(10)\n" * 49, [("WAIT@201", None, "10", "11")],
+        "WAIT(10)\n" * 250, "SPEED(0) = 20\n" + "WAIT(10)\n" * 200 + "WAIT(11)\n" + "WAIT(10)\n" * 49,
+        [("WAIT@202", "WAIT@201", "10", "11")],
     ),
 }  # fmt: skip
 
