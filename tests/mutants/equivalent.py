@@ -515,4 +515,39 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/analysis/diff/timeline.py: Timeline: _put: 1 -> 2": "the numbers only keep the order of equal ends",
     "motionlang/analysis/diff/timeline.py: Timeline: __init__: 0 -> 1": "the numbers only keep the order of equal ends",
+    "motionlang/analysis/diff/charged.py: charged: abs(each.seconds) > NOTHING -> abs(each.seconds) >= NOTHING": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/diff/reports.py: _moves: False -> True #2": "the starts in a merged run are not used here",
+    "motionlang/analysis/diff/reports.py: _moves: True -> False #2": "the starts in a merged run are not used here",
+    "motionlang/analysis/proof/axes.py: _slowing: begun.came > speed -> begun.came >= speed": (
+        "a speed just at the limit needs no excuse"
+    ),
+    "motionlang/analysis/proof/flanks.py: _flank: 0.0 -> 1.0 #5": (
+        "a wave with one figure of 1 and the others 0 is no motion"
+    ),
+    "motionlang/analysis/proof/flanks.py: _flank: 0.0 -> 1.0 #6": (
+        "a wave with one figure of 1 and the others 0 is no motion"
+    ),
+    "motionlang/analysis/proof/flanks.py: _flank: 0.0 -> 1.0 #7": (
+        "a wave with one figure of 1 and the others 0 is no motion"
+    ),
+    "motionlang/analysis/proof/followers.py: _check_table: abs(travelled - wanted) > size -> "
+    "abs(travelled - wanted) >= size": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/followers.py: _check_table: abs(curve.end - curve.start - values[-1] + "
+    "values[0]) > size -> abs(curve.end - curve.start - values[-1] + values[0]) >= size": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/followers.py: _check_table: abs(stated - slope) * positions[-1] > size -> "
+    "abs(stated - slope) * positions[-1] >= size": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/followers.py: _check_table: abs(_on(curve, 0.5 * (left + right)) - first "
+    "- 0.5 * (low + high) + values[0]) > size -> abs(_on(curve, 0.5 * (left + right)) - first - 0.5 * "
+    "(low + high) + values[0]) >= size": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/followers.py: _check_table: abs(gap) * positions[-1] > size -> abs(gap) * "
+    "positions[-1] >= size": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/outputs.py: _check_peak: reported > seen + slack -> reported >= seen + slack": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/servo/servo.py: Servo: _first_beyond: seen.first_beyond(limit) * self.loop.servo_rate -> "
+    "seen.first_beyond(limit) / self.loop.servo_rate": ("the samples before it are then run one by one"),
 }
