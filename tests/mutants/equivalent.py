@@ -550,4 +550,11 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/servo/servo.py: Servo: _first_beyond: seen.first_beyond(limit) * self.loop.servo_rate -> "
     "seen.first_beyond(limit) / self.loop.servo_rate": ("the samples before it are then run one by one"),
+    "motionlang/analysis/proof/flanks.py: begin: 0 -> 1": "both jerks are infinite, or neither is",
+    "motionlang/analysis/proof/paths.py: _check_joins: 0 -> 1": "both jerks are infinite, or neither is",
+    "motionlang/analysis/proof/paths.py: stops_within: 0 -> 1 #6": "a stop from a positive speed only slows down",
+    "motionlang/analysis/proof/paths.py: _check_path: each.begin <= share * length -> each.begin < share * length": (
+        "where two segments meet both are at the same distance"
+    ),
+    "motionlang/analysis/sweeps/pool.py: 0.2 -> 1.2": "when other processes are started; the rows are the same",
 }

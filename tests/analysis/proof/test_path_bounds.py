@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from motionlang.analysis.proof.blends import _causes, _check_sum, _left, _suspended_by, _tail_in_force
 from motionlang.analysis.proof.checker import Proof, Uses
 from motionlang.analysis.proof.path_layout import PathLayout
 from motionlang.analysis.proof.paths import (
@@ -699,3 +700,95 @@ def test_a_path_that_is_resumed_too_late_stops_first(
     assert _follows_stop(then(ORDER, **before), order, LAYOUT, [span(0.0, 1.0, 96.0, 10.0)], 0.0) is follows
     assert not _follows_stop(then(ORDER, **before), order, LAYOUT, [span(0.0, 1.0, 96.0, 10.0)], 1.0)
     assert not _follows_stop(Order("move", 1), order, LAYOUT, [span(0.0, 1.0, 96.0, 10.0)], 0.0)
+
+
+# -- blended paths
+
+
+def blended(*orders: Order) -> Any:
+    """Return a run whose axis 0 had these orders, and its track."""
+    a = track(*((float(k), WHOLE) for k in range(len(orders))))
+    run = running(WHOLE, axes={0: a}, expected_motion=SimpleNamespace(of={0: list(orders)}))
+    return run, a
+
+
+NINE, EIGHT = then(ORDER, entry=9), then(ORDER, entry=8)
+NINE_STOPS = then(NINE._replace(rates=(10.0, 0.1)), comes_to_rest=True)
+
+
+@pytest.mark.parametrize(
+    ("orders", "tail", "found"),
+    [
+        ((NINE, EIGHT), NINE, NINE),  # it does not stop
+        ((NINE, EIGHT), then(NINE, comes_to_rest=True), then(NINE, comes_to_rest=True)),  # it can
+        ((NINE, EIGHT), NINE_STOPS, NINE),  # it cannot, by its lower rate
+        ((EIGHT, EIGHT), NINE_STOPS, NINE_STOPS),  # it had no earlier order
+        ((then(EIGHT, tails=(NINE,)), EIGHT), NINE_STOPS, NINE),
+        ((NINE, then(EIGHT, begun=-1.0), EIGHT), NINE_STOPS, NINE_STOPS),  # an older path lies in between
+    ],
+)
+def test_a_blended_path_that_cannot_stop_goes_on_by_its_earlier_order(
+    orders: tuple[Order, ...], tail: Order, found: Order
+) -> None:
+    run, a = blended(*orders)
+    assert _tail_in_force(run, a, len(orders) - 1, tail) == found
+
+
+@pytest.mark.parametrize(
+    ("before", "tail", "found"),
+    [
+        (then(NINE, comes_to_rest=True), NINE, True),
+        (NINE, NINE, False),
+        (then(NINE, comes_to_rest=True), then(NINE, comes_to_rest=True), False),
+        (then(EIGHT, comes_to_rest=True), NINE, False),
+        (then(EIGHT, tails=(then(NINE, comes_to_rest=True),)), NINE, True),
+        (Order("move", 1), NINE, False),
+    ],
+)
+def test_the_order_of_a_resumed_path_while_it_was_suspended(before: Order, tail: Order, found: bool) -> None:
+    run, a = blended(ORDER, before, EIGHT)
+    expected = then(NINE, comes_to_rest=True) if found else None
+    assert _suspended_by(run, a, 2, tail) == expected
+
+
+@pytest.mark.parametrize(
+    ("begin", "times"),
+    [(0.5, [7.0, 2.0]), (1.5, [7.0, 2.0, 4.0]), (2.5, [7.0, 2.0, 4.0, 6.0])],
+)
+def test_a_path_may_begin_as_an_overlapping_one_ends(begin: float, times: list[float]) -> None:
+    """Paths begin at 0, 1 and 2 s and take 2, 3 and 4 s; a prompt came at 7 s."""
+    moves: list[Any] = [
+        SimpleNamespace(start_time=float(k), axis=0, profile=hold(0.0).cut(k + 2.0)) for k in range(3)
+    ]
+    run: Any = SimpleNamespace(paths={0: moves})
+    other: Any = SimpleNamespace(axis=0)
+    assert list(_causes(run, other, [(7.0, "blend")], begin)) == times
+    assert list(_causes(run, moves[0], [], begin)) == times[2:]
+
+
+@pytest.mark.parametrize(
+    ("shares", "found"),
+    [((0.5, 0.5), False), ((0.5, 0.5000004), False), ((0.5, 0.51), True), ((1.0, 0.0), False)],
+)
+def test_the_axis_of_two_paths_has_the_sum_of_their_velocities(
+    shares: tuple[float, float], found: bool
+) -> None:
+    """Each path has a share of the velocity of the track; a millionth is rounding."""
+    a = track((0.0, WHOLE))
+    entries: list[Any] = [
+        [SimpleNamespace(profile=WHOLE.scaled(0.0, share), start_time=0.0)] for share in shares
+    ]
+    proof = Proof()
+    run: Any = SimpleNamespace(axes={0: a})
+    _check_sum(proof, run, ORDER, entries, (2.0, 8.0))
+    messages = [each.message.partition(" at ")[2].partition(" at ")[2] for each in proof.violations]
+    assert bool(messages) is found
+    if found:
+        assert messages[0].endswith("its paths add up to 10.1")
+
+
+@pytest.mark.parametrize(("time", "left", "speed"), [(0.0, 100.0, 0.0), (5.0, 55.0, 10.0), (10.5, 1.25, 5.0)])
+def test_the_distance_that_a_path_has_left(time: float, left: float, speed: float) -> None:
+    assert _left(LAYOUT, [(WHOLE, time)]) == pytest.approx((left, speed))
+    double = PathLayout(PATH._replace(length=50.0), [0.0])  # it counts as half as long
+    assert _left(double, [(WHOLE, time)]) == pytest.approx((0.5 * left, speed))

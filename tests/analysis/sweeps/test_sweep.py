@@ -327,3 +327,36 @@ def test_the_number_of_a_quantity(name: str, number: int) -> None:
 def test_what_is_no_quantity(name: str) -> None:
     with pytest.raises(ValueError, match=name.partition(".")[0]):
         quantity(name)
+
+
+# A move of 40 at 100 uu/s², of 20 uu/s if the speed is not varied, and a wait of 2 * 50 ms.
+NUMBERS = Source(
+    "numbers.mnt",
+    "SPEED(0) = 20\nACCEL(0) = 100 : DECEL(0) = 100\nMOVER(0) = 40 : GO(0) : PAUSE IDLE(0)\nWAIT = 2 * 50\n",
+)
+
+
+@pytest.mark.parametrize(
+    ("address", "values", "times"),
+    [
+        ("SPEED[0]@1", [20.0, 10.0], [2.3, 4.2]),  # 0.2 s of ramps in addition to 40 / 20, 0.1 s to 40 / 10
+        ("WAIT@4:1", [1.0, 3.0], [2.25, 2.35]),  # only a part of a value, which no constant can replace
+        ("WAIT@4:2", [10.0, 100.0], [2.22, 2.4]),
+    ],
+)
+def test_a_number_of_the_program_is_varied(address: str, values: list[float], times: list[float]) -> None:
+    rows = list(Sweep(NUMBERS, {address: values}, keep=["time"]).results(jobs=1))
+    assert [kept[0] for _, kept, _ in rows] == pytest.approx(times, abs=1e-3)
+    assert [problem for *_, problem in rows] == [None, None]
+
+
+def test_a_number_that_stops_the_program_is_reported_at_its_line() -> None:
+    """A text is no number, and a speed of 0 is a fault of line 3."""
+    rows = list(Sweep(NUMBERS, {"SPEED[0]@1": [20.0, 0.0, "fast"]}, keep=["status"]).results(jobs=1))
+    assert [kept for _, kept, _ in rows] == [("ended",), ("fault",), (None,)]
+    (_, _, none), (_, _, fault), (_, _, text) = rows
+    assert none is None
+    assert fault is not None
+    assert (fault["code"], fault["line"]) == ("zero-speed", 3)
+    assert text is not None
+    assert text["message"] == "SPEED[0]@1 is a number, not 'fast'"
