@@ -244,7 +244,7 @@ def test_the_smallest_speed_and_rates_are_allowed_and_smaller_ones_are_not(plan:
 def test_the_farthest_number_that_fits_is_found_to_the_last_bit(
     low: float, high: float, curve: Callable[[float], float], most: int
 ) -> None:
-    """What is on the same side of 2.5 as `low` fits; bisection takes over 50 values."""
+    """Numbers on the side of 2.5 that `low` is on fit; bisection takes over 50 values."""
     sign = 1.0 if high > low else -1.0
     calls = []
 
