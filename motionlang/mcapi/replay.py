@@ -116,7 +116,8 @@ class Replay:
             self._reach(entry.begin)
             self._call(entry)
             end = max(end, entry.end)
-        self._reach(end + self._skew + REST)
+        # A check is due later than that if a blocking call took longer here than in the log.
+        self._reach(max([end + self._skew + REST, *(check.due for check in self._checks)]))
         for entry in self._open.values():
             self._differs(
                 entry, "time", f"the call took {entry.end - entry.begin:.4f} s, and does not end here"

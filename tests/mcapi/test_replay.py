@@ -283,6 +283,17 @@ def test_a_reading_at_rest(answer: str, counts: dict[str, int]) -> None:
     assert replayed(f"{SLOW}1.5 1.5 2 {answer}\n").counts == counts
 
 
+@pytest.mark.parametrize("took", [0.25, 0.245])
+@pytest.mark.parametrize(("position", "counts"), [(1000.0, {}), (17.0, {"position": 1})])
+def test_a_reading_after_a_wait_that_takes_longer_here(
+    took: float, position: float, counts: dict[str, int]
+) -> None:
+    """The wait takes 250 ms here, and 5 ms less in the log: the reading is 5 ms late, and is still checked."""
+    end = 1.5 + took
+    log = f"{SLOW}1.5 {end} 1 MCWait 1 0.25 = -\n{end} {end} 1 MCGetPositionEx 1 1 + = 0 {position}\n"
+    assert replayed(log).counts == counts
+
+
 def test_a_speed_that_changes_may_be_off_by_the_skew() -> None:
     """At 100,000 counts/s² a skew of 4 ms is 400 counts/s.
 
