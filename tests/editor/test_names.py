@@ -71,6 +71,23 @@ def test_a_member_is_declared_in_its_type_even_if_that_follows() -> None:
     assert navigation.definition(shown, offset) == (declared, declared + len("size"))
 
 
+@pytest.mark.parametrize("use", ["Dim j As Jo|b\n", "Dim j(3) As Jo|b\n", "Sub S(j As Jo|b)\nEnd Sub\n"])
+def test_a_type_is_declared_where_its_block_begins(use: str) -> None:
+    text = f"{use}Type Job\n  Dim size As Float\nEnd Type\nDim k As Job\n"
+    shown, offset = at_cursor(text)
+    declared, first, last = (
+        shown.text.index("Type Job") + 5,
+        shown.text.index("Job"),
+        shown.text.rindex("Job"),
+    )
+    assert navigation.definition(shown, offset) == (declared, declared + 3)
+    uses = navigation.references(shown, offset, declaration=False)
+    assert uses == [(first, first + 3), (last, last + 3)]
+    page_of_it = hover(shown, offset)
+    assert page_of_it is not None
+    assert "Type Job: size" in page_of_it.markdown
+
+
 def test_references_are_all_uses_with_or_without_the_declaration() -> None:
     shown, offset = at_cursor(with_cursor("  count = cou|nt + 1"))
     lines = [shown.source.location(start)[0] for start, _ in navigation.references(shown, offset)]

@@ -6,10 +6,12 @@ from collections.abc import Callable, Generator
 
 import pytest
 
+from motionlang import run
 from motionlang.controller.controller import Controller
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import GeneratorTask
 from motionlang.lang.waits import Wait, wait_idle, wait_until
+from motionlang.source import Source
 
 Steps = Generator[float | Wait, tuple[float, float], float]
 
@@ -66,6 +68,36 @@ def test_a_busy_program_meets_the_horizon_and_ends_at_until() -> None:
 
     assert Scheduler(c, task(program)).run(until=1.0) == "until"
     assert c.clock.now == pytest.approx(1.0, abs=2e-3)
+
+
+PRINTS, REPLIES = "PRINT TIME\n" * 9, ",TR0" * 9
+RATES = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+ENABLE = "1MN,1SV100,1SA1000,1DS1000"
+# File, program, and the milliseconds after which it writes a line every millisecond. A statement of Mint begins where
+# the last one ended, the first at 0; a command of MCCL takes its millisecond first. A move of 1 takes 2 * sqrt(1/1000),
+# 63.2 ms; one of 10 just reaches the speed of 100 and takes 200 ms; a jog of 1 covers 0.05 in 50.5 ms.
+WAITS = {
+    "no wait": ("a.mnt", PRINTS, 0.0),
+    "a WAIT": ("a.mnt", f"WAIT 5\n{PRINTS}", 6.0),
+    "a WAIT of computed length": ("a.mnt", f"Dim w\nw = 4\nWAIT w\n{PRINTS}", 6.0),
+    "two WAITs": ("a.mnt", f"WAIT 5\nWAIT 5\n{PRINTS}", 12.0),
+    "a WAIT in a sub": ("a.mnt", f"Later()\n{PRINTS}Sub Later()\nWAIT 5\nEnd Sub\n", 7.0),
+    "a PAUSE for a move": ("a.mnt", f"{RATES}MOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\n{PRINTS}", 68.2),
+    "a PAUSE for a position": ("a.mnt", f"{RATES}JOG(0) = 1\nPAUSE POS(0) > 0.05\n{PRINTS}", 54.5),
+    "a PAUSE for a time": ("a.mnt", f"PAUSE TIME >= 70\n{PRINTS}", 71.0),
+    "WA": ("a.mcl", f"WA0.005{REPLIES}", 7.0),
+    "WS": ("a.mcl", f"{ENABLE},1MR10,1WS{REPLIES}", 206.0),
+    "WP": ("a.mcl", f"{ENABLE},1MR10,1WP5{REPLIES}", 106.0),
+}
+
+
+@pytest.mark.parametrize("name", WAITS)
+@pytest.mark.parametrize("lines", [1, 4, 7])
+def test_no_statement_begins_after_the_end_of_a_run(name: str, lines: int) -> None:
+    file, text, begin = WAITS[name]
+    until = (begin + lines - 0.5) * 1e-3
+    result = run(Source(file, text), machine={"controller.instruction_time": 1e-3}, cache=False, until=until)
+    assert (result.status, len(result.output)) == ("until", lines)
 
 
 def test_wait_that_nothing_can_end_is_reported_at_once() -> None:

@@ -557,4 +557,57 @@ EQUIVALENT: dict[str, str] = {
         "where two segments meet both are at the same distance"
     ),
     "motionlang/analysis/sweeps/pool.py: 0.2 -> 1.2": "when other processes are started; the rows are the same",
+    "motionlang/servo/response.py: loop_figures: phase + 180.0 -> phase - 180.0": "both are the same angle",
+    "motionlang/servo/response.py: loop_figures: 360.0 -> 361.0": (
+        "only rounding decides if a phase is exactly 180 degrees"
+    ),
+    "motionlang/servo/response.py: _last_fall: gain[:-1] >= level -> gain[:-1] > level": (
+        "only rounding decides if a gain of the grid is exactly the level"
+    ),
+    "motionlang/servo/response.py: _last_fall: gain[1:] < level -> gain[1:] <= level": (
+        "only rounding decides if a gain of the grid is exactly the level"
+    ),
+    "motionlang/log/history.py: MoveFigures: __init__: -inf -> inf #2": (
+        "a move without samples at rest has settled, whichever was the last"
+    ),
+    "motionlang/log/history.py: MoveFigures: __init__: 0.0 -> 1.0 #3": (
+        "without samples the time at which the error was last outside is infinite"
+    ),
+    "motionlang/log/history.py: _Done: collect: self._begins[following] <= end -> "
+    "self._begins[following] < end": ("a move that begins with the next block has no samples in this one"),
+    "motionlang/mccl/keywords/flow.py: repeat: here != task.loop_log.end or task.loop_log.target -> "
+    "here != task.loop_log.end and task.loop_log.target": (
+        "a running loop from the first command on is extended only by a later RP, which has closed it before"
+    ),
+    "motionlang/mccl/keywords/flow.py: repeat: here != task.loop_log.end -> here == task.loop_log.end": (
+        "to record a jump of a running loop again changes nothing"
+    ),
+    "motionlang/mccl/keywords/flow_waits.py: passing: 1.0 -> 2.0": "how large the allowance for rounding is",
+    "motionlang/mccl/keywords/flow_waits.py: passing: 1.0 -> 2.0 #2": (
+        "how large the allowance for rounding is"
+    ),
+    "motionlang/mccl/axis/motion_phase.py: at_target_time: axis.deadband <= 0.0 -> axis.deadband < 0.0": (
+        "a move comes within 0 of its target when it ends"
+    ),
+    "motionlang/mccl/runtime/task.py: CommandTask: _continue: horizon < until -> horizon <= until": (
+        "both are the same there"
+    ),
+    "motionlang/mint/runtime/waits.py: Waits: _log_passed: horizon < scheduler.until -> "
+    "horizon <= scheduler.until": ("both are the same there"),
+    "motionlang/serve/outside.py: LockStep: advance: self.clock.next_time() < time -> "
+    "self.clock.next_time() <= time": ("an advance that ends early is repeated by its caller"),
+    "motionlang/mcapi/replay.py: Replay: _reach: console.now < check.due -> console.now <= check.due": (
+        "a run up to the present changes nothing"
+    ),
+    "motionlang/mint/compile/unsimulated_use.py: _location: 1 -> 2": "every negative offset means the same",
+    "motionlang/mint/compile/for_loops.py: _continues: kind == 'i' -> kind != 'i'": (
+        "the general condition means the same"
+    ),
+    "motionlang/mint/compile/for_loops.py: _continues: kind == 'i' -> kind != 'i' #2": (
+        "the general condition means the same"
+    ),
+    "motionlang/mint/compile/for_loops.py: _continues: low > 0 -> low >= 0": (
+        "a step of 0 counts upwards in the general condition, too"
+    ),
+    "motionlang/mint/compile/for_loops.py: _continues: 0 -> 1": "the general condition means the same",
 }

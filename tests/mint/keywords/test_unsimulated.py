@@ -159,15 +159,16 @@ def test_brackets_accept_any_values() -> None:
 
 
 def test_at_the_prompt_they_end_the_line() -> None:
-    reported: list[str] = []
+    """Where a typed sub does, the error is at its call in the line that was typed last."""
+    reported: list[tuple[str, int, int]] = []
 
     def report(found: list[Diagnostic], source: Source) -> None:
-        reported.extend(each.message for each in found)
+        reported.extend((each.message, each.line, each.column) for each in found)
 
     runner = Runner(DIALECT, Machine(), report, lambda time: None)
-    for line in ("PARAMETERSAVE", "AUTOTUNE(0, 1)", "Sub S()\n AUTOTUNE(0, 1)\nEnd Sub", "S()"):
+    for line in ("PARAMETERSAVE", "AUTOTUNE(0, 1)", "Sub S()\n AUTOTUNE(0, 1)\nEnd Sub", "PRINT 1 : S()"):
         runner.execute(Source("<line>", line))
-    assert reported == ["AUTOTUNE is not simulated"] * 2
+    assert reported == [("AUTOTUNE is not simulated", 1, column) for column in (1, 11)]
 
 
 def test_the_demand_can_be_read_and_not_written() -> None:

@@ -69,6 +69,16 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         "PRINT ENCODER(0), ENCODERCOUNT(0) : ENCODER(0) = 7 : PRINT ENCODER(0)\n"
         "MOVER(0) = -100 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0), ENCODERCOUNT(0)",
         ["50.00001000", "7.0000", "2.0000900"], {}),
+    # 1000 counts per second are 50 units: 50 to 55 takes 0.1 s, and 55 to the wrap at 60 as long again.
+    "PAUSE ends when an encoder of the machine file crosses the level": (
+        "ENCODERSCALE(5) = 4 : ENCODERPRESCALE(5) = 5 : ENCODER(5) = 50 : PAUSE ENCODER(5) > 55 : PRINT TIME\n"
+        "ENCODERWRAP(5) = 60 : PAUSE ENCODER(5) < 5 : PRINT TIME : PAUSE ENCODER(5) >= 2.5 : PRINT TIME\n"
+        "PAUSE ENCODER(5) > 70 OR TIME >= 2000 : PRINT TIME",
+        ["100", "200", "250", "2000"], {**EXACT, "encoder": [{"channel": 5, "velocity": 1000.0}]}),
+    # The ramp of 0.1 s puts the axis 5 behind: it is at 100.05 after 1050.5 ms. PAUSE tests that every millisecond.
+    "PAUSE ends when the encoder of an axis has crossed the level": (
+        RATES + "JOG(0) = 100 : PAUSE ENCODER(0) > 100.05 : PRINT TIME\n"
+        "PAUSE ENCODER(0) >= 110.55 : PRINT TIME", ["1051", "1156"], EXACT),
     "an encoder wraps at its end": (
         RATES + "ENCODERWRAP(0) = 360 : MOVER(0) = 360 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0)\n"
         "MOVER(0) = -1 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0)", ["0.0000", "359.0000"], {}),

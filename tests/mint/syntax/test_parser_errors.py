@@ -52,6 +52,12 @@ def test_a_number_that_no_float_holds_is_too_large(text: str) -> None:
     assert shown(f"x = {text}") == f"1:5+{len(text)} syntax: {message}"
 
 
+@pytest.mark.parametrize(("wrong", "reported"), [(99, 100), (100, 100), (101, 100)])
+def test_no_more_than_a_hundred_errors_are_reported(wrong: int, reported: int) -> None:
+    """The block that is not closed is one more error, unless there are a hundred already."""
+    assert len(shown("If a Then\n" + "PRINT )\n" * wrong).splitlines()) == reported
+
+
 HOSTILE = {
     "brackets": "x = " + "(" * 10_000,
     "closed brackets": "x = " + "(" * 10_000 + "1" + ")" * 10_000,
