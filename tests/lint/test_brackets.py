@@ -23,14 +23,23 @@ OPERANDS = (
     "a + b * 2",
     "r.c(1)",
     "0x10",
+    "INX[0]",
+    "POS[(a & 1)]",
+    "g()",
+    "r.n",
+    "-(r.n)",
 )
 BITS, COMPARISONS = ("&", "|"), ("=", "<>", "<", ">=")
 BEFORE = """\
 Type pair
   c(2) As Integer
+  n As Integer
 End Type
+Function g() As Integer
+  g = 7
+End Function
 Dim a As Integer, b As Integer, f(3, 3) As Integer, r As pair
-a = 1 : b = 2 : f(1, 1) = 3 : r.c(1) = 4
+a = 1 : b = 2 : f(1, 1) = 3 : r.c(1) = 4 : r.n = 5
 """
 
 
@@ -57,7 +66,7 @@ def bracketed(operands: list[str], ops: list[str], tight: tuple[str, ...]) -> st
     return texts[0] + "".join(f" {op} {text}" for op, text in zip(loose, texts[1:], strict=True))
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(90))
 def test_both_interpretations(seed: int) -> None:
     random = Random(seed)
     count = random.randint(3, 6)

@@ -5,11 +5,14 @@ Words, texts and integers of C, and what the board does with lines that do not f
 
 from __future__ import annotations
 
+import ctypes
+
 import pytest
 
 from motionlang.mcapi import Mcapi
 from motionlang.mcapi.protocol import decode, encode, parse, request
-from motionlang.mcapi.session import BadCall
+from motionlang.mcapi.session import BadCall, wrapped
+from motionlang.mcapi.table import BITS
 from tests.mcapi.conftest import opened
 from tests.mcapi.test_answers import ask
 
@@ -32,6 +35,26 @@ from tests.mcapi.test_answers import ask
 )
 def test_a_call_is_read_as_it_is_written(line: str) -> None:
     assert request(*parse(line)) == line
+
+
+INTEGERS = {
+    "h": ctypes.c_int16,
+    "s": ctypes.c_int16,
+    "i": ctypes.c_int32,
+    "l": ctypes.c_int32,
+    "W": ctypes.c_uint16,
+    "D": ctypes.c_uint32,
+    "u": ctypes.c_uint32,
+    "w": ctypes.c_uint64,
+}
+
+
+@pytest.mark.parametrize("kind", BITS)
+def test_an_integer_is_wrapped_as_in_c(kind: str) -> None:
+    for bits in (0, 15, 16, 31, 32, 63, 64, 65):
+        for value in (2**bits - 1, 2**bits, 2**bits + 1):
+            for signed in (value, -value):
+                assert wrapped(signed, BITS[kind]) == INTEGERS[kind](signed).value
 
 
 def test_the_words_of_values() -> None:

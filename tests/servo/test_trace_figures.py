@@ -102,7 +102,7 @@ def test_a_short_move_has_the_sample_before_it_and_has_settled(begin: float, pea
     """It takes 0.05 ms, and the next begins another 0.05 ms later. A sample is in force until the next."""
     move = MoveFigures(begin, begin + 0.00005, begin + 0.0001)
     move.take(0.0, of_errors(1.0, 5.0, 2.0), 0.5)
-    assert (move.peak_error, move.settle_time) == (peak, 0.0)
+    assert (move.peak_error, move.peak_output, move.rms_torque, move.settle_time) == (peak, 0.0, 0.0, 0.0)
 
 
 def test_the_matrix_exponential() -> None:

@@ -382,6 +382,8 @@ OUTSIDE = {
     "PRINT LATCHVALUE(32)": "there is no latch channel 32",
     "PRINT CAPTUREMODE(8)": "there is no capture channel 8",
     "PRINT CAMBOX(32)": "there is no cam box 32",
+    "CAM(1) = 8": "CAM cannot be 8",
+    "CAM(1) = -1": "CAM cannot be -1",
     "CAPTURENUMPOINTS = 0": "a capture cannot have 0 points",
     "CAPTURENUMPOINTS = 100001": "a capture cannot have 100001 points",
     "PRINT ENCODER(99)": "there is no encoder 99",
@@ -413,3 +415,33 @@ def test_what_it_prints(rule: str) -> None:
 def test_a_number_outside_its_range_is_refused(text: str) -> None:
     result = run(Source("a.mnt", text), cache=False, until=10.0)
     assert [each.message for each in result.diagnostics] == [OUTSIDE[text]]
+
+
+# A program that waits for a level, and the milliseconds at which it passes that. With 100 per second and 1000 per s², a
+# distance of d takes 50 ms + 10 ms * d, and a speed of v takes v ms. No moment is on a tick of the profiler, 1 ms.
+LEVELS: dict[str, tuple[str, float]] = {
+    "POS": ("JOG(0) = 100 : PAUSE POS(0) > 10.03", 150.3),
+    "POS downwards": ("JOG(0) = -100 : PAUSE POS(0) <= -10.03", 150.3),
+    "POSDEMAND": ("JOG(0) = 100 : PAUSE POSDEMAND(0) > 10.03", 150.3),
+    "POSREMAINING": ("MOVER(0) = 100 : GO(0) : PAUSE POSREMAINING(0) < 80.03", 249.7),
+    "OFFSET": ("MOVER(0) = 100 : GO(0) : PAUSE OFFSET(0) < 80.03", 249.7),
+    "VEL": ("JOG(0) = 100 : PAUSE VEL(0) > 50.3", 50.3),
+    "VELDEMAND": ("JOG(0) = 100 : PAUSE VELDEMAND(0) >= 50.3", 50.3),
+    "VEL at the end": ("MOVER(0) = 100 : GO(0) : PAUSE POS(0) > 90 : PAUSE VEL(0) < 50.3", 1049.7),
+    "TIME": ("WAIT 0.3 : TIME = 0 : PAUSE TIME >= 70", 70.3),
+    "a variable of time": ("Dim t As Time\nWAIT 0.3 : t = 0 : PAUSE t >= 70", 70.3),
+    "JOGTIME": ("JOGSPEED(0) = 100 : WAIT 0.3 : JOGCOMMAND(0) = 1 : PAUSE JOGTIME(0) >= 70", 70.3),
+    "ENCODER": ("PAUSE ENCODER(5) > 10.3", 10.3),
+    "AUXENCODER": ("PAUSE AUXENCODER(0) > 20.6", 10.3),
+    "one or the other": ("JOG(0) = 100 : PAUSE POS(0) > 10.03 Or VEL(0) > 50.3", 50.3),
+    "one and the other": ("JOG(0) = 100 : PAUSE POS(0) > 10.03 And VEL(0) > 50.3", 150.3),
+}
+
+
+@pytest.mark.parametrize("name", LEVELS)
+def test_a_wait_for_a_level_ends_exactly_when_it_is_passed(name: str) -> None:
+    text, time = LEVELS[name]
+    encoders = [{"channel": 5, "velocity": 1000.0}, {"aux": 0, "velocity": 2000.0}]
+    source = Source("a.mnt", f"{RATES}{text}\nOUTX(0) = 1\nCANCEL(0)")
+    result = run(source, machine={**EXACT, "encoder": encoders}, cache=False, until=20.0)
+    assert [each.time for each in result.controller.log.outputs] == [pytest.approx(time / 1000.0, abs=1e-7)]
