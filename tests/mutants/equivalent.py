@@ -62,9 +62,6 @@ EQUIVALENT: dict[str, str] = {
     "(a.move.speed is not None) << 0 -> (a.move.speed is not None) >> 0": (
         "by no place to the left or to the right"
     ),
-    "motionlang/mint/keywords/camboxes.py: CamBox: _edges: source.per_unit > 0 -> source.per_unit >= 0": (
-        "no source has 0 counts in a unit"
-    ),
     "motionlang/mint/keywords/terminal.py: ask: 1 -> 2": (
         "of how often something was done only a change is asked"
     ),

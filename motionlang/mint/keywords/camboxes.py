@@ -129,12 +129,7 @@ class CamBox:
         for begin, end in zip(positions[::2], positions[1::2], strict=True):
             if not source.period and begin >= end:
                 raise self._wrong(f"it is on from {begin:g} to {end:g}")
-            low, high = (
-                sorted((source.counts(begin), source.counts(end)))
-                if not source.period
-                else ((source.counts(begin), source.counts(end))[:: 1 if source.per_unit > 0 else -1])
-            )
-            found += [(low, 1), (high, 0)]
+            found += [(source.counts(begin), 1), (source.counts(end), 0)]
         if source.period:
             found = sorted((position % source.period, state) for position, state in found)
         for (position, state), (other, following) in pairwise(found):
