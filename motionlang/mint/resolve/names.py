@@ -327,12 +327,12 @@ class Names:
         if value is None:
             self.problems.add("type", f"the value of {node.name} is not known before the program runs", node.at,
                               hint="a Const can use numbers, texts and other constants")  # fmt: skip
-            value = 0
+            value = 1  # as the size of an array or a divisor, 0 would be a second error
         natural = STRING if isinstance(value, str) else INTEGER if isinstance(value, int) else FLOAT
         kind = self.type_of(node.type, natural)
         if (kind.name == STRING) is not isinstance(value, str):
             self.problems.add("type", f"{node.name} is {kind}, its value is {natural}", node.at)
-            value = "" if kind.name == STRING else 0
+            value = "" if kind.name == STRING else 1
         symbol = Symbol(node.name, "const", kind, "", node.at, function)
         symbol.const = int(value) if kind.name == INTEGER else float(value) if kind.name == FLOAT else value
         self.add(function.scope, symbol)

@@ -148,6 +148,19 @@ REFUSED = [
         "the value of C is not known before the program runs",
         "a Const can use numbers, texts and other constants",
     ),
+    # What a Const without a value is used for is no second error.
+    (
+        "Const C = n\nDim d(C) As Integer\nPRINT 5 / C",
+        2,
+        "the value of C is not known before the program runs",
+        "a Const can use numbers, texts and other constants",
+    ),
+    (
+        'Const C As Integer = "a"\nDim d(C) As Integer\nPRINT 5 / C',
+        2,
+        "C is Integer, its value is String",
+        "",
+    ),
     ("Type P\n u As Integer\n u As Float\nEnd Type", 4, "P already has a member u", ""),
     ("Type P\n u As Integer\nEnd Type\nType P\n u As Integer\nEnd Type", 5, "there is already a type P", ""),
     ("Type P\n u As Integer\nEnd Type\nDim p As P\nPRINT p", 6, "a P cannot be printed", "print its members"),
