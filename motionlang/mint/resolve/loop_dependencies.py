@@ -112,7 +112,8 @@ class _Survey:
         reached = list(self._reached(body))
         lines = frozenset(self._module.line(node.at) for node in reached)
         if not why and conditions:
-            why = " or ".join(dict.fromkeys(map(shown, conditions)))
+            in_order = sorted(conditions, key=lambda each: each.at)
+            why = " or ".join(dict.fromkeys(map(shown, in_order)))
         within = self.reads([*conditions, *_deciding(reached, None)], reached)
         return LoopDependencies(self.reads(conditions, reached), within, lines, why)
 
@@ -265,8 +266,9 @@ def input_reads(source: Source) -> list[InputRead]:
         found += _keys(module, body)
         event = kind_and_number(function.name) if function.kind == "event" else None
         if event is not None and event[0] == "in" and event[1] >= 0:
-            first = min((module.line(node.at) for node in body), default=1)
-            found.append(InputRead("event", event[1], None, max(first - 1, 1), first))
+            line = module.line(function.at)
+            first = min((module.line(node.at) for node in body), default=line)
+            found.append(InputRead("event", event[1], None, line, first))
     return sorted(found, key=lambda each: (each.line, each.kind, each.channel is None, each.channel or 0))
 
 
