@@ -123,6 +123,20 @@ def test_a_blocking_call_may_differ_by_the_skew() -> None:
         assert replayed("\n".join(changed) + "\n").counts == wanted
 
 
+@pytest.mark.parametrize(
+    ("wait", "text"),
+    [
+        ("0.105", None),
+        ("0.115", "the call took 0.1000 s, and does not end here"),
+        ("0.085", "the call took 0.1000 s, here 0.0850 s"),
+    ],
+)
+def test_the_last_call_of_a_log_may_end_here_later_by_the_skew(wait: str, text: str | None) -> None:
+    """It took 100 ms in the log. The skew is 10 ms, and the replay ends then."""
+    replay = replayed(f"mcapi-log 1\n0.0 0.0 1 MCOpen 0 2 - = 1\n0.1 0.2 1 MCWait 1 {wait} = -\n")
+    assert (replay.first.text if replay.first is not None else None) == text
+
+
 def test_a_replay_on_another_model_says_which(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = tmp_path / "a.log"
     log.write_text(recorded("dcx-pci100"), encoding="latin-1")

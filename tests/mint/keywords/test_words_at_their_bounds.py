@@ -284,6 +284,15 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         "CONNECT(1, 2, 7) = 1 : CONNECT(1, 2, 8) = 1 : CONNECT(1, 3, 7) = 1 : CONNECT(2, 2, 7) = 1\n"
         "PRINT CONNECTSTATUS(1, 2), CONNECTSTATUS(1, 3), CONNECTSTATUS(1, 7), CONNECT(1, 2, 7), CONNECT(1, 7, 2)\n"
         "CONNECT(1, 2, 7) = 0 : PRINT CONNECTSTATUS(1, 2), CONNECTSTATUS(2, 2)", ["21010", "11"], {}),
+    # Types 1 Boolean, 2 to 4 integers of 8, 16 and 32 bits, 5 to 7 without a sign: 65408 is 0xFF80, 32767 is 0x7FFF.
+    "an object of a node is cut off to its type": (
+        "Dim i As Integer\n"
+        "REMOTEOBJECT(1, 2, 0x2000, 0, 7) = 65408\nFor i = 1 To 7\nPRINT REMOTEOBJECT(1, 2, 0x2000, 0, i)\nNext\n"
+        "REMOTEOBJECT(1, 2, 0x2000, 0, 7) = 32767\nFor i = 1 To 7\nPRINT REMOTEOBJECT(1, 2, 0x2000, 0, i)\nNext\n"
+        "REMOTEOBJECT(1, 2, 0x2000, 0, 4) = -2147483647\nPRINT REMOTEOBJECT(1, 2, 0x2000, 0, 4)\n"
+        "REMOTEOBJECT(1, 2, 0x2000, 0, 3) = 32768\nPRINT REMOTEOBJECT(1, 2, 0x2000, 0, 4)",
+        ["0", "-128", "-128", "65408", "128", "65408", "65408",
+         "1", "-1", "32767", "32767", "255", "32767", "32767", "-2147483647", "-32768"], {}),
     # ------------------------------------------------------------------------------------------------------------ tasks
     "TASKSTATUS is 0 before a task and after it, 1 while it runs and 2 while it is suspended": (
         "PRINT TASKSTATUS(Blink) : Run Blink : PRINT TASKSTATUS(Blink) : TASKSUSPEND(Blink) : PRINT TASKSTATUS(Blink)\n"
