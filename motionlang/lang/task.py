@@ -36,8 +36,10 @@ if TYPE_CHECKING:
 WATCH = 0.03
 # A loop of fewer statements leaves no record; it counts for the code around it.
 MIN_STATEMENTS = 100.0
-# The first letter of the names of functions in generated code that are a part of another one.
+# The first letter of the names of functions in generated code that are a part of another one, and what precedes its
+# name in that of the dispatcher of a function with labels. A dispatcher that calls a dispatcher is a GoSub.
 CHUNK = "q"
+DISPATCHER = "j_"
 # The number of frames, from the running code outwards, whose calls are looked up each time. Calls further out
 # are cached.
 NEAR = range(16)
@@ -187,12 +189,13 @@ class GeneratorTask(Task):
         if generator is not None and generator.gi_yieldfrom is None and generator.gi_frame is not None:
             return (self._offsets[generator.gi_frame.f_lineno],)
         offsets: list[int] = []
-        inner = generator
+        inner = caller = generator
         while (frame := getattr(inner, "gi_frame", None)) is not None:
             if frame.f_code.co_filename == self._file:
-                if frame.f_code.co_name[0] == CHUNK:
-                    offsets.pop()  # its caller is the same function
+                if offsets and is_same_function(frame, caller):
+                    offsets.pop()
                 offsets.append(self._offsets[frame.f_lineno])
+                caller = frame
             inner = getattr(inner, "gi_yieldfrom", None)
         return tuple(offsets) or (self._offsets[0],)
 
@@ -211,7 +214,7 @@ class GeneratorTask(Task):
             caller = frame.f_back
             if caller is None or (code := caller.f_code).co_filename != file:
                 return tuple(found[::-1])
-            if frame.f_code.co_name[0] != CHUNK:
+            if not is_same_function(frame, caller):
                 known = calls.get((id(code), caller.f_lasti))
                 found.append(known[1] if known is not None else self._offset_of(caller))
             frame = caller
@@ -236,7 +239,7 @@ class GeneratorTask(Task):
         if len(cached) > len(NEAR) * len(NEAR):
             cached.clear()  # most of these frames have ended
         for count, (frame, caller) in enumerate(reversed(passed), 1):
-            if frame.f_code.co_name[0] != CHUNK:
+            if not is_same_function(frame, caller):
                 above = (*above, self._offset_of(caller))
             if not count % len(NEAR):
                 cached[frame] = above
@@ -297,3 +300,9 @@ class GeneratorTask(Task):
 
 
 GeneratorTask.resumes = GeneratorTask.resume.__code__
+
+
+def is_same_function(frame: FrameType, caller: FrameType) -> bool:
+    """True if two frames of generated code, one called by the other, are of one function of the program."""
+    name = frame.f_code.co_name
+    return name[0] == CHUNK or (name[0] == DISPATCHER[0] and name == DISPATCHER + caller.f_code.co_name)

@@ -14,7 +14,7 @@ its chunks are nested inside it.
 
 from __future__ import annotations
 
-from motionlang.lang.task import CHUNK
+from motionlang.lang.task import CHUNK, DISPATCHER
 from motionlang.mint.compile.lines import BREAK, DEPTH, LEAVES, LOOP, YIELDS, Line, moved, names_in
 
 TYPE_CHECKING = False
@@ -37,7 +37,7 @@ MAX_LOOPS = 8
 
 def dispatcher(function: Function) -> str:
     """Return the name of the dispatcher of a function with labels (`jumps.py`)."""
-    return f"j_{function.python}"
+    return f"{DISPATCHER}{function.python}"
 
 
 class Chunk:

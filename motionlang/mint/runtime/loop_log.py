@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sys import _getframe
 
-from motionlang.lang.task import CHUNK, MIN_STATEMENTS
+from motionlang.lang.task import MIN_STATEMENTS, is_same_function
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ def thrown(log: Log, statements: StatementTime, task: MintTask, jump: Exception,
 
 
 def open_loops(
-    frames: Iterable[FrameType],
+    frames: Iterable[tuple[FrameType, int]],
     file: str,
     offsets: Sequence[int],
     statements: StatementTime,
@@ -58,18 +58,20 @@ def open_loops(
 ) -> list[Open]:
     """Return the loops that the frames of a task are in; outermost frame first.
 
-    `kinds` are the first letters of the variables that record loops.
+    Each frame comes with its line. `kinds` are the first letters of the variables that record loops.
     """
     found: list[Open] = []
     callers: tuple[int, ...] = ()
-    for frame in frames:
+    caller: FrameType | None = None
+    for frame, line in frames:
         if frame.f_code.co_filename != file:
             continue
-        if frame.f_code.co_name[0] == CHUNK:
-            callers = callers[:-1]  # its caller is the same function
+        if caller is not None and is_same_function(frame, caller):
+            callers = callers[:-1]
+        caller = frame
         for name, begun in frame.f_locals.items():
             if name[0] in kinds and name[1:].isdecimal() and begun is not None:
                 count, base = begun
                 found.append((int(name[1:]), base + count * statements.cost, callers))
-        callers = (*callers, offsets[frame.f_lineno])
+        callers = (*callers, offsets[line])
     return found

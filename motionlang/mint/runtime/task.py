@@ -177,7 +177,7 @@ class MintTask(GeneratorTask):
     def loops(self) -> list[Open]:
         frames, inner = [], self._generator
         while (frame := getattr(inner, "gi_frame", None)) is not None:
-            frames.append(frame)
+            frames.append((frame, frame.f_lineno))
             inner = getattr(inner, "gi_yieldfrom", None)
         return open_loops(frames, self._file, self._offsets, self.environment.statements)
 
@@ -188,7 +188,7 @@ class MintTask(GeneratorTask):
         """
         frames, traceback = [], error.__traceback__
         while traceback is not None:
-            frames.append(traceback.tb_frame)
+            frames.append((traceback.tb_frame, traceback.tb_lineno))
             traceback = traceback.tb_next
         return open_loops(frames, self._file, self._offsets, self.environment.statements, kinds)
 
