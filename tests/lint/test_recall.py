@@ -153,6 +153,7 @@ def test_only_the_function_that_has_changed_is_checked_again() -> None:
     stages = [key[0] for key in known.keys() - before.keys()]  # type: ignore[index]
     assert sorted(stages) == ["compile", "lint"]
     assert len(known) == len(before) == 8
+    assert len([key for key, entry in before.items() if known.get(key) is entry]) == 6
 
 
 def test_what_is_no_longer_in_the_text_is_forgotten() -> None:
