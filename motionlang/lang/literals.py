@@ -309,6 +309,9 @@ def _statements(text: str, language: Dialect) -> Iterator[list[Token]]:
     statement: list[Token] = []
     depth, end = 0, 0
     for kind, word, offset in language.tokens(text):
+        if kind == "separator" and word.startswith("\\"):  # the statement continues on the next line
+            end = text.find("\n", offset) + 1
+            continue
         ends = "\n" in text[end:offset] or (
             kind == "separator" and (word.strip() in ("", ":") or word == "\n")
         )

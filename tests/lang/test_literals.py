@@ -94,6 +94,25 @@ def test_the_literals_of_conditions_and_loops() -> None:
     }
 
 
+# A statement, and the literals of it and of the next one.
+STATEMENTS: dict[str, dict[str, str]] = {
+    "SPEED(0, \\\n 1) = 5, \\ ' both\n 6\nWAIT = 7": {"SPEED[0]@1": "5", "SPEED[1]@1": "6", "WAIT@4": "7"},
+    "MOVEA(0, 1) = 5, \\\n 6 : WAIT = 7": {"MOVEA[0]@1": "5", "MOVEA[1]@1": "6", "WAIT@2": "7"},
+    "SPEED(0, 1) = (5 + 6), 7": {"SPEED[0]@1:1": "5", "SPEED[0]@1:2": "6", "SPEED[1]@1": "7"},
+    "If (n = 3 And k = 4) Then k = 5": {"n@1:1": "3", "n@1:2": "4", "k@1": "5"},
+    "PAUSE (POS(0) > 5 Or (INX(3) = 1)) : WAIT = 2": {"POS[0]@1:1": "5", "POS[0]@1:2": "1", "WAIT@1": "2"},
+    "SPEED(n Mod 2) = 5 : WAIT(3) : SPEED(1) = 6": {"SPEED[nMod2]@1": "5", "WAIT@1": "3", "SPEED[1]@1": "6"},
+    "x = f(1, (2 + 3), 4) : WAIT = 5": {"WAIT@1": "5"},
+    "' a comment (\nSPEED(0) = 5 ' ) another\nWAIT = 2": {"SPEED[0]@2": "5", "WAIT@3": "2"},
+    "SPEED(0)) = 5\nWAIT = 3": {"WAIT@2": "3"},
+}
+
+
+@pytest.mark.parametrize("text", STATEMENTS)
+def test_where_a_statement_ends(text: str) -> None:
+    assert addresses(text) == STATEMENTS[text]
+
+
 def test_a_condition_is_varied() -> None:
     """A move at 100 uu/s with ramps of 5 uu prints TIME at 30, or at 60."""
     text = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 90 : GO(0)\nPAUSE POS(0) >= 30\nPRINT TIME\n"
