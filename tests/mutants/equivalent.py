@@ -607,4 +607,18 @@ EQUIVALENT: dict[str, str] = {
         "a step of 0 counts upwards in the general condition, too"
     ),
     "motionlang/mint/compile/for_loops.py: _continues: 0 -> 1": "the general condition means the same",
+    "motionlang/mccl/runtime/task.py: CommandTask: __init__: 0 -> 1 #3": (
+        "a task without a line has no present command"
+    ),
+    "motionlang/copley/modes.py: crossing: profile.position(high) > position -> "
+    "profile.position(high) >= position": ("the profile ends beyond the position"),
+    "motionlang/log/history.py: _Done: collect: open_ones[0][1].until <= end -> open_ones[0][1].until < end": (
+        "a move that ends with its block has no samples in the next"
+    ),
+    "motionlang/log/history.py: MoveFigures: _sample_index: 62 -> 63": ("any index beyond all blocks"),
+    "motionlang/mint/compile/statements.py: inner: 0 -> 1": (
+        "at which depth a nested block becomes a function of its own"
+    ),
+    "motionlang/log/history.py: MoveFigures: _sample_index: 1 -> 2 #2": "any index beyond all blocks",
+    "motionlang/mccl/keywords/flow.py: repeat: 1 -> 2 #3": "only a change of the number of effects matters",
 }

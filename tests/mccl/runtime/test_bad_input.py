@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import random
 
+import pytest
+
 from motionlang.lang.keyword import Keyword
 from motionlang.mccl import codes
 from motionlang.mccl.keywords import table
@@ -54,6 +56,23 @@ CODES = {
     "an axis twice in a path": ("1MN,2MN,1CM1,2CM1,1CP1,1MA5,2MA5,1MA6", codes.ASSIGNED_TWICE),
 }
 BEFORE = "MD91,MC91"
+
+
+@cases(
+    "text, milliseconds",
+    [
+        ("NO\nCN33", 2),
+        ("TR999\nCN33", 2),
+        ("NO,TR999,NO\nNO,CN33", 4),
+        ("MD1,NO,BK,NO\nMC1,NO\nCN33", 6),
+        ("MD1,TR999\nMC1,NO\nCN33", 4),
+        ("WA0.005,TR999\nCN33", 8),
+    ],
+)
+def test_the_line_after_an_error_takes_its_time(text: str, milliseconds: int, mccl: Runner) -> None:
+    """Each command takes a millisecond before it acts. An error leaves the line and all macros, BK its macro."""
+    (switched,) = mccl(text, machine={"controller.instruction_time": 1e-3}).controller.log.outputs
+    assert switched.time == pytest.approx(milliseconds / 1000.0)
 
 
 @cases("what", CODES)
