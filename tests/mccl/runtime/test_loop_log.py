@@ -19,6 +19,9 @@ LOOPS: list[tuple[str, list[tuple[str, float, float, tuple[str, ...]]]]] = [
     ("MD1,RA20,AA1,AR20,WA0.1,IB3,MJ1,NO\nMJ1\nWA0.5", [("MJ1,", 0.0, 0.3, ())]),
     ("MD1,RA20,AA1,AR20,WA0.1,IB3,MJ1,NO\nMC1\nWA0.5", [("MJ1", 0.0, 0.3, ("MC1",))]),
     ("AL0,WA0.1,AA1,IB2,JP1,NO,WA0.1,AA1,IB4,JP1,NO,WA1", [("JP1,NO,WA0", 0.1, 0.2, ()), ("JP1,NO,WA1", 0.3, 0.5, ())]),
+    # A jump by a register, to 2, to 1 and to 0, is the end of three loops.
+    ("AL3,AR20\nNO,WA0.1,WA0.1,RA20,AS1,AR20,IG-1,JP@20,NO",
+     [("JP@20", 0.2, 0.3, ()), ("JP@20", 0.3, 0.5, ()), ("JP@20", 0.0, 0.7, ())]),
     # Less than a hundred commands leave no record.
     ("NO,RP49", []),
     ("NO,RP60", [("RP60", 0.0, 0.00122, ())]),

@@ -51,7 +51,7 @@ End Task
 def test_the_reads_of_a_pause(condition: str, reads: set[Read]) -> None:
     text = AROUND.format(condition)
     found = [each for at in range(60) if (each := MINT.loop_dependencies(Source("a.mnt", text))(at))]
-    assert [(each.leaves, each.why[:6], each.counts) for each in found] == [(reads, "until ", False)]
+    assert [({*each.leaves}, each.why[:6], each.counts) for each in found] == [(reads, "until ", False)]
 
 
 # A loop, the readings that end it, all in it, the lines that it executes, and what it waits for.
@@ -87,7 +87,7 @@ def test_the_reads_of_a_loop(
 ) -> None:
     found = MINT.loop_dependencies(Source("a.mnt", text))(0)
     assert found is not None
-    assert (found.leaves, found.within, found.lines, found.why) == (leaves, within, lines, why)
+    assert ({*found.leaves}, {*found.within}, {*found.lines}, found.why) == (leaves, within, lines, why)
     assert not found.counts
 
 

@@ -54,6 +54,7 @@ def test_each_wait_of_a_recursion_has_the_calls_that_led_to_it() -> None:
     assert found == [*waits_of(50, 0, (2,)), *waits_of(50, 1, (4,))]
 
 
+MANY = "n = n + TIME\n" * 400
 # Programs with labels, and for each wait its line and those of the calls that led there. A GoSub is a call, and what
 # follows a label is not.
 LABELS: dict[str, tuple[str, list[tuple[int, ...]]]] = {
@@ -64,6 +65,8 @@ LABELS: dict[str, tuple[str, list[tuple[int, ...]]]] = {
     "a label in a sub": ("WAIT 1\nS()\nSub S()\nGoSub a\nExit Sub\n#a\nWAIT 10\nReturn\nEnd Sub", [(1,), (2, 4, 7)]),
     "a task": ("Run t\nWAIT 10\nTask t\nWAIT 1\n#a\nWAIT 2\nn = n + 1\nIf n < 2 Then Goto a\nEnd Task\nDim n",
                [(4,), (6,), (6,), (2,)]),
+    # Its code is split: the wait is in a part of the dispatcher.
+    "a long sub": ("S()\nSub S()\n#a\n" + MANY + "WAIT 1\n" + MANY + "End Sub\nDim n", [(1, 404)]),
 }  # fmt: skip
 
 
