@@ -9,6 +9,7 @@ from dataclasses import fields
 
 import pytest
 
+from motionlang import run
 from motionlang.execution import dialect
 from motionlang.lang.gains import gain_words, spoken, written
 from motionlang.planners import hold, plan_trapezoid
@@ -16,6 +17,7 @@ from motionlang.servo import Drive, Loop, Motor, Override, Servo, Track, gains, 
 from motionlang.servo.gains import LM628_RATE, MCCL, MINT, mccl_values, mint_values
 from motionlang.servo.settings import KEYS, PLANT, SERVO, make_loop, make_plant, problem, section
 from motionlang.servo.tuning import suggest
+from motionlang.source import Source
 
 TABLES = {"mint": MINT, "mccl": MCCL}
 WORDS = {language: gain_words(language, dialect(language).table()) for language in TABLES}
@@ -68,6 +70,27 @@ def test_kintlimit_is_percent_of_full_scale() -> None:
 @pytest.mark.parametrize(("mode", "name"), list(enumerate(["never", "always", "steady", "stopped"])))
 def test_kintmode(mode: int, name: str) -> None:
     assert mint_loop({"KINT": 1.0, "KINTMODE": mode}).integral_mode == name
+
+
+@pytest.mark.parametrize(
+    ("commands", "gains_in_force"),
+    [
+        ("", (0.04, 0.001, 0.9, 0.003, 7.0)),
+        ("1GM", (0.04, 0.0, 0.0, 0.0, 7.0)),
+        ("1GM,1SG0.05,1SD0.7,1SQ6", (0.05, 0.0, 0.0, 0.0, 6.0)),
+        ("1GM,1SD0.7,1PM", (0.04, 0.001, 0.7, 0.003, 7.0)),
+        ("1GM,1VM", (0.04, 0.001, 0.9, 0.003, 7.0)),
+    ],
+)
+def test_gain_mode_has_no_gain_but_the_proportional(commands: str, gains_in_force: tuple[float, ...]) -> None:
+    text = f"1SG0.04,1SI0.001,1SD0.9,1VG0.003,1SQ7,1MN,1MR10,WA0.1\n{commands}"
+    result = run(Source("a.mcl", text), machine={"axis.1.plant.load_inertia": 4e-5}, cache=False)
+    feedback = result.controller.axes[1].feedback
+    assert feedback is not None
+    assert feedback.chosen is not None
+    loop = feedback.chosen.loop
+    found = loop.proportional, loop.integral, loop.derivative, loop.velocity_ff, loop.output_limit
+    assert found == gains_in_force
 
 
 def test_multiflex_gains_are_volts() -> None:
