@@ -119,6 +119,18 @@ def test_a_name_is_refused_with_a_reason(text: str, reason: str) -> None:
     assert str(refused.value) == reason
 
 
+@pytest.mark.parametrize("name", ["x1", "_x", "A_b2", "X"])
+def test_a_new_name_has_letters_digits_and_underscores(name: str) -> None:
+    assert [each.text for each in navigation.rename(*at_cursor("x| = 1\nPrint x\n"), name)] == [name, name]
+
+
+@pytest.mark.parametrize("name", ["", "1x", "a b", "x.1", "x+1", "x ", " x", "x:", "#x", "ü", "Dim", "step"])
+def test_what_is_no_name_is_refused(name: str) -> None:
+    with pytest.raises(Refused) as refused:
+        navigation.rename(*at_cursor("x| = 1\nPrint x\n"), name)
+    assert str(refused.value) == f"{name} is not a name: use letters, digits and _, and no keyword"
+
+
 def test_the_outline_has_blocks_with_their_declarations() -> None:
     def names(symbols: list[Symbol]) -> list[object]:
         return [

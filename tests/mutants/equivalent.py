@@ -621,4 +621,21 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/log/history.py: MoveFigures: _sample_index: 1 -> 2 #2": "any index beyond all blocks",
     "motionlang/mccl/keywords/flow.py: repeat: 1 -> 2 #3": "only a change of the number of effects matters",
+    "motionlang/mint/runtime/waits.py: Rests: _computed: rest: 2 -> 3": (
+        "a record that is made again is the same"
+    ),
+    "motionlang/mint/runtime/waits.py: Rests: rest_at: milliseconds / 1000.0 >= MIN_WAIT -> "
+    "milliseconds / 1000.0 > MIN_WAIT": ("both functions wait as long there"),
+    "motionlang/mint/lint/brackets.py: _Chain: _end: -1 -> 1 #2": (
+        "between two operators of a chain all brackets are closed"
+    ),
+    "motionlang/mint/lint/brackets.py: _Chain: _end: 1 -> 2 #3": (
+        "a bracket may be inserted on either side of one that closes"
+    ),
+    "motionlang/mint/lint/brackets.py: _Chain: _written: 0 -> 1": (
+        "no text is between the first token of a line and itself"
+    ),
+    "motionlang/mint/lint/brackets.py: _Chain: _end: 1 -> 2 #2": (
+        "between two operators of a chain all brackets are closed"
+    ),
 }
