@@ -303,6 +303,6 @@ GeneratorTask.resumes = GeneratorTask.resume.__code__
 
 
 def is_same_function(frame: FrameType, caller: FrameType) -> bool:
-    """True if two frames of generated code, one called by the other, are of one function of the program."""
+    """True if a frame of generated code and its caller are of one function."""
     name = frame.f_code.co_name
     return name[0] == CHUNK or (name[0] == DISPATCHER[0] and name == DISPATCHER + caller.f_code.co_name)

@@ -1,4 +1,4 @@
-"""Machine time in whole statements: the statement at a time, repeated progress, whole units."""
+"""Machine time in whole statements, repeated progress, and whole units."""
 
 from __future__ import annotations
 
@@ -38,7 +38,10 @@ def test_the_first_statement_at_a_time(base: float, cost: float) -> None:
 
 
 def test_a_task_that_goes_on_where_it_stopped_continues_its_count() -> None:
-    """It stopped at statement 4, at 14 s. Statement 10 is at 20 s; from a base of 15 s it is statement 5."""
+    """It stopped at statement 4, at 14 s.
+
+    Statement 10 is at 20 s. From a base of 15 s that is statement 5.
+    """
     time = at_base(10.0)
     assert time.leave(4.0) == time.reached == 14.0
     assert time.go_on(14.0, 20.0) == (4.0, 10.0)

@@ -302,7 +302,10 @@ def test_a_reading_at_rest(answer: str, counts: dict[str, int]) -> None:
 def test_a_reading_after_a_wait_that_takes_longer_here(
     took: float, position: float, counts: dict[str, int]
 ) -> None:
-    """The wait takes 250 ms here, and 5 ms less in the log: the reading is 5 ms late, and is still checked."""
+    """The wait takes 250 ms here, and 5 ms less in the log.
+
+    The reading is 5 ms late, and is still checked.
+    """
     end = 1.5 + took
     log = f"{SLOW}1.5 {end} 1 MCWait 1 0.25 = -\n{end} {end} 1 MCGetPositionEx 1 1 + = 0 {position}\n"
     assert replayed(log).counts == counts

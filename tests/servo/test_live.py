@@ -101,7 +101,10 @@ def test_what_is_read_live_is_what_a_later_simulation_gives(
 
 
 def test_the_figures_of_moves_by_blocks_are_those_of_the_whole_run() -> None:
-    """A block has 8192 samples, 8.192 s: a move of 1.1 s with its rest lies in two. The fifth does not settle."""
+    """A block has 8192 samples, 8.192 s, so that some of the moves lie in two.
+
+    The fifth move does not settle, because the next follows after 2 ms.
+    """
     text = """
 Dim i As Integer
 SPEED(0) = 20000 : ACCEL(0) = 400000 : DECEL(0) = 400000

@@ -234,7 +234,9 @@ def test_without_the_quick_search_the_bandwidth_is_the_same(
 
 @pytest.mark.parametrize("degrees", [1.0, 15.0, 30.0, 45.0, 80.0])
 def test_the_margin_of_a_loop_that_only_integrates(degrees: float) -> None:
-    """The open loop is K/(z - 1), with K the counts per sample that a count of error gives.
+    """The open loop is K/(z - 1).
+
+    K are the counts per sample that a count of error gives.
 
     On the unit circle at an angle w the gain is K / (2 sin(w/2)) and the phase is -90 degrees - w/2. So K = 2 sin a has
     its crossover at w = 2a, that is at a / 180 degrees of 4000 Hz, and a phase margin of 90 degrees - a.
@@ -246,6 +248,9 @@ def test_the_margin_of_a_loop_that_only_integrates(degrees: float) -> None:
 
 
 def test_a_loop_that_hardly_acts_has_no_crossover() -> None:
-    """It would be at 5000 * 1e-6 / 2 pi, 0.0008 Hz: that is below all frequencies that are searched."""
+    """It would be at 5000 * 1e-6 / 2 pi, 0.0008 Hz.
+
+    That is below all frequencies that are searched.
+    """
     figures = loop_figures(Loop(1e-6), Drive(5000.0, 1e-6))
     assert (figures.bandwidth, figures.crossover, figures.phase_margin) == (0.0, 0.0, np.inf)

@@ -79,7 +79,7 @@ def test_the_time_at_which_the_error_first_exceeds_a_limit(limit: float, time: f
     [(5.0, 0.0), (4.0, 0.002), (1.0, 0.002), (0.75, 0.003), (0.5, 0.003), (0.25, None), (0.0, None)],
 )
 def test_the_figures_of_a_move(cut: int, window: float, settled: float | None) -> None:
-    """The move takes the samples at 2, 3 and 4 ms, and the motor may settle at 5, 6 and 7 ms.
+    """The move takes the samples at 2, 3 and 4 ms, its rest those at 5, 6 and 7 ms.
 
     The samples before and after belong to other moves. The currents 6 and 8 A are 3 and 4 N m: the root mean square of
     0, 3 and 4 is sqrt(25 / 3). The errors that follow are 5, 1 and 0.5: the last one that is outside the window counts,
@@ -99,7 +99,10 @@ def test_the_figures_of_a_move(cut: int, window: float, settled: float | None) -
 
 @pytest.mark.parametrize(("begin", "peak"), [(0.0012, 5.0), (0.001, 5.0), (0.0009, 1.0), (7.0, 0.0)])
 def test_a_short_move_has_the_sample_before_it_and_has_settled(begin: float, peak: float) -> None:
-    """It takes 0.05 ms, and the next begins another 0.05 ms later. A sample is in force until the next."""
+    """It takes 0.05 ms, and the next begins another 0.05 ms later.
+
+    A sample is in force until the next.
+    """
     move = MoveFigures(begin, begin + 0.00005, begin + 0.0001)
     move.take(0.0, of_errors(1.0, 5.0, 2.0), 0.5)
     assert (move.peak_error, move.peak_output, move.rms_torque, move.settle_time) == (peak, 0.0, 0.0, 0.0)

@@ -70,7 +70,10 @@ BEFORE = "MD91,MC91"
     ],
 )
 def test_the_line_after_an_error_takes_its_time(text: str, milliseconds: int, mccl: Runner) -> None:
-    """Each command takes a millisecond before it acts. An error leaves the line and all macros, BK its macro."""
+    """Each command takes a millisecond before it acts.
+
+    An error leaves the line and all macros, and BK its macro.
+    """
     (switched,) = mccl(text, machine={"controller.instruction_time": 1e-3}).controller.log.outputs
     assert switched.time == pytest.approx(milliseconds / 1000.0)
 

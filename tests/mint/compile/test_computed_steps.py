@@ -1,4 +1,4 @@
-"""A For whose step is known only when it runs: the sign of the step is the direction."""
+"""A For with a computed step, whose sign is the direction."""
 
 from __future__ import annotations
 

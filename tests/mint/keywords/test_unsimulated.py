@@ -159,7 +159,7 @@ def test_brackets_accept_any_values() -> None:
 
 
 def test_at_the_prompt_they_end_the_line() -> None:
-    """Where a typed sub does, the error is at its call in the line that was typed last."""
+    """An error in a typed sub is at its call in the last line."""
     reported: list[tuple[str, int, int]] = []
 
     def report(found: list[Diagnostic], source: Source) -> None:

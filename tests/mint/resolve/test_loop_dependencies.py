@@ -1,4 +1,4 @@
-"""The values that the loops and PAUSEs of a program read, and where it depends on inputs."""
+"""The values that loops and PAUSEs read, and the inputs of a program."""
 
 from __future__ import annotations
 

@@ -80,7 +80,10 @@ def test_the_calls_in_a_program_with_labels(name: str) -> None:
 
 
 def test_the_loops_of_gotos_that_an_end_leaves() -> None:
-    """The inner one is in a sub, which line 4 calls at 15 ms. The outer one begins at label a, at 5 ms."""
+    """The inner one is in a sub, which line 4 calls at 15 ms.
+
+    The outer one begins at label a, at 5 ms.
+    """
     text = "WAIT 5\n#a\nWAIT 10\nS()\nGoto a\nSub S()\n#b\nWAIT 20\nIf TIME > 50 Then End\nGoto b\nEnd Sub\n"
     source = Source("a.mnt", text)
     loops = run(source, cache=False).machine.log.loops

@@ -54,12 +54,15 @@ def test_a_number_that_no_float_holds_is_too_large(text: str) -> None:
 
 @pytest.mark.parametrize(("wrong", "reported"), [(99, 100), (100, 100), (101, 100)])
 def test_no_more_than_a_hundred_errors_are_reported(wrong: int, reported: int) -> None:
-    """The block that is not closed is one more error, unless there are a hundred already."""
+    """The open block is one more error, unless there are a hundred already."""
     assert len(shown("If a Then\n" + "PRINT )\n" * wrong).splitlines()) == reported
 
 
 def test_a_line_of_400_characters_is_not_too_deep() -> None:
-    """Only a longer one is checked for more than 200 levels. A sign is a level of one character."""
+    """Only a longer one is checked for more than 200 levels.
+
+    A sign is a level of one character.
+    """
     parse(Source("a.mnt", "x = " + "-" * 395 + "1"))
     assert "the expression is nested more than 200 deep" in shown("x = " + "-" * 396 + "1")
 
