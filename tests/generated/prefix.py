@@ -9,8 +9,9 @@ from motionlang.result import Run
 
 # Seconds before the end of the shorter run within which events may belong to its last instant.
 LAST = 1e-6
-# Statements that are executed after the end: those that touch only variables do not read the clock.
-STATEMENTS = 4
+# Statements that are executed after the end: those that touch only variables do not read the clock. The most in a row
+# are a PRINT, the assignment before a Loop, and the Loop, the count and the If of its first iteration.
+STATEMENTS = 6
 # Times up to the end of the shorter run at which positions are compared.
 SAMPLES = 8
 
