@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 # A velocity counts as zero if it is smaller than NOTHING times the velocity that a ramp-down from full
 # acceleration gains, unless it exceeds HARDLY times the change itself: a ramp that has hardly begun is not
 # rounding.
-NOTHING, HARDLY = 1e-12, 0.5
+NOTHING, HARDLY = 1e-12, 1e-3
 
 
 @record

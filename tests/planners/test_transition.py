@@ -300,3 +300,14 @@ def test_the_first_steps_towards_a_velocity(name: str) -> None:
 @pytest.mark.parametrize(("a0", "expected"), [(80.0, 18.0), (-80.0, -6.0), (0.0, 10.0)])
 def test_the_velocity_after_an_acceleration_was_ramped_down(a0: float, expected: float) -> None:
     assert eased_speed(UP_DOWN, 10.0, a0) == expected
+
+
+def test_a_stop_that_is_nearly_over_is_finished_however_short_it_is() -> None:
+    """A stop over 2·t has its peak deceleration of J·t at t.
+
+    At d before that, the deceleration is J·(t - d) and the velocity J·(t²/2 + t·d - d²/2). It takes t + d more.
+    """
+    jerk, t, d = 1e4, 1e-8, 1e-8 / 8.0
+    velocity = jerk * (0.5 * t * t + t * d - 0.5 * d * d)
+    made = plan_velocity("scurve", 0.0, velocity, 0.0, 1e5, 1e5, 0.0, jerk, jerk, -jerk * (t - d))
+    assert made.knots[-2] == pytest.approx(t + d)

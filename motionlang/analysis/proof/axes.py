@@ -144,10 +144,11 @@ def _check_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     if profile.pieced:
         first, speed = derivatives(profile.pieces[0], 0.0)[:2]
         last = derivatives(profile.pieces[-1], profile.knots[-1] - profile.knots[-2])[0]
-    else:  # just before its end
-        early = 1e-9 * duration
+    else:  # just before its end, on its last piece
+        early = min(1e-9 * duration, 0.5 * (profile.knots[-1] - profile.knots[-2]))
         state = profile.at(duration - early)
-        first, last, speed = profile.at(0.0).position, state.position + early * state.velocity, state.velocity
+        first, speed = profile.at(0.0).position, state.velocity
+        last = state.position + early * (speed + 0.5 * early * state.acceleration)
     size = SLACK * max(1.0, abs(profile.start), abs(profile.end))
     late = 4e-16 * (1.0 + a.starts[i] + duration)
     for name, stated, done in (("begins", profile.start, first), ("ends", profile.end, last)):
