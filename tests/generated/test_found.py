@@ -117,7 +117,7 @@ def test_a_stop_that_would_enter_the_next_path_too_fast_begins_there() -> None:
 
 
 def test_a_last_ramp_may_be_short_next_to_its_path() -> None:
-    """Two circles of radius 50 at 0.08 take 2500·pi s, and each ramp at 10⁵ takes 0.8 microseconds."""
+    """Two circles of radius 50 at 0.08 take 2500·pi s, a ramp at 10⁵ 0.8 microseconds."""
     program = "SCALEFACTOR(0, 1) = 100;\nSPEED(0) = 0.08 : ACCEL(0) = 1E5 : DECEL(0) = 1E5\n"
     result = proved(f"{program}CIRCLER(0, 1) = 50, 0, 720 : GO(0)\nPAUSE IDLE(0)\n", until=1e4)
     assert result.time == pytest.approx(2500.0 * pi + 8e-7, abs=1e-7)
