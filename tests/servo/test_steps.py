@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
-from motionlang.servo import Loop, Motor
+from motionlang.planners import hold, plan_trapezoid
+from motionlang.servo import Drive, Loop, Motor, Track, simulate
 from motionlang.servo.discrete import discretise, exponential
 from motionlang.servo.steps import initial_state
 from motionlang.servo.stretch import run_stretch
@@ -41,3 +44,16 @@ def test_the_output_of_a_loop_that_runs_away_has_an_end(derivative: float) -> No
     assert np.isfinite(columns).all()
     assert np.isfinite(after[:3]).all()
     assert np.abs(columns[3]).max() == loop.output_limit
+
+
+def test_figures_may_be_numbers_of_numpy() -> None:
+    """They come out of tables and of `np.linspace`."""
+    move = plan_trapezoid(0.0, 400.0, 20_000.0, 200_000.0, 200_000.0)
+    track = Track([0.0, move.duration], [move, hold(400.0)])
+    number: Any = np.float64
+    bits: Any = np.int64(12)
+    plain = simulate(track, Loop(0.04, dac_bits=12), Motor(coulomb=0.003), until=0.1)
+    other = simulate(track, Loop(number(0.04), dac_bits=bits), Motor(coulomb=number(0.003)), until=0.1)
+    assert plain.measured.tolist() == other.measured.tolist()
+    plain, other = (simulate(track, Loop(0.4), Drive(kind(5e3)), until=0.1) for kind in (float, number))
+    assert plain.measured.tolist() == other.measured.tolist()

@@ -142,9 +142,8 @@ class Sweep:
             self._check(source, language)
 
     def _check(self, source: Source, language: Dialect) -> None:
+        """Report the mistakes of every variant once, before any run."""
         from motionlang.lang.machine.file import check_setting, current_key
-
-        """Mistakes of every variant are reported once, before any run."""
 
         values = self.space[0]
         for name, value in zip(self.space.names, values, strict=True):
