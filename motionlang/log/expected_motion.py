@@ -53,7 +53,7 @@ class ExpectedMotion:
     - `offsets` has, by axis and time, the line and the distance of an OFFSET.
     - `begun` has, by axis, the start times of motions with a log entry of their own.
     - `stops` has, by axis, when its motion was commanded to come to rest or to halt, with the keyword.
-    - `refused` has, by axis, the time at which a buffered move was last rejected as it began.
+    - `refused` has, by axis, the time at which a buffered move or a homing was last rejected as it began.
     """
 
     def __init__(self, controller: Controller) -> None:
@@ -379,7 +379,7 @@ class ExpectedMotion:
         return prompts[bisect_left(prompts, first, key=_TIME) : bisect_right(prompts, last, key=_TIME)]
 
     def refuse(self, a: Axis) -> None:
-        """Record that a buffered move of an axis is rejected as it begins."""
+        """Record that a buffered move, or a step of a homing, is rejected as it begins."""
         self.refused[a.index] = self._controller.clock.now
 
     def gears(self, a: Axis, ratio: float) -> None:

@@ -147,6 +147,20 @@ class Homing:
             return f"axis {self.axis} homes towards a {what} that does not exist"
         return f"axis {self.axis} {_ENDLESS[self.state].format(what)}"
 
+    def _take(self, step: Callable[[], None]) -> None:
+        """Take the next step; one that is rejected ends the homing with a run-time fault."""
+        try:
+            step()
+        except Rejected as rejected:
+            rejected.line = rejected.line or self.line
+            controller, a = self._controller, self._axis
+            self.cancel()
+            if a.move is not None:
+                controller.come_to_rest(self.axis)
+            if controller.expected_motion is not None:
+                controller.expected_motion.refuse(a)
+            controller.run_time_fault(rejected)
+
     def _unwatch(self) -> None:
         if self._watch is not None:
             self._controller.unwatch(self.axis, self._watch)
@@ -176,7 +190,9 @@ class Homing:
         self.state = "index"
         mark = next_index(self._controller, self.axis, direction)
         self._jog(direction * speed)
-        self._watch = self._controller.watch(self.axis, mark, lambda _: self._datum_found(), physical=True)
+        self._watch = self._controller.watch(
+            self.axis, mark, lambda _: self._take(self._datum_found), physical=True
+        )
 
     def _datum_found(self) -> None:
         """Set the datum at the last edge; the axis continues to its stop."""
@@ -223,9 +239,10 @@ class Homing:
         if what == "fault":
             self.cancel()
         elif what == self._switch:
-            self._switch_changed(self._on_switch())
+            self._take(self._switch_changed)
 
-    def _switch_changed(self, active: bool) -> None:
+    def _switch_changed(self) -> None:
+        active = self._on_switch()
         if self.state == "search" and active:
             self.state = "on-switch"
             self._controller.come_to_rest(self.axis)
@@ -237,6 +254,9 @@ class Homing:
 
     def at_rest(self) -> None:
         """Handle a stop: after the search, on the switch or past it, or at the end."""
+        self._take(self._go_on)
+
+    def _go_on(self) -> None:
         if self.state == "on-switch":
             self._back_off()  # also if the stop ran across the complete switch: it returns across it
             return

@@ -147,6 +147,26 @@ PRINT HOMEPHASE(0); " "; HOMESTATUS(0); " "; VEL(0)
     assert result.controller.position(0) > 20.0
 
 
+def test_a_step_that_is_refused_is_an_error_of_the_program() -> None:
+    """The switch at -20 is reached at 2000/s, after 20 ms at 10⁵/s².
+
+    The axis rests another 20 ms later. It would back off there, but its brake has been set by hand.
+    """
+    program = """\
+HOME(0) = _hmNEGATIVE_SWITCH : MOTORBRAKE(0) = 1
+WAIT = 500
+PRINT HOMEPHASE(0); " "; IDLE(0); " "; POS(0)
+End
+Event ONERROR
+  PRINT ERRORSTRING(ERRCODE); " at "; TIME
+  ERRORCLEAR(_egALL, 0)
+End Event
+"""
+    machine = {"axis.0.home_switch": [-30.0, -20.0], "controller.instruction_time": 1e-9}
+    result = run(Source("a.mnt", program), machine=machine, cache=False, until=10.0)
+    assert result.output == ["motor brake on at 40", "0 1 -40.0000"]
+
+
 def test_a_homing_has_its_own_rates_and_leaves_those_of_the_axis_alone() -> None:
     """At HOMEACCEL 20, a speed of 10 is reached in 0.5 s.
 
