@@ -34,6 +34,8 @@ def found(text: str) -> Found:
         ("MD1,AL5,JP3,AL6,TR0", [("unreachable", 1, 13)]),
         ("MD1,WA1,JP0,TR0", [("unreachable", 1, 13)]),
         ("JP@5,AL1,AL2", []),
+        ("JP@5,BK,AL1", []),
+        ("JP@5,BK,BK,AL1", []),
         ("AL1,JR0,TR0", [("endless-loop", 1, 5), ("unreachable", 1, 9)]),
         ("JP0", [("endless-loop", 1, 1)]),
         ("MD1,JP0", [("endless-loop", 1, 5)]),

@@ -33,6 +33,13 @@ def test_an_element_that_is_written_can_be_read() -> None:
     assert line.ask(read_frame(99)) == answer_frame(99, "-7.0000").decode()
 
 
+@pytest.mark.parametrize("frame", [write_frame(1, "2.5"), read_frame(1)], ids=["write", "read"])
+def test_a_frame_that_comes_byte_by_byte_is_answered_at_its_end(frame: bytes) -> None:
+    line = Line()
+    answers = [line.ask(frame[k : k + 1]) for k in range(len(frame))]
+    assert answers == [""] * (len(frame) - 1) + [Line().ask(frame)]
+
+
 @pytest.mark.parametrize(
     "frame",
     [
