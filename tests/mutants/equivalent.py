@@ -638,4 +638,19 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mint/lint/brackets.py: _Chain: _end: 1 -> 2 #2": (
         "between two operators of a chain all brackets are closed"
     ),
+    "motionlang/planners/segment_speed.py: _farthest: -under < over -> -under <= over": (
+        "if both ends are equally far, the direction of the small step does not matter"
+    ),
+    "motionlang/planners/curve.py: Profile: _beyond: time > self.duration -> time >= self.duration": (
+        "at the end itself the added distance is 0"
+    ),
+    "motionlang/lang/waits.py: Condition: due: moment > now -> moment >= now": (
+        "every moment is later than the begin, which is not before now"
+    ),
+    "motionlang/mint/compile/jumps.py: _write_groups: len(b.lines) - first < SIZE -> len(b.lines) - first <= SIZE": (
+        "the size of a chunk of generated code, to the line"
+    ),
+    "motionlang/analysis/proof/blends.py: check_blend: 1.0 -> 2.0": (
+        "the size of rounding of a time that is 0"
+    ),
 }
