@@ -92,10 +92,8 @@ def with_standstill(controller: Core, a: Axis) -> Profile:
 
 def _decel(controller: Core, a: Axis) -> float:
     speed = a.speed if a.move is None or a.move.speed is None else a.move.speed
-    decel = controller.decel(a, speed)
-    if a.move is not None and a.move.rates is not None:
-        decel = a.move.rates[1] or decel
-    return min(decel, a.max_decel)
+    own = a.move.rates[1] if a.move is not None and a.move.rates is not None else None
+    return min(own or controller.decel(a, speed), a.max_decel)
 
 
 def suspend(controller: Core, a: Axis, reason: int) -> None:

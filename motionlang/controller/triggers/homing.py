@@ -208,8 +208,11 @@ class Homing:
         """Move from the stop to the offset position, at creep speed."""
         self.state = "offset"
         a, controller = self._axis, self._controller
-        own, its = self._rates, controller.rates(a, self._creep_speed)
-        accel, decel = min(own[0] or its[0], a.max_accel), min(own[1] or its[1], a.max_decel)
+        accel, decel = self._rates
+        if accel is None or decel is None:
+            its = controller.rates(a, self._creep_speed)
+            accel, decel = accel or its[0], decel or its[1]
+        accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
         target = self._datum + offset
         here, speed = a.position(controller.clock.now), min(self._creep_speed, a.max_speed)
         profile = plan(a.shape, here, target, speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk)

@@ -191,6 +191,14 @@ JOG(0) = 40 : WAIT = 100 : PRINT VEL(0)
     assert [move["duration"] for move in result.report["moves"][:2]] == pytest.approx([there, back])
 
 
+def test_a_homing_with_rates_of_its_own_needs_none_of_the_axis() -> None:
+    """It ends on the mark at 10 although ACCEL and DECEL are 0."""
+    rates = "ACCEL(0) = 0 : DECEL(0) = 0 : HOMESPEED(0) = 10 : HOMEACCEL(0) = 20 : HOMEDECEL(0) = 40\n"
+    program = rates + "HOME(0) = _hmPOSITIVE_INDEX : PAUSE IDLE(0) : PRINT HOMESTATUS(0); POS(0)\n"
+    result = run(Source("a.mnt", program), machine={"axis.0.index_every": 10.0}, cache=False, until=10.0)
+    assert result.output == ["10.0000"]
+
+
 def test_rest_is_not_notified_before_the_end() -> None:
     c = machine()
     idle: list[float] = []
