@@ -1304,3 +1304,29 @@ def test_a_blended_path_without_room_for_a_stop_at_a_lower_jerk_ends_as_planned(
     result = proved(RATES + jerks + paths + suspended)
     assert positions(result, 0, 1) == pytest.approx([14.0, 2.0])
     assert result.moves[0].duration == pytest.approx(0.8)
+
+
+NEARLY_AT_THEIR_END = {
+    "a new zero": (
+        "ACCEL(0) = 1045.496 : DECEL(0) = 531 : ACCELJERK(0) = 17983.929 : DECELJERK(0) = 7736.558\n"
+        "MOVER(0) = 23 : GO(0)\nWAIT = 100\nPOS(0) = -20\nWAIT = 461\n",
+        0.6359,
+    ),
+    "a target of zero": (
+        "ACCEL(0) = 492.939 : DECEL(0) = 481.087 : ACCELJERK(0) = 5800.012 : DECELJERK(0) = 9527.937\n"
+        "POS(0) = 20\nMOVEA(0) = 0 : GO(0)\nWAIT = 100\nPAUSE Abs(VEL(0)) < 0.1\n",
+        0.0,
+    ),
+}
+
+
+@pytest.mark.parametrize("case", NEARLY_AT_THEIR_END)
+def test_the_rest_of_a_move_is_rounded_as_its_positions_were_before(case: str) -> None:
+    """ACCEL, written near the end of a move, plans it again; its stop stays.
+
+    The rounding of 20 is in what is left, 0.05 or less. If the stop exceeds it by 10⁻¹⁴, returning over that takes
+    some microseconds, because the time depends on its cube root.
+    """
+    move, end = NEARLY_AT_THEIR_END[case]
+    result = proved(f"PROFILEMODE(0) = 1 : SPEED(0) = 50\n{move}ACCEL(0) = 115\nPAUSE IDLE(0)\n")
+    assert positions(result, 0) == pytest.approx([end], abs=1e-4)

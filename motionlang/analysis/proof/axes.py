@@ -26,13 +26,36 @@ PLANNED = frozenset({"move", "step", "jog", "stop"})
 FOUR = (0.05, 0.35, 0.65, 0.95)
 
 
+def rounded_positions(a: WholeTrack, i: int, shifted: bool, earlier: float) -> float:
+    """Return the size of the positions that round the distance of profile i, counts.
+
+    It is the largest position at which a profile has begun since the axis rested: what is left of a move from
+    20 to 0 is rounded as 20 is. Each new zero rounds it once more, by the position before or after, whichever is
+    larger. If `shifted`, profile i begins with a new zero. `earlier` is the size of profile i - 1.
+    """
+    entry = a.profiles[i].at(0.0)
+    before = abs(a.profiles[i - 1].position(a.starts[i] - a.starts[i - 1])) if i else 0.0
+    begins = max(before, abs(entry.position))
+    if not (entry.velocity or entry.acceleration):
+        return begins
+    return earlier + begins if shifted else max(earlier, begins)
+
+
 def check_profile(
-    proof: Proof, a: WholeTrack, i: int, order: Order, earlier: Order, shifted: bool, length: float
+    proof: Proof,
+    a: WholeTrack,
+    i: int,
+    order: Order,
+    earlier: Order,
+    shifted: bool,
+    length: float,
+    size: float,
 ) -> None:
     """Check a profile planned from the settings, and the continuity of its pieces.
 
     The bounds are speed, rates, jerk and time. If `shifted`, the profile is a copy of the previous one at a
-    new zero; the previous one was planned by the order `earlier`.
+    new zero; the previous one was planned by the order `earlier`. `size` is that of the positions
+    whose rounding is in its distance (`rounded_positions`).
     """
     profile = a.profiles[i]
     proof.counts["profiles"] += order.kind != "rest"
@@ -74,15 +97,13 @@ def check_profile(
         if reached > expected + still + 4e-15 * (1.0 + a.starts[i]) * max(order.rates):
             words = f"it does not slow down: {reached:g} counts/s after {length:g} s, expected {expected:g}"
             proof.breaks(order.line, f"{where}: {words}")
-    size = abs(a.profiles[i - 1].position(a.starts[i] - a.starts[i - 1])) if i else 0.0
-    _check_time(proof, profile, order, begun, max(size, abs(profile.start)), where)
+    _check_time(proof, profile, order, begun, size, where)
 
 
 def _check_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size: float, where: str) -> None:
     """Check that a planned profile takes as long as its bounds require, and its end.
 
-    This applies from any initial state. `size` is the initial position in the coordinates before or after a
-    new zero, whichever is larger; it scales the rounding.
+    This applies from any initial state. `size` is that of the positions whose rounding is in its distance.
     """
     by = law(order.shape, order.rates, order.jerks, order.ramp)
     v0, a0 = begun.velocity, begun.acceleration

@@ -44,7 +44,7 @@ from __future__ import annotations
 from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
 from typing import TYPE_CHECKING
 
-from motionlang.analysis.proof.axes import PLANNED, check_profile
+from motionlang.analysis.proof.axes import PLANNED, check_profile, rounded_positions
 from motionlang.analysis.proof.blends import check_blend
 from motionlang.analysis.proof.checker import ROUNDED, SLACK, Proof, Run
 from motionlang.analysis.proof.entries import Ends, check_ends, take_entry
@@ -99,12 +99,14 @@ def prove(
         assert expected_motion.was_cut or len(records) == len(a.starts), (
             f"axis {number} has a profile that was not recorded"
         )
+        size = 0.0
         for i, order in enumerate(records):
             begin, end = run.span(a, i)
+            shifted = expected_motion.data[number][i] != expected_motion.data[number][max(i - 1, 0)]
+            size = rounded_positions(a, i, shifted, size)
             if end > begin:
-                shifted = expected_motion.data[number][i] != expected_motion.data[number][max(i - 1, 0)]
                 plan = plan_in_force(run, a, i, order)
-                check_profile(proof, a, i, plan, records[max(i - 1, 0)], shifted, end - begin)
+                check_profile(proof, a, i, plan, records[max(i - 1, 0)], shifted, end - begin, size)
                 if order.path is not None and order.path.members[0] == number:
                     check_path(proof, run, a, i, order, end)
                     check_blend(proof, run, a, i, order, end)

@@ -129,7 +129,7 @@ def test_a_planned_profile_keeps_the_bounds_and_takes_its_time(name: str) -> Non
     order, profile, length, expected = CASES[name]
     track: Any = SimpleNamespace(index=0, starts=[2.0], profiles=[profile])
     proof = Proof()
-    check_profile(proof, track, 0, order, order, False, length)
+    check_profile(proof, track, 0, order, order, False, length, 0.0)
     messages = [each.message.partition(" s: ")[2] for each in proof.violations]
     assert messages == expected
     assert proof.counts["profiles"] == (order.kind != "rest")
@@ -149,7 +149,7 @@ def test_the_velocity_of_a_planned_profile_is_continuous(kind: str, velocity: fl
     """A millionth of its top speed is rounding."""
     track: Any = SimpleNamespace(index=0, starts=[2.0], profiles=[broken(velocity)])
     proof = Proof()
-    check_profile(proof, track, 0, MOVE._replace(kind=kind, goal=velocity), MOVE, False, inf)
+    check_profile(proof, track, 0, MOVE._replace(kind=kind, goal=velocity), MOVE, False, inf, 0.0)
     jumps = [each.message for each in proof.violations if "jumps" in each.message]
     message = f"axis 0 at 3.000000 s: the velocity jumps by {velocity - 5.0:g} counts within a profile"
     assert jumps == [message] * found
