@@ -11,10 +11,13 @@ second or more, use pytest's `parametrize`.
 from __future__ import annotations
 
 import inspect
+import os
 from collections.abc import Callable, Collection, Container, Iterable
 from typing import Any
 
 import pytest
+
+from tests.mutants.recorder import ACTIVE, SEEN
 
 # `pytest.raises` without an exception raises something that is no Exception.
 FAILURES = (Exception, pytest.fail.Exception)
@@ -31,6 +34,14 @@ def examples(count: int) -> int:
     The normal run draws a quarter of them, and one with `--all-examples` all.
     """
     return max(count // draws_one_in, min(count, FEW))
+
+
+def is_complete() -> bool:
+    """True if a test compares all its recorded cases.
+
+    It does with `--all-examples`, when the code that it reaches is recorded for mutants, and against a mutant.
+    """
+    return draws_one_in == 1 or not {ACTIVE, SEEN}.isdisjoint(os.environ)
 
 
 def covering(kinds: Collection[str], count: int, kinds_of: Callable[[int], Container[str]]) -> list[int]:

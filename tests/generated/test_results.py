@@ -16,6 +16,7 @@ import pytest
 from tests import cases
 from tests.generated.damage import damaged
 from tests.generated.results import DIGESTS, digests, main, names, rounded
+from tests.mutants.recorder import ACTIVE
 
 # Cases of one test. The normal run compares one case in `STEP`, and those with a kind of text that their family has not
 # had before.
@@ -56,11 +57,6 @@ def differences(name: str, found: dict[str, str], expected: dict[str, str]) -> s
     return f"{name}: {', '.join(kinds)}" if kinds else ""
 
 
-def draws_all() -> bool:
-    """True if the run compares all cases: with `--all-examples`, or of a mutant."""
-    return cases.draws_one_in == 1 or "MOTIONLANG_MUTANT" in os.environ
-
-
 @cache
 def normal_run() -> set[str]:
     """Return the names of the cases that the normal run compares."""
@@ -88,10 +84,10 @@ def test_what_users_see_of_programs_has_not_changed(
         rewrite({name: digests(name) for name in of_batch})
         return
     known, changed = recorded(), []
-    for name in of_batch if draws_all() else [name for name in of_batch if name in normal_run()]:
+    for name in of_batch if cases.is_complete() else [name for name in of_batch if name in normal_run()]:
         told = differences(name, digests(name), known.get(name, {}))
         changed += [told] if told else []
-        if told and "MOTIONLANG_MUTANT" in os.environ:
+        if told and ACTIVE in os.environ:
             break
     some = " ".join(line.partition(":")[0] for line in changed)
     assert not changed, "\n".join(
