@@ -12,6 +12,8 @@ LAST = 1e-6
 # Statements that are executed after the end: those that touch only variables do not read the clock. The most in a row
 # are a PRINT, the assignment before a Loop, and the Loop, the count and the If of its first iteration.
 STATEMENTS = 6
+# Counts by which two beginnings of a move may differ: a rate that is written later rounds them in another way.
+CLOSE = 1e-6
 # Times up to the end of the shorter run at which positions are compared.
 SAMPLES = 8
 
@@ -44,6 +46,15 @@ def differences(whole: Run, prefix: Run, until: float) -> Iterator[str]:
                 break
 
 
+class _Position(float):
+    """A position, counts, which is the same up to `CLOSE`."""
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, float) and abs(self - other) <= CLOSE
+
+    __hash__ = float.__hash__
+
+
 def _position(track: WholeTrack, time: float) -> float:
     index = track.index_at(time)
     return track.profiles[index].position(time - track.starts[index])
@@ -64,7 +75,7 @@ def _waits(result: Run, end: float) -> Iterator[object]:
 def _moves(result: Run, end: float) -> Iterator[object]:
     """Yield the entries that start before `end`, in the state in which they began.
 
-    Positions are rounded to a millionth of a count. An entry that is blended into the one before it has no
+    An entry that is blended into the one before it has no
     position here: it begins where that one ends, which may be earlier than planned.
     """
     over: dict[int, float] = {}
@@ -72,6 +83,6 @@ def _moves(result: Run, end: float) -> Iterator[object]:
         if move.start_time < end:
             assert move.profile is not None
             is_blended = move.start_time < over.get(move.axis, 0.0) - LAST
-            begin = None if is_blended else round(move.profile.start, 6)
+            begin = None if is_blended else _Position(move.profile.start)
             over[move.axis] = move.start_time + move.profile.duration
             yield (move.axis, move.command, move.line, move.start_time, begin, move.scale)

@@ -1330,3 +1330,22 @@ def test_the_rest_of_a_move_is_rounded_as_its_positions_were_before(case: str) -
     move, end = NEARLY_AT_THEIR_END[case]
     result = proved(f"PROFILEMODE(0) = 1 : SPEED(0) = 50\n{move}ACCEL(0) = 115\nPAUSE IDLE(0)\n")
     assert positions(result, 0) == pytest.approx([end], abs=1e-4)
+
+
+def test_a_path_may_end_within_a_ramp_of_an_s_curve() -> None:
+    """While a line of 50 is executed, one of 50 and one of 10 000 are buffered.
+
+    They have one direction. A sinusoidal ramp to V at a rate of 1000 takes pi/2 V/1000, in which it covers half of V
+    times that. The first line ends at rest, the others are one of 10 050. Two ramps cover d at a V of sqrt(2000 d/pi),
+    and take pi V/1000. The first 50 of these take longer than the line of 50, because a ramp to a lower speed begins
+    less gently.
+    """
+    short, long = "1CP1,1MR30,2MR40", "1CP1,1MR6000,2MR8000"
+    settings = "1MN,2MN,1PS0\n1CM1,2CM1,1VA1000,1VD1000"
+    result = proved(f"{settings},{short},{short},{long}\n1WS\n", suffix="mcl", statement=1e-9)
+    alone, together = (pi * sqrt(2000.0 * length / pi) / 1000.0 for length in (50.0, 10050.0))
+    assert positions(result, 1, 2) == pytest.approx([6060.0, 8080.0])
+    durations = [move.duration for move in result.moves if move.axis == 1]
+    assert durations[0] == pytest.approx(alone)
+    assert durations[1] + durations[2] == pytest.approx(together)
+    assert durations[1] > 1.2 * alone

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from math import fsum, inf, isfinite, nextafter, sqrt
+from math import cbrt, fsum, inf, isfinite, nextafter, sqrt
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import SLACK, Uses
@@ -546,7 +546,13 @@ def _check_path_time(proof: Proof, order: Order, layout: PathLayout, along: list
         # The flank of the ramp of PMC's S-curve, which is no longer than a complete ramp to its speed.
         time += lead(2.0 * first[1], 0.0, 0.0, by)[0] + ramp(0.0, max(speed, first[1]), by)[0]
         travelled = 0.0
-    limit = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - travelled), speed, by)
+    rest = max(0.0, last[0] - first[0] - travelled)
+    limit = time + move_time(0.0, 0.0, rest, speed, by)
+    if order.shape != "trapezoid" and not by.smooth and last[2] > SLACK * max(by.rates):
+        # A ramp of PMC's S-curve that goes on in the next path begins the more gently, the higher its speed. In
+        # the time t of a ramp of length d and duration T it covers at least d (t/T)³.
+        duration, length = ramp(0.0, speed, by)
+        limit = max(limit, time + duration * min(1.0, cbrt(rest / length)))
     if layout.unit is not None and not last[1] > SLACK * speed and not shaped:
         left = last[0] - first[0]
         rounded = rounding(left, layout.origin + first[0], layout.origin + last[0])
