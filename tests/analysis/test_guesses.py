@@ -1,12 +1,15 @@
-"""Guesses of a first machine file: inputs that a program waits for."""
+"""Guesses of a first machine file: the world that a program waits for."""
 
 from __future__ import annotations
 
 import pytest
 
+from motionlang.analysis import guesses as module
 from motionlang.analysis.guesses import guessed
-from motionlang.execution import dialect
+from motionlang.execution import dialect, run
+from motionlang.result import Run
 from motionlang.source import Source
+from tests.cases import cases
 
 # The program, its inputs in the guessed machine file, and when it ends. An input changes 0.3 s after the program
 # waits for it; one that has to come and go is on from 1 s to 2 s, from 3 s to 4 s and so on.
@@ -34,3 +37,116 @@ def test_an_input_changes_after_the_program_waits_for_it(name: str) -> None:
         assert (result.status, result.output) == ("ended", ["7"])
         assert guesses.settings(5.0).get("input", []) == inputs
         assert result.time == pytest.approx(time, abs=1e-3)
+
+
+def answers(prompt: str, *texts: str) -> dict[str, object]:
+    return {"answer": [{"prompt": prompt, "text": text} for text in texts]}
+
+
+def on(channel: int, at: float) -> dict[str, object]:
+    return {"channel": channel, "at": at}
+
+
+def follows(channel: int, output: int) -> dict[str, object]:
+    return {"channel": channel, "output": output, "delay": 0.3}
+
+
+def pulses(channel: int) -> dict[str, object]:
+    return {"channel": channel, "at": 1.0, "for": 1.0, "every": 2.0}
+
+
+KEYS = "#key\nK = INKEY\nIF K <> 82 THEN GOTO key\n"
+GUARD = "IF INX.2 = 0 THEN GOTO bad\n"
+FAULT = "END\n#bad\n? 2\n"
+FAR = [1e9, 2e9]
+# The program, the settings that a person gave, all settings of the guessed machine file, the number of guesses,
+# and how often the program runs. It runs up to 20 s, and once more than it gets guesses that it needs in turn.
+DRAFTS: dict[str, tuple[str, dict[str, object], dict[str, object], int, int]] = {
+    # The middle of the range, then 10, 1, 100, 1000 and 0.5; 5 has been tried. None is left.
+    "a rejected answer": ('#a\nINPUT "Parts 3 to 8", n\nIF n <> 9 THEN GOTO a\n', {},
+                          answers("Parts 3 to 8", "0.5"), 1, 7),
+    "an answer that is rejected with a range": ('#a\nINPUT "Parts", n\nIF n <> 9 THEN ? "3 to 8" : GOTO a\n', {},
+                                                answers("Parts", "0.5"), 1, 7),
+    # 10 is rejected, 3 is the middle of 1 and 6, 7 that of 7 and 8.
+    "two ranges": ('#a\nINPUT "Parts", n\nIF n <> 7 THEN ? "1 to 6 or 7..8" : GOTO a\n', {},
+                   answers("Parts", "7"), 1, 4),
+    "a question in each of 20 cycles": (
+        'FOR i = 1 TO 20\nINPUT "Parts", n\nMOVER.0 = 1 : GO.0 : PAUSE IDLE.0\nNEXT\n', {},
+        answers("Parts", *["10"] * 20), 20, 21,
+    ),
+    "a question in more than 20 cycles": (
+        'LOOP\nINPUT "Parts", n\nMOVER.0 = 1 : GO.0 : PAUSE IDLE.0\nENDL\n', {},
+        answers("Parts", *["10"] * 20), 20, 21,
+    ),
+    # The output was set before the first answer: the second question is not one of another cycle.
+    "two questions": ('OUTX.1 = 1\nINPUT "Parts", n\nINPUT "Holes", m\n', {},
+                      {"answer": [*answers("Parts", "10")["answer"], *answers("Holes", "10")["answer"]]}, 2, 3),  # type: ignore[misc]
+    # A key is pressed 0.5 s after the last act: after the move to 2 s, and after the input at 0.3 s.
+    "a key after a move": (f"WAIT = 2000\nMOVER.0 = 5 : GO.0 : PAUSE IDLE.0\n{KEYS}", {},
+                           {"key": [{"at": 2.5, "text": "R"}]}, 1, 2),
+    "a key after an input": (f"PAUSE INX.3\n{KEYS}", {},
+                             {"input": [on(3, 0.3)], "key": [{"at": 0.5, "text": "R"}]}, 2, 3),
+    "a key that a person presses": (KEYS, {"key": [{"at": 30.0, "text": "R"}]},
+                                    {"key": [{"at": 30.0, "text": "R"}]}, 0, 1),
+    "any key": ("#key\nK = INKEY\nIF K = 0 THEN GOTO key\n", {}, {}, 0, 1),
+    # It waits for a key if it has been quiet for more than 10 of the 20 s.
+    "a key after 9.9 s": (f"WAIT = 9900\nOUTX.1 = 1\n{KEYS}", {}, {"key": [{"at": 10.4, "text": "R"}]}, 1, 2),
+    "a key after 10.1 s": (f"WAIT = 10100\nOUTX.1 = 1\n{KEYS}", {}, {}, 0, 1),
+    # Homing at 4000 counts/s: the switch is a second ahead and a tenth long, the marks are a fifth apart.
+    "a home switch": ("HOME.0 = 0\nPAUSE IDLE.0\n", {}, {"axis.0.home_switch": [-4400.0, -4000.0]}, 1, 2),
+    "a home switch and an index mark": ("HOME.1 = 4\nPAUSE IDLE.1\n", {}, {
+        "axis.1.home_switch": [-4400.0, -4000.0], "axis.1.index_every": 800.0}, 1, 3),
+    # A person's switch is out of reach, so neither guess lets the homing end.
+    "a switch out of reach": ("HOME.0 = 0\nPAUSE IDLE.0\n", {"axis.0.home_switch": FAR},
+                              {"axis.0.home_switch": FAR, "axis.0.index_every": 800.0}, 1, 3),
+    "a guard": (f"{GUARD}? 1\n{FAULT}", {}, {"input": [on(2, 0.0)]}, 1, 1),
+    "a guard of an input that has to be off": (f"{GUARD}PAUSE INX.2 = 0\n? 1\n{FAULT}", {}, {}, 0, 1),
+    "a guard, and another input that has to be off": (f"{GUARD}PAUSE INX.3 = 0\nPAUSE INX.2\n? 1\n{FAULT}", {},
+                                                      {"input": [on(2, 0.0)]}, 1, 1),
+    "a guard that a person knows": (f"{GUARD}? 1\n{FAULT}", {"input": [on(2, 1.0)]}, {"input": [on(2, 1.0)]}, 0, 1),
+    "a guard, and an input that a person knows": (f"{GUARD}? 1\n{FAULT}", {"input": [on(3, 1.0)]},
+                                                  {"input": [on(2, 0.0), on(3, 1.0)]}, 1, 1),
+    "an input that a person knows": ("PAUSE INX.2\n", {"input": [on(2, 40.0)]}, {"input": [on(2, 40.0)]}, 0, 1),
+    # First it follows the output, then it is on from 0.3 s, then it comes and goes.
+    "all forms of an input": ("OUTX.4 = 1\nPAUSE INX.2\nPAUSE INX.2 = 0\nPAUSE INX.2\nPAUSE INX.2 = 0\n", {},
+                              {"input": [pulses(2)]}, 1, 4),
+    "an input after a move": ("OUTX.4 = 1\nMOVER.0 = 5 : GO.0 : PAUSE IDLE.0\nPAUSE INX.2\n", {},
+                              {"input": [on(2, 0.3)]}, 1, 2),
+    "an input shortly after an output": ("OUTX.4 = 1\nWAIT = 990\nPAUSE INX.2\n", {},
+                                         {"input": [follows(2, 4)]}, 1, 2),
+    "an input long after an output": ("OUTX.4 = 1\nWAIT = 1010\nPAUSE INX.2\n", {}, {"input": [on(2, 1.3)]}, 1, 2),
+    "two inputs after an output": ("OUTX.4 = 1\nPAUSE INX.1\nPAUSE INX.2\n", {},
+                                   {"input": [follows(1, 4), follows(2, 4)]}, 2, 3),
+    "two inputs at once": ("PAUSE INX.1 AND INX.2\n", {}, {"input": [on(1, 0.3), on(2, 0.3)]}, 2, 2),
+    # The run ends at 20 s. What follows gets a level for each wait: on, off, or both in turn.
+    "inputs that are not reached": (
+        "PAUSE INX.1\nWAIT = 30000\nPAUSE INX.2\nPAUSE INX.3 = 0\nPAUSE INX.4\nPAUSE INX.4 = 0\n", {},
+        {"input": [on(1, 0.3), on(2, 0.0), pulses(4)]}, 3, 3,
+    ),
+    # All five levels are tried.
+    "a level out of reach": ("PAUSE ADC.2 > 101\n", {},
+                             {"analogue": [{"channel": 2, "value": 75.0, "at": 0.3}]}, 1, 6),
+    "a program with an error": ("PAUSE INX.1\nx = 1 / 0\n", {}, {}, 0, 1),
+    # 0.3 s to the input, twice to 0.6 s for the levels of 50 and 100 %, 0.5 s to the key.
+    "one of each": (
+        f'PAUSE INX.1\nPAUSE ADC.2 > 60\nINPUT "Way", s\n{KEYS}HOME.1 = 4\nPAUSE IDLE.1\n', {},
+        {"axis.1.home_switch": [-4400.0, -4000.0], "axis.1.index_every": 800.0, "input": [on(1, 0.3)],
+         "analogue": [{"channel": 2, "value": 100.0, "at": 0.6}], **answers("Way", "10"),
+         "key": [{"at": 1.1, "text": "R"}]}, 5, 8,
+    ),
+}  # fmt: skip
+
+
+@cases("name", DRAFTS)
+def test_the_draft_of_a_machine_file(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    text, fixed, settings, count, runs = DRAFTS[name]
+    done: list[Run] = []
+
+    def counted(*given: object, **options: object) -> Run:
+        done.append(run(*given, **options))  # type: ignore[arg-type]
+        return done[-1]
+
+    monkeypatch.setattr(module, "run", counted)
+    guesses, result = guessed(Source("old.prg", text), dialect("mint"), 20.0, fixed)
+    assert guesses.settings(20.0) == {"run.until": 20.0, **settings}
+    assert (guesses.count, len(done), result) == (count, runs, done[-1])

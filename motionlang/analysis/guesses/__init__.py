@@ -215,7 +215,7 @@ class Guesses:
                 given.append(given[-1])
                 return True
             return False
-        ranges = [_middle(found) for found in _RANGE.findall(_printed_since_answer(result))]
+        ranges = [_middle(found) for found in _RANGE.findall(_printed_since_answer(result, question, given))]
         for text in (*ranges, *ANSWERS):
             if text not in tried:
                 tried.append(text)
@@ -419,13 +419,16 @@ def _acted_since_answer(result: Run) -> bool:
     return any(move.start_time > time for move in log.moves) or any(each.time > time for each in log.outputs)
 
 
-def _printed_since_answer(result: Run) -> str:
+def _printed_since_answer(result: Run, question: str, given: list[str]) -> str:
     """Return the text printed since the last answer.
 
-    It contains the reason why the answer was rejected, and the question.
+    It contains the reason why the answer was rejected, and the question, but no answer in the line of the question:
+    its digits would continue a range such as `3 to 8`.
     """
     time = _answered_at(result)
-    return "\n".join(each.text for each in result.machine.log.prints if each.time >= time)
+    lines = [each.text for each in result.machine.log.prints if each.time >= time]
+    echoed = {f"{question}{text}" for text in given if question}
+    return "\n".join(line for line in lines if line not in echoed)
 
 
 def _middle(found: tuple[str, str]) -> str:
