@@ -60,7 +60,8 @@ def complete_machine_file(source: Source, offset: int) -> list[Item]:
         row = _row(section, is_table, value[1].strip())
         return [] if row is None else list(_values(row, before[value.end() :], offset))
     typed = _TYPED.search(before)
-    if typed is None or before[: typed.start()].strip():
+    assert typed is not None  # it may be empty
+    if before[: typed.start()].strip():
         return []
     return list(_keys(_rows(section, is_table), typed[0], offset))
 

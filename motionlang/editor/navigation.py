@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from motionlang.editor.page import Page
-    from motionlang.lang.names import Block, Span
+    from motionlang.lang.names import Span
 
 # The kinds of blocks that are symbols, and those of definitions outside them that are.
 _NAMED = frozenset(("sub", "function", "task", "event", "type", "macro", "startup"))
@@ -117,7 +117,7 @@ def folds(page: Page) -> list[tuple[int, int, bool]]:
     for block in page.names.blocks:
         first, last = position_of(block.span[0])[0], position_of(block.span[1])[0]
         if last > first:
-            found.append((first, last - _closes(page, block), False))
+            found.append((first, last - 1, False))  # the closing line stays visible
     begin = 0
     for number, line in enumerate([*page.text.split("\n"), ""], 1):
         is_comment = bool(line.strip()) and not page.language.has_code(line)
@@ -128,8 +128,3 @@ def folds(page: Page) -> list[tuple[int, int, bool]]:
             found.append((begin, number - 1, True))
         begin = 0
     return sorted(each for each in found if each[1] > each[0])
-
-
-def _closes(page: Page, block: Block) -> int:
-    """Return 1 if a block ends with a closing line, which stays visible, else 0."""
-    return 0 if block.kind == "macro" else 1
