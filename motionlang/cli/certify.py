@@ -75,7 +75,8 @@ def certify_folder(folder: str, options: Options) -> int:
             failed += 1
             continue
         except ProgramError as error:
-            complain(error.diagnostics, None, program)
+            machine = machine_of(program)
+            complain(error.diagnostics, None if machine is None else Source.read(machine), machine or program)
             failed += 1
             continue
         if not any(".limits." in key for key in result.machine.settings):

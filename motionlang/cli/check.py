@@ -161,7 +161,8 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
     ):
         wrong = wrong or any(options.strict or each.severity == "error" for each in diagnostics)
         name = STDIN_NAME if file == STDIN else file
-        path = source.name if source is not None and source.name != name_of(file) else name
+        is_about_machine = source is not None and source.name != name_of(file)
+        path = (machine_of(file, options.machine) or name) if is_about_machine else name
         if options.form not in ("text", "json"):
             document.append(Found(name, diagnostics, source, path, options.strict))
             continue

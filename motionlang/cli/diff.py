@@ -144,7 +144,8 @@ def diff_command(arguments: argparse.Namespace) -> int:
         from motionlang.analysis.diff.motion import divergence
 
         diverged = divergence(old_run, new_run, tolerance.size("position"))
-        charges = charged(old_run, new_run) if found.time is not None else []
+        ran = old_run.program is not None and new_run.program is not None
+        charges = charged(old_run, new_run) if ran and found.time is not None else []
         changed = changed_literals(old_run, new_run)
     if arguments.format == "json":
         sys.stdout.write(json.dumps(_data(found, diverged, charges, changed), default=vars) + "\n")

@@ -45,7 +45,7 @@ def diff_lines(
         out.append(f"the run: {found.status[0]} → {found.status[1]}")
     if found.time is not None:
         was, is_ = found.time
-        percent = f", {100.0 * (is_ - was) / was:+.2g} %" if was else ""
+        percent = f", {_percent(100.0 * (is_ - was) / was)} %" if was else ""
         out.append(styled(f"time: {was:.6f} → {is_:.6f} s ({is_ - was:+.6f} s{percent})", "bold", colour))
         if charges:
             out.append(f"by line: {_charged(charges, MAX_CHARGED if most == MAX_LINES else most)}")
@@ -67,6 +67,11 @@ def diff_lines(
     elif found.is_commanded:
         out.append("only the commanded speed differs, the motion does not")
     return out
+
+
+def _percent(value: float) -> str:
+    """Return a percentage with two digits; from 100 on, a whole number."""
+    return f"{value:+.2g}" if abs(value) < 99.5 else f"{value:+.0f}"
 
 
 def literal_lines(changed: Sequence[ChangedLiteral], most: int) -> list[str]:
