@@ -1,8 +1,8 @@
 """Commands and all that they print, in `transcripts.txt`.
 
 A section has a name after `== `, and commands after `$ `. Below each are its standard output, its standard error with
-`! `, and its exit status if that is not 0. `< FILE` is its standard input; `cat FILE` prints a file. Each section begins
-in a folder with the files below. `--update` rewrites what the commands print.
+`! `, and its exit status if that is not 0. `< FILE` is its standard input; `cat FILE` prints a file. Each section
+begins in a folder with the files below. `--update` rewrites what the commands print.
 """
 
 from __future__ import annotations

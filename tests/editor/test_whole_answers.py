@@ -71,7 +71,7 @@ def test_the_page_of_a_word(language: str, text: str, markdown: str, word: str) 
 
 
 # Language, a text, and its outline: name, kind, detail, the whole text, and what is inside.
-OUTLINES = (
+OUTLINES: tuple[tuple[str, str, list[object]], ...] = (
     ("mint", "Sub Travel(far As Float, n)\n  Dim a\nEnd Sub\nConst b = 1", [
         ("Travel", "sub", "far As Float, n As Float", "Sub Travel(far As Float, n)\n  Dim a\nEnd Sub",
          [("a", "variable", "Float", "a", [])]),
@@ -100,7 +100,7 @@ def test_the_outline_of_a_program(language: str, text: str, wanted: list[object]
 
 
 # A text, and its folds. The closing line of a block stays visible; one comment or one line has no fold.
-FOLDS = (
+FOLDS: tuple[tuple[str, list[tuple[int, int, bool]]], ...] = (
     ("' a\n' b\nPrint 1\n' c\nPrint 2\n\n' d\n' e\n' f", [(1, 2, True), (7, 9, True)]),
     ("Print 1\n' a\nPrint 2\n", []),
     ("  If a Then\nb = 1\nEnd If\nLoop\nEnd Loop\nFor i = 1 To 2 : Next\n' a\n\n' b\n", [(1, 2, False)]),
@@ -221,7 +221,7 @@ def test_a_diagnostic_without_an_offset_has_no_fix(line: int, column: int, count
 
 # Language, a text with the cursor, and all labels proposed there with their rank: names have 0, keywords that are
 # not simulated 3.
-LABELS = (
+LABELS: tuple[tuple[str, str, list[tuple[str, int]]], ...] = (
     ("mccl", "MD1,1MN\nMD12,1WS\nMD2,1WS\nAR13\nMC1|", [("1", 0), ("12", 0)]),
     ("mccl", "MD14,1MN\nAL5,AR10,AR20\nAA@1|", [("1", 0), ("10", 0)]),
     ("mccl", "MD1,1MN\nMR1|", []),
