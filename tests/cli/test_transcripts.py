@@ -17,6 +17,7 @@ import pytest
 
 from motionlang import __version__
 from tests.cli.programs import Cell
+from tests.generated.results import rounded
 
 TRANSCRIPTS = Path(__file__).with_name("transcripts.txt")
 STROKE = """\
@@ -27,6 +28,69 @@ MOVER(0) = length : GO(0) : PAUSE IDLE(0)
 PRINT "there"
 """
 LIMITS = "[axis.0.limits]\nspeed = 250\nacceleration = 1500\n"
+# A sub with a move and a dwell, called twice; a loop that polls an input; a question; a computing loop.
+CELL = """\
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+OUT(1) = 1
+For i = 1 To 2
+  Lift(10 * i)
+Next
+While INX(2) = 0
+  n = n + 1
+Wend
+PAUSE INX(3) = 1
+OUT(1) = 0
+Input "Way ", s
+MOVER(0) = s : GO(0)
+MOVER(1) = 1 : GO(1)
+PAUSE IDLE(0) And IDLE(1)
+For i = 1 To 3
+  k = k + i
+Next
+Sub Lift(far As Float)
+  MOVER(0) = far : GO(0)
+  PAUSE IDLE(0)
+  WAIT = 50
+End Sub
+"""
+# A task that polls what another one does.
+TASKS = """\
+Dim ready
+SPEED(0, 1) = 100; : ACCEL(0, 1) = 1000; : DECEL(0, 1) = 1000;
+Run Feeder
+PAUSE ready = 1
+MOVER(0) = 20 : GO(0)
+PAUSE IDLE(0)
+PAUSE INX(1)
+End
+Task Feeder
+  MOVER(1) = 10 : GO(1)
+  PAUSE IDLE(1)
+  WAIT = 30
+  ready = 1
+End Task
+Event IN1
+  OUT(2) = 1
+End Event
+"""
+BOARD = """\
+MD1,1MR100,1WS,WA0.1
+1MN,2MN,1SV1000,1SA10000,1DS10000,2SV500,2SA5000,2DS5000
+MC1
+MD10,2MA50,2WS0.05
+2MR200,2WS
+AL3,AR9
+WN2
+MC10
+"""
+PATH = """\
+SPEED(0, 1) = 100; : ACCEL(0, 1) = 1000; : DECEL(0, 1) = 1000;
+VECTORR(0, 1) = 30, 40 : GO(0)
+VECTORR(0, 1) = 30, 40 : GO(0)
+VECTORR(0, 1) = 40, -30 : GO(0)
+CIRCLER(0, 1) = 0, 10, 90 : GO(0)
+PAUSE IDLE(0) And IDLE(1)
+"""
 FILES = {
     "stroke.mnt": STROKE,
     "limited/a.mnt": STROKE,
@@ -55,6 +119,12 @@ FILES = {
     "old.prg": 'IF INX.4 = 0 THEN GOTO bad\nPAUSE INX.2\nINPUT "Way ", s\nEND\n#bad\n? "bad"\n',
     "asked.prg": "PAUSE INX.2\n",
     "unnamed.prg": "INPUT n\n",
+    "cell.mnt": CELL,
+    "tasks.mnt": TASKS,
+    "boards.mcl": BOARD,
+    "path.mnt": PATH,
+    "measured.csv": "time,x,y\n0,0,1\n0.5,50,1\n1,100,1\n",
+    "points.csv": "position,velocity,time\n0,0,100\n1000,8000,100\n2000,0,0\n",
 }
 
 
@@ -99,4 +169,4 @@ def test_a_transcript(
         recorded[name] = found
         texts = [f"== {each}\n{text.rstrip()}\n" for each, text in recorded.items()]
         TRANSCRIPTS.write_text("\n".join(texts), encoding="utf-8", newline="\n")
-    assert found.rstrip() == recorded[name].rstrip()
+    assert rounded(found.rstrip()) == rounded(recorded[name].rstrip())
