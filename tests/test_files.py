@@ -229,3 +229,29 @@ def test_a_file_that_is_let_go_in_time_is_waited_for(tmp_path: Path, monkeypatch
     monkeypatch.setattr(files, "sleep", lambda _: first.release())
     Lock(path, 10.0).release()
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_file_that_cannot_take_its_place_is_an_error_of_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*given: str) -> None:
+        raise OSError(errno.EACCES, "Permission denied")
+
+    monkeypatch.setattr(os, "replace", refuse)
+    path = str(tmp_path / "x.csv")
+    with pytest.raises(OSError, match="Permission denied") as error, replacing(path) as file:
+        file.write(b"new")
+    assert error.value.filename == path
+    assert os.listdir(tmp_path) == []
+
+
+def test_an_error_of_the_writer_precedes_that_of_closing_the_file(tmp_path: Path) -> None:
+    """The file is closed under its name already, so that it cannot be closed again."""
+
+    def fail(file: IO[bytes]) -> None:
+        os.close(file.fileno())
+        raise ValueError("no more rows")
+
+    with pytest.raises(ValueError, match="no more rows"), replacing(str(tmp_path / "x.csv")) as file:
+        fail(file)
+    assert os.listdir(tmp_path) == []

@@ -95,3 +95,14 @@ def test_a_mistake_in_an_old_section_has_its_line() -> None:
         read_machine(Source("m.toml", '[readings]\n"mint.float-zeros" = 3\n'))
     (found,) = raised.value.diagnostics
     assert (found.line, found.column) == (2, 1)
+
+
+def test_a_command_that_draws_has_no_option_to_draw(cell: Cell) -> None:
+    """`plot` names its file in place of the option, `trace` has both."""
+    cell.write("a.mnt", "MOVER(0) = 1 : GO(0)\n")
+    ran = cell("plot", "a.mnt", "a.html", "--plot", "b.html")
+    assert (ran.status, ran.err.splitlines()[0]) == (
+        2, "motionlang plot: error: unrecognized arguments: --plot b.html",
+    )  # fmt: skip
+    assert cell("trace", "a.mnt", "a.csv", "--plot", "b.html").status == 0
+    assert (cell.folder / "b.html").exists()

@@ -270,6 +270,23 @@ def test_a_change_of_a_variable_stops_after_it() -> None:
     assert found.line == 5
 
 
+def test_changes_of_a_variable_are_found_backward_in_reverse() -> None:
+    """`total` becomes 2, 6 and 12: the stops are at the three statements behind the additions."""
+    debugger = mint(CALLS)
+    debugger.start()
+    debugger.watched = [Watched(("module", "total"))]
+    forward = []
+    while (stop := debugger.go_on()) is not None:
+        forward.append((stop.number, stop.text))
+    assert [text.split(" before ")[0] for _, text in forward] == [
+        "total changes from 0 to 2", "total changes from 2 to 6", "total changes from 6 to 12",
+    ]  # fmt: skip
+    backward = []
+    while (stop := debugger.reverse()) is not None and stop.reason != "start":
+        backward.append((stop.number, stop.text))
+    assert backward == forward[::-1]
+
+
 @pytest.mark.parametrize(
     ("name", "line"), [("output 2", 2), ("axis 0", 4), ("input 5", None), ("OUTPUT  2", 2)]
 )

@@ -472,3 +472,14 @@ def test_a_home_edge_and_its_flag() -> None:
     assert host.IsStopped(1, 1.0) == 1
     # It runs on for v²/2a = 125 counts, and for the milliseconds of the calls in between.
     assert 125.0 <= host.GetPositionEx(1) <= 125.0 + 3.0 * 5.0
+
+
+def test_a_host_without_a_handle_has_no_share_in_that_of_another() -> None:
+    """Both use the same board, on which the first has handle 1."""
+    first = opened()
+    assert first.GetPositionEx(1) == 0.0
+    second = Mcapi(first.board)
+    with pytest.raises(McapiException):
+        second.GetPositionEx(1)
+    second.Close()  # it has nothing to close
+    assert first.GetPositionEx(1) == 0.0
