@@ -653,4 +653,40 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/blends.py: check_blend: 1.0 -> 2.0": (
         "the size of rounding of a time that is 0"
     ),
+    "motionlang/notes/chapter12.py: Settings: True -> False #2": (
+        "slots of a frozen class: it takes no other attributes without them, either"
+    ),
+    "motionlang/notes/chapter12.py: ListingRun: True -> False #2": (
+        "slots of a frozen class: it takes no other attributes without them, either"
+    ),
+    "motionlang/notes/dac_override.py: OverrideRun: True -> False #2": (
+        "slots of a frozen class: it takes no other attributes without them, either"
+    ),
+    "motionlang/notes/slip.py: Slip: True -> False #2": (
+        "slots of a frozen class: it takes no other attributes without them, either"
+    ),
+    "motionlang/notes/tn1069_servo.py: Row: True -> False #2": (
+        "slots of a frozen class: it takes no other attributes without them, either"
+    ),
+    "motionlang/repl/commands.py: Command: True -> False #2": (
+        "slots of a frozen class: it takes no other attributes without them, either"
+    ),
+    "motionlang/serve/limits.py: Limits: True -> False #2": (
+        "slots of a frozen class: it takes no other attributes without them, either"
+    ),
+    "motionlang/views/chapter12.py: Picture: True -> False #2": (
+        "slots of a frozen class: it takes no other attributes without them, either"
+    ),
+    "motionlang/editor/hover.py: _comment_above: 0 -> 1 #2": (
+        "a line that begins at offset 1 is below an empty one, which is no comment"
+    ),
+    "motionlang/editor/fixes.py: silencing: 1 -> 2": (
+        "the second column of a line is in the same line; an empty line has only one"
+    ),
+    "motionlang/cli/event_status.py: complaints: max(handled.get(None, -1), handled.get(axis, -1)) > index -> "
+    "max(handled.get(None, -1), handled.get(axis, -1)) >= index": (
+        "a fault is no handler and clears nothing, so the indices differ"
+    ),
+    "motionlang/cli/event_status.py: complaints: 1 -> 2": ("-1 and -2 are both less than any index"),
+    "motionlang/cli/event_status.py: complaints: 1 -> 2 #2": ("-1 and -2 are both less than any index"),
 }
