@@ -201,6 +201,8 @@ def test_events_are_marked_in_all_panels_and_named_in_the_first(axes: Axes) -> N
             [1000.0] * 2,
             [3000.0] * 2,
         ]
+    dashes = {line._unscaled_dash_pattern for line in axes.get_lines()}  # type: ignore[attr-defined]
+    assert dashes == {(0, (3, 2))}
     assert [(each.get_text(), each.get_ha(), each.xy) for each in axes.texts] == [  # type: ignore[attr-defined]
         (" limit, fault ", "left", (1000.0, 0.04)),
         (" fault ", "right", (3000.0, 0.04)),
