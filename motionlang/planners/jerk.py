@@ -103,7 +103,7 @@ def plan_jerk(
     distance = target - start
     size, u = (distance, v0) if distance >= 0.0 else (-distance, -v0)
     rise, fall = accel / accel_jerk, decel / decel_jerk
-    if a0 == 0.0 and (u == 0.0 or (0.0 < u <= speed and _stops_within(size, u, decel, decel_jerk, fall))):
+    if a0 == 0.0 and (u == 0.0 or (0.0 < u <= speed and _stops_within(size, u, decel, decel_jerk))):
         gain = speed - u
         first = gain / accel + rise if gain >= accel * rise else 2.0 * sqrt(gain / accel_jerk)
         last = speed / decel + fall if speed >= decel * fall else 2.0 * sqrt(speed / decel_jerk)
@@ -197,29 +197,26 @@ def _directly(
         if not _MUCH * u < rest < speed or size + before <= _MUCH * size:  # it comes to rest instead
             return _back(start, target, speed, rates, (u, b, sign))
     room = size + before
-    rise, fall = accel / accel_jerk, decel / decel_jerk
     # A plan that reaches its speed needs no peak.
-    gain = speed - rest
-    first = gain / accel + rise if gain >= accel * rise else 2.0 * sqrt(gain / accel_jerk)
-    last = speed / decel + fall if speed >= decel * fall else 2.0 * sqrt(speed / decel_jerk)
-    top = speed
+    top, gain = speed, speed - rest
+    first, up = ramp_to(gain, accel, accel_jerk)
+    last, down = ramp_to(top, decel, decel_jerk)
     slew = (room - 0.5 * (rest + speed) * first - 0.5 * speed * last) / speed
     if slew < 0.0:
         # True if a stop has the distance that it needs once the acceleration is zero. If not, there is no
         # ramp up.
-        stop = eased / decel + fall if eased >= decel * fall else 2.0 * sqrt(eased / decel_jerk)
+        stop = ramp_to(eased, decel, decel_jerk)[0]
         if 0.5 * eased * stop + (u + b * time / 3.0) * time > size:
             return _back(start, target, speed, rates, (u, b, sign))
         top = peak_speed(rest, room, (accel, accel_jerk), (decel, decel_jerk))
         gain, slew = top - rest, 0.0
         if gain < 0.0 or top > speed or (b > 0.0 and gain < b * time):
             return None
-        first = gain / accel + rise if gain >= accel * rise else 2.0 * sqrt(gain / accel_jerk)
-        last = top / decel + fall if top >= decel * fall else 2.0 * sqrt(top / decel_jerk)
+        first, up = ramp_to(gain, accel, accel_jerk)
+        last, down = ramp_to(top, decel, decel_jerk)
         if abs(0.5 * (rest + top) * first + 0.5 * top * last - room) > _CLOSE * room:
             return None
     v = top * sign
-    ratio = fall / last if top >= decel * fall else 0.5
     if b > 0.0:
         peak = min(accel, 0.5 * accel_jerk * first)
         steps = (
@@ -228,10 +225,9 @@ def _directly(
             (-accel_jerk, peak / accel_jerk),
         )
         duration = steps[0][1] + steps[1][1] + steps[2][1] + (slew + last)
-        return JerkLimited(start, target, duration, (u, b, steps, sign), (v, slew, 0.0, v, last, ratio, 0.0))
-    up = rise / first if first and gain >= accel * rise else 0.5
+        return JerkLimited(start, target, duration, (u, b, steps, sign), (v, slew, 0.0, v, last, down, 0.0))
     head = (u, b, ((decel_jerk, time),), sign)
-    tail = (rest * sign, first, up, v, slew, 0.0, v, last, ratio, 0.0)
+    tail = (rest * sign, first, up, v, slew, 0.0, v, last, down, 0.0)
     return JerkLimited(start, target, time + (first + slew + last), head, tail)
 
 
@@ -279,9 +275,7 @@ def _back(
     else:
         stopping, stop, kind = covered, 0.0, 0.5
         if after:
-            fall = decel / decel_jerk
-            stop = after / decel + fall if after >= decel * fall else 2.0 * sqrt(after / decel_jerk)
-            kind = fall / stop if after >= decel * fall else 0.5
+            stop, kind = ramp_to(after, decel, decel_jerk)
             stopping += 0.5 * after * stop
         beyond = stopping - size
         if beyond <= 0.0 or is_rounding(beyond, stopping, start, target):
@@ -305,10 +299,9 @@ def _is_astray(made: Profile) -> bool:
     return not abs(reached - made.end) <= 1e-7 * max(map(abs, made.extrema()))
 
 
-def _stops_within(size: float, u: float, decel: float, jerk: float, fall: float) -> bool:
+def _stops_within(size: float, u: float, decel: float, jerk: float) -> bool:
     """True if a stop from speed `u` is shorter than `size` by more than rounding."""
-    time = u / decel + fall if u >= decel * fall else 2.0 * sqrt(u / jerk)
-    return 0.5 * u * time < size * (1.0 - 1e-9)
+    return 0.5 * u * ramp_to(u, decel, jerk)[0] < size * (1.0 - 1e-9)
 
 
 def ease(start: float, v0: float, a0: float, jerk: float) -> Profile:
