@@ -210,7 +210,7 @@ def _directly(
             return _back(start, target, speed, rates, (u, b, sign))
         top = peak_speed(rest, room, (accel, accel_jerk), (decel, decel_jerk))
         gain, slew = top - rest, 0.0
-        if gain < 0.0 or top > speed or (b > 0.0 and gain < b * time):
+        if top > speed or gain < max(b * time, 0.0):  # by rounding
             return None
         first, up = ramp_to(gain, accel, accel_jerk)
         last, down = ramp_to(top, decel, decel_jerk)
@@ -368,7 +368,7 @@ def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float
     x = ceiling = sqrt(max(high - u, 0.0))
     if low > 0.05 * (high - u):
         x, ceiling = sqrt(low), inf
-    for _ in range(200):
+    while True:
         gain = x * x
         v = u + gain
         if gain >= accel * rise:
@@ -387,7 +387,6 @@ def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float
         if not 0.0 <= following < ceiling:
             return v
         x = ceiling = following
-    return u + x * x
 
 
 def peak_from_rest(size: float, accel: float, decel: float, accel_jerk: float, decel_jerk: float) -> float:

@@ -155,13 +155,12 @@ def _by_squares(
     latest = [0.0]
     for length, factor, cap in reversed(list(zip(lengths[1:], factors[1:], caps, strict=True))):
         latest.append(min(cap * cap, latest[-1] + 2.0 * length / factor[1]))
-    squares, last = [v0 * v0], 0.0
+    squares = [v0 * v0]
     for length, factor in zip(lengths, factors, strict=True):
         before = squares[-1]
         fastest = min(latest.pop(), before + 2.0 * length / factor[0])
         squares.append(max(fastest, before - 2.0 * length / factor[1]))
-        last = factor[1]
-    if squares[-1] * 0.5 * last > _SLACK * total(lengths):
+    if squares[-1] * 0.5 * factors[-1][1] > _SLACK * total(lengths):
         return None
     return [v0, *(sqrt(square) for square in squares[1:-1]), 0.0]
 

@@ -99,7 +99,7 @@ def test_an_hour_of_two_watches_is_over_at_once(monkeypatch: pytest.MonkeyPatch)
     result = execution.run(Source("a.mcl", text), cache=False, until=4000.0)
     assert result.output == ["01 3600"]
     assert 3601.0 <= result.time < 3601.01
-    assert resumed.calls <= 43
+    assert resumed.calls == 43
 
 
 def test_counts_of_two_tasks_advance_with_the_skipped_rounds(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -113,7 +113,7 @@ def test_counts_of_two_tasks_advance_with_the_skipped_rounds(monkeypatch: pytest
     (first, second) = map(int, result.output)
     assert abs(first - 1_000_000) <= 1
     assert abs(second - 3_000_000) <= 3
-    assert resumed.calls <= 80
+    assert resumed.calls == 80
 
 
 @pytest.mark.parametrize("step", [1e-5, 0.1, 3.0, 2.0**-16, 2.0**-16 * 1.5])

@@ -110,6 +110,15 @@ def test_a_variable_of_a_program_with_labels_needs_no_check() -> None:
     assert "v_n = v_n + 1" in text
 
 
+@pytest.mark.parametrize(("raises", "is_plain"), [(12, True), (23, True), (24, False)])
+def test_a_bound_that_moves_with_each_iteration_is_followed_23_times(raises: int, is_plain: bool) -> None:
+    """Iteration k raises the bound of `x` by 10; from the 24th on it is that of an Integer."""
+    most = 10 * raises + 10
+    steps = "".join(f"  If x = {k - 10} Then x = {k}\n" for k in range(most, 10, -10))
+    text = text_of(f"Dim x As Integer, a({most}) As Integer\nx = 10\nLoop\n{steps}  a(x) = 1\nEnd Loop")
+    assert ("v_a[v_x] = 1" in text) == is_plain
+
+
 @pytest.mark.parametrize(
     ("written", "python"),
     [
