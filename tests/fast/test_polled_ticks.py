@@ -163,7 +163,9 @@ def test_tasks_that_poll_beside_the_timer_are_skipped(skipped: Callable[[], int]
         ("WAIT(1)", 1, 54),
     ),
 )
-def test_a_loop_with_a_wait_is_skipped(body: str, period: int, count: int, skipped: Callable[[], int]) -> None:
+def test_a_loop_with_a_wait_is_skipped(
+    body: str, period: int, count: int, skipped: Callable[[], int]
+) -> None:
     """WAITs end between ticks, in handlers and at interrupted statements.
 
     `count` ticks are executed.

@@ -112,7 +112,7 @@ def test_a_variable_of_a_program_with_labels_needs_no_check() -> None:
 
 @pytest.mark.parametrize(("raises", "is_plain"), [(12, True), (23, True), (24, False)])
 def test_a_bound_that_moves_with_each_iteration_is_followed_23_times(raises: int, is_plain: bool) -> None:
-    """Iteration k raises the bound of `x` by 10; from the 24th on it is that of an Integer."""
+    """Each raises the bound of `x` by 10. From the 24th on, it is that of an Integer."""
     most = 10 * raises + 10
     steps = "".join(f"  If x = {k - 10} Then x = {k}\n" for k in range(most, 10, -10))
     text = text_of(f"Dim x As Integer, a({most}) As Integer\nx = 10\nLoop\n{steps}  a(x) = 1\nEnd Loop")

@@ -132,3 +132,80 @@ def test_a_wait_for_a_counter_ends_at_its_tick() -> None:
 
 def test_a_handler_that_stops_its_timer_is_the_last_one() -> None:
     assert printed(ran("n = n + 1\nIf n = 1234 Then TIMEREVENT = 0"))[0] == 1234
+
+
+PULSES = "OUTX(3) = 1\nOUTX(3) = 0\n"
+# The handler, its period, ms, and the ticks that are executed of those in 2 s.
+WORK: dict[str, tuple[str, int, int]] = {
+    "a count": ("n = n + 1", 1, 5),
+    "a count, at longer intervals": ("n = n + 1", 7, 4),
+    "a toggle": ("OUTX(3) = Not OUTX(3)", 1, 5),
+    "a pulse": (PULSES, 1, 4),
+    "a count and a toggle": ("n = n + 1\nOUTX(3) = Not OUTX(3)", 1, 7),
+    "a count beside a ring": ("n = (n + 1) Mod 5\nm = m + 1", 1, 14),
+    "a ring of 63": ("n = (n + 1) Mod 63", 1, 109),
+    "a ring of 64": ("n = (n + 1) Mod 64", 1, 79),
+    "a ring of 65, which is not found": ("n = (n + 1) Mod 65", 1, 1999),
+    "32 ticks of 8 records before the last one": (f"n = (n + 1) Mod 33\n{4 * PULSES}", 1, 52),
+    "33 ticks of 8 records before the last one": (f"n = (n + 1) Mod 34\n{4 * PULSES}", 1, 1999),
+    "an output that changes once": ("OUTX(3) = 1", 1, 4),
+    "a text at each tenth tick": ("n = (n + 1) Mod 10\nIf n = 0 Then PRINT 7", 1, 1999),
+    "a text at each hundredth tick": ("n = n + 1\nIf n >= 100 Then n = 0 : PRINT 7", 1, 81),
+    "an action at each tick": ("SPEED(0) = 100 - n\nn = 1 - n", 1, 1999),
+    "a wait in the handler": ("n = n + 1\nWAIT(0.1)", 1, 1999),
+    "a reading that changes": ("n = n + 1\nIf TIME > 1000 Then m = m + 1", 1, 12),
+    "a handler of 61 statements": ("n = n + 1\n" + "m = 3\n" * 60, 1, 5),
+}
+
+
+@pytest.mark.parametrize("name", WORK)
+def test_only_what_repeats_within_64_ticks_and_256_records_is_skipped(name: str, ticks: list[float]) -> None:
+    """A state must recur, with a count that has advanced equally twice, to be repeated."""
+    handler, period, count = WORK[name]
+    ran(handler, "WAIT(2000)", period)
+    assert len(ticks) == count
+
+
+@pytest.mark.parametrize(
+    ("handler", "wait", "n"),
+    [
+        ("n = n + 1\nIf n = 50 Then TIMEREVENT = 2", "WAIT(100)", 50 + 25),
+        ("n = n + 1\nIf n = 50 Then EVENTPEND(5, 0, 0)", "WAIT(100)", 100 + 1),
+        (
+            "n = n + 1",
+            "WAIT(40) : EVENTDISABLE = 0x20 : WAIT(30.5) : EVENTDISABLE = 0 : WAIT(29.9)",
+            40 + 1 + 30,
+        ),
+        ("n = n + 1", "PAUSE n >= 50 : WAIT(30)", 80),
+        ("n = n + 1", "PAUSE INX(2)", 62),
+        ("n = n + 1\nIf n = 50 Then OUTX(1) = 1", "PAUSE OUTX(1)", 50),
+        ("n = n + 1\nIf INX(2) Then OUTX(1) = 1", "PAUSE OUTX(1)", 63),
+        ("n = n + 1", "MOVEA(0) = 1 : GO(0) : PAUSE IDLE(0) : WAIT(10)", 73),
+        ("n = n + 1", "MOVEA(0) = 1 : GO(0) : PAUSE POS(0) > 0.5", 31),
+        ("n = n + 1", "PAUSE TIME > 50", 50),
+    ],
+)
+def test_a_wait_ends_with_the_tick_or_the_event_that_ends_it(handler: str, wait: str, n: int) -> None:
+    """Input 2 comes at 62.5 ms. A move of 1 takes 2 sqrt(1 / 1000) s = 63.2 ms.
+
+    TIME is 51 after 51 ms, and the 51st tick comes 30 us later.
+    """
+    assert printed(ran(handler, wait, input=[{"channel": 2, "at": 0.0625}]))[0] == n
+
+
+@pytest.mark.parametrize("cost", [2.5e-4, 1e-4])
+@pytest.mark.parametrize("wait", ["WAIT(10)", "WAIT(9.5)", "WAIT(60)", "PAUSE TIME > 20"])
+def test_a_wait_that_ends_at_a_tick_ends_as_without_accelerators(cost: float, wait: str) -> None:
+    """The statements have times of which many are those of ticks."""
+    ran("n = n + 1", f"{wait}\nm = n\n{wait}", **{"controller.instruction_time": cost})
+
+
+@pytest.mark.parametrize("number", [3, 10, 500])
+def test_a_run_that_ends_at_a_tick_ends_as_without_accelerators(number: int) -> None:
+    text = "Dim n As Integer\nTIMEREVENT = 1\nWAIT(10000)\nEnd\nEvent TIMER\nn = n + 1\nOUTX(3) = Not OUTX(3)\nEnd Event\n"
+    for until in (1e-5 + number * 0.001, 1e-5 + number * 0.001 + 1e-9):
+        fast, plain = (
+            run(Source("a.mnt", text), cache=False, fast=fast, until=until) for fast in (True, False)
+        )
+        assert list(fast.machine.log.outputs) == list(plain.machine.log.outputs)
+        assert len(fast.machine.log.events) == len(plain.machine.log.events)

@@ -170,7 +170,7 @@ def test_a_target_exactly_at_the_end_of_the_shortest_stop(sign: float, start: fl
 
 
 def test_a_deceleration_that_ends_hardly_above_rest_ends_at_rest() -> None:
-    """A ramp from 300 to rest gains 300^2 / 1500 = 60: of it and the velocity, 1e-12 is rounding.
+    """A fraction of 1e-12 of 300^2 / 1500 = 60 and of the velocity is rounding.
 
     From 20 that is 8e-11. Above it, the move continues as a stop, of three sections, before it moves back.
     """
@@ -238,7 +238,7 @@ FAR_APART = [
 def test_limits_that_are_too_far_apart_for_a_sum(
     target: float, speed: float, rates: tuple[float, float, float, float], v0: float, a0: float, jerk: float
 ) -> None:
-    """The acceleration is ramped down first, at the jerk of what it does, and the rest has none."""
+    """The acceleration is ramped down first: speeding up or slowing down has its jerk."""
     made = plan_jerk(0.0, target, speed, *rates, v0, a0)
     time = abs(a0 / jerk)
     eased = ease(0.0, v0, a0, abs(jerk))

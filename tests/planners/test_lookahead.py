@@ -157,3 +157,56 @@ def test_a_run_that_slowed_down_for_one_stretch_speeds_up_on_the_next() -> None:
     assert made.end == first + 100.0
     assert made.velocity(0.08) == pytest.approx(28.4)
     assert made.duration == pytest.approx(0.16 + slew + 0.4)
+
+
+# The segments, and the phases with their durations. All rates are 100 unless the segment has another one: a ramp to
+# 10 covers 0.5 in 0.1 s, one from 10 to 20 covers 1.5.
+PHASES: dict[str, tuple[list[Segment], list[tuple[str, float]]]] = {
+    "two segments in one ramp up": (
+        [(0.5, 10.0, 100.0, 100.0), (23.5, 20.0, 100.0, 100.0)], [("accel", 0.2), ("slew", 1.0), ("decel", 0.2)],
+    ),
+    "two segments in two ramps up": (
+        [(0.5, 10.0, 100.0, 100.0), (25.0, 20.0, 50.0, 100.0)],
+        [("accel", 0.1), ("accel", 0.2), ("slew", 1.0), ("decel", 0.2)],
+    ),
+    "two segments in one ramp down": (
+        [(3.5, 20.0, 100.0, 100.0), (0.5, 10.0, 100.0, 100.0)], [("accel", 0.2), ("decel", 0.2)],
+    ),
+    "two segments in two ramps down": (
+        [(5.0, 20.0, 100.0, 50.0), (0.5, 10.0, 100.0, 100.0)], [("accel", 0.2), ("decel", 0.2), ("decel", 0.1)],
+    ),
+    "one speed": (
+        [(10.5, 10.0, 100.0, 100.0), (10.5, 10.0, 100.0, 100.0)], [("accel", 0.1), ("slew", 2.0), ("decel", 0.1)],
+    ),
+    "one speed, and one ramp after the other": (
+        [(0.5, 10.0, 100.0, 100.0), (0.5, 10.0, 100.0, 100.0)], [("accel", 0.1), ("decel", 0.1)],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PHASES)
+def test_the_phases_of_a_course(name: str) -> None:
+    """Ramps that go on at one rate are one phase."""
+    segments, phases = PHASES[name]
+    made = course(segments)
+    assert [phase.name for phase in made.phases] == [name for name, _ in phases]
+    assert [phase.duration for phase in made.phases] == pytest.approx([time for _, time in phases])
+    assert made.end == made.position(made.duration) == sum(length for length, *_ in segments)
+
+
+@pytest.mark.parametrize(
+    ("start", "v0", "time"),
+    [
+        (0.0, 10.0, 0.1),  # a stop from 10 covers exactly 0.5
+        (0.2e-9, 10.0, 0.1),  # rounding
+        (2e-9, 10.0, None),
+        (0.5, 0.0, 0.0),
+        (0.5 + 0.4e-9, 0.0, 0.0),
+        (0.5 + 2e-9, 0.0, None),
+        (0.75, 0.0, None),
+    ],
+)
+def test_a_course_that_cannot_stop_at_its_end(start: float, v0: float, time: float | None) -> None:
+    """An end 1e-9 of the length of 0.5 farther is rounding."""
+    made = plan_course([(0.25, Pace("trapezoid", 20.0, 100.0, 100.0))] * 2, start, v0)
+    assert (None if made is None else made.duration) == (None if time is None else pytest.approx(time))

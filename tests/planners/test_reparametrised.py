@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from motionlang.planners import Profile, plan, plan_trapezoid, plan_velocity, reparametrised
 from motionlang.planners.arc import arc_over, line_over, rotated
 from motionlang.planners.curve import from_curve
+from motionlang.planners.dwell import with_rest
 from motionlang.planners.evaluate import evaluate
 from motionlang.planners.reparametrised import Reparametrised, crossings, travelled
 from motionlang.planners.sample import sample_profile, sample_track
@@ -679,3 +680,11 @@ def test_a_crossing_at_rest_counts_once_and_later_ones_are_found() -> None:
     assert crossings(made, 10.0) == pytest.approx([1.1, 5.3])
     assert crossings(made, 0.0) == pytest.approx([0.0, 4.2])
     assert crossings(made, 9.5) == pytest.approx([1.0, 3.2, 5.2])
+
+
+def test_a_rest_without_an_end_is_a_phase_of_no_distance() -> None:
+    """The motion stops at a distance of 1, where the curve is at 10 times as much."""
+    line = line_over(5.0, 0.0, 50.0)
+    made = Reparametrised(with_rest(plan_trapezoid(0.0, 1.0, 1.0, 2.0, 2.0), "suspend"), line)
+    assert [phase.distance for phase in made.phases] == pytest.approx([2.5, 5.0, 2.5, 0.0])
+    assert made.phases[-1].duration == math.inf
