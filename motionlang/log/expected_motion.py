@@ -74,7 +74,7 @@ class ExpectedMotion:
         self.refused: dict[int, float] = {}
         # When each axis was first stopped with each keyword.
         self._first_stops: dict[tuple[int, str], float] = {}
-        # The number of each path among those that its master began at one time.
+        # The number of each path: several may begin at one time.
         self._nth: dict[PathMove, int] = {}
         # The angle up to which each path may be entered, by the settings when another one was planned into
         # it.
@@ -84,7 +84,6 @@ class ExpectedMotion:
         self._plans: dict[PathMove, Order] = {}
         # The paths in progress by their master, with their last orders.
         self._in_progress: dict[int, dict[PathMove, Order]] = {}
-        self._counts: dict[tuple[int, float], int] = {}
         # When the log entry of a path began, and its number in the log: a long one continues as another
         # entry.
         self._entries: dict[Move, tuple[float, int]] = {}
@@ -153,7 +152,6 @@ class ExpectedMotion:
             self._nth,
             self._angles,
             self._plans,
-            self._counts,
             self._entries,
             self._steps,
             self._halts,
@@ -185,14 +183,13 @@ class ExpectedMotion:
             del self.data[number][count:]
 
     def _path(self, a: Axis) -> Order:
-        """Return the order of a path; paths that begin at the same time are numbered."""
+        """Return the order of a path; all paths are numbered."""
         move = a.move
         assert move is not None
         action = move.action
         assert isinstance(action, PathMove)
         if action not in self._nth:
-            key = action.axes[0].index, move.start_time
-            self._nth[action] = self._counts[key] = self._counts.get(key, -1) + 1
+            self._nth[action] = len(self._nth)
         before = self._entries.get(move, (-1.0, -1))[1]
         entry = self._entry(move)
         order = self._planned_by(a, action, before, entry) or self._planned(action, move, entry)

@@ -28,7 +28,7 @@ class PathOrder(NamedTuple):
     Limits. `most`, `most_accel` and `most_decel` are the limits of the axes. The path may be entered at an
     angle of up to `angle_into` degrees.
 
-    Sequence. `begun` is the start time. Of several blended paths that begin at one time, it is the `nth`.
+    Sequence. `begun` is the start time. The path is the `nth` of the run, since several may begin at one time.
     `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not
     begun. `blend` is the distance before the end of the previous path at which it has to begin, 0 for at the
     end. `tails` are the earlier paths with which it is blended. A path that `comes_to_rest` was stopped or

@@ -23,6 +23,7 @@ from motionlang.copley.point import WirePoint, from_wire, to_wire
 from motionlang.planners.pvt.fit import track_error
 from motionlang.planners.pvt.points import Point, plan_points, points_from
 from motionlang.planners.pvt.velocities import smooth_velocities
+from tests.counted_calls import count_calls
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -361,3 +362,15 @@ def test_the_master_of_a_real_bus() -> None:
         far.disconnect()
     assert done.resent == 0
     assert departure(drive, from_wire(points)) < 1e-6
+
+
+def test_a_status_is_read_as_long_as_the_drive_has_sent_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    reads = count_calls(monkeypatch, (Master, "refresh"))
+    with LockstepBus(Drive()) as bus:
+        master = Master(bus)
+        for expected in 1, 2:
+            master._at_rest()
+            assert reads.calls == expected
+        master._received(master.node.tpdo[1])
+        master._at_rest()
+    assert reads.calls == 2

@@ -327,3 +327,33 @@ def test_a_slice_of_a_packed_track_is_its_profiles_one_by_one(monkeypatch: pytes
                 found = [(start, repr(each)) for start, each in zip(starts, profiles, strict=True)]
                 assert found == one_by_one[first:past]
         assert track.starts[count:0:-3] == [start for start, _ in one_by_one[count:0:-3]]
+
+
+@pytest.mark.parametrize(
+    ("interval", "lines", "found"),
+    [
+        (4.9e-4, 4, [(7, 8)]),
+        (5.8e-4, 4, []),  # 7 intervals of it are 4.06 ms, more than 8 of 0.5 ms
+        (5.7e-4, 4, [(7, 8)]),
+        (4.9e-4, 5, []),
+    ],
+)
+def test_a_loop_that_starts_motion_after_motion_is_reported_by_its_last_move(
+    interval: float, lines: int, found: list[tuple[int, int]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It starts more than one in half a millisecond, from up to four lines.
+
+    The number of moves is at least half of 16.
+    """
+    monkeypatch.setattr(log_module, "FIRST_CHECK", 16)
+    controller = Controller(1)
+    log, reported = controller.log, list[tuple[int, int, float]]()
+    log.hurried = lambda move, count, span: reported.append((round(move.target), count, span))
+    for k in range(8):
+        log._check_hurry()
+        controller.clock.advance(k * interval)
+        controller.stop(0)
+        controller.move_to(0, float(k), line=1 + k % lines)
+    log._check_hurry()
+    assert [each[:2] for each in reported] == found
+    assert [span for *_, span in reported] == pytest.approx([7.0 * interval] * len(found))

@@ -18,7 +18,7 @@ from motionlang.servo.discrete import discretise
 from motionlang.servo.lookahead import SampleBlock, Window, next_other_side, next_side
 from motionlang.servo.loop import Loop
 from motionlang.servo.plant import Drive, Motor
-from motionlang.servo.response import _first_fall
+from motionlang.servo.response import _crossing, _first_fall
 from motionlang.servo.servo import simulate
 from motionlang.servo.settings import make_loop
 from motionlang.servo.speculative import SEEN
@@ -167,3 +167,13 @@ def test_the_acceleration_of_a_drive_goes_by_its_time_constant() -> None:
     assert regime.a[0] == pytest.approx((1.0, 0.5 * (1.0 - left)))
     assert regime.b[0] == pytest.approx(10.0 * (0.5 / 3.0 - 0.5 * (1.0 - left)))
     assert regime.w == (0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("level", "time"),
+    [(0.0, 1.0), (0.2, 1.0), (0.4, 3.0), (0.6, 5.0), (0.65, 6.25), (0.8, 7.0), (0.9, math.inf)],
+)
+def test_a_response_reaches_a_level_between_two_samples(level: float, time: float) -> None:
+    """It is at 0.2 and 0.6 at 1 and 5 s, at 0.5 at 5.5 s, and rises to 0.8 at 7 s."""
+    share, times = np.array([0.2, 0.6, 0.5, 0.8]), np.array([1.0, 5.0, 5.5, 7.0])
+    assert _crossing(share, times, level) == pytest.approx(time)

@@ -158,11 +158,12 @@ LEFT: dict[str, tuple[float, list[float]]] = {
 }
 
 
+@pytest.mark.parametrize("begin", [0.0, 8.0])
 @pytest.mark.parametrize("name", LEFT)
-def test_a_new_zero_shifts_the_points_that_are_left(name: str) -> None:
+def test_a_new_zero_shifts_the_points_that_are_left(name: str, begin: float) -> None:
     """The points are at 0, 3, 5 and 2 counts; 100 counts are added to each."""
-    time, left = LEFT[name]
-    c = machine()
+    time, left = begin + LEFT[name][0], LEFT[name][1]
+    c = until(machine(), begin)
     c.play(0, table_curve(UNEVEN, [0.0, 3.0, 5.0, 2.0], "cubic"), "SPLINE", 3, True)
     axis, playback = until(c, time).axes[0], Playback()
     playback.ordered = [0.0, 3.0, 5.0, 2.0], [0.0, 10.0, 20.0, 0.0], [0.5, 1.0, 0.25]

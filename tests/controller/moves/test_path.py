@@ -501,3 +501,33 @@ def test_a_line_that_returns_has_a_corner_of_180_degrees(dimensions: int) -> Non
         out, back = Line(end).lay(start, scales), Line(start).lay(end, scales)
         assert corner(out, back) == pytest.approx(180.0, abs=1e-5)
         assert corner(out, out) == pytest.approx(0.0, abs=1e-5)
+
+
+# The second path, units, the units of axis 1 before it, the angle up to which a contour continues, and whether only
+# the angle between the paths makes the first one stop.
+CORNERS: dict[str, tuple[list[float], float, float, bool]] = {
+    "straight on": ([3.0, 0.0], 50.0, 30.0, False),
+    "a corner": ([0.0, 3.0], 50.0, 30.0, True),
+    "a corner, just too sharp": ([0.0, 3.0], 50.0, 89.999, True),
+    "a corner as sharp as allowed": ([0.0, 3.0], 50.0, 90.0, False),
+    "no distance": ([0.0, 0.0], 50.0, 30.0, False),
+    "straight on, in other units": ([3.0, 0.0], 25.0, 30.0, False),
+    "a corner as sharp as allowed, in other units": ([0.0, 3.0], 25.0, 90.0, False),
+    "a corner in other units": ([0.0, 3.0], 25.0, 30.0, True),
+}
+
+
+@pytest.mark.parametrize("name", CORNERS)
+def test_a_path_says_if_it_stops_for_the_angle_alone(name: str) -> None:
+    distances, scale, angle, stops = CORNERS[name]
+    c = plane(2, contour_mode=True, contour_angle=angle)
+    c.load_line_by([0, 1], [300.0, 0.0])
+    c.set_scale(1, scale)
+    c.load_line_by([0, 1], [100.0 * distances[0], scale * distances[1]])
+    c.go([0])
+    until(c, 0.1)
+    run = c.axes[0].move.action.run  # type: ignore[union-attr]
+    assert run.stops_at_corner is stops  # type: ignore[union-attr]
+    until(c, 9.0)
+    assert not run.stops_at_corner  # type: ignore[union-attr]
+    assert positions(c) == pytest.approx([3.0 + distances[0], distances[1]])
