@@ -9,9 +9,11 @@ import pytest
 
 from motionlang import report, run
 from motionlang.fast.polled_ticks import PolledTicks
+from motionlang.mint.runtime.events import EventTask
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.cases import cases
+from tests.counted_calls import count_calls
 
 _HEAD = "Dim n As Integer, m As Integer\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
 _MOVE = "MOVEA(0) = 400 : GO(0)\nWhile Not IDLE(0)\n  {}\nEnd While\n"
@@ -234,3 +236,55 @@ def test_an_input_between_two_ticks_ends_a_loop_with_a_wait() -> None:
     n, m = printed(found)
     assert 1023 <= n <= 1027
     assert m == 102
+
+
+_SHORT_MOVE = "MOVEA(0) = 100 : GO(0)\n"
+_PAUSE, _POLL = f"{_SHORT_MOVE}PAUSE IDLE(0)\n", f"{_SHORT_MOVE}While Not IDLE(0)\n  {{}}\nEnd While\n"
+_WATCH, _COUNT, _PULSE = "If INX(5) Then STOP(0)", "n = n + 1", "OUTX(3) = 1\nOUTX(3) = 0\n"
+# The program, the loops of its other tasks, its handler, and how many ticks of 110 and more are executed.
+WORK: dict[str, tuple[str, tuple[str, ...], str, int]] = {
+    "a WAIT of 30 ms": (_POLL.format("WAIT(30)"), (), _COUNT, 5),
+    "a WAIT of 59 ms": (_POLL.format("WAIT(59)"), (), _COUNT, 6),
+    "a WAIT of 60 ms, which is long": (_POLL.format("WAIT(60)"), (), _COUNT, 40),
+    "a WAIT of 61 ms": (_POLL.format("WAIT(61)"), (), _COUNT, 95),
+    "a WAIT of 200 ms": (_POLL.format("WAIT(200)"), (), _COUNT, 34),
+    "a WAIT of 60 ms in a loop that counts": (_POLL.format("m = m + 1\n  WAIT(60)"), (), _COUNT, 81),
+    "a loop that counts": (_POLL.format("m = m + 1"), (), _COUNT, 5),
+    "a loop that toggles": (_POLL.format("OUTX(2) = Not OUTX(2)\n  WAIT(7)"), (), _COUNT, 6),
+    "a loop that sets an output": (_POLL.format("OUTX(2) = INX(4)"), (), _COUNT, 5),
+    "no task that polls": (_PAUSE, (), _COUNT, 5),
+    "one other task": (_PAUSE, (_WATCH,), _COUNT, 6),
+    "one other task with a WAIT of 20 ms": (_PAUSE, (f"{_WATCH} : WAIT(20)",), _COUNT, 6),
+    "one other task with a WAIT of 60 ms": (_PAUSE, (f"{_WATCH} : WAIT(60)",), _COUNT, 6),
+    "two other tasks": (_PAUSE, (_WATCH, _WATCH), _COUNT, 4),
+    "two other tasks, one with a WAIT": (_POLL.format(""), (_WATCH, f"{_WATCH} : WAIT(20)"), _COUNT, 3),
+    "another task that counts": (_POLL.format(_WATCH), ("m = m + 1\n  WAIT(25)",), _COUNT, 109),
+    "a handler that toggles": (_POLL.format(_WATCH), (), "OUTX(3) = Not OUTX(3)", 6),
+    "a handler that counts and toggles": (_POLL.format(_WATCH), (), f"{_COUNT}\nOUTX(3) = Not OUTX(3)", 6),
+    "a handler that prints": (_POLL.format(_WATCH), (), f"{_COUNT}\nPRINT n", 110),
+    "a handler with a ring of 7": (_POLL.format(_WATCH), (), "n = (n + 1) Mod 7", 19),
+    "a handler without two ticks that are alike": (_POLL.format(_WATCH), (), "m = n\nn = n + 1", 110),
+    "a handler with 64 switches": (_POLL.format(_WATCH), (), 32 * _PULSE, 6),
+    "a handler with 66 switches": (_POLL.format(_WATCH), (), 33 * _PULSE, 112),
+    "a handler that sets its counter": (_POLL.format(_WATCH), (), "n = n + 1\nIf n > 40 Then n = 0", 14),
+    "a handler that sets two outputs": (
+        _POLL.format(_WATCH),
+        (),
+        "OUTX(3) = n > 50\nn = n + 1\nOUTX(4) = 1",
+        12,
+    ),
+    "a handler with a WAIT": (_POLL.format(_WATCH), (), f"{_COUNT}\nWAIT(0.5)", 112),
+    "a handler that reads the time": (_POLL.format(_WATCH), (), f"{_COUNT}\nIf TIME > 600 Then m = 1", 13),
+    "a loop that reads the position": (_POLL.format("If POS(0) > 50 Then OUTX(1) = 1"), (), _COUNT, 8),
+}
+
+
+@pytest.mark.parametrize("name", WORK)
+def test_the_ticks_that_are_executed(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A move of 100 takes 1.1 s. The run without accelerators executes each tick."""
+    main, loops, handler, count = WORK[name]
+    text = "".join(f"Run T{k}\n" for k in range(len(loops))) + handled(main, handler, 10)
+    text += "".join(f"Task T{k}\nLoop\n  {body}\nEnd Loop\nEnd Task\n" for k, body in enumerate(loops))
+    handlers = count_calls(monkeypatch, (EventTask, "resume"))
+    found = ran(text)
+    assert handlers.calls - len(found.machine.log.events) == count
