@@ -273,3 +273,15 @@ def test_a_program_that_is_stuck_ends_when_its_motor_has_come_to_rest(fast: bool
     result = run(Source("stuck.mnt", program), machine=machine, cache=False, fast=fast)
     assert [each.code for each in result.diagnostics] == ["never"]
     assert result.time == pytest.approx(0.806, abs=1e-3)
+
+
+@pytest.mark.parametrize(("count", "blocks"), [(0, (64, 192)), (1, (256,)), (300, (256,))])
+def test_new_gains_have_a_closed_form_from_the_257th_sample_on(count: int, blocks: tuple[int, ...]) -> None:
+    """The next 256 samples are one block if the closed form applies to the last of them."""
+    servo = ClosedFormServo(PID, Motor(), track())
+    assert servo.first_blocks == (256,)
+    servo.run_block(300)
+    servo.retune(Loop(0.03, 1e-5, 0.5))
+    if count:
+        servo.run_block(count)
+    assert servo.first_blocks == blocks

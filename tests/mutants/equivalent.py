@@ -115,7 +115,9 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/planners/sample.py: _sample_short: 0 -> 1": "how many points are worked on at once",
     "motionlang/planners/sample.py: _sample_short: 1 -> 2": "how many points are worked on at once",
-    "motionlang/views/csv.py: _Buffer: fill: 1 -> 2 #3": "NumPy takes any negative number for the unknown dimension",
+    "motionlang/views/csv.py: _Buffer: fill: 1 -> 2 #3": (
+        "NumPy takes any negative number for the unknown dimension"
+    ),
     "motionlang/analysis/compare/alignment.py: _explained: len(run_times) - 1 -> len(run_times) + 1": (
         "a longer Fourier transform is padded with zeros"
     ),
@@ -131,7 +133,9 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/planners/table.py: _expand: time >= MOMENT -> time > MOMENT": (
         "exactly at the size of rounding both are right"
     ),
-    "motionlang/planners/transition.py: profile_of_steps: 0.0 -> 1.0 #3": "the frequency of a wave of no height",
+    "motionlang/planners/transition.py: profile_of_steps: 0.0 -> 1.0 #3": (
+        "the frequency of a wave of no height"
+    ),
     "motionlang/planners/transition.py: profile_of_steps: 0.0 -> 1.0 #4": "the phase of a wave of no height",
     "motionlang/planners/verify.py: _Span: _wave_extrema: abs(offset) > 1.0 -> abs(offset) >= 1.0": (
         "a derivative that touches 0 keeps its sign, so there is no extremum"
@@ -145,12 +149,16 @@ EQUIVALENT: dict[str, str] = {
         "no row is beyond the bound, so `_write_exactly` has none to write"
     ),
     "motionlang/views/grid.py: decimals_of: 12 -> 13": "values below 1e-9 are 0 with any number of decimals",
-    "motionlang/views/table.py: 2 -> 3 #2": "of two columns that are dropped alike, the first is dropped first",
+    "motionlang/views/table.py: 2 -> 3 #2": (
+        "of two columns that are dropped alike, the first is dropped first"
+    ),
     "motionlang/cli/pvt_input.py: Move: True -> False": "slots: the attributes are the same without",
     "motionlang/views/outline.py: _points: begin > 0.0 -> begin >= 0.0": (
         "if nothing is in use from 0 on, the window ends at 0, too"
     ),
-    "motionlang/mint/keywords/paths.py: put_arc: 2 -> 3": "the centre of an arc is read from two coordinates alone",
+    "motionlang/mint/keywords/paths.py: put_arc: 2 -> 3": (
+        "the centre of an arc is read from two coordinates alone"
+    ),
     "motionlang/mint/syntax/layout.py: layout: token.at >= len(spans) -> token.at > len(spans)": (
         "the kinds behind the last span are the end of the text, which is no token of a block"
     ),
@@ -226,10 +234,14 @@ EQUIVALENT: dict[str, str] = {
         "before the second order of an axis only a path that took no time can have ended"
     ),
     "motionlang/debug/debugger.py: 65536 -> 65537": "a caller further back is found in the complete history",
-    "motionlang/mcapi/calls/controller.py: old_configuration: 8 -> 9": "of the types filled up, the first 8 are taken",
+    "motionlang/mcapi/calls/controller.py: old_configuration: 8 -> 9": (
+        "of the types filled up, the first 8 are taken"
+    ),
     "motionlang/controller/motion/follow.py: Gear: _log_offset: entry is None or entry.profile is None -> "
     "entry is None and entry.profile is None": "no program is known whose offset has no entry with a profile",
-    "motionlang/controller/io/sensor.py: _last: 1 -> 2": "the loop that follows counts down from any later tick",
+    "motionlang/controller/io/sensor.py: _last: 1 -> 2": (
+        "the loop that follows counts down from any later tick"
+    ),
     "motionlang/copley/switches.py: Switches: next_index: direction > 0 -> direction >= 0": (
         "the speed of a search is positive"
     ),
@@ -242,11 +254,15 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/copley/modes.py: ProfileModes: __init__: False -> True": (
         "to choose the mode resets the handshake"
     ),
-    "motionlang/copley/point.py: _field_trouble: wire + 2 ** 31 -> wire - 2 ** 31": "both are the same in 32 bits",
+    "motionlang/copley/point.py: _field_trouble: wire + 2 ** 31 -> wire - 2 ** 31": (
+        "both are the same in 32 bits"
+    ),
     "motionlang/copley/master.py: Master: __init__: 0 -> 1": "the status is read before the first point",
     "motionlang/copley/master.py: Master: __init__: 0 -> 1 #2": "the status is read before the first point",
     "motionlang/copley/master.py: Master: __init__: 0 -> 1 #3": "the status is read before the first point",
-    "motionlang/copley/master.py: Master: __init__: True -> False": "the status is read before the first point",
+    "motionlang/copley/master.py: Master: __init__: True -> False": (
+        "the status is read before the first point"
+    ),
     "motionlang/planners/crossing.py: _stays_on_one_side: 0.0 -> 1.0": (
         "the piece is searched instead, with the same result"
     ),
@@ -310,9 +326,15 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/mccl/keywords/flow_waits.py: passing: ready: (position - controller.position(number)) * side -> "
     "(position - controller.position(number)) / side": ("the side is 1 or -1"),
-    "motionlang/repl/runner.py: Runner: __init__: 0.0 -> 1.0": "the first command replaces the task that waits",
-    "motionlang/repl/runner.py: Runner: __init__: 0.0 -> 1.0 #2": "the first command replaces the task that waits",
-    "motionlang/client/client.py: Client: _await_version: 0 -> 1": "an answer with a prompt has three bytes or more",
+    "motionlang/repl/runner.py: Runner: __init__: 0.0 -> 1.0": (
+        "the first command replaces the task that waits"
+    ),
+    "motionlang/repl/runner.py: Runner: __init__: 0.0 -> 1.0 #2": (
+        "the first command replaces the task that waits"
+    ),
+    "motionlang/client/client.py: Client: _await_version: 0 -> 1": (
+        "an answer with a prompt has three bytes or more"
+    ),
     "motionlang/client/wire.py: TcpWire: __init__: 1 -> 2": "a socket option is on at every value but 0",
     "motionlang/mcapi/client.py: PortCalls: _connect: 1 -> 2": "a socket option is on at every value but 0",
     "motionlang/mcapi/client.py: PortCalls: _exchange: 65536 -> 65537": "how much is read at once",
@@ -328,13 +350,17 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/serve/address.py: listen: 1 -> 2": "a socket option is on at every value but 0",
     "motionlang/serve/channel.py: TcpChannel: __init__: 1 -> 2": "a socket option is on at every value but 0",
-    "motionlang/serve/channel.py: TcpChannel: __init__: 1 -> 2 #2": "a socket option is on at every value but 0",
+    "motionlang/serve/channel.py: TcpChannel: __init__: 1 -> 2 #2": (
+        "a socket option is on at every value but 0"
+    ),
     "motionlang/mcapi/call.py: Call: __init__: 0 -> 1": "a call has the number of its host before it begins",
     "motionlang/mcapi/calls/dialogs.py: _sections: 1e+300 -> 1e+300": "the same number in floating point",
     "motionlang/mcapi/calls/settings.py: _direction: axis.direction > 0 -> axis.direction >= 0": (
         "a direction is 1 or -1"
     ),
-    "motionlang/mcapi/session.py: Session: open: 2 -> 3": "one number behind the last is enough to be refused",
+    "motionlang/mcapi/session.py: Session: open: 2 -> 3": (
+        "one number behind the last is enough to be refused"
+    ),
     "motionlang/mcapi/session.py: wrapped: bits < 0 -> bits <= 0": "no integer has 0 bits",
     "motionlang/client/answer.py: end_of: 1 -> 2": "the byte before the searched ones belongs to no prompt",
     "motionlang/planners/feasibility.py: _travel: 0.0 -> 1.0 #10": "both ends of a slew have the same speed",
@@ -365,8 +391,12 @@ EQUIVALENT: dict[str, str] = {
         "to run up to the present changes nothing"
     ),
     "motionlang/serve/pace.py: LockStep: work: 1e+300 -> 1e+300": "the same number in floating point",
-    "motionlang/views/servo_plot.py: plot_comparison: 0 -> 1 #2": "every panel has the same lines for the legend",
-    "motionlang/views/servo_plot.py: plot_comparison: 0 -> 1 #3": "every panel has the same lines for the legend",
+    "motionlang/views/servo_plot.py: plot_comparison: 0 -> 1 #2": (
+        "every panel has the same lines for the legend"
+    ),
+    "motionlang/views/servo_plot.py: plot_comparison: 0 -> 1 #3": (
+        "every panel has the same lines for the legend"
+    ),
     "motionlang/views/csv.py: Formatter: _block: 1 -> 2 #3": "no row is a single character",
     "motionlang/views/csv.py: Formatter: _block: 1 -> 2 #4": "only what follows the first comma is used",
     "motionlang/views/csv.py: Formatter: _block: not self._first.fill(columns[:1], self._decimals[:1], _COMMA) -> "
@@ -493,7 +523,9 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/slowing.py: slowing: a0 < 0.0 -> a0 <= 0.0": (
         "without an acceleration nothing leads beyond rest"
     ),
-    "motionlang/analysis/proof/slowing.py: slowing: a0 > 0.0 -> a0 >= 0.0": "an acceleration of 0 adds nothing",
+    "motionlang/analysis/proof/slowing.py: slowing: a0 > 0.0 -> a0 >= 0.0": (
+        "an acceleration of 0 adds nothing"
+    ),
     "motionlang/analysis/proof/paths.py: _check_along: slow.speed > least -> slow.speed >= least": (
         "the speed that is always allowed is a bound without it"
     ),
@@ -510,13 +542,21 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/checker.py: Run: logged: _end(entry) <= time -> _end(entry) < time": (
         "an entry that ends just then has no distance left"
     ),
-    "motionlang/analysis/diff/timeline.py: Timeline: _put: 1 -> 2": "the numbers only keep the order of equal ends",
-    "motionlang/analysis/diff/timeline.py: Timeline: __init__: 0 -> 1": "the numbers only keep the order of equal ends",
+    "motionlang/analysis/diff/timeline.py: Timeline: _put: 1 -> 2": (
+        "the numbers only keep the order of equal ends"
+    ),
+    "motionlang/analysis/diff/timeline.py: Timeline: __init__: 0 -> 1": (
+        "the numbers only keep the order of equal ends"
+    ),
     "motionlang/analysis/diff/charged.py: charged: abs(each.seconds) > NOTHING -> abs(each.seconds) >= NOTHING": (
         "just at the size of rounding either is right"
     ),
-    "motionlang/analysis/diff/reports.py: _moves: False -> True #2": "the starts in a merged run are not used here",
-    "motionlang/analysis/diff/reports.py: _moves: True -> False #2": "the starts in a merged run are not used here",
+    "motionlang/analysis/diff/reports.py: _moves: False -> True #2": (
+        "the starts in a merged run are not used here"
+    ),
+    "motionlang/analysis/diff/reports.py: _moves: True -> False #2": (
+        "the starts in a merged run are not used here"
+    ),
     "motionlang/analysis/proof/axes.py: _slowing: begun.came > speed -> begun.came >= speed": (
         "a speed just at the limit needs no excuse"
     ),
@@ -549,11 +589,15 @@ EQUIVALENT: dict[str, str] = {
     "seen.first_beyond(limit) / self.loop.servo_rate": ("the samples before it are then run one by one"),
     "motionlang/analysis/proof/flanks.py: begin: 0 -> 1": "both jerks are infinite, or neither is",
     "motionlang/analysis/proof/paths.py: _check_joins: 0 -> 1": "both jerks are infinite, or neither is",
-    "motionlang/analysis/proof/paths.py: stops_within: 0 -> 1 #6": "a stop from a positive speed only slows down",
+    "motionlang/analysis/proof/paths.py: stops_within: 0 -> 1 #6": (
+        "a stop from a positive speed only slows down"
+    ),
     "motionlang/analysis/proof/paths.py: _check_path: each.begin <= share * length -> each.begin < share * length": (
         "where two segments meet both are at the same distance"
     ),
-    "motionlang/analysis/sweeps/pool.py: 0.2 -> 1.2": "when other processes are started; the rows are the same",
+    "motionlang/analysis/sweeps/pool.py: 0.2 -> 1.2": (
+        "when other processes are started; the rows are the same"
+    ),
     "motionlang/servo/response.py: loop_figures: phase + 180.0 -> phase - 180.0": "both are the same angle",
     "motionlang/servo/response.py: loop_figures: 360.0 -> 361.0": (
         "only rounding decides if a phase is exactly 180 degrees"
@@ -689,4 +733,53 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/cli/event_status.py: complaints: 1 -> 2": ("-1 and -2 are both less than any index"),
     "motionlang/cli/event_status.py: complaints: 1 -> 2 #2": ("-1 and -2 are both less than any index"),
+    "motionlang/planners/jerk.py: plan_jerk: 0.5 -> 1.5 #3": "a ratio above one half is one half",
+    "motionlang/planners/jerk.py: plan_jerk: 0.5 -> 1.5 #4": "a ratio above one half is one half",
+    "motionlang/planners/jerk.py: _directly: v0 * sign -> v0 / sign": "a sign is 1 or -1",
+    "motionlang/planners/jerk.py: _directly: a0 * sign -> a0 / sign": "a sign is 1 or -1",
+    "motionlang/planners/jerk.py: _directly: (target - start) * sign -> (target - start) / sign": (
+        "a sign is 1 or -1"
+    ),
+    "motionlang/planners/jerk.py: _directly: top * sign -> top / sign": "a sign is 1 or -1",
+    "motionlang/planners/jerk.py: _directly: rest * sign -> rest / sign": "a sign is 1 or -1",
+    "motionlang/planners/jerk.py: _back: (target - start) * sign -> (target - start) / sign": (
+        "a sign is 1 or -1"
+    ),
+    "motionlang/planners/jerk.py: _back: (size - covered) * sign -> (size - covered) / sign": (
+        "a sign is 1 or -1"
+    ),
+    "motionlang/planners/jerk.py: _back: after * sign -> after / sign": "a sign is 1 or -1",
+    "motionlang/planners/jerk.py: _back: -beyond * sign -> -beyond / sign": "a sign is 1 or -1",
+    "motionlang/planners/jerk.py: _back: after * sign -> after / sign #2": "a sign is 1 or -1",
+    "motionlang/planners/jerk.py: ramp_to: change >= accel * rise -> change > accel * rise": (
+        "a ramp that just reaches its rate is the same by both formulas"
+    ),
+    "motionlang/planners/jerk.py: ramp_to: 0.5 -> 1.5": "a ratio above one half is one half",
+    "motionlang/planners/jerk.py: peak_speed: v >= decel * fall -> v > decel * fall": (
+        "a ramp that just reaches its rate is the same by both formulas"
+    ),
+    "motionlang/planners/jerk.py: peak_speed: gain >= accel * rise -> gain > accel * rise": (
+        "a ramp that just reaches its rate is the same by both formulas"
+    ),
+    "motionlang/planners/jerk.py: peak_speed: v >= decel * fall -> v > decel * fall #2": (
+        "a ramp that just reaches its rate is the same by both formulas"
+    ),
+    "motionlang/planners/jerk.py: peak_from_rest: v >= upper -> v > upper": (
+        "a ramp that just reaches its rate is the same by both formulas"
+    ),
+    "motionlang/planners/jerk.py: peak_from_rest: v <= lower -> v < lower": (
+        "a ramp that just reaches its rate is the same by both formulas"
+    ),
+    "motionlang/planners/jerk_limited.py: JerkLimited: __init__: head[0] * head[3] -> head[0] / head[3]": (
+        "a sign is 1 or -1"
+    ),
+    "motionlang/planners/jerk_limited.py: _ahead: value * sign -> value / sign": "a sign is 1 or -1",
+    "motionlang/controller/feedback.py: Feedback: _extend: 1 -> 2": (
+        "one past sample more is stored, and has no event"
+    ),
+    "motionlang/controller/moves/course.py: Course: positions_at_rest: distance <= segment.length * (1.0 + SLACK) -> "
+    "distance < segment.length * (1.0 + SLACK)": ("just at the size of rounding either is right"),
+    "motionlang/fast/command_rounds.py: CommandRounds: _begin: 0 -> 1": (
+        "one jump fewer of the two thousand after which another task is compared"
+    ),
 }

@@ -551,3 +551,25 @@ def test_trace_has_columns_of_the_motor() -> None:
 def test_a_move_that_comes_after_a_long_rest() -> None:
     """The samples of a rest are dropped while the next move reads the position."""
     assert printed("1MN,1MR400,WA2\nWA2.1\n1MR10\n1WS,1TP", {"inertia": 1e-5}, "mccl") == [[1.0, 410.0]]
+
+
+@pytest.mark.parametrize("zero", [0.0, 250.0])
+def test_a_position_is_known_for_the_samples_that_are_stored(zero: float) -> None:
+    """Nothing is simulated for it. A new zero shifts the positions by as much."""
+    controller, feedback = fitted(MOTOR, GAINS)
+    assert feedback.known_position(0.0) is None
+    controller.move_to(0, 1000.0)
+    controller.clock.advance(20.0)
+    controller.define_position(0, controller.position(0) + zero)
+    controller.move_by(0, 100.0)
+    controller.clock.advance(20.5)
+    here = feedback.position
+    samples = feedback._samples
+    assert samples is not None
+    assert here == pytest.approx(controller.position(0), abs=20.0)
+    assert feedback.known_position(20.5) == here
+    numbers = samples.first - 1, samples.first, samples.end - 1, samples.end
+    found = [feedback.known_position(number / RATE) for number in numbers]
+    assert [each is None for each in found] == [True, False, False, True]
+    controller.clock.advance(numbers[2] / RATE)
+    assert found[2] == feedback.position
