@@ -277,7 +277,7 @@ def test_a_program_that_is_stuck_ends_when_its_motor_has_come_to_rest(fast: bool
 
 @pytest.mark.parametrize(("count", "blocks"), [(0, (64, 192)), (1, (256,)), (300, (256,))])
 def test_new_gains_have_a_closed_form_from_the_257th_sample_on(count: int, blocks: tuple[int, ...]) -> None:
-    """The next 256 samples are one block if the closed form applies to the last of them."""
+    """The next 256 samples are one block if the last of them has a closed form."""
     servo = ClosedFormServo(PID, Motor(), track())
     assert servo.first_blocks == (256,)
     servo.run_block(300)

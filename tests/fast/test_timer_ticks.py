@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from motionlang import run
@@ -30,7 +32,7 @@ def ticks(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     return found
 
 
-def ran(handler: str, wait: str = "WAIT(10000)", period: int = 1, **machine: object) -> Run:
+def ran(handler: str, wait: str = "WAIT(10000)", period: int = 1, **machine: Any) -> Run:
     """Run a program that waits while a timer ticks, and prints its variables."""
     text = (
         "Dim n As Integer, m As Integer\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
@@ -197,7 +199,8 @@ def test_a_wait_ends_with_the_tick_or_the_event_that_ends_it(handler: str, wait:
 @pytest.mark.parametrize("wait", ["WAIT(10)", "WAIT(9.5)", "WAIT(60)", "PAUSE TIME > 20"])
 def test_a_wait_that_ends_at_a_tick_ends_as_without_accelerators(cost: float, wait: str) -> None:
     """Many times of statements are also those of ticks."""
-    ran("n = n + 1", f"{wait}\nm = n\n{wait}", **{"controller.instruction_time": cost})
+    machine: dict[str, Any] = {"controller.instruction_time": cost}
+    ran("n = n + 1", f"{wait}\nm = n\n{wait}", **machine)
 
 
 @pytest.mark.parametrize("number", [3, 10, 500])

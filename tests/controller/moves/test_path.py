@@ -527,7 +527,7 @@ def test_a_path_says_if_it_stops_for_the_angle_alone(name: str) -> None:
     c.go([0])
     until(c, 0.1)
     run = c.axes[0].move.action.run  # type: ignore[union-attr]
-    assert run.stops_at_corner is stops  # type: ignore[union-attr]
+    assert run.stops_at_corner is stops
     until(c, 9.0)
-    assert not run.stops_at_corner  # type: ignore[union-attr]
+    assert not run.stops_at_corner
     assert positions(c) == pytest.approx([3.0 + distances[0], distances[1]])
