@@ -1,4 +1,4 @@
-"""A move after velocity mode, and torque limits of PMC's self-test."""
+"""Velocity mode, moves without an axis, rates at power-up, and torque limits of PMC's self-test."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import pytest
 
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
+from tests.mccl.conftest import Runner
 
 PADDLE = "1MN,1{},1SV120000,1SA70000,1DS70000\r1VM,1GO\rWA0.4\r1PM\r1MA0\r"
 
@@ -44,3 +45,15 @@ def test_the_torque_limit_is_stored_as_it_is_written() -> None:
         reply, _ = answers(f"1SQ{12345 / i:g}\r1TQ\r")
         assert f"{12345 / i:g}".encode() in reply
         assert b"?" not in reply
+
+
+def test_a_move_without_an_axis_moves_those_that_are_on(mccl: Runner) -> None:
+    result = mccl("1MN,MR100,WS,1TP,2TP\n2MN,MR7,WS,1TP,2TP")
+    assert result.output == ["01 100", "02 0", "01 107", "02 7"]
+
+
+def test_the_vector_rates_of_a_contour_at_power_up(mccl: Runner) -> None:
+    """100 000 counts at 40 000 counts/s take 2.5 s, and the ramps of 0.4 s half of that each."""
+    machine = {"controller.instruction_time": 1e-9}
+    result = mccl("1MN,2MN,1CM1,2CM1,1CP1,1MR100000,2MR0,1WS", machine=machine)
+    assert result.time == pytest.approx(2.9, abs=1e-6)

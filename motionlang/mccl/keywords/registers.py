@@ -52,7 +52,7 @@ def tell_register(task: CommandTask, command: Command) -> None:
 def wrapped(value: float | int) -> float | int:
     """Wrap an integer to 32 bits, two's complement; return a real number unchanged."""
     if isinstance(value, int):
-        return value if -0x80000000 <= value <= 0x7FFFFFFF else (value + 0x80000000 & 0xFFFFFFFF) - 0x80000000
+        return (value + 0x80000000 & 0xFFFFFFFF) - 0x80000000
     if not abs(value) <= LARGEST:
         raise Fault(codes.PARAMETER, "the result is too large for a register", kind="overflow")
     return value

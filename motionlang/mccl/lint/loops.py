@@ -55,9 +55,7 @@ def _check(line: Line, begin: int, k: int, add: Add) -> None:
         message = f"{line.commands[k].text} jumps to itself forever"
         add(line.offsets[k], Fault(0, message, "jump to another command", "endless-loop"))
         return
-    first = int(line.commands[0].verb == "define_macro")
-    body = line.commands[first:k]
-    if any(each.verb.startswith(_LEAVES) for each in body):
+    if any(each.verb.startswith(_LEAVES) for each in line.commands[:k]):
         return
     word = line.commands[k].name
     moves = [

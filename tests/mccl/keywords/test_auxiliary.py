@@ -45,3 +45,11 @@ def test_an_index_that_never_comes(mccl: Runner) -> None:
 def test_a_loop_that_watches_it_is_not_skipped(mccl: Runner) -> None:
     result = mccl('LU"AUXPOSITION",AR20\n1RL@20,IB700,JR-2,NO,1AT', machine=TURNING)
     assert result.output == ["01 700"]
+
+
+def test_a_loop_that_watches_one_count_a_second_ends_at_the_third(mccl: Runner) -> None:
+    """The ramp to 1 count/s at 1000 counts/s² costs 0.0005 s."""
+    machine = {"encoder": [{"aux": 1, "velocity": 1.0, "accel": 1000.0}]}
+    result = mccl('LU"AUXPOSITION",AR20\n1RL@20,IB3,JR-2,NO,CN33', machine=machine)
+    (switched,) = result.controller.log.outputs
+    assert switched.time == pytest.approx(3.0005, abs=1e-4)

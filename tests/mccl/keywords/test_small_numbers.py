@@ -72,6 +72,10 @@ from tests.mccl.conftest import Runner
         ("RA256", ["?-1"]),
         ("AL256,AR10,RA@10", ["?-1"]),
         ("MD1,AL7,AR9,AR10\nGT1,WA0.1,TR9,TR10", ["0", "7"]),
+        # A sine is exactly 0 at multiples of 180 degrees alone, a tangent is exact there, too.
+        ("AL180,AV2,TR0,AL-360,AV2,TR0,AL181,AV2,TR0", ["0.000000", "0.000000", "-0.017452"]),
+        ("AL90,AV3,TR0,AL0,AV3,TR0,AL180,AV3,TR0", ["0.000000", "1.000000", "-1.000000"]),
+        ("AL180,AV4,TR0,AL181,AV4,TR0,AL90,AV4", ["0.000000", "0.017455", "?-1"]),
         # A fraction is no number of a register, a macro or a channel.
         ("AL1.5,AR10,TR@10", ["?-1"]),
         ("TR1.5", ["?-1"]),

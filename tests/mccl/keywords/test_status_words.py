@@ -37,6 +37,11 @@ def test_the_profile_word_shows_that_the_axis_stops(after: float, word: int, mcc
     assert words(mccl, f"{RATES}1MR1000,WA0.5,1ST,WA{after},1TS2") == [word]
 
 
+@cases("shape, word", [("PT", 17), ("PS", 18), ("PP", 20)])
+def test_a_stopping_axis_adds_16_to_its_shape(shape: str, word: int, mccl: Runner) -> None:
+    assert words(mccl, f"{RATES}1{shape},1MR1000,WA0.5,1ST,WA0.01,1TS2") == [word]
+
+
 @cases(
     "points, at, on",
     [(1, 0.0, False), (5, 0.0, True), (5, 0.0039, True), (5, 0.0041, False), (9, 0.0041, True)],
@@ -190,3 +195,25 @@ def test_bit_2_is_on_within_db_of_the_target_for_dt(commands: str, since: float,
         result = mccl(f"{RATES}WA1\n{commands}\n{wait}\nCN33")
         (switched,) = result.controller.log.outputs
         assert switched.time == pytest.approx(1.0 + since, abs=3e-4)
+
+
+@cases(
+    "commands, since",
+    [
+        ("1DB10,1DT0.05,1MR10", 0.05),
+        # 1 count is travelled after sqrt(2 * 1 / 10000) = 0.01414 s.
+        ("1DB10,1DT0.05,1MR11", 0.05 + 0.014142),
+        ("1DB10,1MA5", 1.145 - 0.063246),
+        ("1DB10,1MA-1000", 2.15 - 0.063246),
+    ],
+)
+def test_the_distance_to_the_target_counts_from_where_the_axis_is(
+    commands: str, since: float, mccl: Runner
+) -> None:
+    """The axis begins at 1000 counts at 2 s: 1.15 s of motion, 0.85 s of waiting.
+
+    A target within DB at the begin of the move is near enough at once.
+    """
+    result = mccl(f"{RATES}1MA1000,1WS,WA0.85\n{commands}\n1WT\nCN33")
+    (switched,) = result.controller.log.outputs
+    assert switched.time == pytest.approx(2.0 + since, abs=3e-4)

@@ -36,6 +36,7 @@ def found(text: str) -> Found:
         ("JP@5,AL1,AL2", []),
         ("JP@5,BK,AL1", []),
         ("JP@5,BK,BK,AL1", []),
+        ("JP@5,BK", []),
         ("AL1,JR0,TR0", [("endless-loop", 1, 5), ("unreachable", 1, 9)]),
         ("JP0", [("endless-loop", 1, 1)]),
         ("MD1,JP0", [("endless-loop", 1, 5)]),

@@ -137,3 +137,14 @@ def test_a_suffix_of_pmcs_says_which_board_a_file_is_for(name: str, model: str) 
 def test_the_default_is_a_multiflex() -> None:
     assert DEFAULT == "multiflex"
     assert set(MODELS) == set(ALL)
+
+
+@pytest.mark.parametrize("model", ALL)
+def test_without_ds_the_acceleration_is_the_deceleration_too(model: str, mccl: Runner) -> None:
+    """5000 counts at 1000 counts/s take 5 s, and each ramp half of its own duration.
+
+    That is 0.1 s at 5000 counts/s² and 0.005 s at the 100 000 of power-up.
+    """
+    text = 'LU"ACCEL",AR20,AL5000,1WL@20\n1MN,1SV1000,1MR5000,1WS'
+    found = mccl(text, machine={"controller.model": model, "controller.instruction_time": 1e-9})
+    assert found.time == pytest.approx(5.105 if model in DSP else 5.2, abs=1e-6)

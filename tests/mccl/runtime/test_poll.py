@@ -11,6 +11,7 @@ import pytest
 from motionlang.lang.dependencies import Dependencies
 from motionlang.mccl.runtime.poll import Poll
 from motionlang.mccl.runtime.task import CommandTask
+from tests.cases import cases
 from tests.mccl.conftest import Runner
 
 POLL = 'LU"STATUS",1RL@0,IC3,JR-3,NO'
@@ -226,3 +227,33 @@ def test_a_loop_that_nothing_can_end_is_reported(mccl: Runner) -> None:
     assert diagnostic.code == "never"
     assert "loop" in diagnostic.message
     assert diagnostic.line == 1
+
+
+@cases(
+    "program, end, most",
+    [
+        # A background task that only waits does not keep the run alive.
+        ("MD1,WA0.001,RP\nGT1\nTR0", 0.00208, 2),
+        ("WA0.003,IF5,JR-2,NO", 100.0, 3),
+        ("RA31,AA1,AR31,JR-3", 100.0, 2),
+        ("CN34,RP", 100.0, 2),
+        ("MD1,CN34,RP\nGT1\nIF5,JR-1,NO", 100.0, 10),
+        ("MD1,RA30,AA1,AR30,RP\nGT1\nIF5,JR-1,NO", 100.0, 20),
+    ],
+)
+def test_a_loop_without_an_end_is_skipped_to_the_end_of_the_run(
+    program: str, end: float, most: int, mccl: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At most so many jumps of thousands are executed."""
+    jumps, again = 0, Poll.again
+
+    def counted(poll: Poll) -> object:
+        nonlocal jumps
+        jumps += 1
+        return again(poll)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(Poll, "again", counted)
+        result = mccl(program, until=100.0)
+    assert result.time == pytest.approx(end, abs=1e-4)
+    assert 0 < jumps <= most
