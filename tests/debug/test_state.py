@@ -19,6 +19,7 @@ from motionlang.debug.debugger import Debugger
 from motionlang.debug.expressions import WrongExpression
 from motionlang.debug.moments import search
 from motionlang.debug.values import shown
+from tests.cases import cases
 from tests.debug.test_debugger import CALLS, MOVE, at, line_of, mccl, mint, value
 
 
@@ -353,4 +354,55 @@ def test_a_step_back_from_the_first_statement_of_a_task() -> None:
     back = debugger.step_back()
     assert back is not None
     assert (back.number, back.task) == (first.number - 1, "ParentTask")
+    debugger.abandon()
+
+
+@cases(
+    "name, found",
+    [
+        ("R10", ("R10", "register", 7)),
+        ("r10", ("R10", "register", 7)),
+        ("R0", ("R0", "accumulator", 5)),
+        ("R255", ("R255", "register", 9)),
+        ("R256", None),
+        ("R", None),
+        ("Rx", None),
+        ("X10", None),
+        ("X", None),
+        ("10", None),
+    ],
+)
+def test_a_register_is_known_by_its_number(name: str, found: tuple[str, str, int] | None) -> None:
+    """Registers 0 to 255; the first is the accumulator."""
+    debugger = mccl("AL7,AR10,AL9,AR255,AL5\nTR10\n")
+    debugger.start()
+    debugger.go_to_line(2)
+    each = debugger.state().named(name)
+    assert (None if each is None else (each[1].name, each[1].type, each[1].value)) == found
+    debugger.abandon()
+
+
+@cases(
+    "given, stored",
+    [
+        (-(2**31), -(2**31)),
+        (-(2**31) - 1, None),
+        (2**31 - 1, 2**31 - 1),
+        (2**31, None),
+        (7.0, 7),
+        (2.5, 2.5),
+        (3e9 + 0.5, 3e9 + 0.5),
+        ("seven", None),
+    ],
+)
+def test_a_register_takes_32_bits_or_a_fraction(given: object, stored: float | None) -> None:
+    debugger = mccl("AL7,AR10\nTR10\n")
+    debugger.start()
+    debugger.go_to_line(2)
+    if stored is None:
+        with pytest.raises(ValueError, match=r"32 bits of a register|a register takes a number"):
+            debugger.assign(("module", "R10"), given)
+    else:
+        found = debugger.assign(("module", "R10"), given).value
+        assert (found, type(found)) == (stored, type(stored))
     debugger.abandon()

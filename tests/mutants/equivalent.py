@@ -781,5 +781,26 @@ EQUIVALENT: dict[str, str] = {
     "distance < segment.length * (1.0 + SLACK)": ("just at the size of rounding either is right"),
     "motionlang/fast/command_rounds.py: CommandRounds: _begin: 0 -> 1": (
         "one jump fewer of the two thousand after which another task is compared"
+    "motionlang/mint/runtime/loop_skipping.py: Site: skip: level <= now -> level < now": (
+        "if a reading changes at the end of an iteration, no equal iteration follows"
+    ),
+    "motionlang/mccl/axis/status.py: _auxiliary: axis.direction < 0 -> axis.direction <= 0": (
+        "a direction is 1 or -1"
+    ),
+    "motionlang/mccl/keywords/motion.py: _must_rest: (target - rest) * velocity -> (target - rest) / velocity": (
+        "a quotient has the sign of the product"
+    ),
+    "motionlang/mccl/keywords/registers.py: _quotient: divisor < 0 -> divisor <= 0": (
+        "a divisor of 0 has been rejected before"
+    ),
+    "motionlang/mccl/lint/checks.py: _next: 1 -> 2 #4": "an index beyond the end means the end",
+    "motionlang/mccl/keywords/motion_auxiliary.py: _passed: mark > start -> mark >= start": (
+        "the mark at which the search begins is not among those searched for"
+    ),
+    "motionlang/mccl/keywords/motion_auxiliary.py: _passed: here >= mark - _ON -> here > mark - _ON": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/mccl/keywords/motion_auxiliary.py: _passed: here <= mark + _ON -> here < mark + _ON": (
+        "just at the size of rounding either is right"
     ),
 }
