@@ -86,7 +86,7 @@ def _watch_motion(
     if source.period:
         edges = [edges[0] % source.period]
     forward = source.per_unit > 0
-    last = 0
+    last: int
 
     def changed(index: int) -> None:
         nonlocal last

@@ -134,10 +134,14 @@ def _never_raised(module: Module, product: str) -> Iterator[tuple[int, str, str]
         kind, number = kind_and_number(event.name) or ("", -1)
         if kind not in ("comms", "netdata") or number < 0:
             continue
-        first, last, _ = spans.get(kind, (0, -1, True))  # type: ignore[union-attr]
-        if not first <= number <= last:
-            known = f"those of {first} to {last} do" if last >= first else f"it has no {kind.upper()} events"
-            yield event.at, f"{event.name} never comes on the {product}", known
+        span = spans.get(kind)  # type: ignore[union-attr]
+        if span is None:
+            known = f"it has no {kind.upper()} events"
+        elif span[0] <= number <= span[1]:
+            continue
+        else:
+            known = f"those of {span[0]} to {span[1]} do"
+        yield event.at, f"{event.name} never comes on the {product}", known
 
 
 def _everything(module: Module) -> list[nodes.Node]:

@@ -343,7 +343,7 @@ def _whole(node: nodes.Expr) -> int | None:
 def _constant(name: nodes.Name) -> int | None:
     """Return the value of a constant of the language such as _ON."""
     row = name.row
-    text = row.verb if row is not None and row.kind == "constant" else ""
+    text = row.verb if row is not None else ""
     return int(text) if text.isdigit() else None
 
 

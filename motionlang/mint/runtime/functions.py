@@ -57,12 +57,8 @@ def divide(a: float, b: float) -> int:
 
 def modulo(a: float, b: float) -> float:
     """Return the remainder, with the sign of the dividend."""
-    if b == 0:
-        raise ZeroDivisionError
-    if type(a) is int and type(b) is int:
-        rest = abs(a) % abs(b)
-        return -rest if a < 0 else rest
-    return _number("Mod", math.fmod, a, b)
+    rest = abs(a) % abs(b)
+    return -rest if a < 0 else rest
 
 
 def power(a: float, b: float) -> float:

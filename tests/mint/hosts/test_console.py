@@ -8,6 +8,7 @@ from motionlang.errors import ProgramError
 from motionlang.mint.hosts.console import MintConsole
 from motionlang.mint.hosts.hcp import write_frame
 from motionlang.source import Source
+from tests.cases import cases
 from tests.mint.hosts.lines import Line
 
 COUNTER = "Dim n As Integer\nLoop\n  n = n + 1\n  Wait = 100\nEnd Loop\n"
@@ -260,3 +261,27 @@ def test_typed_lines_leave_nothing_but_their_names() -> None:
         sizes.append(len(line.console._interactive._namespace))
     assert len(set(sizes)) == 1
     assert line.ask(b"Print x\r") == "61.0000\nP>"
+
+
+@cases(
+    "reading, shown",
+    [
+        ("POS(0)", "1.3333"),
+        ("POS", "1.3333"),
+        ("POSDEMAND(0)", "1.3333"),
+        ("POS(0) + 0", "1.2500"),
+        ("POSTARGET(0)", "1.2500"),
+        ("VEL(1)", "10.1000"),
+        ("SPEED(1)", "10.1000"),
+    ],
+)
+def test_the_prompt_shows_a_position_in_whole_counts(reading: str, shown: str) -> None:
+    """Axis 0 rests at 1.25 uu, which is 3.75 counts of 1/3 uu; axis 1 runs at 10.1 uu/s.
+
+    Only a position alone is rounded: to 4 counts, 1.3333 uu.
+    """
+    line = Line(
+        "SCALE(0) = 3\nMOVER(0) = 1.25 : GO(0)\nSCALE(1) = 3\nSPEED(1) = 10.1\nJOG(1) = 10.1\nPAUSE IDLE(0)"
+    )
+    line.run(3.0)
+    assert line.ask(b"Print " + reading.encode() + b"\r") == f"{shown}\nP>"

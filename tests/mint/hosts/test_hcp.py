@@ -7,6 +7,7 @@ import random
 import pytest
 
 from motionlang.mint.hosts.hcp import answer_frame, number, read_frame, text_of_answer, write_frame
+from tests.cases import cases
 from tests.mint.hosts.lines import Line
 
 ACK, NAK = "\x06", "\x15"
@@ -117,3 +118,28 @@ def test_any_bytes_leave_a_line_that_works() -> None:
     line.send(b"\r\x04\x05")
     assert line.ask(b"\x05").endswith("Break\nP>")
     assert line.ask(b"Print 1 + 1\r") == "2\nP>"
+
+
+@cases(
+    "data, length",
+    [
+        (b"\x04", 0),
+        (b"\x0400\x02", 0),
+        (b"\x0400\x0201", 0),
+        (b"\x0400\x020112", 0),
+        (b"\x0400\x0201\x05", 7),
+        (b"\x0400\x0201\x05P", 7),
+        (b"\x0400\x02012\x03", 0),
+        (b"\x0400\x02012\x03\x31", 9),
+        (b"\x0400\x02012\x03\x31P", 9),
+        (b"\x0400\x0201\r", 0),
+        (b"\x0400\x0201\rP", 8),
+    ],
+)
+def test_the_first_entry_of_what_a_host_sends_is_a_frame(data: bytes, length: int) -> None:
+    """A read ends with ENQ; a write ends with the checksum that follows ETX.
+
+    Any other control character ends a frame like ETX.
+    """
+    entry = Line().port.next_entry(data)
+    assert entry == ((data[:length], True) if length else (data, False))

@@ -242,3 +242,28 @@ def test_no_program_ends_in_a_traceback(lines: list[str]) -> None:
     result = ran(first, *lines)
     assert result.status in ("ended", "fault")
     assert all(each.line for each in result.diagnostics)
+
+
+@cases(
+    "written, read",
+    [
+        ("0", "0"),
+        ("_on", "1"),
+        ("n", "3"),
+        ("3", "n"),
+        ("a", "0"),
+        ("0", "a"),
+        ("a(2)", "5"),
+        ("NULL", "0"),
+        ("n + 1", "4"),
+    ],
+)
+def test_a_stored_value_is_found_by_its_indices(written: str, read: str) -> None:
+    """A whole array and NULL count as 0."""
+    result = ran(
+        "Dim a(3) : a(2) = 5 : n = 3",
+        *(f"AUTOTUNEPARAM({k}) = {k}" for k in range(7)),
+        f"AUTOTUNEPARAM({written}) = 9",
+        f"PRINT AUTOTUNEPARAM({read})",
+    )
+    assert result.output == ["9.0000"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from typing import Any
 
 import pytest
 
@@ -11,7 +12,8 @@ from motionlang import run
 from motionlang.errors import ProgramError
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
-from motionlang.mint import DIALECT
+from motionlang.mint import DIALECT, program
+from motionlang.mint.program import compile_source
 from motionlang.source import Source
 
 BALL_SCREW = """\
@@ -136,6 +138,37 @@ def test_a_cached_run_imports_neither_parser_nor_compiler_and_only_the_files_of_
     heavy, files = out.stdout.splitlines() or ["", out.stderr]
     assert heavy == "[]"
     assert files == "axis index motion state"
+
+
+@pytest.mark.parametrize(
+    ("overrides", "printed", "compiled"),
+    [
+        ({"t": "c", "n": 5.0}, "c5.0000", 0),
+        ({"t": "c", "n": 0.99e300}, "c9.900000e+299", 0),
+        ({"t": "c", "n": 1e300}, "c1.000000e+300", 1),
+        ({"t": "c", "n": -1e300}, "c-1.000000e+300", 1),
+        ({"t": "c"}, "c2.0000", 1),
+        ({"n": 5.0}, "a5.0000", 1),
+    ],
+)
+def test_a_program_for_given_names_is_compiled_again_only_for_other_names_and_huge_values(
+    overrides: dict[str, float | str], printed: str, compiled: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Numbers from 1e300 on count as huge."""
+    text = 'Dim t As String = "a", n As Float = 2\nPRINT t; n'
+    found = DIALECT.compile_given(Source("a.mnt", text), {}, {"t": "b", "n": 3.0})
+    calls = 0
+
+    def counted(*given: Any, **more: Any) -> program.MintProgram:
+        nonlocal calls
+        calls += 1
+        return compile_source(*given, **more)
+
+    monkeypatch.setattr(program, "compile_source", counted)
+    machine = Machine()
+    machine.overrides = overrides
+    Scheduler(machine, found.start(machine)).run()
+    assert (machine.terminal.lines, calls) == ([printed], compiled)
 
 
 class Prompt:
