@@ -216,7 +216,7 @@ class Reachability:
             return
         written = {self.facts.symbol(each) for inner in inside for each in self.facts.written(inner)}
         calls = [each for each in inside if type(each) is nodes.Name and self._calls(each)]
-        if written & set(symbols) or (
+        if written & {each for each in symbols if each is not None} or (
             calls and any(self._written_elsewhere(function, each) for each in symbols)
         ):
             return

@@ -53,3 +53,125 @@ def test_handlers_of_host_writes_that_a_product_never_reports(model: str, comms:
             expected.append((line, f"{event} never comes on the {model}", known[kind]))
     handlers = "".join(f"Event {event} : End Event\n" for event in EVENTS)
     assert on(model, f"WAIT = 1 : End\n{handlers}") == expected
+
+
+Found = list[tuple[str, int, int]]
+# Only input 2 is driven.
+ONE_INPUT: dict[str, object] = {"input": [{"channel": 2, "at": 1.0}]}
+
+
+def found(text: str, settings: dict[str, object] | None = None) -> Found:
+    """Return code, line and column of each diagnostic, without variables that have no value."""
+    every = MINT.check(Source("limits.mnt", text), settings or {})
+    return [(each.code, each.line, each.column) for each in every if each.code != "no-value"]
+
+
+@cases(
+    "text, expected",
+    [
+        ("PAUSE INX(1)", [("endless-wait", 1, 1)]),
+        ("PAUSE INX(2)", []),
+        ("PAUSE INX(n)\nn = 2", []),
+        ("PAUSE IN(0) > 0", []),
+        ("PAUSE ADC(1) > 5", []),
+        ("PAUSE INX(1) Or INX(2)", []),
+        ("PAUSE INX(1) = _on", [("endless-wait", 1, 1)]),
+        ("PAUSE INSTATEX(1)", [("endless-wait", 1, 1)]),
+        ("Define door = INX(1)\nPAUSE door", [("endless-wait", 2, 1)]),
+        ("Define door = INX(2)\nPAUSE door", []),
+        ("While INX(1)\nWAIT = 1\nWend", [("endless-wait", 1, 7)]),
+        ("While INX(2)\nWAIT = 1\nWend", []),
+        ("While IN(0)\nWAIT = 1\nWend", []),
+        ("Repeat\nWAIT = 1\nUntil INX(3)", [("endless-wait", 3, 7)]),
+        ("While Not INX(1)\nWAIT = 1\nIf INX(2) Then Exit While\nWend", []),
+        ("While INX(1) Or n\nn = 0\nWAIT = 1\nWend", []),
+        ("While INX(1) Or POS(0) > 5\nWAIT = 1\nWend", []),
+    ],
+)
+def test_waits_for_an_input_that_nothing_drives(text: str, expected: Found) -> None:
+    """The machine file drives input 2 alone."""
+    assert found(text, ONE_INPUT) == expected
+
+
+@cases(
+    "text, expected",
+    [
+        ("PAUSE POS(0) > 5", [("endless-wait", 1, 1)]),
+        ("MOVER(0) = 5 : GO(0) : PAUSE POS(0) > 5", []),
+        ("MOVER(1) = 5 : GO(1)\nPAUSE POS(0) > 1", [("endless-wait", 2, 1)]),
+        ("PAUSE POS(n) > 5\nn = 1", []),
+        ("PAUSE Abs(POS(0)) > 5", [("endless-wait", 1, 1)]),
+        ("PAUSE VEL(0) > 5 Or INX(1)", []),
+        ("PAUSE COMMS(1) = 5", []),
+        ("PAUSE TIME > 5", []),
+        ("PAUSE Rnd > 5", []),
+        ("Dim flag\nPAUSE flag = 1", [("endless-wait", 2, 1)]),
+        ("Const k = 5\nDim flag\nPAUSE flag = k", [("endless-wait", 3, 1)]),
+        ("Dim a(3)\nPAUSE a(1) = 1", [("endless-wait", 2, 1)]),
+        ("Dim began As Time\nPAUSE began > 500", []),
+        ("Dim flag\nRun t\nPAUSE flag = 1\nEnd\nTask t\nflag = 1\nEnd Task", []),
+        ("Dim flag\nPAUSE flag\nEnd\nEvent IN1\nflag = 1\nEnd Event", []),
+        ("Dim flag\nf(flag)\nEnd\nSub f(ByRef x)\nPAUSE x = 1\nEnd Sub", []),
+        ("Dim flag\nf(flag)\nEnd\nSub f(x)\nPAUSE x = 1\nEnd Sub", [("endless-wait", 5, 1)]),
+        ("Dim flag\nf()\nEnd\nSub f()\nPAUSE flag = 1\nEnd Sub", [("endless-wait", 5, 1)]),
+        ("Dim flag\nf()\nRun t\nEnd\nSub f()\nPAUSE flag = 1\nEnd Sub\nTask t\nf()\nEnd Task", []),
+    ],
+)
+def test_waits_for_a_condition_that_cannot_change(text: str, expected: Found) -> None:
+    """An axis at rest, or a variable that no other task and no handler changes.
+
+    A sub that two tasks run may wait for either of them.
+    """
+    assert found(text) == expected
+
+
+CALL = "f()\nEnd\nSub f()\n{}\nEnd Sub\nSub g()\n{}\nEnd Sub"
+
+
+@cases(
+    "text, expected",
+    [
+        ("Dim flag\nWhile flag = 0\nWAIT = 1\nWend", [("endless-loop", 2, 1)]),
+        ("Dim flag\nRepeat\nWAIT = 1\nUntil flag", [("endless-loop", 2, 1)]),
+        ("Const k = 5\nDim n\nWhile n < k\nWAIT = 1\nWend", [("endless-loop", 3, 1)]),
+        ("Dim n\nWhile Abs(n) < 5\nWAIT = 1\nWend", [("endless-loop", 2, 1)]),
+        ("Dim n\nWhile Rnd < n\nWAIT = 1\nWend", []),
+        ("Dim n As Time\nWhile n < 500\nWAIT = 1\nWend", []),
+        ("While _true\nWAIT = 1\nWend", []),
+        ("Dim flag\nWhile flag = 0\nWAIT = 1\nflag = 1\nWend", []),
+        ("Dim flag\nWhile flag = 0\nWAIT = 1\nIf INX(1) Then Exit While\nWend", []),
+        ("Dim flag\nWhile flag = 0\nWAIT = 1\nIf INX(1) Then End\nWend", []),
+        ("Dim flag\nRun t\nWhile flag = 0\nWAIT = 1\nWend\nEnd\nTask t\nflag = 1\nEnd Task", []),
+        ("Dim flag\n" + CALL.format("While flag = 0\ng()\nWend", "flag = 1"), []),
+        ("Dim flag\n" + CALL.format("While flag = 0\ng()\nWend", "PRINT 1"), []),
+        (CALL.format("Dim flag\nWhile flag = 0\ng()\nWend", "PRINT 1"), [("endless-loop", 5, 1)]),
+        ("Dim flag\nWhile flag = 0\nf()\nWend\nEnd\nSub f()\nPRINT 1\nEnd Sub", [("endless-loop", 2, 1)]),
+        ("Dim flag\nWhile flag = 0\nf()\nWend\nEnd\nSub f()\nflag = 1\nEnd Sub", []),
+    ],
+)
+def test_loops_whose_condition_cannot_change(text: str, expected: Found) -> None:
+    """Nothing in the loop, in another task or in a handler writes what the condition reads.
+
+    If a sub calls another one in its loop, variables of the program count as changed.
+    """
+    assert found(text) == expected
+
+
+@cases(
+    "condition, column, effect",
+    [
+        ("INX(1) And 0", 15, "so the condition is always false"),
+        ("INX(1) And 1", 15, "so it changes nothing"),
+        ("INX(1) Or 0", 14, "so it changes nothing"),
+        ("INX(1) Or 1", 14, "so the condition is always true"),
+        ("5 Or INX(1)", 4, "so the condition is always true"),
+        ("5 And INX(1)", 4, "so it changes nothing"),
+        ("0 And INX(1)", 4, "so the condition is always false"),
+        ("Not (INX(1) And 0)", 20, "so the condition is always false"),
+        ("INX(1) Or -1", 0, ""),
+    ],
+)
+def test_a_number_on_its_own_in_a_condition(condition: str, column: int, effect: str) -> None:
+    every = MINT.check(Source("limits.mnt", f"If {condition} Then PRINT 1"))
+    reported = [(each.column, each.message.partition("own, ")[2]) for each in every]
+    assert reported == ([(column, effect)] if effect else [])
