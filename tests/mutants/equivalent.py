@@ -784,6 +784,22 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mint/runtime/loop_skipping.py: Site: skip: level <= now -> level < now": (
         "if a reading changes at the end of an iteration, no equal iteration follows"
     ),
+    "motionlang/mint/resolve/definitions.py: _Finder: _walk: at > ends[-1][0] -> at >= ends[-1][0]": (
+        "no name is the first or the last token of a block"
+    ),
+    "motionlang/mint/resolve/definitions.py: _Finder: _walk: at > heads[-1] -> at >= heads[-1]": (
+        "no name is the first or the last token of a block"
+    ),
+    "motionlang/mint/resolve/definitions.py: _Finder: _walk: ends[-1][0] < heads[-1] -> ends[-1][0] <= heads[-1]": (
+        "no token is the last of one block and the first of another"
+    ),
+    "motionlang/mint/resolve/definitions.py: _Positions: _offsets: len(self._texts) - len(self._starts) -> "
+    "len(self._texts) + len(self._starts)": "the additional offsets belong to no token",
+    "motionlang/mint/resolve/definitions.py: _Finder: _leading: words & {kind.lower() for kind in _LEADING} -> "
+    "words | {kind.lower() for kind in _LEADING}": "the search that follows finds the same names",
+    "motionlang/mint/resolve/definitions.py: _Finder: _rest_of_define: 4 -> 5": (
+        "the equals sign is the token after the name"
+    ),
     "motionlang/mccl/axis/status.py: _auxiliary: axis.direction < 0 -> axis.direction <= 0": (
         "a direction is 1 or -1"
     ),

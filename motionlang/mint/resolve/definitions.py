@@ -182,7 +182,7 @@ class _Finder:
 
         It may be a keyword of the language.
         """
-        if at == 0 or self.kinds[at] not in _LABELS:
+        if self.kinds[at] not in _LABELS:
             return False
         before = self.kinds[at - 1]
         if before != "HASH":
@@ -197,7 +197,7 @@ class _Finder:
         text, before = self.texts[at], self.kinds[at - 1] if at else "_NL"
         if self._is_label(at) or self._is_line_label(at):
             self._label(at)
-        elif before == "TYPE" and self.kinds[at - 2 : at - 1] in ([], ["_NL"], ["COLON"]):
+        elif before == "TYPE":
             self._type(at)
         elif before == "AS":
             if text.lower() in self.resolver.types:
