@@ -175,3 +175,133 @@ def test_a_number_on_its_own_in_a_condition(condition: str, column: int, effect:
     every = MINT.check(Source("limits.mnt", f"If {condition} Then PRINT 1"))
     reported = [(each.column, each.message.partition("own, ")[2]) for each in every]
     assert reported == ([(column, effect)] if effect else [])
+
+
+MOVE = "POS(0) = 0\nMOVEA(0) = 5\nGO(0)\n"
+NEXT = "PAUSE IDLE(0)\nMOVER(0) = 6\nGO(0)\n"
+
+
+@cases(
+    "text, expected",
+    [
+        (MOVE + "PAUSE POS(0) >= 5", []),
+        (MOVE + "PAUSE POS(0) > 5.25", []),
+        (MOVE + "PAUSE POS(0) > 5.26", [("endless-wait", 4, 1)]),
+        (MOVE + "PAUSE POS(0) < -0.25", []),
+        (MOVE + "PAUSE POS(0) < -0.26", [("endless-wait", 4, 1)]),
+        (MOVE + "PAUSE POS(0) = 7", [("endless-wait", 4, 1)]),
+        (MOVE + "PAUSE 7 = POS(0)", [("endless-wait", 4, 1)]),
+        (MOVE + "PAUSE 10 < POS(0)", [("endless-wait", 4, 1)]),
+        (MOVE + "PAUSE 10 > POS(0)", []),
+        (MOVE + "PAUSE Not POS(0) < 10", [("endless-wait", 4, 1)]),
+        (MOVE + "PAUSE Not POS(0) > 10", []),
+        (MOVE + "PAUSE POS(0) > 10 And INX(1)", [("endless-wait", 4, 1)]),
+        (MOVE + "PAUSE INX(1) And POS(0) > 10", [("endless-wait", 4, 1)]),
+        (MOVE + "PAUSE POS(0) > 10 Or INX(1)", []),
+        (MOVE + "PAUSE POS(0) > 10 Or POS(0) < -10", [("endless-wait", 4, 1)]),
+        (MOVE + NEXT + "PAUSE POS(0) > 11", []),
+        (MOVE + NEXT + "PAUSE POS(0) > 12", [("endless-wait", 7, 1)]),
+        ("POS(0) = 0\nSCALE(0) = 2\nMOVEA(0) = 5\nGO(0)\nPAUSE POS(0) > 10", [("endless-wait", 5, 1)]),
+        ("POS(0) = 1\nSCALE(0) = 2\nMOVEA(0) = 5\nGO(0)\nPAUSE POS(0) > 10", []),
+        (MOVE + "PAUSE IDLE(0)\nSCALE(0) = 2\nMOVEA(0) = 6\nGO(0)\nPAUSE POS(0) > 20", []),
+        ("POS(0) = 0\nJOG(0) = 5\nSTOP(0)\nPAUSE IDLE(0)\nMOVEA(0) = 5\nGO(0)\nPAUSE POS(0) > 10", []),
+        (MOVE + "While POS(0) < 10\nWAIT = 1\nWend", [("endless-wait", 4, 7)]),
+        (MOVE + "While POS(0) < 5\nWAIT = 1\nWend", []),
+        (MOVE + "Repeat\nWAIT = 1\nUntil POS(0) > 10", [("endless-wait", 6, 7)]),
+        (MOVE + "While POS(0) < 10\nSTOP(0)\nWend", []),
+        (MOVE + "While POS(0) < 10\nIf INX(1) Then Exit While\nWend", []),
+        ("JOG(0) = 5\nPAUSE IDLE(0)", [("endless-wait", 2, 1)]),
+        ("JOG(0) = 5\nPAUSE IDLE(0) = 1", [("endless-wait", 2, 1)]),
+        ("JOG(0) = 5\nPAUSE IDLE(0) <> 0", [("endless-wait", 2, 1)]),
+        ("JOG(0) = 5\nPAUSE IDLE(0) = 0", []),
+        ("JOG(0) = 5\nPAUSE Not IDLE(0)", []),
+        ("JOG(0) = 0\nPAUSE IDLE(0)", []),
+        ("JOG(0) = 5\nSTOP(0)\nPAUSE IDLE(0)", []),
+        ("JOG(0) = 5\nPAUSE IDLE(1)", []),
+    ],
+)
+def test_waits_for_a_position_that_no_move_reaches(text: str, expected: Found) -> None:
+    """The axis moves between 0 and 5; 5 % of that is allowed beyond each end.
+
+    A new scale keeps 0 alone.
+    """
+    assert found(text) == expected
+
+
+@cases(
+    "text, hint",
+    [
+        ("MOVEA(0) = 5\nGO(0)\nPAUSE POS(0) = 5", "PAUSE IDLE(0) waits for the end of the move"),
+        ("MOVEA(0) = 5\nGO(0)\nPAUSE POS(0) = 3", "POS(0) >= 3 stays true from there on"),
+        ("MOVEA(0) = -5\nGO(0)\nPAUSE POS(0) = -3", "POS(0) <= -3 stays true from there on"),
+        ("MOVEA(0) = 5\nGO(0)\nPAUSE 3 = POS(0)", "POS(0) >= 3 stays true from there on"),
+        ("MOVEA(0) = n\nGO(0)\nPAUSE POS(0) = 3\nn = 1", "compare it with >= 3 or <= 3, as the axis moves"),
+        ("MOVEA(0) = 5\nGO(0)\nPAUSE POS(0) = n\nn = 1", "compare it with >= or <="),
+        ("MOVEA(0) = 5\nGO(0)\nPAUSE POSDEMAND(0) = 3", "compare it with >= or <="),
+        ("MOVEA(0) = 5\nGO(0)\nPAUSE VEL(0) = 3", ""),
+        ("MOVEA(0) = 5\nGO(0)\nPAUSE IDLE(0)\nPAUSE POS(0) = 5", ""),
+        ("MOVEA(0) = 5\nGO(0)\nPAUSE POS(0) >= 3", ""),
+    ],
+)
+def test_hints_for_a_moving_position_that_is_compared_for_equality(text: str, hint: str) -> None:
+    every = MINT.check(Source("limits.mnt", text), {})
+    assert [each.hint for each in every if each.code == "exact-position"] == ([hint] if hint else [])
+
+
+@cases(
+    "text, fix, length",
+    [
+        ("WAIT = POS(0) > 5", "PAUSE", 6),
+        ("Wait = IDLE(0) = 1", "Pause", 6),
+        ("wait = Not IDLE(0)", "Pause", 6),
+        ("WAIT=INX(1)", "PAUSE ", 5),
+        ("WAIT(INX(1) And INX(2))", "PAUSE ", 4),
+        ("WAIT POS(0) > 5", "PAUSE", 4),
+        ("WAIT = 5", "", 0),
+        ("WAIT = n\nn = 5", "", 0),
+        ("WAIT = ADC(1)", "", 0),
+    ],
+)
+def test_a_wait_for_a_condition_becomes_a_pause(text: str, fix: str, length: int) -> None:
+    """The fix replaces `WAIT =` up to the condition, in the spelling of the program."""
+    every = [each for each in MINT.check(Source("limits.mnt", text), {}) if each.code == "wait-condition"]
+    assert [(each.fix, each.length) for each in every] == ([(fix, length)] if fix else [])
+
+
+LIMITS = "SOFTLIMITFORWARD(0) = 100\nSOFTLIMITREVERSE(0) = -10\n"
+
+
+@cases(
+    "text, expected",
+    [
+        (LIMITS + "MOVEA(0) = 100\nGO(0)", []),
+        (LIMITS + "MOVEA(0) = 101\nGO(0)", [("beyond-travel", 3, 1)]),
+        (LIMITS + "MOVEA(0) = -10\nGO(0)", []),
+        (LIMITS + "MOVEA(0) = -11\nGO(0)", [("beyond-travel", 3, 1)]),
+        (LIMITS + "MOVER(0) = 60\nMOVER(0) = 40\nGO(0)", []),
+        (LIMITS + "MOVER(0) = 60\nMOVER(0) = 41\nGO(0)", [("beyond-travel", 4, 1)]),
+        (LIMITS + "MOVER(0) = n\nMOVER(0) = 101\nGO(0)\nn = 1", []),
+        ("SPEED(0) = 5\nSCALE(0) = 3\nMOVER(0) = 1\nGO(0)", [("scale-after-speed", 2, 1)]),
+        ("SCALE(0) = 3\nSPEED(0) = 5\nMOVER(0) = 1\nGO(0)", []),
+        ("SPEED(0) = 5\nSCALE(0) = 3\nSPEED(0) = 6\nMOVER(0) = 1\nGO(0)", [("unused-setting", 1, 1)]),
+        ("JOG(0) = 5\nSCALE(0) = 2", [("scale-in-motion", 2, 1)]),
+        ("JOG(0) = 0\nSCALE(0) = 2", []),
+        ("MOVER(0) = 5\nGO(0)\nSCALE(0) = 2", [("scale-in-motion", 3, 1)]),
+        ("MOVER(0) = 5\nGO(0)\nPAUSE IDLE(0)\nSCALE(0) = 2", []),
+        ("MOVER(0) = 5\nSCALE(0) = 2\nGO(0)", []),
+        ("GO(0)", [("nothing-loaded", 1, 1)]),
+        ("MOVER(0) = 5\nGO(1)", [("never-started", 1, 1), ("nothing-loaded", 2, 1)]),
+        ("MOVER(0) = 5\nSTOP(0)\nGO(0)", [("never-started", 1, 1), ("nothing-loaded", 3, 1)]),
+        ("MOVER(0) = 5\nGO(0)\nPOS(0) = 0", [("in-motion", 3, 1)]),
+        ("MOVER(0) = 5\nGO(0)\nPRINT POS(0)", [("in-motion", 3, 7)]),
+        ("MOVER(0) = 5\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0)", []),
+        ("MOVER(0) = 5\nGO(0)\nPAUSE POS(0) > 1", []),
+        ("SPEED(0) = 0\nMOVER(0) = 5\nGO(0)", [("zero-speed", 2, 1)]),
+        ("ACCEL(0) = 0\nMOVER(0) = 5\nGO(0)", [("zero-acceleration", 2, 1)]),
+        ("SPEED(0) = 0\nMOVER(0) = 5\nSPEED(0) = 1\nGO(0)", []),
+        ("PAUSE IDLE(0)\nSPEED(0) = 0\nMOVER(0) = 5\nGO(0)", [("zero-speed", 3, 1)]),
+    ],
+)
+def test_facts_about_an_axis(text: str, expected: Found) -> None:
+    """Targets within the software limits, scales, loaded moves and positions in motion."""
+    assert found(text) == expected
