@@ -159,7 +159,10 @@ def _remembered(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
 
 
 def unknown(b: Body, node: nodes.Name) -> None:
-    """Report a word that is neither declared nor a keyword."""
+    """Report a word that is no variable: a keyword, or neither declared nor a keyword."""
+    if node.row is not None:
+        b.problem("type", f"a variable is needed here, and {node.row.name} is a keyword", node)
+        return
     is_constant = node.name.startswith("_")
 
     def words() -> list[str]:

@@ -431,7 +431,9 @@ def _one_test(b: Body, test: nodes.CaseTest, subject: Value, name: str) -> str:
     sides = [value(b, side) for side in (test.value, test.high) if side is not None]
     for side in sides:
         if (side.type == STRING) is not (subject.type == STRING):
-            b.problem("type", f"a {side.type} cannot be compared with the {subject.type} of the Select", test)
+            b.problem(
+                "type", f"{article(side.type)} cannot be compared with the {subject.type} of the Select", test
+            )
     if test.op == "To":
         return f"{sides[0].text} <= {name} <= {sides[1].text}"
     return f"{name} {loops.COMPARISONS[test.op]} {sides[0].text}"
