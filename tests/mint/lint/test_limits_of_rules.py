@@ -305,3 +305,114 @@ LIMITS = "SOFTLIMITFORWARD(0) = 100\nSOFTLIMITREVERSE(0) = -10\n"
 def test_facts_about_an_axis(text: str, expected: Found) -> None:
     """Targets within the software limits, scales, loaded moves and positions in motion."""
     assert found(text) == expected
+
+
+@cases(
+    "text, line",
+    [
+        ("End\nPRINT 1", 2),
+        ("Goto a\nPRINT 1\n#a\nPRINT 2", 2),
+        ("Goto b\n#a\nPRINT 1\nEnd\n#b\nGoto a", 0),
+        ("GoSub a\nPRINT 1\nEnd\n#a\nReturn\nPRINT 2", 6),
+        ("Loop\nWAIT = 1\nEnd Loop\nPRINT 1", 4),
+        ("While 1\nWAIT = 1\nWend\nPRINT 1", 4),
+        ("While INX(1)\nWAIT = 1\nWend\nPRINT 1", 0),
+        ("Repeat\nEnd\nUntil INX(1)", 3),
+        ("Loop\nIf INX(1) Then Exit Loop\nEnd Loop\nPRINT 1", 0),
+        ("Loop\nLoop\nExit Loop\nPRINT 1\nEnd Loop\nWAIT = 1\nEnd Loop", 4),
+        ("Loop\nLoop\nExit\nEnd Loop\nWAIT = 1\nEnd Loop\nPRINT 1", 7),
+        ("While INX(1)\nLoop\nExit While\nEnd Loop\nWend\nPRINT 1", 0),
+        ("For i = 1 To 5\nExit For\nPRINT i\nNext", 3),
+        ("If INX(1) Then\nEnd\nElse\nEnd\nEnd If\nPRINT 1", 6),
+        ("If INX(1) Then\nEnd\nEnd If\nPRINT 1", 0),
+        ("Select Case INX(1)\nCase 1\nEnd\nCase Else\nEnd\nEnd Select\nPRINT 1", 7),
+        ("Select Case INX(1)\nCase 1\nEnd\nEnd Select\nPRINT 1", 0),
+        ("Loop\nSelect Case INX(1)\nCase 1\nExit\nEnd Select\nWAIT = 1\nEnd Loop\nPRINT 1", 0),
+        ("Loop\nSelect Case INX(1)\nCase 1\nExit Loop\nEnd Select\nWAIT = 1\nEnd Loop\nPRINT 1", 0),
+        ("Loop\nSelect Case INX(1)\nCase 1\nExit Select\nEnd Select\nWAIT = 1\nEnd Loop\nPRINT 1", 8),
+        ("f()\nEnd\nSub f()\nExit Sub\nPRINT 1\nEnd Sub", 5),
+        ("x = f()\nPRINT x\nEnd\nFunction f()\nf = 1\nReturn\nf = 2\nEnd Function", 7),
+    ],
+)
+def test_statements_that_never_run(text: str, line: int) -> None:
+    """The first of them is reported; 0 means that all statements can run."""
+    assert [each[1] for each in found(text) if each[0] == "unreachable"] == ([line] if line else [])
+
+
+TASK = "\nEnd\nTask t\n{}\nEnd Task"
+
+
+@cases(
+    "text, expected",
+    [
+        ("Dim a", [("unused-variable", 1, 5)]),
+        ("Dim a\na = 1", [("unused-variable", 1, 5)]),
+        ("Dim a\na = a + 1", [("unused-variable", 1, 5)]),
+        ("Dim a(3)\na(1) = 2", [("unused-variable", 1, 5)]),
+        ("Dim a(3)\nPRINT a(1)", []),
+        ("Dim a\nINPUT a", [("unused-variable", 1, 5)]),
+        ("Dim NV a\na = 1", []),
+        ("Dim a\nf(a)\nEnd\nSub f(ByRef x)\nx = 1\nEnd Sub", []),
+        ("Dim a\na = 1\nf()\nEnd\nSub f()\nPRINT a\nEnd Sub", []),
+        ("Run t\nDim a\nPRINT a" + TASK.format("a = 1"), []),
+        ("For i = 1 To 3\nNext", []),
+        ("Sub f()\nEnd Sub", [("unused-sub", 1, 1)]),
+        ("Task t\nEnd Task", [("unused-task", 1, 1)]),
+        ("#a\nPRINT 1", [("unused-label", 1, 1)]),
+        ("Event IN1\nEnd Event", []),
+        ("Const k = 1", []),
+    ],
+)
+def test_names_that_nothing_uses(text: str, expected: Found) -> None:
+    """A variable counts as used if it is read, retained or passed by reference."""
+    assert found(text) == expected
+
+
+RUN = "\nMOVER(0) = 1\nGO(0)"
+
+
+@cases(
+    "text, expected",
+    [
+        ("SPEED(0) = 5\nSPEED(0) = 6" + RUN, [("unused-setting", 1, 1)]),
+        ("SPEED(0) = 5\nSPEED(1) = 6" + RUN + "\nMOVER(1) = 1\nGO(1)", []),
+        ("SPEED(0) = 5\nPRINT SPEED(0)\nSPEED(0) = 6" + RUN, []),
+        ("SPEED(0) = 5\nIf INX(1) Then SPEED(0) = 6" + RUN, []),
+        ("SPEED(n) = 5\nSPEED(n) = 6\nMOVER(n) = 1\nGO(n)\nn = 1", []),
+        ("SPEED(0) = 5\nf()\nEnd\nSub f()\nSPEED(0) = 6" + RUN + "\nEnd Sub", []),
+        ("f()" + RUN + "\nEnd\nSub f()\nSPEED(0) = 5\nSPEED(0) = 6\nEnd Sub", [("unused-setting", 6, 1)]),
+        ("Loop" + RUN + "\nPAUSE IDLE(0)\nSPEED(0) = 6\nEnd Loop", []),
+        ("POS(0) = 0\nSPEED(0) = 5\nSCALE(0) = 3", [("unused-setting", 2, 1)]),
+        ("SPEED(0) = 5\nRun t" + TASK.format(RUN), []),
+        ("SPEED(0) = 5\nSPEED(0) = 6\nRun t" + TASK.format(RUN), []),
+        (
+            "SPEED(0) = 5\nSPEED(0) = 6\nRun t" + TASK.format(RUN.replace("0", "1")),
+            [("unused-setting", 1, 1)],
+        ),
+        ("Run t" + RUN + TASK.format(RUN), [("two-tasks", 7, 1)]),
+    ],
+)
+def test_settings_that_no_move_needs(text: str, expected: Found) -> None:
+    """A setting may be needed by another task that uses the axis, or after a branch."""
+    assert found(text) == expected
+
+
+@cases(
+    "line, hint",
+    [
+        (
+            "If a & 1 = r.n Then PRINT 1",
+            "If (a & 1) = r.n Then PRINT 1, as it is read here, or If a & (1 = r.n) Then PRINT 1",
+        ),
+        ("a = a & 1 = r.n", "a = (a & 1) = r.n, as it is read here, or a = a & (1 = r.n)"),
+        ("a = a & 1 = f(1).n", "a = (a & 1) = f(1).n, as it is read here, or a = a & (1 = f(1).n)"),
+        (
+            "a = (a & 1 = r.n) * (a + 1)",
+            "a = ((a & 1) = r.n) * (a + 1), as it is read here, or a = (a & (1 = r.n)) * (a + 1)",
+        ),
+    ],
+)
+def test_brackets_end_behind_a_member(line: str, hint: str) -> None:
+    text = f"Type pair\nDim n As Integer\nEnd Type\nDim a As Integer, f(3) As pair, r As pair\n{line}"
+    every = [each for each in MINT.check(Source("limits.mnt", text), {}) if each.code == "mixed-operators"]
+    assert [each.hint for each in every] == [f"add brackets: {hint}"]
