@@ -57,3 +57,8 @@ def test_the_vector_rates_of_a_contour_at_power_up(mccl: Runner) -> None:
     machine = {"controller.instruction_time": 1e-9}
     result = mccl("1MN,2MN,1CM1,2CM1,1CP1,1MR100000,2MR0,1WS", machine=machine)
     assert result.time == pytest.approx(2.9, abs=1e-6)
+
+
+def test_a_move_without_an_axis_needs_one_that_is_on(mccl: Runner) -> None:
+    result = mccl("MR100")
+    assert [(each.code, each.message) for each in result.diagnostics] == [("disabled-axis", "axis 1 is off")]

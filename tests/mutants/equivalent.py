@@ -800,6 +800,9 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mint/resolve/definitions.py: _Finder: _rest_of_define: 4 -> 5": (
         "the equals sign is the token after the name"
     ),
+    "motionlang/mccl/axis/motion_phase.py: is_backward: each.distance < 0.0 -> each.distance <= 0.0": (
+        "only profiles with a distance are compared"
+    ),
     "motionlang/mccl/axis/status.py: _auxiliary: axis.direction < 0 -> axis.direction <= 0": (
         "a direction is 1 or -1"
     ),

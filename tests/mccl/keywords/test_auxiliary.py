@@ -53,3 +53,30 @@ def test_a_loop_that_watches_one_count_a_second_ends_at_the_third(mccl: Runner) 
     result = mccl('LU"AUXPOSITION",AR20\n1RL@20,IB3,JR-2,NO,CN33', machine=machine)
     (switched,) = result.controller.log.outputs
     assert switched.time == pytest.approx(3.0005, abs=1e-4)
+
+
+def test_the_next_index_is_found_from_the_present_motion(mccl: Runner) -> None:
+    """The encoder runs at 1000, 500 and 200 counts/s for a second each: 1700 counts after 3 s.
+
+    The mark at 2000 is 300 counts away, which takes 1.5 s.
+    """
+    encoder = {"aux": 1, "accel": 1e9}
+    machine = {
+        "encoder": [
+            {**encoder, "velocity": 1000.0, "index_every": 400.0},
+            {**encoder, "velocity": 500.0, "at": 1.0},
+            {**encoder, "velocity": 200.0, "at": 2.0},
+        ]
+    }
+    result = mccl("WA3,1AT,1AF0,CN33", machine=machine)
+    (switched,) = result.controller.log.outputs
+    assert result.output == ["01 1700"]
+    assert switched.time == pytest.approx(4.5, abs=1e-3)
+
+
+def test_an_encoder_may_have_a_mark_at_each_count(mccl: Runner) -> None:
+    """At 10 counts/s the count after 10.5 comes after 0.05 s."""
+    machine = {"encoder": [{"aux": 1, "velocity": 10.0, "accel": 1e9, "index_every": 1.0}]}
+    result = mccl("WA1.05,1AF5,1AT,CN33", machine=machine)
+    (switched,) = result.controller.log.outputs
+    assert (result.output, switched.time) == (["01 5"], pytest.approx(1.1, abs=1e-3))

@@ -229,3 +229,17 @@ def test_units(units: str, output: list[str], mccl: Runner) -> None:
 )
 def test_the_last_error_is_told_until_a_reset(line: str, output: list[str], mccl: Runner) -> None:
     assert mccl(line).output == output
+
+
+@cases(
+    "program, message, hint",
+    [
+        ('AL5,FT"%s"', "%s is not a number format here", "such as %d, %6d or %08X"),
+        ('AL5,FT"%f"', "%f is not a number format here", "such as %d, %6d or %08X"),
+        ('AL5,FT"%"', "% is not a number format here", "such as %d, %6d or %08X"),
+        ('AL5.0,FD"%d"', "%d is not a number format here", "such as %f, %8.3f or %g"),
+    ],
+)
+def test_a_wrong_format_names_formats_that_fit(program: str, message: str, hint: str, mccl: Runner) -> None:
+    (found,) = mccl(program).diagnostics
+    assert (found.message.partition(" (")[0], found.hint) == (message, hint)
