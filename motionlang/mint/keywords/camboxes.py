@@ -55,7 +55,7 @@ def source_of(environment: Environment, kind: int, channel: int) -> Source:
     if kind == AXIS:
         scale = scale_of(environment, channel)
         wrap = environment.wraps.get(channel, 0.0)
-        return Source(controller.axes[channel], scale.zero, scale.counts, wrap)
+        return Source(controller.axes[channel], 0.0, scale.counts, wrap)
     encoders = environment.component(Encoders if kind == ENCODER else AuxEncoders)
     shown = (
         encoders.setting("zero", channel),

@@ -38,7 +38,6 @@ class Master:
     number: int
     encoder: bool
     per_unit: float
-    zero: float = 0.0
 
     def refuse(self, environment: Environment, axis: int) -> None:
         """Raise Rejected if the axis would follow itself."""
@@ -48,7 +47,7 @@ class Master:
 
     def to_counts(self, position: float) -> float:
         """Convert a position from units of the master to counts."""
-        return position * self.per_unit + self.zero
+        return position * self.per_unit
 
 
 def master(environment: Environment, source: int, channel: int) -> Master:
@@ -56,7 +55,7 @@ def master(environment: Environment, source: int, channel: int) -> Master:
     controller = environment.controller
     if source == AXIS:
         a = controller.axes[axis_of(environment, channel)]
-        return Master(a, channel, False, a.scale.counts, a.scale.zero)
+        return Master(a, channel, False, a.scale.counts)
     checked(channel, LAST_ENCODER, "encoder")
     if source == AUX_ENCODER:
         number, per_unit = AUXILIARY + channel, environment.component(AuxEncoders).per_unit(channel)

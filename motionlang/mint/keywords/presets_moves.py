@@ -76,21 +76,19 @@ def _jog(preset: Preset) -> None:
 def _move(preset: Preset, by: bool) -> None:
     """Start a move at the preset's speed and rates, which later writes do not change."""
     controller, speed = preset.presets.controller, preset.speed("PRESETMOVESPEED")
-    a = controller.axes[preset.axis]
-    before = a.own_rates
+    before = controller.axes[preset.axis].own_rates
     controller.configure(preset.axis, "own_rates", (speed, *preset.rates(speed)))
     try:
         if by:
             controller.move_by(preset.axis, preset.move_counts, COMMAND, preset.line)
         else:
-            controller.move_to(preset.axis, preset.move_counts + a.scale.zero, COMMAND, preset.line)
+            controller.move_to(preset.axis, preset.move_counts, COMMAND, preset.line)
     finally:
         controller.configure(preset.axis, "own_rates", before)
 
 
 def _position(preset: Preset) -> None:
-    controller = preset.presets.controller
-    controller.define_position(preset.axis, preset.move_counts + controller.axes[preset.axis].scale.zero)
+    preset.presets.controller.define_position(preset.axis, preset.move_counts)
 
 
 def _speed(preset: Preset) -> None:

@@ -90,7 +90,7 @@ class Cams:
             self._shift(axis, lengths)
         amplitude = masters.setting("CAMAMPLITUDE", axis)
         start = start if mode & TRULY_ABSOLUTE else 0.0
-        source = (steps, lengths, first, end, mode, amplitude, start, scale.counts, scale.zero)
+        source = (steps, lengths, first, end, mode, amplitude, start, scale.counts)
         made = self._made.get(axis)
         if made is not None and made[0] == source:
             return made[1]

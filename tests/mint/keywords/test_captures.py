@@ -220,3 +220,34 @@ def test_the_last_of_its_parts() -> None:
         "CAPTURE = 1 : PRINT CAPTUREPOINT(7, 0), CAPTUREPROGRESS(1), CAPTUREMODENAME(7)"
     )
     assert printed(text, input=[{"channel": 34}]) == ["4.0000100Digital inputs"]
+
+
+@pytest.mark.parametrize("scale", ["0.5", "2"])
+@pytest.mark.parametrize(("mode", "velocity"), [(RISING, 100), (FALLING, -100)])
+def test_the_direction_of_a_trigger_does_not_depend_on_the_scale(
+    scale: str, mode: int, velocity: int
+) -> None:
+    text = (
+        f"SCALE(0) = {scale}\n{RATES}CAPTUREMODE(0) = 3 : CAPTUREMODE(1) = 4 : CAPTURENUMPOINTS = 1\n"
+        f"CAPTURETRIGGERSOURCE(0) = 3 : CAPTURETRIGGERMODE(0) = {mode} : CAPTURETRIGGERVALUE(0) = 10\n"
+        "CAPTURECOMMAND = 1\nMOVEA(0) = 20 : MOVEA(0) = -20 : GO(0) : PAUSE IDLE(0)\n"
+        "PRINT CAPTUREPOINT(0, 0) : PRINT CAPTUREPOINT(1, 0)"
+    )
+    assert printed(text) == ["10.0000", f"{velocity}.0000"]
+
+
+@pytest.mark.parametrize(("before", "milliseconds"), [(0, 50), (40, 50), (60, 200), (190, 200), (210, 600)])
+def test_a_trigger_within_the_time_before_it_is_ignored(before: int, milliseconds: int) -> None:
+    """Input 35 comes on at 50 ms and at 200 ms.
+
+    The points before the trigger are recorded first, so a trigger in this time comes too early.
+    """
+    entries = [{"channel": 35, "at": at, "for": 0.05} for at in (0.05, 0.2)]
+    text = (
+        "CAPTUREMODE(0) = 3 : CAPTURENUMPOINTS = 300 : CAPTUREPERIOD = 1000\n"
+        f"CAPTUREPRETRIGGERDURATION = {before}\n"
+        "CAPTURETRIGGERSOURCE(0) = 13 : CAPTURETRIGGERCHANNEL(0) = 35 : CAPTURETRIGGERMODE(0) = 1\n"
+        "CAPTURECOMMAND = 1\nWhile CAPTURESTATUS = 1 And TIME < 600 : WAIT 1 : End While\nPRINT TIME"
+    )
+    (time,) = printed(text, input=entries)
+    assert int(time) == pytest.approx(milliseconds, abs=1)
