@@ -1,4 +1,4 @@
-"""Velocity mode, moves without an axis, rates at power-up, and torque limits of PMC's self-test."""
+"""Velocity mode, moves without an axis, rates at power-up, and torque limits."""
 
 from __future__ import annotations
 
@@ -53,7 +53,10 @@ def test_a_move_without_an_axis_moves_those_that_are_on(mccl: Runner) -> None:
 
 
 def test_the_vector_rates_of_a_contour_at_power_up(mccl: Runner) -> None:
-    """100 000 counts at 40 000 counts/s take 2.5 s, and the ramps of 0.4 s half of that each."""
+    """100 000 counts at 40 000 counts/s take 2.5 s.
+
+    The ramps of 0.4 s each add half of that.
+    """
     machine = {"controller.instruction_time": 1e-9}
     result = mccl("1MN,2MN,1CM1,2CM1,1CP1,1MR100000,2MR0,1WS", machine=machine)
     assert result.time == pytest.approx(2.9, abs=1e-6)

@@ -212,7 +212,7 @@ def test_the_distance_to_the_target_counts_from_where_the_axis_is(
 ) -> None:
     """The axis begins at 1000 counts at 2 s: 1.15 s of motion, 0.85 s of waiting.
 
-    A target within DB at the begin of the move is near enough at once.
+    A target within DB at the start of the move is near enough at once.
     """
     result = mccl(f"{RATES}1MA1000,1WS,WA0.85\n{commands}\n1WT\nCN33")
     (switched,) = result.controller.log.outputs

@@ -1,4 +1,4 @@
-"""The Python of single statements: as short as the possible values of their operands allow.
+"""The Python of single statements, as short as the possible operands allow.
 
 A check of 32 bits, a conversion or a call is written only where a value may need it.
 """
@@ -19,9 +19,9 @@ BOUNDS = "(z if -2147483648 <= (z := {}) <= 2147483647 else overflow(z))"
 
 
 def python(statements: str) -> list[str]:
-    """Return the lines of the statements, with the names of functions and keywords for `k0` and so on.
+    """Return the lines of the statements, with named operations.
 
-    The count of statements and the end of the program are left out.
+    Names of functions and keywords replace `k0` and so on. The count of statements and the end of the program are left out.
     """
     listing = DIALECT.listing(Source("a.mnt", DECLARED + statements), {}, {}, accelerators(True).ranges)
     found = []
@@ -172,7 +172,10 @@ def test_the_condition_of_a_loop(head: str, text: str) -> None:
     ],
 )
 def test_a_loop_that_only_counts_runs_in_chunks(head: str, body: str, chunk: str) -> None:
-    """Its variable changes in no other way, its body does not wait, and the count cannot overflow."""
+    """Its variable changes in no other way, and the count cannot overflow.
+
+    Its body does not wait.
+    """
     lines = python(f"{head}\n{body}\nNext")
     assert [each for each in lines if each.startswith("for ")] == ([chunk] if chunk else [])
 
@@ -218,3 +221,16 @@ def test_a_pause_subscribes_to_what_its_condition_reads(condition: str, test: st
     )
     assert found is not None
     assert (found[1], found[2], found[3] or "") == (test, test, subscribed)
+
+
+@cases(
+    "head, left",
+    [
+        ("For i = 1 To 5", "(5 - v_i)"),
+        ("For i = 1 To 9 Step 2", "((9 - v_i) // 2)"),
+        ("For i = 5 To 1 Step -1", "((1 - v_i) // -1)"),
+    ],
+)
+def test_a_chunk_reports_how_many_iterations_follow(head: str, left: str) -> None:
+    """Two statements each: the body and the Next."""
+    assert f"if t >= H: yield (t, {left} * 2.0)" in python(f"{head}\ny = 2\nNext")

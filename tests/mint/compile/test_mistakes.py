@@ -1,4 +1,4 @@
-"""Programs with one mistake each: where it is, what is wrong, and what to type instead."""
+"""Programs with one mistake each: its location, the message and the hint."""
 
 from __future__ import annotations
 

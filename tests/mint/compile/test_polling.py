@@ -27,7 +27,10 @@ from tests.cases import cases
     ],
 )
 def test_keywords_that_may_be_a_no_op_when_a_loop_repeats_them(word: str, repeated: bool) -> None:
-    """Settings that can be read back, and stops; a move acts each time, even if it can be read like CAM."""
+    """Settings that can be read back, and stops.
+
+    A move acts each time, even if it can be read like CAM.
+    """
     row = table().get(word)
     assert row is not None
     assert is_repeated(row) is repeated

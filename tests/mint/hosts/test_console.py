@@ -276,7 +276,7 @@ def test_typed_lines_leave_nothing_but_their_names() -> None:
     ],
 )
 def test_the_prompt_shows_a_position_in_whole_counts(reading: str, shown: str) -> None:
-    """Axis 0 rests at 1.25 uu, which is 3.75 counts of 1/3 uu; axis 1 runs at 10.1 uu/s.
+    """Axis 0 rests at 1.25 uu, or 3.75 counts of 1/3 uu; axis 1 runs at 10.1 uu/s.
 
     Only a position alone is rounded: to 4 counts, 1.3333 uu.
     """

@@ -201,7 +201,7 @@ def test_per_unit_needs_an_axis() -> None:
 
 @pytest.mark.parametrize("wanted", [0.0, 40.0, -40.0])
 def test_it_sleeps_at_any_value_that_the_input_has(wanted: float) -> None:
-    """Two events in 2 s: the input at the begin, and the end of the wait."""
+    """Two events in 2 s: the input at the start, and the end of the wait."""
     text = RATES + f"HTAKPROP(0) = 10\nHTA(0) = {wanted}\nWAIT = 2000\nSTOP(0)"
     result = ran(text, [{"channel": 2, "at": 0.0, "value": wanted}])
     assert result.controller.clock.fired <= 3

@@ -1,4 +1,4 @@
-"""Diagnostics of Mint at the limits of their rules: code, line and column, or none."""
+"""Diagnostics of Mint at the limits of their rules: code, line and column."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ ONE_INPUT: dict[str, object] = {"input": [{"channel": 2, "at": 1.0}]}
 
 
 def found(text: str, settings: dict[str, object] | None = None) -> Found:
-    """Return code, line and column of each diagnostic, without variables that have no value."""
+    """Return code, line and column of each diagnostic, except for `no-value`."""
     every = MINT.check(Source("limits.mnt", text), settings or {})
     return [(each.code, each.line, each.column) for each in every if each.code != "no-value"]
 
@@ -150,7 +150,7 @@ CALL = "f()\nEnd\nSub f()\n{}\nEnd Sub\nSub g()\n{}\nEnd Sub"
     ],
 )
 def test_loops_whose_condition_cannot_change(text: str, expected: Found) -> None:
-    """Nothing in the loop, in another task or in a handler writes what the condition reads.
+    """Nothing in the loop, a task or a handler writes what the condition reads.
 
     If a sub calls another one in its loop, variables of the program count as changed.
     """
@@ -303,7 +303,7 @@ LIMITS = "SOFTLIMITFORWARD(0) = 100\nSOFTLIMITREVERSE(0) = -10\n"
     ],
 )
 def test_facts_about_an_axis(text: str, expected: Found) -> None:
-    """Targets within the software limits, scales, loaded moves and positions in motion."""
+    """Targets within software limits, scales, loaded moves, positions in motion."""
     assert found(text) == expected
 
 

@@ -1,4 +1,4 @@
-"""The names of a program for an editor: declarations, uses, scopes and blocks, by line and column."""
+"""The names of a program for an editor: declarations, uses, scopes, blocks."""
 
 from __future__ import annotations
 
@@ -181,3 +181,70 @@ def test_a_block_has_its_name_or_its_first_keyword(
         for each in names(source).blocks
     ]
     assert shown == expected
+
+
+RENAMED = """\
+Type p
+  Dim x As Float
+End Type
+Type q
+  Dim y As Float
+End Type
+Dim a As p, b As q, n
+Define twice = 2 * n
+a.x = b.y : n = twice
+Sub f(k)
+  Dim m
+  m = k
+End Sub
+Sub g(k)
+  Dim n
+  n = k
+End Sub
+f(1)
+g(1)
+#start
+GoTo start
+"""
+
+
+@cases(
+    "kind, name, new, problem",
+    [
+        ("variable", "a", "c", ""),
+        ("variable", "a", "A", ""),
+        ("variable", "a", "b", "b is already declared as a variable"),
+        ("variable", "a", "m", "m is already declared as a variable"),
+        ("variable", "m", "k", "k is already declared as a parameter"),
+        ("variable", "m", "a", "a is already declared as a variable"),
+        ("variable", "a", "start", ""),
+        ("variable", "a", "p", ""),
+        ("variable", "a", "x", ""),
+        ("variable", "a", "SPEED", "SPEED is a keyword of Mint"),
+        ("label", "start", "SPEED", ""),
+        ("label", "start", "a", ""),
+        ("member", "x", "y", ""),
+        ("member", "x", "SPEED", ""),
+        ("type", "p", "q", "q is already declared as a type"),
+        ("variable", "a", "1a", "1a is not a name: use letters, digits and _, and no keyword"),
+        ("variable", "a", "If", "If is not a name: use letters, digits and _, and no keyword"),
+        (
+            "variable",
+            "b",
+            "n",
+            "Define twice contains the name, and its meaning depends on where the Define is used",
+        ),
+        ("define", "twice", "thrice", ""),
+        ("parameter", "k", "j", ""),
+    ],
+)
+def test_a_new_name_must_be_free_where_the_name_is_visible(
+    kind: str, name: str, new: str, problem: str
+) -> None:
+    """Labels, members and types may have the names of variables.
+
+    A Define is resolved where it is used.
+    """
+    found = names(Source("a.mnt", RENAMED))
+    definition = next(each for each in found.definitions if (each.kind, each.name) == (kind, name))
+    assert found.problem(definition, new) == problem
