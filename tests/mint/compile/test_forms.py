@@ -21,7 +21,8 @@ BOUNDS = "(z if -2147483648 <= (z := {}) <= 2147483647 else overflow(z))"
 def python(statements: str) -> list[str]:
     """Return the lines of the statements, with named operations.
 
-    Names of functions and keywords replace `k0` and so on. The count of statements and the end of the program are left out.
+    Names of functions and keywords replace `k0` and so on. The count of statements and the end of the program are
+    left out.
     """
     listing = DIALECT.listing(Source("a.mnt", DECLARED + statements), {}, {}, accelerators(True).ranges)
     found = []
