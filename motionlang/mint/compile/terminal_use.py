@@ -70,7 +70,7 @@ def _shown(b: Body, item: nodes.PrintItem) -> str:
     if item.using:
         return _using(b, item, found)
     if found.type == STRING:
-        return found.text if found.const is not None else f"({found.text})"
+        return found.text
     if found.type not in NUMERIC:
         b.problem("type", f"{article(found.type)} cannot be printed", item.value, "print its members")
         return "''"

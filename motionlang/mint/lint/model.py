@@ -131,9 +131,10 @@ def _never_raised(module: Module, product: str) -> Iterator[tuple[int, str, str]
     """Find handlers of host writes that this product never reports."""
     spans = EVENTS.get(named_product(product) or "")
     for event in module.events if spans is not None else ():
-        kind, number = kind_and_number(event.name) or ("", -1)
-        if kind not in ("comms", "netdata") or number < 0:
+        named_event = kind_and_number(event.name)
+        if named_event is None or named_event[0] not in ("comms", "netdata") or named_event[1] < 0:
             continue
+        kind, number = named_event
         span = spans.get(kind)  # type: ignore[union-attr]
         if span is None:
             known = f"it has no {kind.upper()} events"

@@ -51,7 +51,7 @@ def test_handlers_of_host_writes_that_a_product_never_reports(model: str, comms:
         reported = range(int(words[2]), int(words[4]) + 1) if words[0] == "those" else range(0)
         if int(event.removeprefix(kind)) not in reported:
             expected.append((line, f"{event} never comes on the {model}", known[kind]))
-    handlers = "".join(f"Event {event} : End Event\n" for event in EVENTS)
+    handlers = "".join(f"Event {event} : End Event\n" for event in (*EVENTS, "IN1", "TIMER", "COMMS"))
     assert on(model, f"WAIT = 1 : End\n{handlers}") == expected
 
 

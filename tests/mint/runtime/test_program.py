@@ -143,19 +143,20 @@ def test_a_cached_run_imports_neither_parser_nor_compiler_and_only_the_files_of_
 @pytest.mark.parametrize(
     ("overrides", "printed", "compiled"),
     [
-        ({"t": "c", "n": 5.0}, "c5.0000", 0),
-        ({"t": "c", "n": 0.99e300}, "c9.900000e+299", 0),
-        ({"t": "c", "n": 1e300}, "c1.000000e+300", 1),
-        ({"t": "c", "n": -1e300}, "c-1.000000e+300", 1),
-        ({"t": "c"}, "c2.0000", 1),
-        ({"n": 5.0}, "a5.0000", 1),
+        ({"t": "c", "n": 5.0}, "c5.0000 1", 0),
+        ({"t": "c", "n": 0.99e300}, "c9.900000e+299 1", 0),
+        ({"t": "c", "n": 1e300}, "c1.000000e+300 1", 1),
+        ({"t": "c", "n": -1e300}, "c-1.000000e+300 1", 1),
+        ({"t": "c"}, "c2.0000 1", 1),
+        ({"n": 5.0}, "a5.0000 1", 1),
+        ({"t": "c", "n": 5.0, "k": 7}, "c5.0000 7", 1),
     ],
 )
 def test_a_program_for_given_names_is_compiled_again_only_for_other_names_and_huge_values(
     overrides: dict[str, float | str], printed: str, compiled: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Numbers from 1e300 on count as huge."""
-    text = 'Dim t As String = "a", n As Float = 2\nPRINT t; n'
+    text = 'Dim t As String = "a", n As Float = 2\nConst k = 1\nPRINT t; n; " "; k'
     found = DIALECT.compile_given(Source("a.mnt", text), {}, {"t": "b", "n": 3.0})
     calls = 0
 
