@@ -781,6 +781,7 @@ EQUIVALENT: dict[str, str] = {
     "distance < segment.length * (1.0 + SLACK)": ("just at the size of rounding either is right"),
     "motionlang/fast/command_rounds.py: CommandRounds: _begin: 0 -> 1": (
         "one jump fewer of the two thousand after which another task is compared"
+    ),
     "motionlang/mint/runtime/loop_skipping.py: Site: skip: level <= now -> level < now": (
         "if a reading changes at the end of an iteration, no equal iteration follows"
     ),
