@@ -39,7 +39,7 @@ def test_inflected_words_match(asked: str, described: str, is_found: bool) -> No
 
 
 def test_the_best_matches_are_listed_names_first() -> None:
-    """Both words match four rows; of these a name has `stop`, and the others have the order of their table."""
+    """Both words match four rows; a name with `stop` comes first, then the others."""
     both = [row("A", "Stop at the input."), row("B", "A stop.", "inputs"), row("STOPIN", "An input.")]
     rows = [row("C", "An input."), *both, row("D", "Nothing.")]
     found, omitted = search("how to stop at an input, the stop", {"mccl": [row("E", "Input.")], "mint": rows})

@@ -271,7 +271,7 @@ def test_a_change_of_a_variable_stops_after_it() -> None:
 
 
 def test_changes_of_a_variable_are_found_backward_in_reverse() -> None:
-    """`total` becomes 2, 6 and 12: the stops are at the three statements behind the additions."""
+    """`total` becomes 2, 6 and 12: the stops are behind the three additions."""
     debugger = mint(CALLS)
     debugger.start()
     debugger.watched = [Watched(("module", "total"))]

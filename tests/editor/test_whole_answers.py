@@ -1,4 +1,4 @@
-"""Complete answers of the editor: pages, outlines, folds, signatures, edits, offsets."""
+"""Complete answers of the editor: outlines, folds, signatures, edits, offsets."""
 
 from __future__ import annotations
 
@@ -152,7 +152,7 @@ def test_other_brackets_have_no_parameters(text: str) -> None:
 
 
 def test_every_line_and_column_has_an_offset() -> None:
-    """A line or a column that does not exist has the offset of the nearest one that does."""
+    """A line or a column beyond the end has the offset of the nearest one."""
     shown = page("ab\n\nx = 2\n")
     assert [[shown.offset(line, column) for column in range(8)] for line in range(6)] == [
         [0] * 8,
@@ -168,7 +168,7 @@ def test_every_line_and_column_has_an_offset() -> None:
 
 
 def test_every_offset_has_its_token() -> None:
-    """At a boundary, a word takes precedence over an operator, and the first token over the second."""
+    """At a boundary, a word precedes an operator, and the first token the second."""
     shown = page("ab + SPEED.1=x2\nSPEED(0)")
     ab, speed, x2 = ("word", "ab", 0), ("word", "SPEED.1", 5), ("word", "x2", 13)
     second = ("word", "SPEED", 16), ("separator", "(", 21), ("number", "0", 22), ("separator", ")", 23)
@@ -293,5 +293,5 @@ def test_what_follows_in_a_machine_file(text: str, wanted: list[tuple[str, int, 
     ],
 )
 def test_the_times_of_a_line(line: LineTime, wanted: str) -> None:
-    """A wait of less than 0.5 ms is not shown; a time has three digits, and none after the point from 100 s on."""
+    """A wait of less than 0.5 ms is not shown; from 100 s on a time has no decimals."""
     assert str(line) == wanted

@@ -1,4 +1,6 @@
-"""A log entry agrees with its profile to a millionth of its size, or of a count if that is more."""
+"""A log entry agrees with its profile to a millionth of its size.
+
+Of a count, if that is more."""
 
 from __future__ import annotations
 
@@ -14,7 +16,7 @@ from tests.cases import cases
 
 
 def violations(profile: Profile, target: float, **fields: Any) -> list[str]:
-    """Return the violations of an entry that begins at 0 s, whose axis has gone on to another."""
+    """Return the violations of an entry at 0 s whose axis has gone on to another."""
     given = {"kind": "move", "until": 1e9, "offset": 0.0, "ended": "", "is_last": False, **fields}
     move: Any = SimpleNamespace(
         profile=profile,

@@ -220,7 +220,7 @@ def test_names_of_an_expression_and_its_largest_size() -> None:
 
 @pytest.mark.parametrize(("signs", "additions", "is_valid"), [(2, 165, True), (1, 166, False)])
 def test_an_expression_has_at_most_500_nodes(signs: int, additions: int, is_valid: bool) -> None:
-    """An addition has three nodes, its sign and its right side among them, and a minus has two.
+    """An addition has three nodes, its sign among them, and a minus has two.
 
     1 + 3 · 165 + 2 · 2 = 500, and 1 + 3 · 166 + 2 · 1 = 501.
     """
