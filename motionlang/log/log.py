@@ -9,6 +9,7 @@ from __future__ import annotations
 from motionlang import log as record
 from motionlang.log.stream import DISK, Store, Stream
 from motionlang.log.time_slices import TimeSliceStream
+from motionlang.log.written_waits import whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from motionlang.controller.move import Move
     from motionlang.log.moves import Moves
     from motionlang.log.older_profiles import Profiles
-    from motionlang.log.records import Changed, Event, Looped, Printed, Setting, Waited
+    from motionlang.log.records import Changed, Event, Looped, Printed, RepeatedWaits, Setting, Waited
 
 # Profiles of all axes together that are not packed; fewer if motors follow some, whose pieces exist; and
 # those of each axis that are never packed.
@@ -50,6 +51,7 @@ class Log:
     inputs, outputs, analogue_inputs, analogue_outputs: `Changed`
     settings   `Setting`, written if the value has changed
     waits      `Waited`, each when it is over
+    repeated_waits: `RepeatedWaits`, those of iterations that were skipped
     loops      `Looped`, each loop of more than a hundred statements, when it is over
     slices     `TimeSlices`, if there is more than one task
     prints     `Printed`, lines of the console
@@ -75,6 +77,7 @@ class Log:
         self.analogue_outputs: Stream[Changed] = Stream(store, "Changed")
         self.settings: Stream[Setting] = Stream(store, "Setting")
         self.waits: Stream[Waited] = Stream(store, "Waited")
+        self.repeated_waits: Stream[RepeatedWaits] = Stream(store, "RepeatedWaits")
         self.loops: Stream[Looped] = Stream(store, "Looped")
         self.slices = TimeSliceStream(store)
         self.prints: Stream[Printed] = Stream(store, "Printed")
@@ -122,6 +125,21 @@ class Log:
     ) -> None:
         """Write an event with the current source offset."""
         self.events.add((time, kind, axis, value, limit, self.where(), ordered, text))
+
+    def repeat_waits(self, task: str, began: float, period: float, count: int) -> None:
+        """Log that the waits of a task since `began` repeat, each `period` later.
+
+        They are the waits of an iteration whose repetitions are skipped.
+        """
+        mine = []
+        for wait in reversed(self.waits.tail):
+            name, _, since, until, *_ = whole(wait)
+            if until < began:
+                break
+            if name == task and since >= began:
+                mine.append(wait)
+        if mine:
+            self.repeated_waits.add((tuple(reversed(mine)), count, period))
 
     def new(self, kind: str) -> Stream[Any]:
         """Create another stream for a kind of record, such as another terminal's output."""
@@ -185,5 +203,5 @@ class Log:
     def streams(self) -> tuple[Stream[Any], ...]:
         """Return all streams except the profiles."""
         return (self.moves, self.dropped, self.inputs, self.outputs, self._analogue_inputs,
-                self.analogue_outputs, self.settings, self.waits, self.loops, self.slices, self.prints, self.events,
-                *self.others)  # fmt: skip
+                self.analogue_outputs, self.settings, self.waits, self.repeated_waits, self.loops, self.slices,
+                self.prints, self.events, *self.others)  # fmt: skip

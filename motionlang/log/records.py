@@ -50,6 +50,17 @@ class Waited(NamedTuple):
     callers: tuple[int, ...] = ()
 
 
+class RepeatedWaits(NamedTuple):
+    """The waits of an iteration, as written, repeat `times` times, `period` apart.
+
+    So the waits of all skipped iterations of a loop are one record. `period` is in seconds.
+    """
+
+    waits: tuple[tuple[Any, ...], ...]
+    times: int
+    period: float
+
+
 class Looped(NamedTuple):
     """A loop of a task ran from `since` to `until`, including everything it called.
 
@@ -130,5 +141,6 @@ class Setting(NamedTuple):
 
 # The constructors of records from the stored tuples, by kind.
 makers: Mapping[str, Callable[[Any], Any]] = {
-    kind.__name__: kind._make for kind in (Changed, Printed, Looped, TimeSlices, Event, Setting)
+    kind.__name__: kind._make
+    for kind in (Changed, Printed, RepeatedWaits, Looped, TimeSlices, Event, Setting)
 } | {"Waited": lambda wait: Waited._make(whole(wait))}

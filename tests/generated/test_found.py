@@ -1349,3 +1349,12 @@ def test_a_path_may_end_within_a_ramp_of_an_s_curve() -> None:
     assert durations[0] == pytest.approx(alone)
     assert durations[1] + durations[2] == pytest.approx(together)
     assert durations[1] > 1.2 * alone
+
+
+def test_an_acceleration_is_known_to_the_rounding_of_the_velocities_around_it() -> None:
+    """A stepper at 20 and 1e-13 from its target slows down for 5e-15 s at 100 000.
+
+    That is by 5e-10. The velocity of 20 is rounded to 3.6e-15, which is 0.7 of that rate.
+    """
+    result = proved("1MN\n1MA1675\n1MV20\n1MF,1MN\n1MA0\n", suffix="mcl")
+    assert positions(result, 1) == [0.0]

@@ -20,10 +20,15 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
+    from motionlang.log.log import Log
     from motionlang.log.written_waits import CompleteWait
     from motionlang.result import Run
 
     Wait = CompleteWait
+
+
+# Skipped iterations of a loop whose waits are listed one by one.
+MAX_REPEATED = 20_000
 
 
 @record
@@ -56,10 +61,17 @@ def reported(waits: Iterable[Wait]) -> Iterator[Wait]:
 
 
 def all_waits(run: Run) -> dict[str, list[Wait]]:
-    """Return the waits of each task in order of time, with those open at the end."""
+    """Return the waits of each task in order of time, with those open at the end.
+
+    Those of skipped iterations are among them.
+    """
+    log = run.machine.log
     found: dict[str, list[Wait]] = {}
-    for name, waits in groupby(map(whole, run.machine.log.waits.as_stored()), itemgetter(0)):
+    for name, waits in groupby(map(whole, log.waits.as_stored()), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
+    for name, waits in groupby(_repetitions(log), itemgetter(0)):
+        found[name].extend(waits)
+        found[name].sort(key=itemgetter(3))
     scheduler = run.machine.scheduler
     for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():
         current, mine = task.wait, found.setdefault(task.name, [])
@@ -68,6 +80,22 @@ def all_waits(run: Run) -> dict[str, list[Wait]]:
             about = current.cause, tuple(current.what), current.why, tuple(callers)
             mine.append((task.name, at, current.since, run.time, *about))
     return found
+
+
+def _repetitions(log: Log) -> Iterator[Wait]:
+    """Yield the waits of skipped iterations.
+
+    Of more than `MAX_REPEATED` iterations, several are one, in which each wait is as long as in all of these.
+    """
+    for written, count, period in log.repeated_waits.as_stored():
+        waits = [whole(wait) for wait in written]
+        at_once = -(-count // MAX_REPEATED)
+        for k in range(1, count + 1, at_once):
+            iterations, later = min(at_once, count + 1 - k), k * period
+            for task, at, since, until, *rest in waits:
+                length = iterations * (until - since)
+                yield task, at, since + later, since + later + length, *rest
+                later += length - (until - since)
 
 
 def parent_of(run: Run) -> str:

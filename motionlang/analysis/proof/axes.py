@@ -85,7 +85,10 @@ def check_profile(
                 jerk = max(order.jerks)
             name = ("acceleration", "deceleration")[side]
             steep = max(abs(left[3]), abs(right[3]))
-            rounded = 4e-16 * (span.begin + span.length) * steep  # as its ends are
+            # As the ends of the span are, and the velocities there.
+            rounded = 4e-16 * (
+                (span.begin + span.length) * steep + max(abs(left[1]), abs(right[1])) / span.length
+            )
             bound = max(rate, eased if middle < slow.eased else 0.0) + rounded
             uses.compare(name, max(abs(left[2]), abs(right[2])), bound)
             if order.jerks[0] < inf:

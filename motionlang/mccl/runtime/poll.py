@@ -226,14 +226,21 @@ class Poll:
         task = self._task
         rest = task.count * task.cost
         before = last = base = task.base
+        iterations = -2
         if len(waits) == 1:  # as in `after`
             ((count, seconds),) = waits
             busy = count * task.cost
             while base + rest < until:
                 before, last, base = last, base, base + busy + seconds
+                iterations += 1
         else:
             while base + rest < until:
                 before, last, base = last, base, after(base, waits, task.cost)
+                iterations += 1
+        if iterations > 0:
+            period = (before - task.base) / iterations
+            log = task.board.machine.log
+            log.repeat_waits(task.name, task.base + rest - period - 0.5 * task.cost, period, iterations)
         task.base = before
 
     def _tested(self, notes: list[Note], now: float) -> list[Note]:

@@ -178,6 +178,8 @@ class Site:
         environment.task = task  # the conditions of other tasks may have set another running task
         periods = max(0, int(min(statements.periods(base, since, t, until) - self.carries, most)))
         if periods:
+            if base != statements.base:
+                environment.machine.log.repeat_waits(task.name, began, now - began, periods)
             statements.leave(t)
             t = statements.repeat(base, since, periods)
             horizon = statements.limit(statements.until)

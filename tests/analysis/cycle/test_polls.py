@@ -85,6 +85,44 @@ def test_loops_that_are_skipped_are_charged_as_those_that_are_not(
     assert plain.report() == skipped.report()
 
 
+# Loops that never end, whose waits the run skips: the texts, and the time of each wait in an iteration, s.
+ENDLESS = {
+    "one wait": ("Loop\n  WAIT = 100\n  If INX(1) Then n = n + 1\nEnd Loop\n", "poll.mnt", {"2": 0.1}),
+    "two waits": (
+        "Loop\n  WAIT = 40\n  WAIT = 60\n  If INX(1) Then n = n + 1\nEnd Loop\n",
+        "poll.mnt",
+        {"2": 0.04, "3": 0.06},
+    ),
+    "MCCL": ("WA0.1,IS1,1MR10,NO,NO,RP\n", "poll.mcl", {"1": 0.1}),
+    "MCCL, two waits": ("WA0.04,WA0.06,IS1,1MR10,NO,NO,RP\n", "poll.mcl", {"1": 0.1}),
+}
+
+
+@pytest.mark.parametrize("until", [3.0, 30_000.0])
+@pytest.mark.parametrize("form", ENDLESS)
+def test_the_waits_of_skipped_iterations_are_charged_to_their_lines(form: str, until: float) -> None:
+    """An iteration takes 0.1 s and a few statements of 1e-9 s.
+
+    30 000 s are 300 000 iterations, more than are listed one by one. The input never comes on; it could at 30 001 s.
+    """
+    text, name, lines = ENDLESS[form]
+    machine = {"controller.instruction_time": 1e-9, "input": [{"channel": 1, "at": 30_001.0}]}
+    made = checked(TimeProfile(ran(text, name, machine=machine, until=until)))
+    assert by_name(made.kinds())["dwell"] == pytest.approx(until, rel=1e-6)
+    waited = by_name(made.waited_lines())
+    assert waited == pytest.approx({line: until * part / 0.1 for line, part in lines.items()}, rel=1e-6)
+
+
+def test_a_task_that_waits_while_another_one_does_computes_nothing_meanwhile() -> None:
+    """Iterations of the feeder, 0.1 s each, are skipped while the other task waits."""
+    feeder = "Task Feeder\n  Loop\n    WAIT = 100\n    If INX(1) Then n = n + 1\n  End Loop\nEnd Task\n"
+    text = f"Run Feeder\nWAIT = 900\nn = n + 1\nWAIT = 300\nEnd\n{feeder}"
+    made = checked(TimeProfile(ran(text, machine={"controller.instruction_time": 1e-9})))
+    times = {each.name: each for each in made.tasks}
+    assert times["feeder"].computing == pytest.approx(0.0, abs=1e-6)
+    assert times["feeder"].waiting == pytest.approx({"time": 1.2}, abs=1e-6)
+
+
 # ------------------------------------------------------------------------------------------ what a loop waits for
 
 # Channel 3 comes on at 3 s, channel 4 at 5 s.
