@@ -18,6 +18,8 @@ from motionlang.planners import (
     plan_velocity,
     table,
 )
+from motionlang.planners.curve import from_curve
+from motionlang.planners.evaluate import evaluate
 from motionlang.planners.sample import PieceTable, sample_profile, sample_track
 from tests.cases import examples
 from tests.planners.cases import Move, moves, quick
@@ -102,3 +104,12 @@ def test_many_profiles_expanded_at_once_are_the_same_curve(many: list[Move]) -> 
     for order in (0, 1):
         a, b = (made.sample(-1.0, 3.0 * len(many) / n, n, order) for made in (one_by_one, at_once))
         assert np.abs(a - b).max() <= 1e-9 * np.abs(a).max() + 1e-12
+
+
+def test_a_profile_has_its_velocities_before_and_after_it() -> None:
+    """It starts at rest, and ends after 0.5 s at 5; both times after its end are within the first second."""
+    curve = (0.0, 0.5), ((0.0, 0.0, 5.0, 0.0, 0.0, 0.0, 0.0),), ()
+    profile = from_curve("jog", 0.0, 1.25, curve, 0.0, 5.0)
+    times = np.array([-1.0, 0.6, 0.75])
+    assert evaluate(profile, times, 1).tolist() == [0.0, 5.0, 5.0]
+    assert evaluate(profile, times, 0).tolist() == pytest.approx([0.0, 1.75, 2.5])
