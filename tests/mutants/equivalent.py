@@ -823,4 +823,18 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mccl/keywords/motion_auxiliary.py: _passed: here <= mark + _ON -> here < mark + _ON": (
         "just at the size of rounding either is right"
     ),
+    "motionlang/controller/motion/follow.py: Gear: _chased: 0.0 -> 1.0": (
+        "only the velocity of the scaled profile is read"
+    ),
+    "motionlang/controller/triggers/homing.py: Homing: endless_motion: "
+    "(watched_position(a, watch) - here) * velocity -> (watched_position(a, watch) - here) / velocity": (
+        "only the sign counts, and the velocity is not 0"
+    ),
+    "motionlang/mint/hosts/hcp.py: Receiver: _read: 5 -> 6": "the frame has five bytes",
+    "motionlang/mint/keywords/captures.py: Capture: __init__: 0.001 -> 1.001": (
+        "a recording sets the period before it is read"
+    ),
+    "motionlang/analysis/proof/paths.py: check_path: i > 0 -> i >= 0": (
+        "the first profile of an axis is its rest at power-up, and no path"
+    ),
 }

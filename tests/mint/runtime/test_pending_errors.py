@@ -25,7 +25,7 @@ def test_abort_in_the_handler_of_an_abort_lets_the_program_go_on() -> None:
 
 
 def test_the_mode_of_the_end_switches_does_not_concern_the_soft_limits() -> None:
-    """LIMITMODE 0 ignores an end switch; the soft limit at 5 still aborts with error 16."""
+    """LIMITMODE 0 ignores an end switch; the soft limit still aborts with error 16."""
     move = "LIMITMODE(0) = 0\nMOVER(0) = 9 : GO(0) : PAUSE IDLE(0)\nPRINT POS(0);\nPRINT AXISERROR(0)\n"
     assert ended(JOG.format(1) + move).output == ["5.000016"]
 
