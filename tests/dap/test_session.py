@@ -149,6 +149,7 @@ def test_each_filter_stops_with_an_exception(
     client.ask("setExceptionBreakpoints", filters=[name])
     stop = client.begin()
     assert (stop["event"], stop["body"]["reason"]) == ("stopped", "exception")
+    assert stop["body"]["allThreadsStopped"] is True
     assert found in stop["body"]["text"]
     assert found in client.ask("exceptionInfo", threadId=1)["description"]
 

@@ -837,4 +837,8 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/paths.py: check_path: i > 0 -> i >= 0": (
         "the first profile of an axis is its rest at power-up, and no path"
     ),
+    "motionlang/mccl/resolve/decode.py: 20000 -> 20001": "the memo holds one more text",
+    "motionlang/mccl/runtime/loop_log.py: 1 -> 2": "another number that no command of a line has",
+    "motionlang/servo/discrete.py: Regime: True -> False": "nothing assigns to a regime or hashes one",
+    "motionlang/servo/discrete.py: Regime: True -> False #2": "a regime has a dictionary, too",
 }
