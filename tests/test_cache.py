@@ -253,7 +253,7 @@ def test_a_program_compiled_by_another_compiler_is_compiled_again(tmp_path: Path
 
     assert [ran(), ran()] == ["hello\n", "hello\n"]
     printing = tmp_path / "motionlang" / "mint" / "compile" / "terminal_use.py"
-    printing.write_text(printing.read_text().replace("return found.text if", "return repr('bye') if"))
+    printing.write_text(printing.read_text().replace("return found.text\n", "return repr('bye')\n"))
     assert ran() == "bye\n"
 
 
