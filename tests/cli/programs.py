@@ -15,6 +15,15 @@ WRONG = "1MN\n1XX3\n2MR10\n"
 MAX_SECONDS = 300
 JOG = "1MN,1VM,1SV100,1GO\n"
 
+# A move whose rate and length are constants.
+STROKE = """\
+Const rate = 1000
+Const length = 100
+SPEED(0) = 200 : ACCEL(0) = rate : DECEL(0) = rate
+MOVER(0) = length : GO(0) : PAUSE IDLE(0)
+PRINT "there"
+"""
+
 
 class Outcome:
     """The output of a command, and its exit status."""

@@ -13,15 +13,8 @@ import pytest
 
 from motionlang.analysis.sweeps import Sweep
 from motionlang.cli.sweep_report import Report
-from tests.cli.programs import Cell
+from tests.cli.programs import STROKE, Cell
 
-STROKE = """\
-Const rate = 1000
-Const length = 100
-SPEED(0) = 200 : ACCEL(0) = rate : DECEL(0) = rate
-MOVER(0) = length : GO(0) : PAUSE IDLE(0)
-PRINT "there"
-"""
 VARY = ("sweep", "stroke.mnt", "--vary", "rate=500:2000:4", "--vary", "length=20,100")
 
 

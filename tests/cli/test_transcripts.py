@@ -16,17 +16,10 @@ from pathlib import Path
 import pytest
 
 from motionlang import __version__
-from tests.cli.programs import Cell
+from tests.cli.programs import STROKE, Cell
 from tests.generated.results import rounded
 
 TRANSCRIPTS = Path(__file__).with_name("transcripts.txt")
-STROKE = """\
-Const rate = 1000
-Const length = 100
-SPEED(0) = 200 : ACCEL(0) = rate : DECEL(0) = rate
-MOVER(0) = length : GO(0) : PAUSE IDLE(0)
-PRINT "there"
-"""
 LIMITS = "[axis.0.limits]\nspeed = 250\nacceleration = 1500\n"
 # A sub with a move and a dwell, called twice; a loop that polls an input; a question; a computing loop.
 CELL = """\

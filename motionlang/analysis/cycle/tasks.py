@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from itertools import groupby
-from math import fsum
+from math import ceil, fsum
 from operator import itemgetter
 
 from motionlang.lang.loop_dependencies import MOVING
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     Wait = CompleteWait
 
 
-# Skipped iterations of a loop whose waits are listed one by one.
-MAX_REPEATED = 20_000
+# Skipped iterations of a run whose waits are listed one by one.
+MAX_REPEATED = 100_000
 
 
 @record
@@ -70,7 +70,7 @@ def all_waits(run: Run) -> dict[str, list[Wait]]:
     for name, waits in groupby(map(whole, log.waits.as_stored()), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
     for name, waits in groupby(_repetitions(log), itemgetter(0)):
-        found[name].extend(waits)
+        found.setdefault(name, []).extend(waits)
         found[name].sort(key=itemgetter(3))
     scheduler = run.machine.scheduler
     for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():
@@ -85,11 +85,12 @@ def all_waits(run: Run) -> dict[str, list[Wait]]:
 def _repetitions(log: Log) -> Iterator[Wait]:
     """Yield the waits of skipped iterations.
 
-    Of more than `MAX_REPEATED` iterations, several are one, in which each wait is as long as in all of these.
+    If a run has more than `MAX_REPEATED` of them, several are one, in which each wait is as long as in all of these.
     """
+    total = fsum(count for _, count, _ in log.repeated_waits.as_stored())
+    at_once = max(1, ceil(total / MAX_REPEATED))
     for written, count, period in log.repeated_waits.as_stored():
         waits = [whole(wait) for wait in written]
-        at_once = -(-count // MAX_REPEATED)
         for k in range(1, count + 1, at_once):
             iterations, later = min(at_once, count + 1 - k), k * period
             for task, at, since, until, *rest in waits:

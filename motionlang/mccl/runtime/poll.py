@@ -225,23 +225,21 @@ class Poll:
         """Skip all but the last of the iterations that wait, up to the time `until`."""
         task = self._task
         rest = task.count * task.cost
-        before = last = base = task.base
-        iterations = -2
+        first = before = last = base = task.base
         if len(waits) == 1:  # as in `after`
             ((count, seconds),) = waits
             busy = count * task.cost
             while base + rest < until:
                 before, last, base = last, base, base + busy + seconds
-                iterations += 1
         else:
             while base + rest < until:
                 before, last, base = last, base, after(base, waits, task.cost)
-                iterations += 1
-        if iterations > 0:
-            period = (before - task.base) / iterations
-            log = task.board.machine.log
-            log.repeat_waits(task.name, task.base + rest - period - 0.5 * task.cost, period, iterations)
         task.base = before
+        if before > first:
+            period = after(0.0, waits, task.cost)
+            # The iteration that repeats began a period ago; half a command more is for rounding.
+            began = first + rest - period - 0.5 * task.cost
+            task.board.machine.log.repeat_waits(task.name, began, period, round((before - first) / period))
 
     def _tested(self, notes: list[Note], now: float) -> list[Note]:
         """Replace dependencies on values by dependencies on the results of tests.

@@ -6,6 +6,7 @@ from math import fsum
 
 import pytest
 
+from motionlang.analysis.cycle import tasks
 from motionlang.analysis.cycle.budget import over_budget
 from motionlang.analysis.cycle.profile import Share, TimeProfile
 from motionlang.analysis.diff.charged import charged
@@ -111,6 +112,25 @@ def test_the_waits_of_skipped_iterations_are_charged_to_their_lines(form: str, u
     assert by_name(made.kinds())["dwell"] == pytest.approx(until, rel=1e-6)
     waited = by_name(made.waited_lines())
     assert waited == pytest.approx({line: until * part / 0.1 for line, part in lines.items()}, rel=1e-6)
+
+
+def test_the_waits_of_a_run_with_many_skips_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An input that changes twice a second ends a skip of at most 50 iterations.
+
+    Of about 10 000 iterations 1000 waits are left, and one for each skip; their sum stays.
+    """
+    text, name, _ = ENDLESS["one wait"]
+    text = text.replace("100", "10")
+    machine = {
+        "input": [{"channel": 1, "at": 0.5, "for": 0.5, "every": 1.0}],
+        "controller.instruction_time": 1e-9,
+    }
+    monkeypatch.setattr(tasks, "MAX_REPEATED", 1000)
+    result = ran(text.replace("n = n + 1", "n = 1"), name, machine=machine, until=100.0)
+    waits = tasks.all_waits(result)["ParentTask"]
+    assert len(result.machine.log.repeated_waits) > 100
+    assert len(waits) < len(result.machine.log.waits) + 1000 + len(result.machine.log.repeated_waits)
+    assert fsum(wait[3] - wait[2] for wait in waits) == pytest.approx(100.0, rel=1e-6)
 
 
 def test_a_task_that_waits_while_another_one_does_computes_nothing_meanwhile() -> None:
