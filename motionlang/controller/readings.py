@@ -270,13 +270,15 @@ class Readings:
 
         If `velocity` is infinite, return when the acceleration may change its sign. The result is at most the end of
         the profile. Unless the profile consists of ramps, whose velocity does not jump, it is also at most the next
-        knot, and it is now in a piece that is not a cubic.
+        knot, and the trend may change now in a piece that is not a cubic.
         """
         a, now = self.axes[axis], self.clock.now
         start, profile = a.starts[-1], a.profiles[-1]
         elapsed = now - start
         if elapsed >= profile.duration:
             return INFINITY
+        if abs(velocity) != INFINITY and not profile.has_ramps and profile.cubic(elapsed) is None:
+            return start + profile.velocity_check(velocity, elapsed)
         found = None if abs(velocity) == INFINITY else profile.velocity_crossing(velocity, elapsed)
         if profile.has_ramps and abs(velocity) != INFINITY and (found is None or found > elapsed):
             return start + (profile.duration if found is None else found)

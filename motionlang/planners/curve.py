@@ -248,6 +248,13 @@ class Profile:
         """Return the first time >= `after` at `velocity`, or None if there is none."""
         return _crossing.velocity_crossing(self, velocity, after)
 
+    def velocity_check(self, velocity: float, after: float) -> float:
+        """Return when to compare the velocity again: at `velocity` or at the next knot."""
+        knots = self.knots
+        until = knots[min(bisect_right(knots, after), len(knots) - 1)]
+        found = self.velocity_crossing(velocity, after)
+        return until if found is None else min(found, until)
+
     def extrema(self) -> tuple[float, float]:
         """Return the smallest and the largest position, including extrema inside pieces."""
         knots, pieces, _ = self.curve

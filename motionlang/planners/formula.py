@@ -7,6 +7,7 @@ states where it is smooth (`knots`) and gives position, velocity and acceleratio
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from itertools import pairwise
 from math import inf, nextafter
 
@@ -125,6 +126,13 @@ class Formula(Profile):
             return max(after, self.duration)
         return found
 
+    def velocity_check(self, velocity: float, after: float) -> float:
+        """Return when to compare the velocity again: at `velocity` or at the next knot."""
+        knots = self.knots
+        until = knots[min(bisect_right(knots, after), len(knots) - 1)]
+        found = self._first(self.velocity, self.acceleration, velocity, max(after, 0.0), until)
+        return until if found is None else found
+
     def extrema(self) -> tuple[float, float]:
         """Return the smallest and the largest position, including extrema inside."""
         seen = [self.start, self.end]
@@ -148,12 +156,14 @@ class Formula(Profile):
 
     # -- inside
 
-    def _brackets(self, after: float) -> Iterator[tuple[float, float]]:
-        """Yield intervals of time from `after` to the last finite knot."""
+    def _brackets(self, after: float, until: float = inf) -> Iterator[tuple[float, float]]:
+        """Yield intervals of time from `after` to the knot `until` or the last finite one."""
         knots = self.knots
         for begin, finish in pairwise(knots):
             if finish <= after or finish == inf:
                 continue
+            if begin >= until:
+                break
             step = (finish - begin) / STEPS
             for i in range(STEPS):
                 low, high = begin + i * step, finish if i == STEPS - 1 else begin + (i + 1) * step
@@ -182,8 +192,9 @@ class Formula(Profile):
         slope: Callable[[float], float],
         wanted: float,
         after: float,
+        until: float = inf,
     ) -> float | None:
-        for begin, finish in self._brackets(after):
+        for begin, finish in self._brackets(after, until):
             for low, high in self._monotone(slope, lambda _: 0.0, begin, finish):
                 y_low, y_high = value(low), value(high)
                 if y_low == wanted:

@@ -89,6 +89,12 @@ class ProfileSequence(Formula):
         """Return the first time >= `after` at `velocity`, or None if there is none."""
         return self._first_in_segments(lambda segment, low: segment.velocity_crossing(velocity, low), after)
 
+    def velocity_check(self, velocity: float, after: float) -> float:
+        """Return when to compare the velocity again: at `velocity` or at the next knot."""
+        i = self._segment_index(after)
+        segment, begin = self.segments[i], self.begins[i]
+        return begin + min(segment.velocity_check(velocity, after - begin), segment.duration)
+
     def _first_in_segments(
         self, crossing: Callable[[Profile, float], float | None], after: float
     ) -> float | None:

@@ -688,3 +688,34 @@ def test_a_rest_without_an_end_is_a_phase_of_no_distance() -> None:
     made = Reparametrised(with_rest(plan_trapezoid(0.0, 1.0, 1.0, 2.0, 2.0), "suspend"), line)
     assert [phase.distance for phase in made.phases] == pytest.approx([2.5, 5.0, 2.5, 0.0])
     assert made.phases[-1].duration == math.inf
+
+
+def sampled_velocity(made: Profile, wanted: float, after: float, until: float) -> float:
+    """Return when samples of the velocity, 2000 up to `until`, first change sides."""
+    times = np.linspace(after, until, 2001)[:-1]
+    below = np.array([made.velocity(t) < wanted for t in times])
+    changed = np.flatnonzero(below[1:] != below[:-1])
+    return float(times[changed[0] + 1]) if len(changed) else until
+
+
+@pytest.mark.parametrize("wanted", [-19.0, -3.0, 0.0, 7.5, 18.0])
+@pytest.mark.parametrize("shape", ["trapezoid", "scurve"])
+@pytest.mark.parametrize("form", ["circle", "sequence", "sum"])
+def test_a_velocity_is_checked_again_where_it_is_reached_and_at_each_knot(
+    form: str, shape: str, wanted: float
+) -> None:
+    """Samples show that the velocity does not pass the level between two checks."""
+    made = circle(sweep=5.0, shape=shape)
+    if form == "sequence":
+        made = ProfileSequence("two", [made, circle(sweep=-2.0, shape=shape).scaled(made.end, 1.0)])
+    elif form == "sum":
+        made = added(made, circle(cosine=False, sweep=4.0, shape=shape), "sum")
+    time, checks = 0.0, 0
+    while time < made.duration:
+        following = made.velocity_check(wanted, time)
+        passed = sampled_velocity(made, wanted, time, following)
+        assert passed >= following - 1e-3 * (following - time)
+        knot = next(each for each in made.knots if each > time)
+        assert time <= following <= knot
+        time, checks = max(following, time + 1e-3), checks + 1
+    assert checks < 10 * len(made.knots)
