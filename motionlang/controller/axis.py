@@ -323,13 +323,21 @@ class Axis:
         decel = self.decel if self.decel_time is None else speed / self.decel_time
         return accel, decel
 
+    def jerks(self, speed: float, accel: float, decel: float) -> tuple[float, float]:
+        """Return the jerks of a move by its own speed and rates, counts/s³.
+
+        If a jerk time is set, a jerk is the rate divided by that time.
+        """
+        accel_time, decel_time = self.accel_jerk_time, self.decel_jerk_time
+        return (
+            self._jerk(self._accel_jerk, accel_time, speed, accel),
+            self._jerk(self._decel_jerk, decel_time, speed, decel),
+        )
+
     @property
     def accel_jerk(self) -> float:
-        """The jerk in force while speeding up, counts/s³.
-
-        If a jerk time is set, the jerk is the acceleration divided by that time.
-        """
-        return self._jerk(self._accel_jerk, self.accel_jerk_time, 0)
+        """The jerk in force while speeding up to SPEED, counts/s³."""
+        return self.jerks(self.speed, *self.rates(self.speed))[0]
 
     @accel_jerk.setter
     def accel_jerk(self, jerk: float) -> None:
@@ -337,19 +345,18 @@ class Axis:
 
     @property
     def decel_jerk(self) -> float:
-        """The jerk in force while slowing down, counts/s³."""
-        return self._jerk(self._decel_jerk, self.decel_jerk_time, 1)
+        """The jerk in force while slowing down from SPEED, counts/s³."""
+        return self.jerks(self.speed, *self.rates(self.speed))[1]
 
     @decel_jerk.setter
     def decel_jerk(self, jerk: float) -> None:
         self._decel_jerk, self.decel_jerk_time, self.s_ramp = jerk, None, None
 
-    def _jerk(self, jerk: float, time: float | None, which: int) -> float:
+    def _jerk(self, jerk: float, time: float | None, speed: float, rate: float) -> float:
         if time is None and self.s_ramp is None:
             return jerk
-        rate = self.rates(self.speed)[which]
         if time is None:
-            time = self.s_ramp * self.speed / rate if rate else 0.0  # type: ignore[operator]
+            time = self.s_ramp * speed / rate if rate else 0.0  # type: ignore[operator]
         return rate / time if time else _AT_ONCE
 
     @property

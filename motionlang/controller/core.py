@@ -88,6 +88,8 @@ class Core(Readings):
         accel, decel = self.rates(a, speed)
         if move.rates is not None:
             accel, decel = move.rates[0] or accel, move.rates[1] or decel
+        shape = a.shape
+        jerks = a.jerks(speed, accel, decel) if shape == "scurve" else (INFINITY, INFINITY)
         if move.overridden:
             speed *= a.override
         move.commanded_speed = speed
@@ -97,7 +99,7 @@ class Core(Readings):
             speed, accel, decel = min(speed, a.max_speed), min(accel, a.max_accel), min(decel, a.max_decel)
         if a.suspended or not speed:
             return motion.halt.with_standstill(self, a)
-        last, shape = a.profiles[-1], a.shape
+        last = a.profiles[-1]
         try:
             if last.shape == "hold" and shape == "trapezoid":  # the case of nearly every move
                 return plan_trapezoid(last.end, move.target, speed, accel, decel)
@@ -105,7 +107,6 @@ class Core(Readings):
             from motionlang.planners import plan
             from motionlang.planners.ramp_down import onset
 
-            jerks = (a.accel_jerk, a.decel_jerk) if shape == "scurve" else (INFINITY, INFINITY)
             eased, start, velocity, acceleration = onset(last, self.clock.now - a.starts[-1], shape, jerks[0])
             made = plan(
                 shape, start, move.target, speed, accel, decel, velocity, a.ramp, *jerks, acceleration

@@ -519,7 +519,7 @@ def _bounds(a: Axis, move: Move) -> tuple[float, tuple[float, float], tuple[floa
         decel = move.action.rate
     elif isinstance(move.action, Stopping) and move.action.hard:
         decel = a.error_decel if move.ended == "fault" else min(a.error_decel, a.max_decel)
-    return _speed(a, move), (accel, decel), _jerks(a)
+    return _speed(a, move), (accel, decel), _jerks(a, move)
 
 
 def _own_speed(a: Axis, move: Move) -> float:
@@ -531,8 +531,8 @@ def _speed(a: Axis, move: Move) -> float:
     return speed * a.override if move.overridden else speed
 
 
-def _jerks(a: Axis) -> tuple[float, float]:
-    return (a.accel_jerk, a.decel_jerk) if a.shape == "scurve" else ENDLESS
+def _jerks(a: Axis, move: Move) -> tuple[float, float]:
+    return a.jerks(_own_speed(a, move), *_rates(a, move)) if a.shape == "scurve" else ENDLESS
 
 
 def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | None = None) -> Order:
@@ -544,7 +544,7 @@ def _path(action: PathMove, move: Move, nth: int, entry: int, run: PathRun | Non
     master, leader, axes, policy = action.axes[0], action.moves[0], action.axes, action.policy
     shape, k, ramp = master.shape, abs(action.scales[0]), master.ramp
     if policy is None:
-        speed, rates, jerks = _speed(master, leader), _rates(master, leader), _jerks(master)
+        speed, rates, jerks = _speed(master, leader), _rates(master, leader), _jerks(master, leader)
     else:
         pace = policy.pace()
         shape, k, ramp = pace.shape, 1.0, pace.ramp

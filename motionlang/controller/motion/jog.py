@@ -51,9 +51,9 @@ class Jog(Action):
     def planned(self, controller: Core, a: Axis, own: Rates | None) -> Profile:
         """Return the motion from the state of the axis to the velocity."""
         self._ramp_settings = settings = _ramp_settings(controller, a, own)
-        accel, decel = settings[0], settings[1]
+        accel, decel, jerks = settings[:3]
         eased, position, velocity, acceleration = onset(
-            a.profiles[-1], controller.clock.now - a.starts[-1], a.shape, a.accel_jerk
+            a.profiles[-1], controller.clock.now - a.starts[-1], a.shape, jerks[0]
         )
         if not keeps_rates(a.move):
             acceleration = admitted(acceleration, velocity, accel, decel)
@@ -69,8 +69,7 @@ class Jog(Action):
                 accel,
                 decel,
                 a.ramp,
-                a.accel_jerk,
-                a.decel_jerk,
+                *jerks,
                 acceleration,
             )
             if eased is not None:
@@ -123,11 +122,11 @@ def _wanted(a: Axis, velocity: float) -> float:
 
 def _ramp_settings(
     controller: Core, a: Axis, own: Rates | None
-) -> tuple[float, float, object, object, object, object]:
-    """Return acceleration, deceleration and the other settings of the ramps."""
+) -> tuple[float, float, tuple[float, float], object, object, object]:
+    """Return acceleration, deceleration, jerks and the other settings of the ramps."""
     accel, decel = own or (None, None)
     if accel is None or decel is None:
         rates = controller.rates(a, a.speed)
         accel, decel = accel or rates[0], decel or rates[1]
-    ramps = (a.shape, a.ramp, (a.accel_jerk, a.decel_jerk))
-    return min(accel, a.max_accel), min(decel, a.max_decel), *ramps, _wanted(a, INFINITY)
+    jerks = a.jerks(a.speed, accel, decel)
+    return min(accel, a.max_accel), min(decel, a.max_decel), jerks, a.shape, a.ramp, _wanted(a, INFINITY)

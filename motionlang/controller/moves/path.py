@@ -92,6 +92,7 @@ class PathMove(Action):
         if move.rates is not None:
             accel, decel = move.rates[0] or accel, move.rates[1] or decel
         most = self._limits(segment)
+        jerks = master.jerks(speed, accel, decel)
         factor = master.override if move.overridden else 1.0
         return Pace(
             master.shape,
@@ -99,8 +100,8 @@ class PathMove(Action):
             min(accel / k, most[1]),
             min(decel / k, most[2]),
             master.ramp,
-            master.accel_jerk / k,
-            master.decel_jerk / k,
+            jerks[0] / k,
+            jerks[1] / k,
         )
 
     def max_decel(self, segment: Segment) -> float:

@@ -129,6 +129,48 @@ def test_a_limit_acts_on_a_jog_at_once_and_lets_it_go_when_it_is_lifted(shape: s
     assert len(c.log.moves) == 1
 
 
+@pytest.mark.parametrize(("percent", "ramp"), [(0.5, 0.03), (1.0, 0.04)])
+@pytest.mark.parametrize("axes", [(0,), (0, 1)])
+def test_a_percentage_of_a_ramp_is_one_of_the_speed_that_a_move_has(
+    axes: tuple[int, ...], percent: float, ramp: float
+) -> None:
+    """A ramp to 2 at 100 takes 0.02 s, and half or all of that longer.
+
+    The speed of the axis has no effect. A move of 5 takes 5 / 2 s and one ramp; a path along the first axis, too.
+    """
+    c = machine(shape="scurve", s_ramp=percent, speed=2.0, feedrate_mode=1)
+    if axes == (0,):
+        c.load_by(0, 5.0)
+    else:
+        c.load_line_by(axes, [5.0, 0.0])
+    for axis in axes:
+        c.configure(axis, "speed", 0.0)
+    c.go([0])
+    assert c.idle_time(0) == pytest.approx(2.5 + ramp)
+    assert until(c, 0.5 * ramp).velocity(0) == pytest.approx(1.0)
+
+
+def test_a_stop_of_a_move_has_the_jerk_of_its_own_speed_and_rate() -> None:
+    """From 2 at 50 a ramp of 100 % takes 0.08 s, over 2 * 0.08 / 2 = 0.08."""
+    c = machine(shape="scurve", s_ramp=1.0, speed=2.0, feedrate_mode=1)
+    c.configure(0, "own_rates", (None, None, 50.0))
+    c.load_by(0, 5.0)
+    c.configure(0, "speed", 40.0)
+    c.go([0])
+    until(c, 1.0).stop(0)
+    assert c.idle_time(0) == pytest.approx(1.08)
+    assert until(c, 2.0).position(0) == pytest.approx(2.0 * 1.0 - 0.04 + 0.08)
+
+
+def test_a_jog_with_rates_of_its_own_has_their_jerk() -> None:
+    """A rise to 50 in 0.1 s, 50 for 0.1 s, and a fall in 0.1 s: 10 in 0.3 s."""
+    c = machine(shape="scurve", accel_jerk_time=0.1, decel_jerk_time=0.1)
+    c.jog(0, 10.0, rates=(50.0, 50.0))
+    assert until(c, 0.1).velocity(0) == pytest.approx(2.5)
+    assert until(c, 0.2).velocity(0) == pytest.approx(7.5)
+    assert until(c, 0.3).velocity(0) == pytest.approx(10.0)
+
+
 @pytest.mark.parametrize(
     ("begin", "end", "time"), [(0.0, 0.0, 0.1), (0.1, 0.0, 0.15), (0.0, 0.1, 0.15), (0.05, 0.1, 0.175)]
 )
