@@ -9,7 +9,7 @@ from motionlang.analysis.proof.checker import SLACK, Uses
 from motionlang.analysis.proof.flanks import begin, last_change
 from motionlang.analysis.proof.segments import derivatives, spans
 from motionlang.analysis.proof.slowing import LATE, slowing
-from motionlang.analysis.proof.time_bounds import law, lead, move_times, rounding, top_speed
+from motionlang.analysis.proof.time_bounds import ends_together, law, lead, move_times, rounding, top_speed
 
 if TYPE_CHECKING:
     from motionlang.analysis.proof.checker import Proof
@@ -63,7 +63,7 @@ def check_profile(
     if not profile.pieced or order.kind == "rest":
         return
     segments = spans(profile, 0.0, min(length, 1e300))
-    _check_knots(proof, a, i, order, segments)
+    _check_knots(proof, a, i, order, segments, _completes_trapezoid(order, earlier))
     if order.kind not in PLANNED:
         return
     # An axis that comes in too fast, or with too much acceleration, is excused until it has slowed down.
@@ -118,6 +118,8 @@ def _check_time(proof: Proof, profile: Profile, order: Order, begun: Begin, size
         least, most, took = least - late, most - late, profile.duration
     else:
         least = most = lead(v0, a0, order.goal, by)[0]
+        if not order.goal:
+            least = min(least, ends_together(v0, a0, by))
         took = last_change(profile)
         if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
             words = f"it reaches {profile.end_velocity:g} counts/s, commanded {order.goal:g}"
@@ -181,8 +183,21 @@ def _check_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
             proof.breaks(order.line, f"{where}: it {name} at {stated:g}, its pieces at {done:g}")
 
 
-def _check_knots(proof: Proof, a: WholeTrack, i: int, order: Order, segments: list[Span]) -> None:
-    """Check continuity of pieces: position, planned velocity, S-ramp acceleration."""
+def _completes_trapezoid(order: Order, earlier: Order) -> bool:
+    """True if a path resumed by another shape first completes a trapezoidal stop."""
+    path, before = order.path, earlier.path
+    if path is None or before is None or before.entry != path.entry:
+        return False
+    return before.comes_to_rest and not path.comes_to_rest and not earlier.bends
+
+
+def _check_knots(
+    proof: Proof, a: WholeTrack, i: int, order: Order, segments: list[Span], completes_trapezoid: bool = False
+) -> None:
+    """Check continuity of pieces: position, planned velocity, S-ramp acceleration.
+
+    If it `completes_trapezoid`, the acceleration may jump up to the first standstill.
+    """
     profile = a.profiles[i]
     names = ("position", "velocity", "acceleration")[
         : 1 if order.kind not in (*PLANNED, "path") else 3 if order.bends and profile.shape != "blend" else 2
@@ -205,12 +220,13 @@ def _check_knots(proof: Proof, a: WholeTrack, i: int, order: Order, segments: li
             sizes += [max(1.0, profile.peak_speed), max(1.0, rate)]
         late = 4e-16 * (1.0 + a.starts[i] + right.begin)
         slopes = (abs(before[1]), abs(before[2]), max(abs(before[3]), steepest))
-        for which, name in enumerate(names):
+        for which, name in enumerate(names[: 2 if completes_trapezoid else 3]):
             gap = abs(after[which] - before[which])
             if gap > SLACK * sizes[which] + 4.0 * late * slopes[which] + changed[which]:
                 where = f"axis {a.index} at {a.starts[i] + right.begin:.6f} s"
                 proof.breaks(order.line, f"{where}: the {name} jumps by {gap:g} counts within a profile")
         left, changed = right, [0.0, 0.0, 0.0]
+        completes_trapezoid = completes_trapezoid and abs(after[1]) > SLACK * sizes[1]
 
 
 def _counts(a: WholeTrack, order: Order) -> float:

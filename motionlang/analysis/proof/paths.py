@@ -140,8 +140,8 @@ def stops_within(run: Run, wanted: Order, time: float) -> bool:
     )
     if not along:
         return True
-    first, last = along[0].at(0.0), along[-1].at(along[-1].length)
-    left, before = last[0] - first[0], layout
+    first = along[0].at(0.0)
+    left, before = layout.length - first[0], layout  # even if something else has ended it before
     for each in path.ahead:
         assert each.path is not None
         before = PathLayout(each.path, before.ends)
@@ -477,13 +477,18 @@ def _check_axes(
 def _check_joins(proof: Proof, order: Order, along: list[Span], came: float, where: str) -> None:
     """Check that the speed along a path is continuous.
 
-    Its acceleration is checked too if its jerk is limited.
+    Its acceleration is checked too if its jerk is limited. The time of a join is rounded, so the acceleration has
+    changed by its jerk meanwhile: with one that builds it up at once, such as a jerk time of 0, it jumps.
     """
     names = ("speed", "acceleration")[: 2 if order.jerks[0] < inf else 1]
+    slack = SLACK * max(1.0, came, *(r for r in (order.speed, *order.rates) if r < inf))
     for before, after in pairwise(along):
+        left, right = before.at(before.length), after.at(0.0)
+        side = 0 if left[2] + right[2] > 0.0 else 1
+        rounded = 4e-16 * (1.0 + after.begin) * order.jerks[side]
         for which, name in enumerate(names, 1):
-            gap = abs(after.at(0.0)[which] - before.at(before.length)[which])
-            if gap > SLACK * max(1.0, came, *(r for r in (order.speed, *order.rates) if r < inf)):
+            gap = abs(right[which] - left[which])
+            if gap > slack + (rounded if name == "acceleration" else 0.0):
                 proof.breaks(order.line, f"{where}: the {name} along it jumps by {gap:g}")
 
 

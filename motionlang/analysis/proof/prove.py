@@ -168,15 +168,16 @@ def _check_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
     if not order.bends:
         return
     size = SLACK * max(1.0, *order.rates)
+    # While the time is rounded, the acceleration changes by the jerk: at once with a jerk time of 0.
+    jerk = max(order.jerks) if order.jerks[0] < inf else abs(before.jerk)
     if kinds == ("path", "path") and order.path is not None and order.path.members[0] == a.index:
         bend = _bend(order.path, _alone(run, a, i) or _both(run, order, time))
-        if bend > size:
+        if bend > size + 4.0 * late * jerk:
             proof.breaks(line, f"{where}: the acceleration along the path jumps by {bend:g}")
     elif order.kind in PLANNED and kinds[0] in (*PLANNED, "rest") and earlier.bends:
         bend = abs(after.acceleration - before.acceleration)
         if earlier.kind == "stop" and is_without_flank(a.profiles[i - 1], time - a.starts[i - 1]):
             bend = min(bend, abs(after.acceleration))  # it stopped as planned before, by a trapezoid
-        jerk = order.jerks[0] if order.jerks[0] < inf else abs(before.jerk)
         if bend > size + 4.0 * late * jerk:
             proof.breaks(line, f"{where}: the acceleration of an S-ramp jumps by {bend:g} counts/s²")
 

@@ -8,7 +8,7 @@ slowing down.
 
 from __future__ import annotations
 
-from math import fsum, inf, pi, sqrt
+from math import fsum, inf, isclose, pi, sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
@@ -19,8 +19,9 @@ if TYPE_CHECKING:
 
 # Bisections of an interval of speeds after which nothing changes any more.
 _HALVES = 70
-# The relative rounding of a distance, and of the positions at its ends.
-_ROUNDING, _EPSILON = 1e-13, 4e-16
+# The relative rounding of a distance, and of the positions at its ends. These are the sum of up to seven sections, so
+# they are rounded nine times, by 2**-53 each.
+_ROUNDING, _EPSILON = 1e-13, 9.0 * 2.0**-53
 
 
 class Law(NamedTuple):
@@ -156,8 +157,17 @@ def move_times(
     least = min(*times, move_time(v0, a0, distance, speed, by, rounded))
     time, covered = lead(v0, a0, 0.0, by)
     if abs(covered - distance) <= rounded:
-        least = min(least, time)
+        least = min(least, time, ends_together(v0, a0, by))
     return least, max(times)
+
+
+def ends_together(v0: float, a0: float, by: Law) -> float:
+    """Return when velocity and acceleration become zero together, within rounding.
+
+    inf if they do not.
+    """
+    together = by.smooth and a0 * v0 < 0.0 and isclose(0.5 * a0 * a0 / by.jerks[1], abs(v0))
+    return abs(a0) / by.jerks[1] if together else inf
 
 
 def reverses(v0: float, a0: float, by: Law, margin: float = 1e-9) -> bool:

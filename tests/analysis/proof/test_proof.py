@@ -139,6 +139,43 @@ PACES = (
 )  # fmt: skip
 
 
+# An acceleration that builds up at once, because its time is 0: it jumps as ordered.
+AT_ONCE = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 80 : PROFILEMODE(0) = 1\n"
+JUMPS = (
+    "ACCELJERKTIME(0) = 0 : DECELJERKTIME(0) = 0\nVECTORR(0, 1) = 30, 40 : GO(0)\nPAUSE IDLE(0)\n",
+    "ACCELJERKTIME(0) = 200 : DECELJERKTIME(0) = 200\nBLENDMODE(0) = 1 : BLENDDISTANCE(0) = 3\n"
+    "VECTORR(0, 1) = 14, -11 : VECTORR(0, 1) = 9, 17 : GO(0)\nACCELJERKTIME(0) = 0\nPAUSE IDLE(0)\n",
+    "ACCELJERKTIME(0) = 50 : DECELJERKTIME(0) = 0\nJOG(0) = 6\nWAIT = 800\nSTOP(0)\nPAUSE IDLE(0)\n",
+    "ACCELJERKTIME(0) = 50 : DECELJERKTIME(0) = 0\nMOVER(0) = 40 : GO(0)\nWAIT = 800\nSUSPEND(0) = 1\nWAIT = 300\n"
+    "SUSPEND(0) = 0\nPAUSE IDLE(0)\n",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("program", JUMPS)
+def test_an_acceleration_without_a_jerk_time_jumps_as_ordered(program: str) -> None:
+    assert found(proved(AT_ONCE + program)) == []
+
+
+@pytest.mark.parametrize(
+    "paths", ["VECTORR(0, 1) = 30, 40", "VECTORR(0, 1) = 12, 16 : VECTORR(0, 1) = 16, 12"]
+)
+def test_a_path_resumed_by_another_shape_completes_its_stop_by_the_first_one(paths: str) -> None:
+    """A trapezoidal stop takes 0.2 s; SRAMP applies from the standstill on."""
+    begin = f"SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n{paths} : GO(0)\nWAIT = 500\n"
+    assert found(proved(begin + "SUSPEND(0) = 1\nSRAMP(0) = 100\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n")) == []
+
+
+def test_a_blend_that_is_cancelled_while_it_stops_is_checked_by_the_jerk_of_its_stop() -> None:
+    """The jerk of the stop is 20 000; that of the ramps before it was 2000."""
+    program = (
+        "SPEED(0) = 20 : ACCEL(0) = 200 : DECEL(0) = 200 : PROFILEMODE(0) = 1\n"
+        "ACCELJERKTIME(0) = 10 : DECELJERKTIME(0) = 100\nBLENDMODE(0) = 1 : BLENDDISTANCE(0) = 4\n"
+        "VECTORR(0, 1) = 1, -8 : VECTORR(0, 1) = -9, 16 : GO(0)\nDECELJERKTIME(0) = 10\n"
+        "PAUSE Abs(VEL(1)) > 6\nPAUSE Abs(VEL(1)) < 0.01\nSTOP(0)\nWAIT = 2\nCANCEL(0)\n"
+    )
+    assert found(proved(program)) == []
+
+
 @pytest.mark.parametrize("program", PACES)
 def test_paths_of_other_paces_and_stops_on_them_keep_every_bound(program: str) -> None:
     assert found(proved(program)) == []

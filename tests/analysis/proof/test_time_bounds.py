@@ -149,8 +149,21 @@ def test_a_velocity_reverses_before_its_acceleration_is_ramped_down(
 
 
 def test_a_distance_is_as_exact_as_its_ends() -> None:
-    assert rounding(-100.0, 5.0, -2000.0) == pytest.approx(1e-11 + 8e-13)
-    assert rounding(0.0, 3000.0, 5.0) == pytest.approx(1.2e-12)
+    """A sum is rounded nine times, by 2⁻⁵³: 2000 is exact to 9 * 2000 / 2⁵³."""
+    assert rounding(-100.0, 5.0, -2000.0) == pytest.approx(1e-11 + 9 * 2000 / 2**53, abs=1e-20)
+    assert rounding(0.0, 3000.0, 5.0) == pytest.approx(9 * 3000 / 2**53, abs=1e-20)
+
+
+def test_a_velocity_may_end_with_its_acceleration_but_for_rounding() -> None:
+    """At a jerk of 200, 20 ends in 0.1 s, with a velocity of 20² / (2 * 200) = 1.
+
+    Of a velocity 4e-12 lower, the rest needs another ramp, of 2 sqrt(4e-12 / 200) = 2.8e-7 s.
+    """
+    back = lead(1.0 - 4e-12, -20.0, 0.0, LIMITED)
+    assert back[0] == pytest.approx(0.1 + 2.0 * (4e-12 / 200.0) ** 0.5, abs=1e-9)
+    distance = 1.0 / 30.0  # 1 * 0.1 - 20 * 0.1² / 2 + 200 * 0.1³ / 6
+    assert move_times(1.0 - 4e-12, -20.0, distance, 10.0, LIMITED, 1e-11)[0] == pytest.approx(0.1, abs=1e-15)
+    assert move_times(1.0 - 4e-5, -20.0, back[1], 10.0, LIMITED, 1e-4)[0] > 0.1
 
 
 # The velocity, the distance, its rounding, and the shortest and the longest time at a speed of 10.
