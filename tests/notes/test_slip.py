@@ -1,0 +1,172 @@
+"""Slip of a load, computed by hand.
+
+With a friction of 0.5 at a gravity of 10 the limit is 5.
+"""
+
+from __future__ import annotations
+
+from math import asin, inf, pi, sin
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from motionlang.notes.slip import Slip, check_profile, check_trace, check_track
+from motionlang.planners import hold, plan
+from motionlang.servo.demand import Track
+
+# A sine ramp to 5 at 10 takes (π/2) 5/10 s: its acceleration is 10 sin(4 t), above 5 where sin(4 t) exceeds 0.5.
+SINE = plan("sinusoidal", 0.0, 10.0, 5.0, 10.0, 10.0)
+RAMP, RISE = pi / 4.0, asin(0.5) / 4.0
+# The acceleration of an S-ramp of a fifth rises by 80/s: it is above 5 from 1/16 s on, of 5/8 s.
+RISING = plan("scurve", 0.0, 10.0, 5.0, 10.0, 10.0, ramp=0.2)
+
+
+def test_each_profile_of_a_sequence_slips_at_its_own_times() -> None:
+    """The second one, from 100 s on, is cut after 0.3 s; equal peaks count once."""
+    track = Track([3.0, 100.0, 100.3], [SINE, SINE, hold(0.0)])
+    found = check_track(track, 0.5, 10.0)
+    assert (found.limit, found.peak, found.peak_time) == pytest.approx((5.0, 10.0, 3.0 + RAMP / 2.0))
+    slowing = 3.0 + 10.0 / 5.0
+    assert np.array(found.spans) == pytest.approx(
+        np.array([
+            (3.0 + RISE, 3.0 + RAMP - RISE), (slowing + RISE, slowing + RAMP - RISE), (100.0 + RISE, 100.3),
+        ])
+    )  # fmt: skip
+    assert (found.first, found.slips) == (found.spans[0][0], True)
+    assert found.margin == pytest.approx(-1.0)
+
+
+@pytest.mark.parametrize(("cut", "peak_time"), [(0.1, RAMP / 2.0 - 0.1), (0.5, 0.0)])
+def test_the_rest_of_a_sine_slips_earlier(cut: float, peak_time: float) -> None:
+    """After 0.5 s its crest, at 0.39 s, is over: 10 sin(4 * 0.5) is the peak."""
+    found = check_profile(SINE.after(cut), 0.5, 10.0)
+    assert found.spans[0] == pytest.approx((max(RISE - cut, 0.0), RAMP - RISE - cut))
+    slowing = 10.0 / 5.0 - cut
+    assert found.spans[1] == pytest.approx((slowing + RISE, slowing + RAMP - RISE))
+    assert found.peak == pytest.approx(10.0)
+    assert found.peak_time == pytest.approx(peak_time if cut < 0.39 else slowing + RAMP / 2.0)
+
+
+@pytest.mark.parametrize("direction", [1.0, -1.0])
+@pytest.mark.parametrize("scale", [1.0, 4.0])
+def test_both_ramps_slip_in_both_directions(direction: float, scale: float) -> None:
+    """In counts, `scale` to the unit, everything is that much larger."""
+    size = direction * scale
+    profile = plan("scurve", 0.0, 10.0 * size, 5.0 * scale, 10.0 * scale, 10.0 * scale, ramp=0.2)
+    found = check_profile(profile, 0.5, 10.0, scale)
+    assert found.peak == pytest.approx(10.0)
+    assert np.array(found.spans) == pytest.approx(np.array([(0.0625, 0.5625), (2.0625, 2.5625)]))
+
+
+@pytest.mark.parametrize(("until", "end"), [(0.5, 0.5), (0.59, 0.5625), (5.0, 0.5625), (0.05, None)])
+def test_a_linear_acceleration_slips_between_the_times_at_the_limit(until: float, end: float | None) -> None:
+    found = check_track(Track([0.0, until], [RISING, hold(0.0)]), 0.5, 10.0)
+    if end is None:
+        assert (found.spans, found.first) == ((), inf)
+        assert found.peak == pytest.approx(80.0 * 0.05)
+    else:
+        assert found.spans[0] == pytest.approx((0.0625, end))
+        assert found.peak == pytest.approx(10.0)
+
+
+def test_the_larger_of_two_peaks_has_the_time() -> None:
+    gentle = plan("trapezoid", 0.0, 10.0, 5.0, 4.0, 3.0)
+    rough = plan("trapezoid", 0.0, 10.0, 5.0, 2.0, 8.0)
+    found = check_track(Track([1.0, 11.0], [gentle, rough]), 0.5, 10.0)
+    slowing = 11.0 + 2.5 + (10.0 - 0.5 * 5.0 * (2.5 + 0.625)) / 5.0
+    assert (found.peak, found.peak_time) == pytest.approx((8.0, slowing))
+    (span,) = found.spans
+    assert span == pytest.approx((slowing, slowing + 0.625))
+
+
+def test_ramps_that_touch_are_one_slip() -> None:
+    """Without a stretch at speed, 2.5 at 10 takes 0.5 s up and 0.5 s down."""
+    found = check_profile(plan("trapezoid", 0.0, 2.5, 5.0, 10.0, 10.0), 0.5, 10.0)
+    (span,) = found.spans
+    assert span == pytest.approx((0.0, 1.0))
+
+
+def wave(duration: float = 2.0) -> Any:
+    """Return a profile without pieces whose acceleration is 10 sin(π t)."""
+    return SimpleNamespace(
+        pieced=False, knots=(0.0, 1.0, duration), duration=duration, acceleration=lambda t: 10.0 * sin(pi * t)
+    )
+
+
+@pytest.mark.parametrize(("until", "spans"), [
+    (9.0, [(1 / 6, 5 / 6), (7 / 6, 11 / 6)]),
+    (1.5, [(1 / 6, 5 / 6), (7 / 6, 1.5)]),
+    (1.1, [(1 / 6, 5 / 6)]),
+    (0.1, []),
+])  # fmt: skip
+def test_a_profile_without_pieces_is_searched_between_its_knots(
+    until: float, spans: list[tuple[float, float]]
+) -> None:
+    """|10 sin(π t)| exceeds 5 from 1/6 to 5/6, and from 7/6 to 11/6."""
+    track: Any = SimpleNamespace(starts=[3.0, 3.0 + until], profiles=[wave(), hold(0.0)])
+    found = check_track(track, 0.5, 10.0)
+    assert found.spans == tuple(pytest.approx((3.0 + a, 3.0 + b)) for a, b in spans)
+    if until > 1.0:
+        assert (found.peak, found.peak_time) == pytest.approx((10.0, 3.5))
+    else:
+        assert (found.peak, found.peak_time) == pytest.approx((10.0 * sin(pi * 0.1), 3.1))
+
+
+def test_the_largest_of_several_profiles_without_pieces_has_the_peak() -> None:
+    """10 at 3.5 s is above the 7 before it; the 10 at 13.5 s is not above that."""
+    before = plan("trapezoid", 0.0, 1.0, 5.0, 7.0, 7.0)
+    track: Any = SimpleNamespace(starts=[0.0, 3.0, 13.0], profiles=[before, wave(), wave()])
+    found = check_track(track, 0.5, 10.0)
+    assert (found.peak, found.peak_time) == pytest.approx((10.0, 3.5))
+    quiet: Any = SimpleNamespace(starts=[0.0, 3.0], profiles=[wave(), before])
+    assert (check_track(quiet, 0.5, 10.0).peak, check_track(quiet, 0.5, 10.0).peak_time) == (10.0, 0.5)
+
+
+def test_an_acceleration_at_the_limit_does_not_slip() -> None:
+    flat: Any = SimpleNamespace(pieced=False, knots=(0.0, 1.0), duration=1.0, acceleration=lambda _: -5.0)
+    assert check_profile(flat, 0.5, 10.0) == Slip(5.0, 5.0, 0.0, ())
+    assert check_profile(plan("trapezoid", 0.0, 10.0, 5.0, 5.0, 5.0), 0.5, 10.0).spans == ()
+
+
+class Trace:
+    """A trace with a sample every 0.25 s, as far as slip reads it."""
+
+    def __init__(self, acceleration: list[float], velocity: list[float]) -> None:
+        self.loop = SimpleNamespace(period=0.25)
+        self.acceleration, self.velocity = np.array(acceleration), np.array(velocity)
+
+    def __len__(self) -> int:
+        return len(self.velocity)
+
+
+def sampled(acceleration: list[float], velocity: list[float], scale: float = 1.0) -> Slip:
+    trace: Any = Trace(acceleration, velocity)
+    return check_trace(trace, 0.5, 10.0, scale)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize("scale", [1.0, 4.0])
+def test_the_load_follows_as_fast_as_friction_allows(sign: float, scale: float) -> None:
+    """At 5 a velocity changes by 1.25 in a sample of 0.25 s.
+
+    Of the step from 1 to 4 the load does 1.25 at once, 1.25 in the next sample, and the rest in the third: it is 1.75
+    and 0.5 behind, each for 0.25 s.
+    """
+    velocities = [sign * scale * v for v in (0.0, 1.0, 4.0, 4.0, 4.0, 4.0)]
+    accelerations = [sign * scale * a for a in (0.0, 4.0, 6.0, -8.0, 2.0, 7.0)]
+    found = sampled(accelerations, velocities, scale)
+    assert (found.limit, found.peak, found.peak_time) == pytest.approx((5.0, 8.0, 0.75))
+    assert found.spans == ((0.5, 1.0), (1.25, 1.5))
+    assert found.distance == pytest.approx((1.75 + 0.5) * 0.25)
+
+
+def test_a_load_in_motion_begins_at_the_speed_of_its_carrier() -> None:
+    assert sampled([5.0, 5.0], [9.0, 10.25]) == Slip(5.0, 5.0, 0.0, (), 0.0)
+
+
+def test_a_trace_without_samples_has_no_slip() -> None:
+    found = sampled([], [])
+    assert found == Slip(5.0, 0.0, 0.0, (), 0.0)
+    assert (found.slips, found.first, found.margin) == (False, inf, 1.0)
