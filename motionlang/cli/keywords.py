@@ -74,8 +74,9 @@ def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) 
                 if word
             ]
             found, omitted = search(name, tables)
-            if not found or (" " not in name and nearest(name, words) is not None):
-                return _unknown(name, nearest(name, words))
+            near = nearest(name, words)
+            if not found or (" " not in name and near is not None and _is_misspelt(name, near, found)):
+                return _unknown(name, near)
     if as_json:
         rows = [
             {
@@ -102,6 +103,17 @@ def _group(name: str, tables: Mapping[str, Iterable[Keyword]]) -> dict[str, list
         for each, table in tables.items()
     }
     return {each: rows for each, rows in found.items() if rows}
+
+
+def _is_misspelt(name: str, near: str, found: dict[str, list[Keyword]]) -> bool:
+    """True unless `name` is a part of keywords found, but not of the nearest one.
+
+    JERK is near RK, but part of ACCELJERK.
+    """
+    part = name.lower()
+    return part in near.lower() or not any(
+        part in row.name.lower() for rows in found.values() for row in rows
+    )
 
 
 def _print(found: dict[str, list[Keyword]], single: bool) -> None:

@@ -14,6 +14,7 @@ from motionlang.cli.parser import arrange, sentence
 from motionlang.cli.pvt_input import Move, SourceError, UsageError, diagnose, read_move, spans_of
 from motionlang.cli.pvt_options import OPTIONS, add_input
 from motionlang.errors import Diagnostic, ProgramError, need
+from motionlang.files import reason
 from motionlang.planners.pvt.points import absolute, plan_points, relative, until_end
 from motionlang.planners.pvt.velocities import compare_velocities, knot_accelerations
 from motionlang.planners.total import total
@@ -158,7 +159,7 @@ def _guarded(handler: Handler) -> Handler:
         except OSError as error:
             if error.filename is None:  # of standard output: `main` reports it
                 raise
-            _complain([Diagnostic("file", f"{error.filename}: {error.strerror or error}")], None)
+            _complain([Diagnostic("file", f"{error.filename}: {reason(error)}")], None)
         return WRONG
 
     return run

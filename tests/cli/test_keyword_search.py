@@ -47,6 +47,19 @@ def test_a_misspelt_keyword_is_no_question(cell: Cell) -> None:
     assert "did you mean SPEED?" in ran.err
 
 
+def test_a_part_of_a_name_is_no_misspelt_keyword(cell: Cell) -> None:
+    """JERK is near RK, the short form of READKEY, but part of ACCELJERK."""
+    ran = cell("keywords", "jerk", "--dialect", "mint")
+    assert ran.status == 0
+    assert {"ACCELJERK", "DECELJERK"} <= {line.split()[0] for line in ran.out.splitlines() if line.strip()}
+
+
+def test_a_part_of_the_nearest_keyword_is_a_misspelt_one(cell: Cell) -> None:
+    ran = cell("keywords", "spee")
+    assert (ran.status, ran.out) == (1, "")
+    assert "did you mean SPEED?" in ran.err
+
+
 def test_what_nothing_describes_is_unknown(cell: Cell) -> None:
     ran = cell("keywords", "xyzzy frobnicate")
     assert ran.status == 1

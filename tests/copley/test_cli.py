@@ -104,7 +104,7 @@ def test_a_wrong_command_line_is_status_2(words: list[str], message: str) -> Non
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["plot", "nowhere.csv"], "error[file]: nowhere.csv: No such file or directory\n"),
+        (["plot", "nowhere.csv"], "error[file]: nowhere.csv: no such file or directory\n"),
         (
             ["plot", "--positions", "0,nan,2", "--time", "5"],
             "error[range]: position is not a number\n",
