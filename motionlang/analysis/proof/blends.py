@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import ROUNDED, SLACK
 from motionlang.analysis.proof.path_layout import PathLayout
-from motionlang.analysis.proof.paths import check_tail, spans_along, stops_within
+from motionlang.analysis.proof.paths import check_tail, same_law, spans_along, stops_within
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -50,8 +50,8 @@ def check_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order
         if finish - begin > ROUNDED * (1.0 + begin):
             ends.append(finish)
             entries.append(moves)
-            plan, suspended = _tail_in_force(run, master, i, tail), _suspended_by(run, master, i, tail)
-            check_tail(proof, run, plan, begin, finish - begin, suspended)
+            plan, suspended = _tail_in_force(run, master, i, tail), suspended_by(run, master, i, tail)
+            check_tail(proof, run, plan, begin, finish - begin, suspended, _planned_at(run, master, i, plan))
     if len(ends) >= MAX_OVERLAP:
         count = len(ends) + 1
         words = f"{count} paths overlap at {begin:.6f} s, at most {MAX_OVERLAP} may"
@@ -78,7 +78,24 @@ def _tail_in_force(run: Run, master: WholeTrack, i: int, tail: Order) -> Order:
     return tail
 
 
-def _suspended_by(run: Run, master: WholeTrack, i: int, tail: Order) -> Order | None:
+def _planned_at(run: Run, master: WholeTrack, i: int, tail: Order) -> float:
+    """Return when a blended path was planned by the order in force at profile i."""
+    assert tail.path is not None
+    found = master.starts[i]
+    for k in range(i - 1, -1, -1):
+        order = run.expected_motion.of[master.index][k]
+        same = [
+            each
+            for each in (order, *(order.path.tails if order.path is not None else ()))
+            if each.path is not None and each.path.entry == tail.path.entry
+        ]
+        if not same or same[0].speed != tail.speed or not same_law(same[0], tail):
+            break
+        found = master.starts[k]
+    return found
+
+
+def suspended_by(run: Run, master: WholeTrack, i: int, tail: Order) -> Order | None:
     """Return the order of a resumed path while it was suspended.
 
     None if it was not suspended.

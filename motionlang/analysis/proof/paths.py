@@ -159,11 +159,18 @@ def stops_within(run: Run, wanted: Order, time: float) -> bool:
 
 
 def check_tail(
-    proof: Proof, run: Run, order: Order, begin: float, length: float, suspended: Order | None = None
+    proof: Proof,
+    run: Run,
+    order: Order,
+    begin: float,
+    length: float,
+    suspended: Order | None = None,
+    planned_at: float | None = None,
 ) -> None:
     """Check the speed along a path and its changes while another is blended onto it.
 
-    `suspended` is the order of its motion before it was resumed at `begin`, if it was.
+    `suspended` is the order of its motion before it was resumed at `begin`, if it was. `planned_at` is when it was
+    planned by `order`, if before `begin`: a path without room to slow down then runs at the speed of that plan.
     """
     path = order.path
     assert path is not None
@@ -175,7 +182,12 @@ def check_tail(
         stop, along = _until_rest(along)
         _check_along(proof, suspended, layout, stop, where)
     if along:
-        _check_along(proof, order, layout, along, where)
+        planned = 0.0
+        if planned_at is not None and planned_at < begin and not path.comes_to_rest:
+            rows = [(profile, planned_at - path.begun) for profile in profiles]
+            travelled, v0, a0, _ = spans_along(rows, layout, begin - planned_at)[0].at(0.0)
+            planned = _slowing(order, layout, v0, a0, layout.length - travelled, inf).speed
+        _check_along(proof, order, layout, along, where, planned=planned)
 
 
 def _check_path(
@@ -377,17 +389,19 @@ def _check_along(
     fresh: bool = False,
     beyond: float = 0.0,
     gentlest: float = inf,
+    planned: float = 0.0,
 ) -> None:
     """Check the bounds along a path; after its end the axes continue for `beyond`.
 
     A `fresh` path may not begin above its bounds. A stop that began earlier may have a deceleration down to
-    `gentlest`.
+    `gentlest`, and a path that was planned earlier the speed `planned`.
     """
     path = order.path
     assert path is not None
     smooth = order.jerks[0] < inf
     travelled, v0, a0, _ = along[0].at(0.0)
     slow = _slowing(order, layout, v0, a0, layout.length - travelled + beyond, gentlest)
+    slow = slow._replace(speed=max(slow.speed, planned))
     speed, rates = order.speed, order.rates
     least, by = _least(order, layout)
     if layout.unit is None:
@@ -436,7 +450,9 @@ def _check_along(
             _check_axes(uses, path, layout, axes, (left[0], right[0]), side, (fast, rate), (came, came_with))
     uses.report(order.line, where, "")
     _check_end(proof, order, along[-1], slow, late, where)
-    _check_joins(proof, order, along, slow.came, where)
+    # At the end of a profile, rounding may add a moment of the next one.
+    whole = along[:-1] if along[-1].length <= late else along
+    _check_joins(proof, order, whole, slow.came, where)
 
 
 def _check_end(proof: Proof, order: Order, last: Span, slow: Slowing, late: float, where: str) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from motionlang.analysis.proof.blends import suspended_by
 from motionlang.analysis.proof.checker import SLACK
 from motionlang.analysis.proof.paths import check_tail, same_law, stops_within
 from motionlang.analysis.proof.time_bounds import law, lead
@@ -48,7 +49,7 @@ def _check_setting(
         )
         rates = min(order.rates[0], wanted.rates[0]), min(order.rates[1], wanted.rates[1])
         lower = order._replace(speed=min(order.speed, wanted.speed), rates=rates, path=path)
-        check_tail(proof, run, lower, time, end - time)
+        check_tail(proof, run, lower, time, end - time, suspended_by(run, a, i, lower))
         return
     kinds = order.kind, wanted.kind
     if order.tie is not None and wanted.tie is not None:

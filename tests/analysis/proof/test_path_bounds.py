@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.analysis.proof.blends import _causes, _check_sum, _left, _suspended_by, _tail_in_force
+from motionlang.analysis.proof.blends import _causes, _check_sum, _left, _tail_in_force, suspended_by
 from motionlang.analysis.proof.checker import Proof, Uses
 from motionlang.analysis.proof.path_layout import PathLayout
 from motionlang.analysis.proof.paths import (
@@ -748,7 +748,7 @@ def test_a_blended_path_that_cannot_stop_goes_on_by_its_earlier_order(
 def test_the_order_of_a_resumed_path_while_it_was_suspended(before: Order, tail: Order, found: bool) -> None:
     run, a = blended(ORDER, before, EIGHT)
     expected = then(NINE, comes_to_rest=True) if found else None
-    assert _suspended_by(run, a, 2, tail) == expected
+    assert suspended_by(run, a, 2, tail) == expected
 
 
 @pytest.mark.parametrize(

@@ -165,6 +165,45 @@ def test_a_path_resumed_by_another_shape_completes_its_stop_by_the_first_one(pat
     assert found(proved(begin + "SUSPEND(0) = 1\nSRAMP(0) = 100\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n")) == []
 
 
+# Settings written while a path stops, or shortly before its end, that apply later.
+LATER = (
+    # The stop of SUSPEND keeps its jerk, 18 000; the path resumed before its end has one of 5000.
+    "PROFILEMODE(0) = 1 : ACCELJERK(0) = 17000 : DECELJERK(0) = 18000\n"
+    "VECTORR(0, 1) = -5, 13 : VECTORR(0, 1) = 18, 15 : GO(0)\nPAUSE Abs(VEL(0)) > 6\nSUSPEND(0) = 1\n"
+    "DECEL(0) = 500\nPAUSE Abs(VEL(1)) < 2\nFEEDRATEMODE(0) = 3 : FEEDRATEOVERRIDE(0) = 50\n"
+    "DECELJERKTIME(0) = 100\nSUSPEND(0) = 0\nFEEDRATEOVERRIDE(0) = 100\nPAUSE IDLE(0)\n",
+    # A trapezoid from the middle of a blend of S-ramps on.
+    "SPEED(0) = 42.312 : ACCEL(0) = 734.893 : DECEL(0) = 1263.721\n"
+    "SPEED(1) = 25.621 : ACCEL(1) = 1016.099 : DECEL(1) = 1396.940\n"
+    "SRAMP(0) = 100\n"
+    "ACCELTIME(0) = 100 : DECELTIME(0) = 300\n"
+    "PROFILEMODE(1) = 1 : ACCELJERKTIME(1) = 1 : DECELJERKTIME(1) = 50\n"
+    "PROFILEMODE(1) = 1 : ACCELJERK(1) = 5872.115 : DECELJERK(1) = 2451.792\n"
+    "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 4.841\n"
+    "VECTORR(0, 1) = -4.121, 1.165 : VECTORR(0, 1) = -12.750, -8.609 : GO(0)\n"
+    "WAIT = 367\n"
+    "SRAMP(0) = 0\n"
+    "MAXSPEED(0) = 14.679\n"
+    "PAUSE IDLE(0)\n",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("program", LATER)
+def test_settings_apply_from_the_end_of_a_stop_or_of_a_profile(program: str) -> None:
+    assert found(proved(program)) == []
+
+
+def test_a_path_without_room_to_slow_down_keeps_the_speed_of_its_plan_in_a_blend() -> None:
+    """SPEED becomes 43.7 shortly before the end: two S-ramps have no room there."""
+    program = (
+        "SPEED(0) = 45.1 : ACCEL(0) = 688 : DECEL(0) = 1195 : PROFILEMODE(0) = 1\n"
+        "ACCELJERK(0) = 13900 : DECELJERK(0) = 8200 : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 3.4\n"
+        "VECTORR(0, 1) = 6.7, -13.1 : VECTORR(0, 1) = -10.4, 18.5 : GO(0)\nWAIT = 290\nSPEED(0) = 43.7\n"
+        "PAUSE IDLE(0)\n"
+    )
+    assert found(proved(program)) == []
+
+
 def test_a_blend_that_is_cancelled_while_it_stops_is_checked_by_the_jerk_of_its_stop() -> None:
     """The jerk of the stop is 20 000; that of the ramps before it was 2000."""
     program = (
