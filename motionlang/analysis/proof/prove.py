@@ -158,7 +158,7 @@ def _check_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
     )
     if jump > slack:
         excuse = _excuse(run, a, i, kinds)
-        if not excuse and jump <= earlier.step + order.step + slack:
+        if not excuse and jump <= _step(run, a, i, earlier) + order.step + slack:
             excuse = "a step of a stepper that starts or stops at once"
         if excuse:
             proof.excuses(excuse)
@@ -180,6 +180,17 @@ def _check_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
             bend = min(bend, abs(after.acceleration))  # it stopped as planned before, by a trapezoid
         if bend > size + 4.0 * late * jerk:
             proof.breaks(line, f"{where}: the acceleration of an S-ramp jumps by {bend:g} counts/s²")
+
+
+def _step(run: Run, a: WholeTrack, i: int, earlier: Order) -> float:
+    """Return the velocity, counts/s, at which a stepper may end the profile before i.
+
+    A stop that continues the move as planned, because it would take longer, ends like that.
+    """
+    if earlier.kind != "stop" or i < 2:
+        return earlier.step
+    before, end = run.expected_motion.of[a.index][i - 2], a.profiles[i - 2].end
+    return before.step if abs(a.profiles[i - 1].end - end) <= SLACK * max(1.0, abs(end)) else 0.0
 
 
 def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:

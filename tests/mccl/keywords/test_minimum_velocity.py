@@ -117,6 +117,20 @@ def test_what_is_left_of_a_move_at_a_new_zero_is_held_to_what_it_was_planned_wit
     assert result.proof().violations == []
 
 
+def test_a_stop_that_continues_the_move_ends_with_its_step() -> None:
+    """A sine takes longer than what is left of the trapezoid to 1743.
+
+    Its end, a sum of times, is rounded to just before the step.
+    """
+    stops = (
+        "1MN,1PT,1SV10283,1SA281078,1DS35986,1MV360\n1MR17393,1MR3541\nWA0.458\n1MA1743\nWA0.4,1PS,1ST,1WS\n"
+    )
+    fine = {"controller.instruction_time": 1e-9}
+    result = run(Source("stop.mcl", stops), machine=fine, cache=False, prove=True)
+    assert result.proof().violations == []
+    assert ended(stops)[0] == 1743.0
+
+
 def ended(text: str) -> tuple[float, float]:
     """Return the end (counts) and duration (s) of the last move of a program."""
     moves = run(Source("step.mcl", text), cache=False).controller.log.moves
