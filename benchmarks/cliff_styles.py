@@ -368,6 +368,17 @@ for _name, _body in {
 }.items():
     _add("moves", _name, _SHORT.format(_body), neighbour="moves_relative")
 
+# Long arcs: the velocity of an axis on an arc is a sine.
+_ARC = "SPEED(0) = 100;\nACCEL(0) = 1000;\nDECEL(0) = 1000;\nLoop\n  CIRCLER(0, 1) = 100, 0, 360 : GO(0)\n{}End Loop\n"
+_add("arcs", "pause", _ARC.format(_PAUSE))
+for _name, _wait in {
+    "velocity": "  PAUSE VEL(1) > 50\n  PAUSE VEL(1) < 10\n",
+    "velocity_size": "  WAIT(10)\n  PAUSE ABS(VEL(0)) < 20\n",
+    "velocity_watched": "  While Not IDLE(0)\n    If VEL(1) > 50 Then OUTX(1) = 1 Else OUTX(1) = 0\n  End While\n",
+    "position": "  PAUSE POS(1) > 50\n",
+}.items():
+    _add("arcs", _name, _ARC.format(_wait + _PAUSE), neighbour="arcs_pause")
+
 # Contours; streamed segments of 6 ms reload the buffer as it empties.
 _CONTOUR = (
     "SPEED(0, 1) = 100;\nACCEL(0, 1) = 1000;\nDECEL(0, 1) = 1000;\nMOVEBUFFERSIZE(0, 1) = {0};\n"

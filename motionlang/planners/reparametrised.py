@@ -7,7 +7,7 @@ cycles of a cam share one curve, each with its own `lift`.
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from functools import lru_cache
 from math import inf, nextafter
 
@@ -142,6 +142,22 @@ class Reparametrised(Formula):
         """Return the first time >= `after` at `position`, or None if there is none."""
         times = [self.along.crossing(distance, after) for distance in self._distances_at(position)]
         return min((time for time in times if time is not None), default=None)
+
+    def velocity_check(self, velocity: float, after: float) -> float:
+        """Return when to compare the velocity again: at `velocity` or at the next knot.
+
+        At uniform speed along the curve its slope is that of the velocity, so the crossing is one of the curve.
+        """
+        piece = self.along.cubic(after)
+        if piece is None or any(piece[2][2:]) or not piece[2][1] > 0.0:
+            return super().velocity_check(velocity, after)
+        speed, here = piece[2][1], self.along.position(after)
+        if not 0.0 <= here < self.path.duration:
+            return super().velocity_check(velocity, after)
+        knots = self.knots
+        until = knots[min(bisect_right(knots, after), len(knots) - 1)]
+        distance = self.path.velocity_crossing(velocity / speed, here)
+        return until if distance is None else min(until, after + (distance - here) / speed)
 
     def extrema(self) -> tuple[float, float]:
         """Return the smallest and the largest position, including extrema inside."""

@@ -690,6 +690,20 @@ def test_a_rest_without_an_end_is_a_phase_of_no_distance() -> None:
     assert made.phases[-1].duration == math.inf
 
 
+def test_a_velocity_at_uniform_speed_is_checked_again_where_the_curve_has_its_slope() -> None:
+    """At 20 on a circle of 10, x = 10 cos(2 t) has the velocity -20 sin(2 t).
+
+    The ramp at 50 takes 0.4 s and covers 4, or 0.4 rad: t counts from 0.2 s.
+    """
+    made = circle()
+    assert made.velocity_check(-10.0, 0.41) == pytest.approx(0.2 + 0.5 * math.pi / 6.0)
+    assert made.velocity_check(-10.0, 0.5) == pytest.approx(0.2 + 0.5 * math.pi / 2.0)  # the crest at -20
+    assert made.velocity_check(-10.0, 1.0) == pytest.approx(0.2 + 0.5 * (math.pi - math.pi / 6.0))
+    # The next knot is where x turns.
+    assert made.velocity_check(-20.5, 1.0) == pytest.approx(0.2 + 0.5 * math.pi)
+    assert made.velocity_check(10.0, 1.8) == pytest.approx(0.2 + 0.5 * (math.pi + math.pi / 6.0))
+
+
 def sampled_velocity(made: Profile, wanted: float, after: float, until: float) -> float:
     """Return when samples of the velocity, 2000 up to `until`, first change sides."""
     times = np.linspace(after, until, 2001)[:-1]
@@ -700,13 +714,15 @@ def sampled_velocity(made: Profile, wanted: float, after: float, until: float) -
 
 @pytest.mark.parametrize("wanted", [-19.0, -3.0, 0.0, 7.5, 18.0])
 @pytest.mark.parametrize("shape", ["trapezoid", "scurve"])
-@pytest.mark.parametrize("form", ["circle", "sequence", "sum"])
+@pytest.mark.parametrize("form", ["circle", "reverse", "sequence", "sum"])
 def test_a_velocity_is_checked_again_where_it_is_reached_and_at_each_knot(
     form: str, shape: str, wanted: float
 ) -> None:
     """Samples show that the velocity does not pass the level between two checks."""
     made = circle(sweep=5.0, shape=shape)
-    if form == "sequence":
+    if form == "reverse":
+        made = circle(sweep=-5.0, shape=shape)
+    elif form == "sequence":
         made = ProfileSequence("two", [made, circle(sweep=-2.0, shape=shape).scaled(made.end, 1.0)])
     elif form == "sum":
         made = added(made, circle(cosine=False, sweep=4.0, shape=shape), "sum")
