@@ -32,6 +32,10 @@ TESTS = Path(__file__).parent
 # and in those that it starts.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+# argparse looks up a translation of each of its messages in up to four files. In another locale than C, that takes
+# half the time of building a parser.
+os.environ["LANGUAGE"] = "C"
+
 # A shell starts background processes with Ctrl-C disabled, which every process of a test would inherit.
 for _name in ("SIGINT", "SIGTERM", "SIGHUP"):
     _number = getattr(signal, _name, None)
