@@ -10,22 +10,22 @@ import pytest
 from tests.forged.logs import Forged, candidates, chosen, forge
 
 
-def accepted(logs: list[Forged]) -> list[str]:
-    """Return the forged logs whose motion differs, but which the proof accepts."""
-    found = []
+def verdicts(logs: list[Forged]) -> dict[str, bool]:
+    """Return whether the proof accepts each of the forged logs whose motion differs."""
+    found = {}
     for each in logs:
         result, differs = forge(each)
-        if differs and not result.proof().violations:
-            found.append(str(each))
+        if differs:
+            found[str(each)] = not result.proof().violations
     return found
 
 
 def test_a_forged_log_is_rejected() -> None:
-    logs = chosen(112)
-    assert sum(forge(each)[1] for each in logs) >= 100
-    assert accepted(logs) == []
+    found = verdicts(chosen(112))
+    assert len(found) >= 100
+    assert [name for name, is_accepted in found.items() if is_accepted] == []
 
 
 @pytest.mark.long
 def test_every_forged_log_is_rejected() -> None:
-    assert accepted(list(candidates())) == []
+    assert not any(verdicts(list(candidates())).values())
