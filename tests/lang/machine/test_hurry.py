@@ -48,18 +48,18 @@ def test_loop_that_moves_an_axis_to_its_own_position_is_reported() -> None:
 def test_warn_is_called_once_for_each_warning(monkeypatch: pytest.MonkeyPatch) -> None:
     """The log is checked at 1024 profiles, and whenever it is full.
 
-    It is full at 4096, and after 4096 - 512 more, at 7680. One motion every 30 us gives 10 000 in 0.3 s.
+    It is full at 2048, and after 2048 - 512 more, at 3584. One motion every 30 us gives 4000 in 0.12 s.
     """
-    monkeypatch.setattr("motionlang.log.log.MAX_PROFILES", 4096)
+    monkeypatch.setattr("motionlang.log.log.MAX_PROFILES", 2048)
     reported: list[tuple[float, int]] = []
 
     def begun(machine: Machine) -> None:
         machine.warn = lambda diagnostic: reported.append((machine.clock.now, diagnostic.line))
 
     text = "Dim k As Float\nLoop\n  k = k + 0.001\n  JOG(0) = k\nEnd Loop\n"
-    result = run(Source("a.mnt", text), cache=False, until=0.3, begun=begun)
+    result = run(Source("a.mnt", text), cache=False, until=0.12, begun=begun)
     ((time, line),) = reported
     (found,) = result.diagnostics
     assert (line, time, found.count) == (4, found.first, 3)
-    assert time < 0.1
+    assert time < 0.04
     assert result.machine.warned == [found]
