@@ -25,7 +25,7 @@ MACHINE: dict[str, object] = {
 BODIES = {
     "a full buffer": 'For n = 1 To 6 : MOVER(0) = 3 : GO(0) : Print n; " "; POS(0) : Next\nPause IDLE(0)',
     "a path in a full buffer": "For n = 1 To 4 : VECTORR(0, 1) = 3, 4 : GO(0) : Print n : Next\nPause IDLE(0)",
-    "a loop that computes": 'For n = 1 To 30000 : POS(1) = n : Next\nPrint n; " "; POS(1)',
+    "a loop that computes": 'For n = 1 To 14000 : POS(1) = n : Next\nPrint n; " "; POS(1)',
     "a loop that polls": "MOVER(0) = 20 : GO(0)\nRepeat\nUntil POS(0) > 10\nPrint POS(0)",
     "waits": "For n = 1 To 5 : WAIT = 50 : Print TIME : Next",
 }
