@@ -707,7 +707,10 @@ def test_a_velocity_at_uniform_speed_is_checked_again_where_the_curve_has_its_sl
 def sampled_velocity(made: Profile, wanted: float, after: float, until: float) -> float:
     """Return when samples of the velocity, 2000 up to `until`, first change sides."""
     times = np.linspace(after, until, 2001)[:-1]
-    below = np.array([made.velocity(t) < wanted for t in times])
+    found = evaluate(made, times, 1)
+    for k in np.flatnonzero(np.abs(found - wanted) < 1e-9).tolist():  # the last bits decide
+        found[k] = made.velocity(times[k])
+    below = found < wanted
     changed = np.flatnonzero(below[1:] != below[:-1])
     return float(times[changed[0] + 1]) if len(changed) else until
 
