@@ -11,6 +11,7 @@ true, the axis is at p with the velocity v. Then it comes to rest at
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import pairwise
 
 import pytest
@@ -76,12 +77,25 @@ def program(kind: str, cause: str, action: str, limited: bool) -> tuple[str, dic
     return f"{HEAD}\n{before}\n{begin}\nWA{MOMENT},{then},WA{END}", {"input": inputs}, shift
 
 
+# Motions without a limit, by program and motor: they depend neither on the action nor on most causes.
+FREE: dict[tuple[str, bool], Run] = {}
+
+
+def go_free(mccl: Runner, kind: str, cause: str, action: str, motor: bool) -> Run:
+    """Run the program of a case without its limit, once for all cases with this program."""
+    text, nothing, _ = program(kind, cause, action, limited=False)
+    if (text, motor) not in FREE:
+        FREE[text, motor] = go(mccl, text, nothing, motor)
+    return FREE[text, motor]
+
+
 def go(mccl: Runner, text: str, machine: dict[str, object], motor: bool) -> Run:
     if motor:
         text = text.replace(HEAD, HEAD + GAINS)
     return mccl(text, machine={**FINE, **machine, **(MOTOR if motor else {})}, until=END)
 
 
+@cache
 def moment(free: Run, cause: str) -> float:
     """Return the time at which the limit becomes true, from the motion without it."""
     a = free.controller.axes[1]
@@ -110,8 +124,7 @@ def test_a_limit_holds(kind: str, cause: str, motor: bool, mccl: Runner) -> None
     for action in HARD:
         text, machine, shift = program(kind, cause, action, limited=True)
         result = go(mccl, text, machine, motor)
-        free_text, nothing, _ = program(kind, cause, action, limited=False)
-        free = go(mccl, free_text, nothing, motor)
+        free = go_free(mccl, kind, cause, action, motor)
         assert result.controller.has_motor(1) is motor
         time = moment(free, cause)
         before = free.controller.axes[1].at(time if cause != "renamed" else time - 1e-6)
