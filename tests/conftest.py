@@ -152,9 +152,10 @@ def pytest_collection(session: pytest.Session) -> Generator[None, object, object
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> bool | None:
-    """In a process of pytest-xdist, send only reports of calls and of what did not pass.
+    """Send only reports of calls and of failures to the main process of xdist.
 
-    Of the five messages of a test that passes, the main process needs one. `--durations` needs those of setups.
+    Of the five messages of a test that passes it needs one, but `--durations` also needs those of setups. A
+    skipped setup is reported, too.
     """
     if not hasattr(item.config, "workerinput") or item.config.option.durations is not None:
         return None

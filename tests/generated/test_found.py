@@ -1021,9 +1021,9 @@ def test_a_contour_that_already_brakes_for_its_next_path_is_suspended() -> None:
 def test_a_path_that_is_changed_hundreds_of_times(
     path: str, changes: int, length: float, ends: tuple[float, ...]
 ) -> None:
-    """The path continues as another entry of the log after 500 changes, with its original start.
+    """After 500 changes the path continues as another entry of the log.
 
-    ACCEL has no effect after 0.3 s: at 20 with 100 the path takes length/20 + 20/100 s.
+    It keeps its original start. ACCEL has no effect after 0.3 s: at 20 with 100 the path takes length/20 + 20/100 s.
     """
     change = f"WAIT = 300\nFor k = 1 To {changes}\nACCEL(0) = 100 + k Mod 2\nWAIT = 1\nNext\nPAUSE IDLE(0)\n"
     result = proved(f"{RATES}Dim k As Integer\n{path} : GO(0)\n{change}")

@@ -20,7 +20,7 @@ JOGS = "JOG(0) = 20\nWAIT = 1000\nJOG(0) = 10\nWAIT = 2000\nEnd\nEvent ONERROR\n
 
 
 def violations(load: str) -> list[str]:
-    """Return the violations of a proof of 4 s; the input is closed from 0.5 s to the end."""
+    """Return the violations of a proof of 4 s; from 0.5 s the input is closed."""
     machine = {"controller.instruction_time": 1e-9, "input": [{"channel": 2, "at": 0.5}]}
     source = Source("held.mnt", f"{RATES}{TIE}{LOADS[load]}{JOGS}")
     result = run(source, machine=machine, cache=False, prove=True, until=4.0)

@@ -82,7 +82,7 @@ FREE: dict[tuple[str, bool], Run] = {}
 
 
 def go_free(mccl: Runner, kind: str, cause: str, action: str, motor: bool) -> Run:
-    """Run the program of a case without its limit, once for all cases with this program."""
+    """Return the run of a case without its limit, once for equal programs."""
     text, nothing, _ = program(kind, cause, action, limited=False)
     if (text, motor) not in FREE:
         FREE[text, motor] = go(mccl, text, nothing, motor)
