@@ -974,14 +974,31 @@ def test_a_stop_that_is_planned_again_many_times_keeps_its_time() -> None:
 
 
 def test_a_ramp_that_is_over_within_the_rounding_of_the_clock() -> None:
-    """SRAMP was set while SPEED was 0, so its ramps have no duration.
+    """The acceleration builds up in 0 s: a trapezoid at a speed of 25.
 
-    The move at a speed of 25 is a trapezoid, and takes 1 / 25 + 25 / 10⁵ s.
+    It takes 1 / 25 + 25 / 10⁵ s.
     """
+    result = proved(
+        "SPEED(0) = 25 : PROFILEMODE(0) = 1\nACCELJERKTIME(0) = 0 : DECELJERKTIME(0) = 0\n"
+        "MOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\n"
+    )
+    assert result.time == pytest.approx(0.04025, abs=1e-6)
+
+
+def test_the_ramps_of_sramp_are_those_of_the_move_whatever_the_speed_of_the_axis_is() -> None:
+    """At 25 with ramps half as long again, 1 takes 1 / 25 + 1.5 * 25 / 10⁵ s."""
     result = proved(
         "FEEDRATEPARAMETER(0, 0) = 25\nSRAMP(0) = 50\nSPEED(0) = 0\nMOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\n"
     )
-    assert result.time == pytest.approx(0.04025, abs=1e-6)
+    assert result.time == pytest.approx(0.040375, abs=1e-6)
+
+
+def test_a_path_loaded_with_its_speed_has_ramps_of_it() -> None:
+    """The path keeps its own speed when SPEED becomes 0, and the jerk of that speed."""
+    proved(
+        "MOVER(0) = 18.852\nSRAMP(0) = 100 : FEEDRATEMODE(0) = 3\nCIRCLEA(0, 1) = -1.008, 3.712, -153 : GO(0)\n"
+        "SPEED(0) = 0\nEvent ONERROR\nEnd Event\n"
+    )
 
 
 def test_a_cam_whose_master_leaves_its_beginning_backwards_on_an_arc() -> None:

@@ -435,9 +435,10 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/paths.py: _check_end: reached > expected + SLACK * max(1.0, slow.came) + "
     "4.0 * late * max(order.rates) -> reached >= expected + SLACK * max(1.0, slow.came) + 4.0 * late * "
     "max(order.rates)": ("just at the size of rounding either is right"),
-    "motionlang/analysis/proof/paths.py: _check_joins: gap > SLACK * max(1.0, came, *(r for r in "
-    "(order.speed, *order.rates) if r < inf)) -> gap >= SLACK * max(1.0, came, *(r for r in "
-    "(order.speed, *order.rates) if r < inf))": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/paths.py: _check_joins: gap > slack + (rounded if name == 'acceleration' else "
+    "0.0) -> gap >= slack + (rounded if name == 'acceleration' else 0.0)": (
+        "just at the size of rounding either is right"
+    ),
     "motionlang/analysis/proof/paths.py: _check_path_time: abs(first[2]) > SLACK * max(by.rates) -> "
     "abs(first[2]) >= SLACK * max(by.rates)": ("just at the size of rounding either is right"),
     "motionlang/analysis/proof/paths.py: _check_path_time: span.peak(1) > SLACK * speed -> span.peak(1) "
@@ -589,7 +590,7 @@ EQUIVALENT: dict[str, str] = {
     "seen.first_beyond(limit) / self.loop.servo_rate": ("the samples before it are then run one by one"),
     "motionlang/analysis/proof/flanks.py: begin: 0 -> 1": "both jerks are infinite, or neither is",
     "motionlang/analysis/proof/paths.py: _check_joins: 0 -> 1": "both jerks are infinite, or neither is",
-    "motionlang/analysis/proof/paths.py: stops_within: 0 -> 1 #6": (
+    "motionlang/analysis/proof/paths.py: stops_within: 0 -> 1 #5": (
         "a stop from a positive speed only slows down"
     ),
     "motionlang/analysis/proof/paths.py: _check_path: each.begin <= share * length -> each.begin < share * length": (
