@@ -50,8 +50,9 @@ def check_blend(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order
         if finish - begin > ROUNDED * (1.0 + begin):
             ends.append(finish)
             entries.append(moves)
-            plan, suspended = _tail_in_force(run, master, i, tail), suspended_by(run, master, i, tail)
-            check_tail(proof, run, plan, begin, finish - begin, suspended, _planned_at(run, master, i, plan))
+            plan, k = _tail_in_force(run, master, i, tail), _plan_index(run, master, i, tail)
+            suspended = suspended_by(run, master, k, tail)
+            check_tail(proof, run, plan, begin, finish - begin, suspended, master.starts[k])
     if len(ends) >= MAX_OVERLAP:
         count = len(ends) + 1
         words = f"{count} paths overlap at {begin:.6f} s, at most {MAX_OVERLAP} may"
@@ -78,21 +79,23 @@ def _tail_in_force(run: Run, master: WholeTrack, i: int, tail: Order) -> Order:
     return tail
 
 
-def _planned_at(run: Run, master: WholeTrack, i: int, tail: Order) -> float:
-    """Return when a blended path was planned by the order in force at profile i."""
+def _plan_index(run: Run, master: WholeTrack, i: int, tail: Order) -> int:
+    """Return the number of the profile at which a blended path was planned.
+
+    It was planned by the order in force at profile i.
+    """
     assert tail.path is not None
-    found = master.starts[i]
     for k in range(i - 1, -1, -1):
         order = run.expected_motion.of[master.index][k]
-        same = [
-            each
-            for each in (order, *(order.path.tails if order.path is not None else ()))
-            if each.path is not None and each.path.entry == tail.path.entry
-        ]
-        if not same or same[0].speed != tail.speed or not same_law(same[0], tail):
-            break
-        found = master.starts[k]
-    return found
+        for each in (order, *(order.path.tails if order.path is not None else ())):
+            if each.path is not None and each.path.entry == tail.path.entry:
+                break
+        else:
+            return k + 1
+        stops = each.path.comes_to_rest != tail.path.comes_to_rest
+        if stops or each.speed != tail.speed or not same_law(each, tail):
+            return k + 1
+    return 0
 
 
 def suspended_by(run: Run, master: WholeTrack, i: int, tail: Order) -> Order | None:

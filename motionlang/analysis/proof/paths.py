@@ -169,8 +169,8 @@ def check_tail(
 ) -> None:
     """Check the speed along a path and its changes while another is blended onto it.
 
-    `suspended` is the order of its motion before it was resumed at `begin`, if it was. `planned_at` is when it was
-    planned by `order`, if before `begin`: a path without room to slow down then runs at the speed of that plan.
+    `planned_at` is when it was planned by `order`, if before `begin`: a path without room to slow down runs at the
+    speed of that plan. `suspended` is the order of its motion before it was resumed then, if it was.
     """
     path = order.path
     assert path is not None
@@ -178,15 +178,18 @@ def check_tail(
     layout = PathLayout(path, run.origins(path))
     along = spans_along([(profile, begin - path.begun) for profile in profiles], layout, length)
     where = f"path from {path.begun:.6f} s at {begin:.6f} s"
-    if along and suspended is not None and _cannot_stop(order, layout, along, 0.0):
+    if not along:
+        return
+    first, planned = along, 0.0
+    if planned_at is not None and planned_at < begin and not path.comes_to_rest:
+        rows = [(profile, planned_at - path.begun) for profile in profiles]
+        first = spans_along(rows, layout, begin - planned_at)
+        travelled, v0, a0, _ = first[0].at(0.0)
+        planned = _slowing(order, layout, v0, a0, layout.length - travelled, inf).speed
+    if suspended is not None and _cannot_stop(order, layout, first, 0.0):
         stop, along = _until_rest(along)
         _check_along(proof, suspended, layout, stop, where)
     if along:
-        planned = 0.0
-        if planned_at is not None and planned_at < begin and not path.comes_to_rest:
-            rows = [(profile, planned_at - path.begun) for profile in profiles]
-            travelled, v0, a0, _ = spans_along(rows, layout, begin - planned_at)[0].at(0.0)
-            planned = _slowing(order, layout, v0, a0, layout.length - travelled, inf).speed
         _check_along(proof, order, layout, along, where, planned=planned)
 
 

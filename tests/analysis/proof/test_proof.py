@@ -167,6 +167,12 @@ def test_a_path_resumed_by_another_shape_completes_its_stop_by_the_first_one(pat
 
 # Settings written while a path stops, or shortly before its end, that apply later.
 LATER = (
+    # The stop of SUSPEND continues while the next path is blended onto the resumed one, whose jerk is lower.
+    "SPEED(0) = 55.34 : ACCEL(0) = 927.064 : DECEL(0) = 773.824\n"
+    "PROFILEMODE(0) = 1 : ACCELJERK(0) = 1778.643 : DECELJERK(0) = 17973.371\nSRAMP(0) = 50\n"
+    "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 7.345\n"
+    "VECTORR(0, 1) = 6.246, 1.472 : VECTORR(0, 1) = -15.15, -16.104 : GO(0)\nPAUSE Abs(VEL(1)) > 11.37\n"
+    "SUSPEND(0) = 1\nACCELJERK(0) = 16599.76\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n",
     # The stop of SUSPEND keeps its jerk, 18 000; the path resumed before its end has one of 5000.
     "PROFILEMODE(0) = 1 : ACCELJERK(0) = 17000 : DECELJERK(0) = 18000\n"
     "VECTORR(0, 1) = -5, 13 : VECTORR(0, 1) = 18, 15 : GO(0)\nPAUSE Abs(VEL(0)) > 6\nSUSPEND(0) = 1\n"
