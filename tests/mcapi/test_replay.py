@@ -13,7 +13,7 @@ from motionlang import mcapi as mc
 from motionlang.cli import main
 from motionlang.mcapi import Mcapi
 from motionlang.mcapi.client import VirtualBoard
-from motionlang.mcapi.log import BadLog, Recorder, read
+from motionlang.mcapi.log import BadLog, Recorder, model_of, read
 from motionlang.mcapi.replay import Replay
 
 # The move of 5000 counts at 100 000 counts/s² takes twice the root of s/a.
@@ -147,6 +147,12 @@ def test_a_replay_on_another_model_says_which(tmp_path: Path, capsys: pytest.Cap
     assert found.err == "note: the log is of a dcx-pci100, this board is a multiflex\n"
     assert "a.log:3: at " in found.out
     assert "the log is of a dcx-pci100, this board is a multiflex\n  MCGetConfigurationEx 1 +\n" in found.out
+
+
+def test_the_model_is_what_the_first_200_bytes_of_a_log_say() -> None:
+    assert model_of(io.BytesIO(b"mcapi-log 1 dcx-pci100\n0.0")) == "dcx-pci100"
+    assert model_of(io.BytesIO(b"mcapi-log 1\n")) == ""
+    assert model_of(io.BytesIO(b"mcapi-log 1 " + 300 * b"x")) == (200 - len("mcapi-log 1 ")) * "x"
 
 
 @pytest.mark.parametrize(

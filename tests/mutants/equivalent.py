@@ -842,4 +842,9 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mccl/runtime/loop_log.py: 1 -> 2": "another number that no command of a line has",
     "motionlang/servo/discrete.py: Regime: True -> False": "nothing assigns to a regime or hashes one",
     "motionlang/servo/discrete.py: Regime: True -> False #2": "a regime has a dictionary, too",
+    "motionlang/controller/feedback.py: Feedback: _is_armed: self.error_limit < INFINITY -> self.error_limit <= "
+    "INFINITY": "no error is above an infinite limit",
+    "motionlang/controller/motion/sampled_velocity.py: Track: _tick: velocity + following -> velocity - following": (
+        "the end is finite only if the velocity that follows is 0"
+    ),
 }

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from motionlang.analysis.sweeps import pool
+from motionlang.analysis.sweeps import job, pool
 from motionlang.analysis.sweeps.pool import Hand, _Chunk
 
 
@@ -198,3 +198,14 @@ def test_a_small_sweep_needs_no_other_process(monkeypatch: pytest.MonkeyPatch) -
         made = hand(count, jobs=jobs)
         assert list(made._alone()) == list(range(done))
         assert made._left == count - done
+
+
+def test_a_process_keeps_the_workers_of_the_last_eight_jobs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(job, "_WORKERS", {})
+    monkeypatch.setattr(job, "Worker", lambda given: SimpleNamespace(job=given))
+    jobs: list[Any] = [SimpleNamespace(digest=str(number)) for number in range(9)]
+    first = [job.worker_of(each) for each in jobs[:8]]
+    assert [job.worker_of(each) for each in jobs[:8]] == first
+    job.worker_of(jobs[8])
+    assert list(job._WORKERS) == ["1", "2", "3", "4", "5", "6", "7", "8"]
+    assert job.worker_of(jobs[7]) is first[7]

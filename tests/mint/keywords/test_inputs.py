@@ -135,6 +135,14 @@ def test_an_input_shows_its_level_at_once_when_debouncing_ends() -> None:
     assert run(Source("a.mnt", text), machine={"input": CONTACT}, cache=False).output == ["0", "1", "1"]
 
 
+def test_a_sample_that_is_due_later_is_dropped_when_debouncing_ends() -> None:
+    """A change at 2.5 ms is sampled at 3 ms; debouncing ends at 2.7 ms."""
+    begin = "INPUTDEBOUNCE = 10\nWAIT = 2\n" + "n = 1\n" * 4
+    text = f"{begin}PRINT INX(0)\nINPUTDEBOUNCE = 1\nPRINT INX(0)\nWAIT = 5\nPRINT INX(0)"
+    machine = {"input": [{"channel": 0, "at": 0.0025}], "controller.instruction_time": 1e-4}
+    assert run(Source("a.mnt", text), machine=machine, cache=False).output == ["0", "1", "1"]
+
+
 def test_bank_is_the_bank_of_keywords_without_brackets() -> None:
     text = "BANK = 1\nINPUTDEBOUNCE = 3\nOUT = 5\nPRINT BANK, INPUTDEBOUNCE(0), INPUTDEBOUNCE(1), OUTX(32), OUTX(34)"
     assert run(Source("a.mnt", text), cache=False).output == ["11311"]
