@@ -1,0 +1,24 @@
+"""The place of a command: its line, column and length."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.mccl.runtime.program import locate
+from motionlang.source import Source
+
+
+@pytest.mark.parametrize(
+    ("text", "at", "place"),
+    [
+        ("1MN,1MR400,1WS", 0, (1, 1, 3)),
+        ("1MN,1MR400,1WS", 4, (1, 5, 6)),
+        ("1MN\n1MR400", 4, (2, 1, 6)),
+        # A line of over 255 characters is an error of the line: as much of it as a terminal shows.
+        ("1TP" + 252 * " ", 0, (1, 1, 3)),
+        ("1TP" + 253 * " ", 0, (1, 1, 80)),
+        ("1TP," + 253 * " " + "1TP", 257, (1, 258, 3)),
+    ],
+)
+def test_a_command_has_a_line_a_column_and_a_length(text: str, at: int, place: tuple[int, int, int]) -> None:
+    assert locate(Source("a.mcl", text), at) == place
