@@ -357,3 +357,12 @@ def test_a_loop_that_starts_motion_after_motion_is_reported_by_its_last_move(
     log._check_hurry()
     assert [each[:2] for each in reported] == found
     assert [span for *_, span in reported] == pytest.approx([7.0 * interval] * len(found))
+
+
+def test_a_log_has_the_bytes_that_fit_into_its_file() -> None:
+    """Of 100 bytes, 60 and 40 fit; one more ends the run."""
+    store = Store(memory=0, disk=100)
+    first, second = store.put(60 * b"a"), store.put(40 * b"b")
+    assert (store.get(first), store.get(second), store.size) == (60 * b"a", 40 * b"b", 100)
+    with pytest.raises(Rejected, match="the log of the run has reached 1e-07 GB"):
+        store.put(b"c")

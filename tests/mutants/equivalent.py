@@ -847,4 +847,10 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/motion/sampled_velocity.py: Track: _tick: velocity + following -> velocity - following": (
         "the end is finite only if the velocity that follows is 0"
     ),
+    "motionlang/mccl/runtime/poll.py: Poll: __init__: 0.0 -> 1.0": (
+        "the base of the last iteration is read only if the positions agree, which the first one never does"
+    ),
+    "motionlang/planners/segment_speed.py: exit_speed: length * (1.0 + _SLACK) -> length / (1.0 + _SLACK)": (
+        "just at the size of rounding either is right"
+    ),
 }
