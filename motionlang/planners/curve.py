@@ -248,10 +248,14 @@ class Profile:
         """Return the first time >= `after` at `velocity`, or None if there is none."""
         return _crossing.velocity_crossing(self, velocity, after)
 
+    def next_knot(self, after: float) -> float:
+        """Return the first knot after a time, or the last one."""
+        knots = self.knots
+        return knots[min(bisect_right(knots, after), len(knots) - 1)]
+
     def velocity_check(self, velocity: float, after: float) -> float:
         """Return when to compare the velocity again: at `velocity` or at the next knot."""
-        knots = self.knots
-        until = knots[min(bisect_right(knots, after), len(knots) - 1)]
+        until = self.next_knot(after)
         found = self.velocity_crossing(velocity, after)
         return until if found is None else min(found, until)
 

@@ -7,7 +7,6 @@ states where it is smooth (`knots`) and gives position, velocity and acceleratio
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from itertools import pairwise
 from math import inf, nextafter
 
@@ -128,8 +127,7 @@ class Formula(Profile):
 
     def velocity_check(self, velocity: float, after: float) -> float:
         """Return when to compare the velocity again: at `velocity` or at the next knot."""
-        knots = self.knots
-        until = knots[min(bisect_right(knots, after), len(knots) - 1)]
+        until = self.next_knot(after)
         found = self._first(self.velocity, self.acceleration, velocity, max(after, 0.0), until)
         return until if found is None else found
 

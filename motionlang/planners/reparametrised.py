@@ -7,7 +7,7 @@ cycles of a cam share one curve, each with its own `lift`.
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
+from bisect import bisect_left
 from functools import lru_cache
 from math import inf, nextafter
 
@@ -154,8 +154,7 @@ class Reparametrised(Formula):
         speed, here = piece[2][1], self.along.position(after)
         if not 0.0 <= here < self.path.duration:
             return super().velocity_check(velocity, after)
-        knots = self.knots
-        until = knots[min(bisect_right(knots, after), len(knots) - 1)]
+        until = self.next_knot(after)
         distance = self.path.velocity_crossing(velocity / speed, here)
         return until if distance is None else min(until, after + (distance - here) / speed)
 
