@@ -9,7 +9,8 @@ Several seeds are several draws of COUNT that share one recording of the coverag
 
 `--only TEXT` selects the mutants whose names contain the text. `--tests PATH` runs only those tests, to see if a
 new test kills. `--after LOG` first runs the tests that killed a mutant in an earlier run, whose output is LOG;
-all tests then run only against the mutants that survive these.
+all tests then run only against the mutants that survive these. `--budget SECONDS` gives each mutant less or more
+CPU time for its tests: a survey of a package with its own tests needs little.
 """
 
 from __future__ import annotations
@@ -32,8 +33,10 @@ from tests.mutants.equivalent import EQUIVALENT
 from tests.mutants.forks import (
     ALONE,
     BEGUN,
+    BUDGET,
     CHOSEN,
     FAILED,
+    MUTANT_SECONDS,
     NONE,
     TASKS,
     VERDICTS,
@@ -261,7 +264,9 @@ if __name__ == "__main__":
     parser.add_argument("--only", metavar="TEXT", action="append", default=[])
     parser.add_argument("--tests", metavar="PATH", action="append", default=[])
     parser.add_argument("--after", metavar="LOG", type=Path)
+    parser.add_argument("--budget", metavar="SECONDS", type=float, default=BUDGET)
     parser.add_argument("--jobs", metavar="N", type=int, default=os.cpu_count() or 1)
     given = parser.parse_args()
+    os.environ[MUTANT_SECONDS] = str(given.budget)  # for the workers
     earlier = given.after.read_text(encoding="utf-8") if given.after is not None else ""
     sys.exit(main(given.count, given.seed, given.only, given.tests or default_tests(), earlier, given.jobs))

@@ -35,10 +35,11 @@ from tests.mutants.recorder import ACTIVE, SEEN, activate, record
 TASKS, VERDICTS, REACHED = "mutants.json", "verdicts.fifo", "reached"
 # The names of the tests to run, if not complete files.
 CHOSEN = "chosen.json"
-# Environment variables: the number of this worker and of all workers, and the files of a process with one
-# mutant.
+# Environment variables: the number of this worker and of all workers, the files of a process with one mutant, and
+# the budget of a mutant.
 WORKER, WORKERS = "MOTIONLANG_WORKER", "MOTIONLANG_WORKERS"
 ALONE, FAILED = "MOTIONLANG_ALONE", "MOTIONLANG_FAILED"
+MUTANT_SECONDS = "MOTIONLANG_MUTANT_SECONDS"
 # CPU seconds of a test in addition to ten times its duration, and bytes for a child and for a file it writes.
 EXTRA, MEMORY, FILE = 10.0, 6_000_000_000, 1_000_000_000
 # Seconds of real time after which a waiting test is ended.
@@ -273,12 +274,13 @@ def by_likelihood(tests: Mapping[str, Mapping[str, Any]]) -> list[str]:
 
 
 def within_budget(names: list[str], durations: dict[str, float]) -> list[str]:
-    """Return the first tests whose total is within `BUDGET`, and all tests of `NET`."""
+    """Return the first tests whose total is within the budget, and all tests of `NET`."""
+    budget = float(os.environ.get(MUTANT_SECONDS, BUDGET))
     total, chosen = 0.0, []
     for name in names:
         if not name.startswith(NET):
             total += durations[name]
-        if total <= BUDGET or name.startswith(NET):
+        if total <= budget or name.startswith(NET):
             chosen.append(name)
     return chosen
 
