@@ -7,7 +7,7 @@ cycles of a cam share one curve, each with its own `lift`.
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from functools import lru_cache
 from math import inf, nextafter
 
@@ -257,26 +257,29 @@ def crossings(profile: Profile, position: float) -> list[float]:
     duration, two of them count as one unless the profile goes beyond `position` between them.
     """
     found: list[float] = []
-    after = 0.0
+    here = after = 0.0
     duration = 1.0 + min(profile.duration, 1e6)
     nearness, step = _EXTREMUM * duration, _ROUNDING * duration
     least = _ROUNDING * max(abs(profile.start), abs(profile.end), abs(position))
+    pause = step
     while len(found) < _MAX_CROSSINGS:
         time = profile.crossing(position, after)
         if time is None or time > profile.duration or time == inf:
             break
-        if time > after or not found:
-            if found and time - found[-1] < nearness:
-                between = profile.position(0.5 * (found[-1] + time))
-                if abs(between - position) <= least:
-                    after = time + max(step, time - found[-1])
-                    continue
+        stays = found and (
+            time <= after
+            or (time - here < nearness and abs(profile.position(0.5 * (here + time)) - position) <= least)
+        )
+        here = time
+        if not stays:
             found.append(time)
-            after = time + step
+            after, pause = time + step, step
             continue
-        after = next((knot for knot in profile.knots if knot > after), inf)  # it rests there
-        if after == inf:
+        # It rests, or is slow at an extremum: look further and further ahead, up to the next knot.
+        next_knot = bisect_right(profile.knots, time)
+        if next_knot == len(profile.knots):
             break
+        after, pause = min((time + pause, 2.0 * pause), (profile.knots[next_knot], step))
     return found
 
 

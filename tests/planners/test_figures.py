@@ -97,9 +97,9 @@ def test_a_piece_from_a_later_origin_is_the_same_curve(piece: Piece, x: float) -
         # (x + 1)³ - 1 turns nowhere in positive time; x³ + x has no turning point.
         ((0.0, 3.0, 3.0, 1.0, 0.0, 0.0, 0.0), 9.0, [], [], []),
         ((0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0), 9.0, [], [], []),
-        # The rate 0.5 + cos(x/2 + pi/6) is 0 at x/2 + pi/6 = 2 pi/3; the crest of the wave is at pi/2.
-        ((5.0, 0.5, 0.0, 0.0, 2.0, 0.5, pi / 6), 4.0, [pi], [], [2 * pi / 3]),
-        ((5.0, 0.5, 0.0, 0.0, 2.0, 0.5, pi / 6), 2.0, [], [], []),
+        # The rate 1 + 2 cos(x/2 + pi/6) is 0 at x/2 + pi/6 = 2 pi/3; the crest of the wave is at pi/2.
+        ((5.0, 1.0, 0.0, 0.0, 4.0, 0.5, pi / 6), 4.0, [pi], [], [2 * pi / 3]),
+        ((5.0, 1.0, 0.0, 0.0, 4.0, 0.5, pi / 6), 2.0, [], [], []),
         (WAVE, 4.0, [], [], [2 * pi / 3]),
     ],
 )

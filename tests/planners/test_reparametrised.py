@@ -325,6 +325,17 @@ def test_two_crossings_at_a_corner_are_two_however_near_they_are(depth: float) -
     assert crossings(corner, -depth) == pytest.approx([2.0])
 
 
+@pytest.mark.parametrize("below", [0.0, 1e-15, 1e-12, 1e-9, 1e-8, 1e-6, 1e-3])
+def test_both_sides_of_a_top_are_reached_however_slow_it_is_there(below: float) -> None:
+    """10·t - 5·t² is 5 at 1 s, and less by `below` at 1 ± sqrt(below / 5). Rounding hides the sides of 1e-15."""
+    top = from_curve(
+        "cam", 0.0, 0.0, ((0.0, 2.0), ((0.0, 10.0, -5.0, 0.0, 0.0, 0.0, 0.0),), (("cam", 0),)), 10.0, -10.0
+    )
+    aside = math.sqrt(below / 5.0)
+    expected = [1.0 - aside, 1.0 + aside] if below > 1e-14 else [1.0]
+    assert crossings(top, 5.0 - below) == pytest.approx(expected, abs=1e-7)
+
+
 @pytest.mark.parametrize("degrees", [0, 90, 180, 270, 360, -90, 450])
 def test_quarter_turns_are_exact(degrees: float) -> None:
     x, y = rotated(3.0, 4.0, degrees)

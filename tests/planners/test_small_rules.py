@@ -32,6 +32,7 @@ from motionlang.planners.rate import Rate
 from motionlang.planners.reach import remedies
 from motionlang.planners.reparametrised import knot_distances
 from motionlang.planners.segment_speed import _farthest, between, entry_speed, exit_speed
+from motionlang.planners.sequence import ProfileSequence
 from motionlang.planners.solve import solve_move
 from motionlang.planners.stop import ramps_of
 from motionlang.planners.superposition import added
@@ -130,6 +131,12 @@ def test_a_profile_of_ramps_too_short_to_count_stands_still() -> None:
     made = Profile("trapezoid", 3.0, 3.0, time, (0.0, time, 0.0, 0.0))
     assert made.knots == (0.0, time)
     assert made.pieces == ((3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),)
+
+
+def test_all_of_a_sequence_is_the_sequence() -> None:
+    both = ProfileSequence("pvt", [MOVE, MOVE.shifted(100.0)], "pvt")
+    assert both.cut(both.duration) is both
+    assert both.cut(MOVE.duration).duration == MOVE.duration
 
 
 def test_a_ramp_that_never_ends_is_a_move_too_large() -> None:

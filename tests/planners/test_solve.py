@@ -73,7 +73,14 @@ RELATIONS = (
     [
         ({"distance": 20.0, "time": 0.6}, "not enough is known: accel time, slew time"),
         ({"distance": 20.0, "time": 0.6, "speed": 10.0}, "contradiction: the distance does not fit"),
-        ({"speed": 8.0, "accel": 16.0, "decel": 16.0, "distance": 12.0, "time": 3.0}, "contradiction"),
+        (
+            {"speed": 8.0, "accel": 16.0, "decel": 16.0, "distance": 12.0, "time": 3.0},
+            "distance 12 .given. against 20 from",
+        ),
+        (
+            {"speed": 8.0, "accel": 16.0, "decel": 16.0, "distance": 2.0},
+            "the distance does not fit the speed",
+        ),
         ({"distance": 20.0, "time": 0.1, "accel": 10.0, "decel": 10.0}, "cannot be covered in the time"),
         ({"speed": 10.0, "accel": 1.0, "accel_time": 2.0}, "not enough|contradiction"),
         ({"speed": 0.0}, "speed must be greater than zero"),
@@ -83,6 +90,12 @@ RELATIONS = (
 def test_what_cannot_be_solved(given: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         solve_move(**given)
+
+
+def test_a_rule_leaves_no_time_after_a_ramp_of_more_than_two_thirds() -> None:
+    """0.9 s up and 1/3 s down take longer than 1 s."""
+    with pytest.raises(ValueError, match="the ramps alone take longer than the move"):
+        solve_move("third", distance=5.0, time=1.0, accel_time=0.9)
 
 
 def test_an_unknown_rule() -> None:

@@ -299,6 +299,12 @@ def test_the_first_steps_towards_a_velocity(name: str) -> None:
         assert made.phases[0].name == ("accel" if abs(reached) > v0 else "decel")
 
 
+@pytest.mark.parametrize("v1", [math.nextafter(9.0, 0.0), math.nextafter(9.0, math.inf)])
+def test_a_last_flank_ends_at_the_speed_itself_whatever_is_rounded(v1: float) -> None:
+    """From 13, the deceleration of 40 falls at 200 to the velocity 13 - 40²/400 = 9."""
+    assert initial_steps(UP_DOWN, 13.0, -40.0, v1) == (((200.0, 0.2),), v1)
+
+
 @pytest.mark.parametrize(("a0", "expected"), [(80.0, 18.0), (-80.0, -6.0), (0.0, 10.0)])
 def test_the_velocity_after_an_acceleration_was_ramped_down(a0: float, expected: float) -> None:
     assert eased_speed(UP_DOWN, 10.0, a0) == expected
