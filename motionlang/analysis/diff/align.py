@@ -77,20 +77,19 @@ def _myers(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
                 i += 1
             furthest[k] = i
             if i >= len(a) and i - k >= len(b):
-                return _backtrack(steps, len(a), len(b), a, b)
+                return _backtrack(steps, len(a), len(b))
     return None
 
 
-def _backtrack(
-    steps: list[dict[int, int]], i: int, j: int, a: Sequence[Hashable], b: Sequence[Hashable]
-) -> Pairs:
+def _backtrack(steps: list[dict[int, int]], i: int, j: int) -> Pairs:
+    """Return what is common up to positions i and j: after each edit, the rest of its diagonal."""
     pairs = []
     for edits in range(len(steps) - 1, -1, -1):
         furthest, k = steps[edits], i - j
         down = k == -edits or (k != edits and furthest[k - 1] < furthest[k + 1])
         before = k + 1 if down else k - 1
         start = furthest[before] if edits else 0
-        while i > start + (0 if down or not edits else 1) and i > 0 and j > 0 and a[i - 1] == b[j - 1]:
+        while i > start + (0 if down or not edits else 1):
             i, j = i - 1, j - 1
             pairs.append((i, j))
         if edits:
