@@ -12,6 +12,9 @@ from pathlib import Path
 
 import pytest
 from _pytest.runner import runtestprotocol
+
+# Hypothesis imports the plugins of other libraries, such as that of trio, in each process.
+os.environ.setdefault("HYPOTHESIS_NO_PLUGINS", "1")
 from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 

@@ -202,8 +202,8 @@ def test_the_locations_exist() -> None:
 def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """Interrupt each line that starts, records or packs a fast-path move.
 
-    The run up to then is complete, with no duplicates. Each line is interrupted at its first and last
-    execution. Of the other executions 5 are interrupted, or all with `long`.
+    The run up to then is complete, with no duplicates. Each line is interrupted at its first and, every third, at
+    its last execution. Of the other executions 5 are interrupted, or all with `long`.
     """
     for name, most in {"FIRST_CHECK": 1, "HURRY": 0.0, "MAX_PROFILES": 6, "LEFT_PROFILES": 2}.items():
         monkeypatch.setattr(f"motionlang.log.log.{name}", most)
@@ -216,7 +216,8 @@ def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: p
     ended = result
     begun = [(each.start_time, each.axis, each.line) for each in result.controller.log.moves]
     tracks = motion(result)
-    chosen = {*whole.first.values(), *whole.last.values(), *Random(1).sample(range(1, whole.count), 5)}
+    chosen = {*whole.first.values(), *sorted(whole.last.values())[::3]}
+    chosen |= {*Random(1).sample(range(1, whole.count), 5)}
     for at in range(1, whole.count + 1) if every else sorted(chosen):
         result = ran(source, Ended(STEPS, at), monkeypatch)
         assert result.status == "interrupted", at
