@@ -260,7 +260,7 @@ def crossings(profile: Profile, position: float) -> list[float]:
     here = after = 0.0
     duration = 1.0 + min(profile.duration, 1e6)
     nearness, step = _EXTREMUM * duration, _ROUNDING * duration
-    least = _ROUNDING * max(abs(profile.start), abs(profile.end), abs(position))
+    least = _ROUNDING * max(map(abs, (*profile.extrema(), position)))
     pause = step
     while len(found) < _MAX_CROSSINGS:
         time = profile.crossing(position, after)

@@ -336,6 +336,15 @@ def test_both_sides_of_a_top_are_reached_however_slow_it_is_there(below: float) 
     assert crossings(top, 5.0 - below) == pytest.approx(expected, abs=1e-7)
 
 
+@pytest.mark.parametrize("position", [1e-9, 1e-7, 1e-3])
+def test_a_table_that_ends_at_rest_is_just_before_it_once(position: float) -> None:
+    """The last cubic is 10 + 7.5·u - 45·u² + 27.5·u³ up to u = 1: t before that, it is nearly 37.5·t²."""
+    table = table_curve([0.0, 3.0, 3.5, 4.5], [0.0, 0.0, 10.0, 0.0], "cubic")
+    found = crossings(table, position)
+    assert len(found) == 2
+    assert found[1] == pytest.approx(4.5 - math.sqrt(position / 37.5), abs=2e-5)
+
+
 @pytest.mark.parametrize("degrees", [0, 90, 180, 270, 360, -90, 450])
 def test_quarter_turns_are_exact(degrees: float) -> None:
     x, y = rotated(3.0, 4.0, degrees)
