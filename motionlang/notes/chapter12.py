@@ -93,7 +93,7 @@ class Listing:
             return False
         s, ahead = self.settings, self.position + self.velocity
         if self.velocity < s.speed:
-            self.decelerating = self.velocity > 0 and 2 * ahead > s.distance
+            self.decelerating = 2 * ahead > s.distance
         else:
             self.decelerating = ahead > s.distance - self.ramp_distance
         return self.decelerating

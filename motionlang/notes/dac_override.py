@@ -62,8 +62,8 @@ def demonstrate(
     if not share < 1.0:
         raise ValueError(f"the demanded fraction of the limit must be below 1, not {share:g}")
     coarse = dac_timing(speed, limit, 12)
-    fine_steps = max(1, int(coarse.electrical_time_constant / dac_timing(speed, limit, 16).step_time))
-    hold_updates = max(1, ceil(coarse.hold_time / UPDATE - 1e-9))
+    fine_steps = int(coarse.electrical_time_constant / dac_timing(speed, limit, 16).step_time)
+    hold_updates = ceil(coarse.hold_time / UPDATE * (1.0 - 1e-9))
     scale = FULL_COUNTS / speed
     variants = (
         ("12 bits, free", 12, 0, 1),

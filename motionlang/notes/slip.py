@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.planners.dissect import slip_acceleration
 from motionlang.planners.limits import check_positive
-from motionlang.planners.pieces import acceleration_in
+from motionlang.planners.pieces import acceleration_in, crest_points
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -79,14 +79,14 @@ def check_trace(trace: ServoTrace, friction: float, gravity: float, scale: float
     """Check the motion of a simulated motor, and simulate the slip of its load."""
     limit = slip_acceleration(friction, gravity)
     check_positive(scale=scale)
+    if not len(trace):
+        return Slip(limit, 0.0, 0.0, ())
     most, period = limit * scale * (1.0 + _EPSILON), trace.loop.period
-    acceleration = trace.acceleration
-    beyond = abs(acceleration) > most
-    peak = int(abs(acceleration).argmax()) if len(trace) else 0
-    worst = abs(float(acceleration[peak])) / scale if len(trace) else 0.0
-    spans = [(i * period, (i + 1) * period) for i in beyond.nonzero()[0].tolist()]
+    sizes = abs(trace.acceleration)
+    peak = int(sizes.argmax())
+    spans = [(i * period, (i + 1) * period) for i in (sizes > most).nonzero()[0].tolist()]
     distance = _slid(trace.velocity.tolist(), most * period, period) / scale
-    return Slip(limit, worst, peak * period, tuple(_joined(spans)), distance)
+    return Slip(limit, float(sizes[peak]) / scale, peak * period, tuple(_joined(spans)), distance)
 
 
 def _slid(velocities: list[float], reach: float, period: float) -> float:
@@ -94,10 +94,9 @@ def _slid(velocities: list[float], reach: float, period: float) -> float:
 
     `reach` is the largest change of the load's velocity in one sample.
     """
-    load, total = velocities[0] if velocities else 0.0, 0.0
+    load, total = velocities[0], 0.0
     for carrier in velocities:
-        gap = carrier - load
-        load = carrier if abs(gap) <= reach else load + (reach if gap > 0.0 else -reach)
+        load = max(load - reach, min(load + reach, carrier))
         total += abs(carrier - load) * period
     return total
 
@@ -119,8 +118,8 @@ def _merged(limit: float, scale: float, moves: Iterable[tuple[float, Profile, fl
             last = min(finish, end - start)
             if last <= begin:
                 break
-            for x in (0.0, *_extrema(piece, last - begin), last - begin):
-                value = abs(acceleration_in(piece, x)) if x < inf else 0.0
+            for x in (0.0, *crest_points(piece, last - begin), last - begin):
+                value = abs(acceleration_in(piece, x))
                 if value > peak * (1.0 + 1e-12):
                     peak, peak_time = value, start + begin + x
             spans += [(start + begin + a, start + begin + b) for a, b in _beyond(piece, last - begin, most)]
@@ -159,22 +158,12 @@ def _crossing(profile: Profile, inside: float, beyond: float, most: float) -> fl
     return beyond
 
 
-def _extrema(piece: Piece, span: float) -> list[float]:
-    """Return the local times at which the acceleration of a half wave has extrema."""
-    amplitude, omega, phase = piece[4:]
-    if not amplitude:
-        return []
-    crests = ((0.5 * pi + k * pi - phase) / omega for k in range(-1, 3))
-    return [x for x in crests if 0.0 < x < span]
-
-
 def _beyond(piece: Piece, span: float, most: float) -> list[tuple[float, float]]:
     """Return the local spans in which a piece's acceleration exceeds `most` in size."""
     marks = [0.0, *sorted(x for x in _levels(piece, most) if 0.0 < x < span), span]
     found = []
     for a, b in pairwise(marks):
-        middle = a + 0.5 * (b - a) if b < inf else a + 1.0
-        if abs(acceleration_in(piece, middle)) > most:
+        if abs(acceleration_in(piece, 0.5 * (a + b))) > most:
             found.append((a, b))
     return found
 
@@ -187,10 +176,8 @@ def _levels(piece: Piece, most: float) -> list[float]:
     _, _, c2, c3, amplitude, omega, phase = piece
     if not amplitude:
         return [(sign * most - 2.0 * c2) / (6.0 * c3) for sign in (1.0, -1.0)] if c3 else []
-    share = most / (abs(amplitude) * omega * omega)
-    if share >= 1.0:
-        return []
-    return [(angle - phase) / omega for angle in (asin(share), pi - asin(share))]
+    first = asin(min(most / (abs(amplitude) * omega * omega), 1.0))
+    return [(angle - phase) / omega for angle in (first, pi - first)]
 
 
 def _joined(spans: list[tuple[float, float]]) -> list[tuple[float, float]]:

@@ -6,11 +6,12 @@ They are compared by time, error, torque and jerk.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf, pi
+from math import inf
 from typing import TYPE_CHECKING
 
 from motionlang.planners import plan
 from motionlang.planners.curve import hold
+from motionlang.planners.pieces import jerk_in
 from motionlang.servo.demand import Track
 from motionlang.servo.servo import simulate
 
@@ -82,16 +83,16 @@ def accel_for(shape: str, distance: float, speed: float, time: float, ramp: floa
         raise ValueError(
             f"{distance:g} counts at {speed:g} counts/s take longer than {time:g} s in every shape"
         )
+
+    def duration(acceleration: float) -> float:
+        return plan(shape, 0.0, distance, speed, acceleration, acceleration, ramp=ramp).duration
+
+    # Even without a speed limit, a triangle takes twice the time at this acceleration.
     low = high = distance / (time * time)
-    while plan(shape, 0.0, distance, speed, low, low, ramp=ramp).duration < time:
-        low *= 0.5
-    while plan(shape, 0.0, distance, speed, high, high, ramp=ramp).duration > time:
+    while duration(high) > time:
         high *= 2.0
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        if middle in (low, high):
-            break
-        if plan(shape, 0.0, distance, speed, middle, middle, ramp=ramp).duration > time:
+    while low < (middle := 0.5 * (low + high)) < high:
+        if duration(middle) > time:
             low = middle
         else:
             high = middle
@@ -102,14 +103,8 @@ def peak_jerk(profile: Profile) -> float:
     """Return the largest jerk of a profile; inf if its acceleration jumps."""
     if profile.shape in ("trapezoid", "parabolic"):
         return inf
-    worst = 0.0
-    for begin, end in zip(profile.knots, profile.knots[1:], strict=False):
-        for time in (begin, 0.5 * (begin + end)):
-            worst = max(worst, abs(profile.at(time).jerk))
-    if profile.shape == "sinusoidal":
-        ramp = profile.phases[0]
-        worst = max(worst, pi * profile.peak_acceleration / ramp.duration)
-    return worst
+    # The jerk of a cubic is constant, and that of a half wave is largest where it begins.
+    return max(abs(jerk_in(piece, 0.0)) for piece in profile.pieces)
 
 
 def _row(profile: Profile, accel: float, loop: Loop, plant: Motor | Drive, window: float) -> Row:

@@ -36,6 +36,18 @@ DERIVED: dict[str, tuple[dict[str, float], str | None, dict[str, str]]] = {
             "decel": "Sp / Td",
         },
     ),
+    "the quarter rule at a speed": (
+        {"distance": 12, "speed": 8},
+        "quarter",
+        {
+            "time": "4 D / (3 Sp)",
+            "accel_time": "T / 4",
+            "slew_time": "T / 2",
+            "decel_time": "T / 4",
+            "accel": "Sp / Ta",
+            "decel": "Sp / Td",
+        },
+    ),
     "unequal ramps": (
         {"distance": 20, "slew_time": 0.2, "time": 0.6, "accel_time": 0.1},
         None,
@@ -47,6 +59,7 @@ DERIVED: dict[str, tuple[dict[str, float], str | None, dict[str, str]]] = {
         },
     ),
     "an equation to solve": ({"distance": 20, "time": 1, "accel": 200, "decel": 300}, None, {}),
+    "a slow equation to solve": ({"distance": 20, "time": 10, "accel": 1, "decel": 1}, None, {}),
 }
 
 
@@ -54,6 +67,12 @@ DERIVED: dict[str, tuple[dict[str, float], str | None, dict[str, str]]] = {
 def test_each_figure_has_its_formula(name: str) -> None:
     given, rule, expected = DERIVED[name]
     assert an00115.formulas(solve_move(rule, **given), given, rule) == expected
+
+
+def test_a_rule_that_the_move_does_not_follow_gives_no_formula() -> None:
+    """Of 2 s the first example accelerates for 0.5 s, not for a third."""
+    given, _, expected = DERIVED["the first example"]
+    assert an00115.formulas(solve_move(None, **given), given, "third") == expected
 
 
 def test_every_formula_holds_for_a_move() -> None:
@@ -80,7 +99,13 @@ def test_the_cut_triangle_makes_a_rectangle_of_the_trapezoid() -> None:
     assert area(an00115.trapezoid(move)) == pytest.approx(20.0)
     assert area(an00115.rectangle(move)) == pytest.approx(20.0)
     assert area(an00115.cut_triangle(move)) == pytest.approx(area(an00115.moved_triangle(move)))
-    assert an00115.rectangle(move)[2] == pytest.approx((0.4, 50.0))
+    shapes = [an00115.trapezoid, an00115.cut_triangle, an00115.moved_triangle, an00115.rectangle]
+    assert [[(round(x, 9), round(y, 9)) for x, y in corners(move)] for corners in shapes] == [
+        [(0.0, 0.0), (0.2, 50.0), (0.4, 50.0), (0.6, 0.0)],
+        [(0.4, 0.0), (0.4, 50.0), (0.6, 0.0)],
+        [(0.0, 0.0), (0.0, 50.0), (0.2, 50.0)],
+        [(0.0, 0.0), (0.0, 50.0), (0.4, 50.0), (0.4, 0.0)],
+    ]
 
 
 def test_the_drawing_names_the_figures(tmp_path: Path) -> None:

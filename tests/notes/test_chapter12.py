@@ -158,6 +158,8 @@ def test_the_listing_never_overshoots_its_trajectory(
         routine.update(routine.position, 0)
         assert last <= routine.position <= distance
         assert routine.velocity <= speed
+        if last == distance:
+            break
         last = routine.position
     assert routine.is_done
 
@@ -174,6 +176,11 @@ def test_the_listing_never_overshoots_its_trajectory(
         (Settings(41, 6, 3, 40, hold=3), [0, 0, 3, 3, 3, 6, 6, 6, 3, 3, 3, 1, 1, 1, 1, 1]),
         # At 6, twice 6 + 3 exceeds 13.
         (Settings(13, 100, 3, 40, hold=2), [0, 3, 3, *7 * [1]]),
+        # At 1, twice 1 + 1 exceeds 3, but not 4.
+        (Settings(3, 100, 1, 40), [1, 1, 1]),
+        (Settings(4, 100, 1, 40), [1, 2, 1]),
+        # It has its speed from the first update on, so the ramp covers nothing.
+        (Settings(6, 2, 2, 40), [2, 2, 2]),
     ],
 )
 def test_the_listing_steps_through_its_velocities(listing: Settings, velocities: list[int]) -> None:
@@ -197,6 +204,18 @@ def test_the_listings_derivative_is_that_of_the_last_updates() -> None:
     errors = [0, 16, 32, 48]
     outputs = [routine._pid(error) for error in errors]
     assert outputs == [0, 2 * 16 + 160, 2 * 48 + 160, 150 + 320]
+
+
+def test_the_listing_is_proportional_without_other_gains() -> None:
+    """Of an error of 16, a Kp of 40 makes 640 / 16 steps.
+
+    A Ki of 256 adds the sum of the errors, 32 767 at most. The first of two updates
+    has no output yet.
+    """
+    assert Listing(Settings(10, 1, 1, 40))._pid(16) == 40
+    assert Listing(Settings(10, 1, 1, 0, ki=256, bits=16))._pid(40_000) == 32_767
+    routine = Listing(Settings(40, 6, 3, 160, hold=2))
+    assert [routine.update(0, 0) for _ in range(2)] == [0, 30]
 
 
 @pytest.mark.parametrize(
@@ -291,14 +310,16 @@ def test_the_override_keeps_the_load_where_it_is() -> None:
     assert fine_overridden.onset < LIMIT
 
 
-@pytest.mark.parametrize(("speed", "limit", "updates"), [(SPEED, LIMIT, 4), (2.0, 3.22, 5), (0.5, 3.0, 2)])
+@pytest.mark.parametrize(
+    ("speed", "limit", "updates"), [(SPEED, LIMIT, 4), (2.0, 3.22, 5), (0.5, 3.0, 2), (0.6144, 1.0, 4)]
+)
 def test_a_step_is_held_for_five_time_constants_of_the_motor(
     speed: float, limit: float, updates: int
 ) -> None:
     """A step of 12 bits takes speed / 2048 / limit; the time constant is 2/3 of that.
 
-    With 0.814, 0.977 and 0.244 mm/s that is 0.84, 1.01 and 0.27 ms, in updates of 0.25 ms. A step of 16 bits takes a
-    sixteenth: 10 of them fit into 10 2/3.
+    With 0.814, 0.977, 0.244 and 0.3 mm/s that is 0.84, 1.01, 0.27 and 1 ms, in updates of 0.25 ms. A step of 16 bits
+    takes a sixteenth: 10 of them fit into 10 2/3.
     """
     runs = demonstrate(speed, limit, 0.1, 10.0 * limit, 0.25, 60)
     assert [(run.name, run.bits, run.steps, run.hold) for run in runs] == [

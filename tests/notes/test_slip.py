@@ -124,10 +124,50 @@ def test_the_largest_of_several_profiles_without_pieces_has_the_peak() -> None:
     assert (check_track(quiet, 0.5, 10.0).peak, check_track(quiet, 0.5, 10.0).peak_time) == (10.0, 0.5)
 
 
+def flat(acceleration: float) -> Any:
+    """Return a profile of 1 s without pieces whose acceleration is constant."""
+    return SimpleNamespace(pieced=False, knots=(0.0, 1.0), duration=1.0, acceleration=lambda _: acceleration)
+
+
 def test_an_acceleration_at_the_limit_does_not_slip() -> None:
-    flat: Any = SimpleNamespace(pieced=False, knots=(0.0, 1.0), duration=1.0, acceleration=lambda _: -5.0)
-    assert check_profile(flat, 0.5, 10.0) == Slip(5.0, 5.0, 0.0, ())
+    assert check_profile(flat(-5.0), 0.5, 10.0) == Slip(5.0, 5.0, 0.0, (), 0.0)
     assert check_profile(plan("trapezoid", 0.0, 10.0, 5.0, 5.0, 5.0), 0.5, 10.0).spans == ()
+
+
+@pytest.mark.parametrize(("excess", "slips"), [(1e-9, False), (1.001e-9, True)])
+def test_a_billionth_of_the_limit_is_rounding(excess: float, slips: bool) -> None:
+    """It applies to profiles with and without pieces, and to samples."""
+    size = 5.0 * (1.0 + excess)
+    trapezoid = check_profile(plan("trapezoid", 0.0, 10.0, 5.0, size, size), 0.5, 10.0)
+    formula = check_profile(flat(size), 0.5, 10.0)
+    samples = sampled([0.0, size, -size], [0.0, 1.25, 0.0])
+    assert [each.slips for each in (trapezoid, formula, samples)] == [slips] * 3
+    assert bool(formula.spans) is slips
+    assert (formula.spans or ((0.0, 1.0),)) == ((0.0, 1.0),)
+
+
+@pytest.mark.parametrize("still", [hold(7.0), flat(0.0)])
+def test_a_standstill_has_no_peak(still: Any) -> None:
+    track: Any = SimpleNamespace(starts=[3.0], profiles=[still])
+    assert check_track(track, 0.5, 10.0) == Slip(5.0, 0.0, 0.0, (), 0.0)
+
+
+@pytest.mark.parametrize(
+    ("shape", "knot", "after", "peak"),
+    [("sinusoidal", -2, 0.2, 10.0 * sin(0.8)), ("scurve", -4, 0.1, 8.0), ("trapezoid", -2, 0.0, 4.0)],
+)
+def test_an_acceleration_after_the_end_of_a_move_does_not_count(
+    shape: str, knot: int, after: float, peak: float
+) -> None:
+    """The move ends before its ramp down, from `knot` on, reaches 10.
+
+    The sine ramp from 5 has 10 sin(4 t), the S-ramp of a fifth 80 t. The trapezoid ends before its ramp down; the peak
+    of its ramp up is 4.
+    """
+    profile = plan(shape, 0.0, 50.0, 5.0, 4.0, 10.0, ramp=0.2)
+    end = profile.knots[knot] + after
+    found = check_track(Track([0.0, end], [profile, hold(0.0)]), 0.5, 10.0)
+    assert (found.peak, found.peak_time) == pytest.approx((peak, end if after else 0.0))
 
 
 class Trace:
@@ -163,7 +203,9 @@ def test_the_load_follows_as_fast_as_friction_allows(sign: float, scale: float) 
 
 
 def test_a_load_in_motion_begins_at_the_speed_of_its_carrier() -> None:
+    """As the carrier goes from 9 to 12, the load reaches 10.25; then both are at 9."""
     assert sampled([5.0, 5.0], [9.0, 10.25]) == Slip(5.0, 5.0, 0.0, (), 0.0)
+    assert sampled([0.0, 0.0, 0.0], [9.0, 12.0, 9.0]).distance == pytest.approx(1.75 * 0.25)
 
 
 def test_a_trace_without_samples_has_no_slip() -> None:

@@ -14,6 +14,7 @@ EXACT = {
     "S_A": (8000, 12566.37061, 8888.888889, 21333.33333),
     "S_V": (24000, 14867.25877, 22222.22222, None),
     "T_V": (600, 371.6814693, 555.5555556, None),
+    "peak": (40, 40, 40, 38.72983346),
     "the whole move": (1400, 1628.318531, 1444.444444, 1549.193338),
 }
 
@@ -33,6 +34,28 @@ def test_the_printed_table_is_kept_beside_it() -> None:
         "S_V": (24000, 14880, 22240, 18667),
         "T_V": (600, 372, 556, 467),
     }
+
+
+@pytest.mark.parametrize(
+    "own", [{"acceleration": 1.0}, {"velocity": 1.0}, {"distance": 1.0}, {"deceleration": 1.0}, {"ramp": 0.2}]
+)
+def test_only_the_notes_example_has_printed_figures(own: dict[str, float]) -> None:
+    assert tn1069.Demand().printed
+    assert tn1069.Demand(acceleration=100e3, deceleration=100e3).printed
+    assert not tn1069.Demand(**own).printed
+    assert not tn1069.Demand(**{**own, "deceleration": 7.0}).printed
+
+
+def test_a_column_has_the_ramp_of_its_demand() -> None:
+    assert tn1069.NOTE.columns == tn1069.COLUMNS
+    assert tn1069.Demand(ramp=0.25).columns == ("trapezoidal", "sinusoidal", "trapezoidal 0.25", "parabolic")
+
+
+def test_a_slow_ramp_is_that_of_a_long_move() -> None:
+    """From 0 to 50 at 0.5 counts/s² takes 100 s and 2500 counts; the move has 1000."""
+    times, distances = tn1069.nominal(tn1069.Demand(0.5, 50.0, 1000.0))
+    assert times.exact == pytest.approx((1e5, pi / 2.0 * 1e5, 1e5 / 0.9, 2e5))
+    assert distances.exact == pytest.approx((2500.0, pi / 2.0 * 2500.0, 2500.0 / 0.9, 20_000.0 / 3.0))
 
 
 def test_the_parabolic_move_is_too_short_for_its_speed() -> None:

@@ -67,11 +67,18 @@ def test_short_moves_compare_too() -> None:
         )
 
 
+def test_a_long_move_needs_little_acceleration() -> None:
+    """At T = 110, D = 100 and V = 1, T - D/V is 10: V/A times 1, π/2, 1/0.9 and 4/3."""
+    found = [accel_for(shape, 100.0, 1.0, 110.0, 0.1) for shape in SHAPES]
+    assert found == pytest.approx([0.1, 0.05 * pi, 0.1 / 0.9, 0.4 / 3.0])
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
         (lambda: compare(LOOP, MOTOR, *EXAMPLE, "jerk"), "equal acceleration or time, not 'jerk'"),
         (lambda: accel_for("trapezoid", 100.0, 10.0, 5.0, 0.1), "take longer than 5 s in every shape"),
+        (lambda: accel_for("trapezoid", 100.0, 10.0, 10.0, 0.1), "take longer than 10 s in every shape"),
     ],
 )
 def test_refusals(call: object, message: str) -> None:
