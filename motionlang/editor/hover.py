@@ -79,12 +79,14 @@ def _comment_above(page: Page, definition: Definition) -> str:
     found = [piece for kind, piece, _ in page.language.tokens(page.text[start:end]) if kind == "comment"]
     while start > 0 and len(found) < _MAX_COMMENT:
         above, stop = page.line_of(start - 1)
-        pieces = list(page.language.tokens(page.text[above:stop]))
-        if not pieces or any(
-            kind != "comment" and not (kind == "separator" and p.isspace()) for kind, p, _ in pieces
-        ):
+        pieces = [
+            (kind, piece)
+            for kind, piece, _ in page.language.tokens(page.text[above:stop])
+            if not piece.isspace()
+        ]
+        if len(pieces) != 1 or pieces[0][0] != "comment":
             break
-        found.insert(0, pieces[-1][1])
+        found.insert(0, pieces[0][1])
         start = above
     text = " ".join(each.lstrip("';# \t").strip() for each in found)
     return text.translate(_SIGNS)

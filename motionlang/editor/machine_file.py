@@ -101,7 +101,7 @@ def _code(line: str) -> str:
 
 def _section(source: Source, offset: int) -> tuple[str, bool]:
     """Return the section header above an offset, and True if it heads a list entry."""
-    for line in reversed(source.text[: source.text.rfind("\n", 0, offset) + 1].split("\n")):
+    for line in reversed(source.text[:offset].split("\n")[:-1]):
         header = _HEADER.match(_code(line))
         if header is not None:
             return header[2], header[1] == "[["

@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
+import pytest
+
+from motionlang import cache, execution
 from motionlang.editor.formatting import format
 from motionlang.editor.page import Page
-from motionlang.editor.times import times
+from motionlang.editor.times import _fault, times
 from motionlang.editor.tokens import MODIFIERS, TYPES, tokens
+from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import dialect
+from motionlang.result import Run
 from motionlang.source import Source
 from tests.cases import cases
 from tests.editor.pages import page
@@ -148,6 +155,36 @@ def test_a_program_without_an_end_is_cut_short() -> None:
     )
     assert [(each.line, str(each)) for each in found.lines] == [(2, "waits 29.5 s")]
     assert found.until == 30.0
+
+
+def test_a_run_for_times_is_not_cached(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
+    monkeypatch.delenv(cache.OFF, raising=False)
+    assert times(page("WAIT = 5\n")).lines
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_run_that_crashes_has_no_times(monkeypatch: pytest.MonkeyPatch) -> None:
+    def crash(*_: object) -> None:
+        raise ArithmeticError
+
+    monkeypatch.setattr(execution, "_execute", crash)
+    found = times(page("WAIT = 5\n"))
+    assert (found.lines, found.fault, found.until) == ([], None, 0.0)
+
+
+def test_the_last_error_with_a_line_is_the_fault() -> None:
+    """A warning or an error of the machine may follow it."""
+    ended = SimpleNamespace(
+        status="fault",
+        diagnostics=[
+            Diagnostic("syntax", "first", 2),
+            Diagnostic("syntax", "last", 3),
+            Diagnostic("syntax", "a warning", 4, severity="warning"),
+            Diagnostic("syntax", "without a line"),
+        ],
+    )
+    assert _fault(cast("Run", ended)) == (3, "last")
 
 
 def test_a_question_that_nothing_answers_ends_the_run_at_its_line() -> None:

@@ -151,7 +151,8 @@ def test_a_keyword_gets_the_case_that_was_begun() -> None:
 
 
 def test_brackets_that_are_there_are_not_added_again() -> None:
-    assert {each.snippet for each in proposed("SPEE|(0) = 3\n") if each.label == "SPEED"} == {""}
+    for text in ("SPEE|(0) = 3\n", "SPEE|[0] = 3\n", "SPEE|.0 = 3\n", "SPEE|D = 3\n", "SPEE|_ = 3\n"):
+        assert {each.snippet for each in proposed(text) if each.label == "SPEED"} == {""}, text
 
 
 # A text with the cursor, the signature there, and the number of the parameter.

@@ -41,6 +41,7 @@ PAGES = (
     ("mccl", "MC|5\n", "```mccl\n5\n```\n\nmacro · used once · not defined in this file", "5"),
     ("mccl", "AL5,AR10,AA@1|0\n", "```mccl\nregister 10\n```\n\nregister · used twice", "10"),
     ("mccl", "; up\nMD3,1MR100 ; go\nMC3|\n", "```mccl\nMD3,1MR100 ; go\n```\n\nup go\n\nmacro · used once", "3"),
+    ("mccl", "; no\n  \n  ; up\nMD3,1MN\nMC3|\n", "```mccl\nMD3,1MN\n```\n\nup\n\nmacro · used once", "3"),
     (
         "mint", "MOVERTES|T(0, 1) = 3\n",
         "**MOVERTEST** · setting\n\nlisted by the type library without a meaning\n\n"
@@ -85,6 +86,7 @@ OUTLINES: tuple[tuple[str, str, list[object]], ...] = (
     ("mccl", "MD3,1MR100\nMD4,1WS\nMC5\nAL1,AR2", [
         ("3", "macro", "", "MD3,1MR100", []), ("4", "macro", "", "MD4,1WS", []),
     ]),
+    ("mccl", "MD3,MD4,1WS", [("3", "macro", "", "MD3,MD4,1WS", [("4", "macro", "", "MD3,MD4,1WS", [])])]),
 )  # fmt: skip
 
 
@@ -164,7 +166,7 @@ def test_every_line_and_column_has_an_offset() -> None:
     ]
     lines = [(0, 2)] * 3 + [(3, 3)] + [(4, 9)] * 6 + [(10, 10)]
     assert [shown.line_of(offset) for offset in range(11)] == lines
-    assert page("\na").line_of(0) == (0, 0)
+    assert [page("\na").line_of(offset) for offset in range(3)] == [(0, 0), (1, 2), (1, 2)]
 
 
 def test_every_offset_has_its_token() -> None:
