@@ -137,6 +137,13 @@ def test_each_line_has_its_simulated_time() -> None:
     assert found.until == 0
 
 
+def test_a_line_without_a_time_is_left_out() -> None:
+    """A wait of 0 s has no text."""
+    assert [(each.line, str(each)) for each in times(page("WAIT = 0\nWAIT = 5\n")).lines] == [
+        (2, "waits 0.005 s")
+    ]
+
+
 def test_a_loop_that_polls_waits_at_its_line() -> None:
     """A move of 10 at 100/s with ramps of 1000/s² takes 0.2 s; the loop is skipped."""
     text = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVER(0) = 10 : GO(0)\nWhile Not IDLE(0)\nEnd While\n"
