@@ -110,6 +110,69 @@ def test_old_entries_make_room(folder: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert len(list(folder.iterdir())) == 2
 
 
+def test_the_cache_has_512_entries() -> None:
+    """docs/limits.md states the number."""
+    assert cache.ENTRIES == 512
+
+
+@pytest.mark.parametrize(
+    ("platform", "variables", "found"),
+    [
+        ("linux", {}, "/home/ann/.cache/motionlang"),
+        ("linux", {"XDG_CACHE_HOME": "/var/caches"}, "/var/caches/motionlang"),
+        ("linux", {"XDG_CACHE_HOME": "caches"}, "/home/ann/.cache/motionlang"),
+        ("darwin", {"XDG_CACHE_HOME": "/var/caches"}, "/home/ann/Library/Caches/motionlang"),
+        ("win32", {"LOCALAPPDATA": "/local"}, "/local/motionlang"),
+        ("win32", {}, "/home/ann/AppData/Local/motionlang"),
+        ("linux", {"MOTIONLANG_CACHE": "/mine"}, "/mine"),
+    ],
+)
+def test_each_system_has_its_folder_for_caches(
+    platform: str, variables: dict[str, str], found: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("MOTIONLANG_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setenv("HOME", "/home/ann")
+    monkeypatch.setattr("sys.platform", platform)
+    assert cache.folder() == found
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX permissions")
+@pytest.mark.parametrize("permissions", [0o620, 0o602])
+def test_what_a_group_or_the_world_may_write_is_ignored(folder: Path, permissions: int) -> None:
+    entry().put(b"program")
+    the_file(folder).chmod(permissions)
+    assert entry().get() is None
+    the_file(folder).chmod(0o644)
+    assert entry().get() == b"program"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX permissions")
+def test_what_belongs_to_another_user_is_ignored(monkeypatch: pytest.MonkeyPatch) -> None:
+    entry().put(b"program")
+    monkeypatch.setattr(os, "getuid", lambda: 1)
+    assert entry().get() is None
+    monkeypatch.delattr(os, "getuid")  # as on Windows
+    assert entry().get() == b"program"
+
+
+def test_the_newest_entries_stay(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of 6, one more than 5, the newest 2 stay; of 5, all stay."""
+    monkeypatch.setattr(cache, "ENTRIES", 5)
+    folder.mkdir(0o700)
+    for name, age in (("a", 3), ("b", 1), ("c", 4), ("d", 2)):
+        (folder / name).touch()
+        os.utime(folder / name, (1000 - age, 1000 - age))
+    (folder / "sub").mkdir()
+    entry("first").put(b"program")
+    assert len(list(folder.iterdir())) == 6
+    entry("second").put(b"program")
+    assert (entry("first").get(), entry("second").get()) == (b"program", b"program")
+    assert len(list(folder.iterdir())) == 3
+
+
 COMPILES = """
 import sys
 from pathlib import Path

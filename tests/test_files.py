@@ -16,7 +16,7 @@ import pytest
 
 import motionlang
 from motionlang import files
-from motionlang.files import InUse, Lock, replacing, same_file, unwritable
+from motionlang.files import InUse, Lock, appending, create, reason, replacing, same_file, unwritable
 from tests.trees import nodes_of
 
 PACKAGE = Path(motionlang.__file__).parent
@@ -113,6 +113,52 @@ def test_what_cannot_be_written_is_known_before(tmp_path: Path) -> None:
     assert unwritable(str(tmp_path / "x.csv")) is None
     assert unwritable(str(tmp_path)) == f"{tmp_path} is a folder"
     assert unwritable(str(tmp_path / "no" / "x.csv")) == f"there is no folder {tmp_path / 'no'}"
+
+
+def test_what_may_not_be_written_is_known_before(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The folder counts, and for a device the device itself."""
+    asked: list[str] = []
+
+    def refuse(path: str, mode: int) -> bool:
+        asked.append(path)
+        return False
+
+    monkeypatch.setattr(os, "access", refuse)
+    file = tmp_path / "x.csv"
+    file.touch()
+    for path in (str(file), str(tmp_path / "new.csv"), os.devnull):
+        assert unwritable(path) == f"{path} cannot be written: permission denied"
+    assert asked == [str(tmp_path), str(tmp_path), os.devnull]
+
+
+def test_a_folder_that_is_missing_is_named_as_given(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert unwritable("no/x.csv") == "there is no folder no"
+    assert unwritable("x.csv") is None
+    (tmp_path / "link.csv").symlink_to(tmp_path / "gone" / "x.csv")
+    assert unwritable("link.csv") == f"there is no folder {tmp_path / 'gone'}"
+
+
+def test_the_reason_of_an_error_is_that_of_the_system() -> None:
+    assert reason(OSError(errno.EACCES, "Permission denied")) == "permission denied"
+    assert reason(OSError("No Reason")) == "no reason"
+
+
+def test_lines_are_appended_at_once(tmp_path: Path) -> None:
+    path = tmp_path / "calls"
+    for new, text in ((True, b"a"), (False, b"ab"), (True, b"a")):
+        with appending(str(path), new=new) as file:
+            file.write(text[-1:])
+            assert path.read_bytes() == text
+
+
+def test_a_new_file_replaces_none(tmp_path: Path) -> None:
+    path = tmp_path / "new.mnt"
+    create(str(path), b"x = 1")
+    assert path.read_bytes() == b"x = 1"
+    with pytest.raises(FileExistsError):
+        create(str(path), b"")
+    assert path.read_bytes() == b"x = 1"
 
 
 def writes(node: ast.Call) -> bool:

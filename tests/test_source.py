@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.source import Source
+from motionlang.source import LARGEST, Source, name_of
 
 TEXT = 'Print "é"\nPrint 2\n'
 
@@ -21,6 +21,20 @@ def test_an_encoding_is_recognised(encoding: str, line_end: str) -> None:
 def test_a_mark_decides() -> None:
     assert Source.from_bytes("x.mnt", b"\xfe\xff" + TEXT.encode("utf-16-be")).text == TEXT
     assert Source.from_bytes("x.mnt", b"\xff\xfea\0b").text == "a\ufffd"
+
+
+# Eight bytes with as many NULs as every other byte needs: a quarter, less, and in both halves.
+@pytest.mark.parametrize(
+    ("data", "text"),
+    [
+        (b"a\0b\0cdef", "ab\u6463\u6665"),
+        (b"\0a\0bcdef", "ab\u6364\u6566"),
+        (b"a\0bcdefg", "a\0bcdefg"),
+        (b"a\0b\0\0def", "a\0b\0\0def"),
+    ],
+)
+def test_a_quarter_of_nuls_makes_a_wide_text(data: bytes, text: str) -> None:
+    assert Source.from_bytes("x.mnt", data).text == text
 
 
 @pytest.mark.parametrize("data", [b"", b"\0\0\0\0", b"a\0", b"ab\0\0cd", b"x = 1\0\0"])
@@ -52,3 +66,24 @@ def test_padding_of_a_disk_block_is_no_text(tmp_path: Path) -> None:
     path = tmp_path / "old.prg"
     path.write_bytes(b"x = 1\r\n\x1a" + bytes(120))
     assert Source.read(path).text == "x = 1\n "
+
+
+def test_blanks_replace_form_feeds_and_marks_outside_strings() -> None:
+    assert Source("x.mnt", 'x\f = "a\f\x1a"\r\n\f"\x1a').text == 'x  = "a\f\x1a"\n " '
+
+
+def test_every_offset_has_its_line_and_column() -> None:
+    source = Source("x.mnt", "\nab\n\nx")
+    assert [source.line(number) for number in range(-1, 6)] == ["", "", "", "ab", "", "x", ""]
+    assert [source.location(offset) for offset in range(7)] == [
+        (1, 1), (2, 1), (2, 2), (2, 3), (3, 1), (4, 1), (4, 2),
+    ]  # fmt: skip
+    assert Source("x.mnt", "").location(0) == (1, 1)
+
+
+def test_the_name_of_a_program_has_no_folder() -> None:
+    assert (name_of("a/b.mnt"), name_of("-")) == ("b.mnt", "<stdin>")
+
+
+def test_the_largest_file_has_64_megabytes() -> None:
+    assert LARGEST == 64 * 1024**2

@@ -164,8 +164,6 @@ def _call(row: Keyword, name: str, is_statement: bool) -> str:
 
     It ends with `=` if the keyword takes a value there.
     """
-    if row.kind in ("statement", "constant") or row.access == "":
-        return ""
     text = name
     if row.index not in ("none", ""):
         text += f"(${{1:{'0' if row.index in ('axis', 'axes') else row.index}}})"
