@@ -48,7 +48,7 @@ class _Row:
 
 def complete_machine_file(source: Source, offset: int) -> list[Item]:
     """Return the sections, keys or values that can follow the text before an offset."""
-    before = source.text[source.text.rfind("\n", 0, offset) + 1 : offset]
+    before = source.text[:offset].rpartition("\n")[2]
     if _code(before) != before:
         return []
     header = re.match(r"\s*(\[\[?)([\w.]*)$", before)

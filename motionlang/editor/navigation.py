@@ -116,15 +116,14 @@ def folds(page: Page) -> list[tuple[int, int, bool]]:
     found = []
     for block in page.names.blocks:
         first, last = position_of(block.span[0])[0], position_of(block.span[1])[0]
-        if last > first:
-            found.append((first, last - 1, False))  # the closing line stays visible
+        found.append((first, last - 1, False))  # the closing line stays visible
     begin = 0
     for number, line in enumerate([*page.text.split("\n"), ""], 1):
         is_comment = bool(line.strip()) and not page.language.has_code(line)
         if is_comment:
             begin = begin or number
             continue
-        if begin and number - 1 > begin:
+        if begin:
             found.append((begin, number - 1, True))
         begin = 0
     return sorted(each for each in found if each[1] > each[0])

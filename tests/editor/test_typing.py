@@ -190,3 +190,11 @@ def test_no_call_has_no_signature() -> None:
 def test_text_in_a_comment_or_an_open_string_is_prose(text: str, is_prose: bool) -> None:
     found, offset = at_cursor(text)
     assert found.is_prose(offset) is is_prose
+
+
+@pytest.mark.parametrize(
+    ("text", "is_prose"), [('1MS"|', True), ('1MS"a|', True), ('1MS"a"|', False), ('1MS""|', False)]
+)
+def test_text_in_an_open_text_of_a_command_is_prose(text: str, is_prose: bool) -> None:
+    found, offset = at_cursor(text, "mccl")
+    assert found.is_prose(offset) is is_prose

@@ -30,6 +30,7 @@ PAGES = (
     ("mint", "Print 1\n\n  ' one\n\t' two_*\nConst a| = 1\nPrint a, a, a",
      f"{A}\n\none two\\_\\*\n\nconstant · value `1` · used 3 times", "a"),
     ("mint", "' before\nPrint 1 ' not this\nConst a| = 1\n", f"{A}\n\n{NEVER}", "a"),
+    ("mint", "' apart\n\nConst a| = 1\n", f"{A}\n\n{NEVER}", "a"),
     ("mint", "' one\n: ' two\nConst a| = 1\n", f"{A}\n\n{NEVER}", "a"),
     # Twenty comments at most, that of the line itself among them.
     ("mint", f"{COMMENTS}Const a| = 1\n", f"{A}\n\n{ONE_TO_20}\n\n{NEVER}", "a"),
@@ -228,6 +229,8 @@ LABELS: tuple[tuple[str, str, list[tuple[str, int]]], ...] = (
     ("mccl", "MD14,1MN\nAL5,AR10,AR20\nAA@1|", [("1", 0), ("10", 0)]),
     ("mccl", "MD1,1MN\nMR1|", []),
     ("mccl", "DW|", []),
+    ("mccl", "1QQ5|", []),
+    ("mccl", "1QQ@5|", []),
     ("mccl", "1G|", [("GA", 2), ("GH", 2), ("GM", 2), ("GO", 2), ("GT", 2), ("GU", 3), ("GX", 2)]),
     # HTA is the beginning of HTAKPROP, HKP its short form.
     ("mint", "HKP|", [("HTAKPROP", 2)]),
