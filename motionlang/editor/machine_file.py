@@ -41,7 +41,7 @@ class _Row:
 
     @property
     def detail(self) -> str:
-        if 0 < len(self.choices) <= _MAX_SHOWN:
+        if self.choices and len(self.choices) <= _MAX_SHOWN:
             return f"one of {', '.join(map(str, self.choices))}"
         return _KINDS.get(self.kind, "")
 
@@ -77,9 +77,9 @@ def _keys(rows: Iterable[_Row], typed: str, offset: int) -> Iterator[Item]:
 
 def hover_machine_file(source: Source, offset: int) -> Hover | None:
     """Return the meaning, unit and default of the key in the line of an offset."""
-    start = source.text.rfind("\n", 0, offset) + 1
-    end = source.text.find("\n", offset)
-    line = source.text[start : end if end >= 0 else len(source.text)]
+    before = source.text[:offset].rpartition("\n")[2]
+    start = offset - len(before)
+    line = before + source.text[offset:].partition("\n")[0]
     key = _KEY.match(_code(line))
     if key is None or offset > start + key.end(1):
         return None

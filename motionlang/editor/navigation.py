@@ -89,7 +89,7 @@ def symbols(page: Page) -> list[Symbol]:
         (opened[-1].inner if opened else top).append(symbol)
         opened.append(symbol)
 
-    for symbol in sorted(_symbols(page), key=lambda each: (each.span[0], -each.span[1])):
+    for symbol in sorted(_symbols(page), key=lambda each: each.span[0]):
         add(symbol)
     return top
 

@@ -139,6 +139,21 @@ def test_a_setting_is_completed_with_brackets_and_its_value() -> None:
     assert read["SPEED"] == "SPEED(${1:0})"
 
 
+@pytest.mark.parametrize(
+    ("text", "label", "snippet"),
+    [
+        ("x = Sq|\n", "Sqrt", "Sqrt(${1:number})"),
+        ("x = Rn|\n", "Rnd", "Rnd($1)"),
+        ("TIM|\n", "TIME", "TIME = $0"),
+        ("x = TIM|\n", "TIME", ""),
+        ("GO|\n", "GO", "GO(${1:0})"),
+        ("x = _trA|\n", "_trAUTO", ""),
+    ],
+)
+def test_a_function_is_completed_with_brackets(text: str, label: str, snippet: str) -> None:
+    assert {each.snippet for each in proposed(text) if each.label == label} == {snippet}
+
+
 def test_a_block_is_completed_with_its_end() -> None:
     (loop,) = (each for each in proposed("Whil|\n") if each.kind == "block")
     assert loop.snippet == "While ${1:condition}\n\t$0\nEnd While"
