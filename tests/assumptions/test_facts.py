@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.assumptions.facts import facts_of, listed, of_word
+from motionlang.assumptions.keyword_facts import facts
 from motionlang.execution import dialect, dialects
 from motionlang.lang.keyword import Keyword
 
@@ -70,6 +71,71 @@ def test_every_fact_of_every_word_has_its_evidence(language: str) -> None:
     known = listed(language)
     expected = {(row.name, fact) for row in dialect(language).table() for fact in facts_of(row)}
     assert sorted(expected - known.keys()) == []
+
+
+# A keyword, and its facts: those of another source than its meaning name it.
+PAGES = (
+    (
+        "mint", "BACKLASHMODE",
+        {
+            "form": "",
+            "short form": "BLM (manual, Baldor MN1270 p. 40)",
+            "use": "read and write",
+            "for": "an axis (code, Mint type library)",
+            "unit": "integer (code, Mint type library)",
+            "default": "0 (manual, Baldor MN1270 p. 40)",
+            "range": "0 to 1 (manual, Baldor MN1270 p. 40)",
+            "group": "compensation",
+            "known from": "Baldor MN1270 p. 39 (printed in a manual)",
+        },
+    ),
+    # Its short form is remembered, too, without a source of its own.
+    (
+        "mint", "JOG",
+        {
+            "form": "",
+            "short form": "JG",
+            "use": "read and write",
+            "for": "an axis (code, Mint type library)",
+            "unit": "user units/s",
+            "default": "0 (choice)",
+            "range": "-8388607 to 8388607 (choice)",
+            "group": "motion",
+            "known from": "Mint type library (from memory with low confidence, not checked against a manual)",
+        },
+    ),
+    (
+        "mccl", "UR",
+        {
+            "form": "aURn",
+            "short form": "",
+            "use": "write",
+            "for": "one axis or several",
+            "unit": "number",
+            "default": "1 (manual, PMC MultiFlex user's manual, p. 163)",
+            "range": "1e-09 to 1000000000 (choice)",
+            "group": "user units",
+            "known from": "MultiFlex user's manual (printed in a manual)",
+        },
+    ),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("language", "name", "page"), PAGES)
+def test_the_facts_of_a_keyword(language: str, name: str, page: dict[str, str]) -> None:
+    row = dialect(language).table().get(name)
+    assert row is not None
+    assert dict(facts(row, language)) == page
+
+
+def test_a_made_up_keyword_has_no_source() -> None:
+    row = Keyword("MADEUP", "NW", "setting", "RW", "none", "text", "new", "Help.", default="a")
+    assert dict(facts(row, "mint")) == {
+        "form": "", "short form": "NW", "use": "read and write", "for": "", "unit": "text", "default": "a",
+        "range": "", "group": "", "known from": "a choice: no source",
+    }  # fmt: skip
+    assert facts_of(row) == ["meaning", "short", "unit", "default"]
+    assert [str(each) for each in of_word("mint", row).values()] == ["choice"] * 4
 
 
 def test_the_row_of_a_word_says_nothing_of_its_evidence() -> None:

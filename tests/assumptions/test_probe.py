@@ -256,3 +256,106 @@ def test_a_question_alone_names_its_axis_and_the_next_one() -> None:
         text = " ".join(line.strip("';") for line in alone(each, 5, Motion(5, 10.0)).splitlines())
         expected = each.probe.needs.replace("{a}", "5").replace("{b}", "6")
         assert f"First: {expected}." in " ".join(text.split())
+
+
+MINT_PROBE = """\
+' 2 questions of motionlang about this controller, one line of answer each.
+' It moves axis 2 within 10 user units of its position, and puts back what it writes. The axis must be enabled. \
+Stop it as any motion.
+' Run it after power-up, with the settings of the factory. A line that does not compile may be deleted.
+' Then: motionlang probe --answers LOG, where LOG is what the terminal showed.
+Dim fa As Float, fb As Float, ia As Integer, ib As Integer
+PRINT "<probe|mint 2>"
+fa = 16777216
+fa = fa + 1
+PRINT "<mint.float-precision|"; fa - 16777216; ">"
+Dim fs As Float
+fs = SPEED(2)
+SPEED(2) = 5
+fa = SCALEFACTOR(2)
+fb = SPEED(2)
+SCALEFACTOR(2) = fa * 2
+PRINT "<mint.scale-changed|"; SPEED(2) / fb; ">"
+SCALEFACTOR(2) = fa
+SPEED(2) = fb
+SPEED(2) = fs
+PRINT "<end|mint 2>"
+End
+"""
+# A mark is a number in the accumulator, which TR0 shows.
+MCCL_PROBE = f"""\
+; 2 questions of motionlang about this controller, one line each.
+; It moves axis 2 within 10 user units of its position, which is 0 afterwards, switches it on and leaves its \
+velocity at 5. Stop it as any motion.
+; Send it line by line after power-up, and keep what the terminal shows.
+; Then: motionlang probe --answers LOG
+DM,AL{mark(BEGIN)},TR0,AL2,TR0
+2SV5
+AL{mark("mccl.wrong-command")},TR0
+ZZ,AL5,TR0
+AL{mark(NEXT)},TR0
+2DH0,2MN
+2MA2.5,2WS0.1
+AL{mark("mccl.target-rounding")},TR0
+2TT
+AL{mark(NEXT)},TR0
+2MA0,2WS0.1
+AL{mark(END)},TR0
+"""
+# Two axes, with the second one in the remarks; the longest remark has 110 characters.
+ALONE = """\
+' mint.path-speed-axis: Which axis's SPEED
+' First: enable axis 3, too, which stands still; speeds and rates change, so restart the controller afterwards.
+' It moves axes 2 and 3 within 10 user units of their positions. Enable what moves; stop it as any motion.
+' What it shows, and what that says of the controller:
+'   2  that of the first axis named, in its user units along the path (chosen here)
+'   1  the lowest SPEED of its axes
+' Then: motionlang probe --answers LOG, where LOG is what the terminal showed.
+Dim fa As Float, fb As Float, ia As Integer, ib As Integer
+PRINT "<probe|mint 1>"
+Dim fs As Float
+fs = SPEED(2)
+SPEED(2) = 5
+ACCEL(2) = 4 * 10
+DECEL(2) = 4 * 10
+SPEED(2) = 4
+SPEED(3) = 2
+VECTORR(2, 3) = 4, 0
+GO(2)
+WAIT = 600
+fb = VEL(2) / 2
+PAUSE IDLE(2)
+VECTORR(2, 3) = -4, 0
+GO(2)
+PAUSE IDLE(2)
+PRINT "<mint.path-speed-axis|"; fb; ">"
+SPEED(2) = fs
+PRINT "<end|mint 1>"
+End
+"""
+
+
+@pytest.mark.parametrize(
+    ("language", "names", "text"),
+    [
+        ("mint", ("mint.float-precision", "mint.scale-changed"), MINT_PROBE),
+        ("mccl", ("mccl.wrong-command", "mccl.target-rounding"), MCCL_PROBE),
+    ],
+)
+def test_a_probe_of_two_questions(language: str, names: tuple[str, ...], text: str) -> None:
+    """The one with motion, of half the distance in a second, comes last."""
+    without = {each.name for each in asked(language, motion=True)} - set(names)
+    assert written(language, 2, Motion(2, 10.0), without) == text
+    assert [each.name for each in asked(language, motion=False, without=without)] == [names[0]]
+
+
+def test_a_probe_of_one_question() -> None:
+    without = {each.name for each in asked("mint", motion=True)} - {"mint.float-precision"}
+    assert written("mint", 2, None, without).splitlines()[:2] == [
+        "' 1 question of motionlang about this controller, one line of answer each.",
+        "' It moves nothing and writes no setting. It can be stopped at any time.",
+    ]
+
+
+def test_a_question_with_motion_of_two_axes() -> None:
+    assert alone(questions()["mint.path-speed-axis"], 2, Motion(2, 10.0)) == ALONE
