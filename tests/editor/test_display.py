@@ -65,6 +65,25 @@ def test_a_constant_is_read_only() -> None:
     assert first[4] == 1 << MODIFIERS.index("readonly")
 
 
+def test_each_word_has_its_modifiers() -> None:
+    """A keyword is one of the library, and one that is not simulated deprecated."""
+    text = "Const top = 3\nMOVER(0) = top\nSPEED(0) = 5\nMOVERTEST(0, 1) = 3\n"
+    shown = page(text)
+    lines = shown.text.split("\n")
+    found = {
+        lines[line][column : column + length]: [MODIFIERS[bit] for bit in range(8) if bits >> bit & 1]
+        for line, column, length, _, bits in tokens(shown, 1, len(lines))
+        if length > 1
+    }
+    assert found == {
+        "Const": [],
+        "top": ["readonly"],
+        "MOVER": ["defaultLibrary"],
+        "SPEED": ["defaultLibrary"],
+        "MOVERTEST": ["deprecated", "defaultLibrary"],
+    }
+
+
 def laid_out(text: str) -> str:
     shown = page(text)
     for edit in sorted(format(shown), key=lambda each: each.span, reverse=True):
@@ -201,4 +220,5 @@ def test_a_question_that_nothing_answers_ends_the_run_at_its_line() -> None:
 
 
 def test_a_program_with_errors_has_no_times() -> None:
-    assert times(page("WAIT = 5\nPrint 3 3\n")).lines == []
+    found = times(page("WAIT = 5\nPrint 3 3\n"))
+    assert (found.lines, found.fault, found.until) == ([], None, 0.0)

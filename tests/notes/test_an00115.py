@@ -36,6 +36,18 @@ DERIVED: dict[str, tuple[dict[str, float], str | None, dict[str, str]]] = {
             "decel": "Sp / Td",
         },
     ),
+    "the third rule at a speed": (
+        {"distance": 12, "speed": 8},
+        "third",
+        {
+            "time": "3 D / (2 Sp)",
+            "accel_time": "T / 3",
+            "slew_time": "T / 3",
+            "decel_time": "T / 3",
+            "accel": "Sp / Ta",
+            "decel": "Sp / Td",
+        },
+    ),
     "the quarter rule at a speed": (
         {"distance": 12, "speed": 8},
         "quarter",
@@ -82,6 +94,7 @@ def test_every_formula_holds_for_a_move() -> None:
     """
     move = solve_move(None, distance=12.0, speed=8.0, accel=16.0, decel=16.0)
     short = solve_move(None, distance=4.0, slew_time=0.0, accel=16.0, decel=16.0)
+    assert an00115.formulas(move, NAMES, None) == an00115.formulas(short, NAMES, "third") == {}
     for name, _, text, value in an00115.FORMULAS:
         assert name in NAMES
         figures = short if "sqrt" in text else move
