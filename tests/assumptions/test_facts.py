@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang.assumptions import questions
 from motionlang.assumptions.facts import facts_of, listed, of_word
 from motionlang.assumptions.keyword_facts import facts
 from motionlang.execution import dialect, dialects
@@ -136,6 +137,22 @@ def test_a_made_up_keyword_has_no_source() -> None:
     }  # fmt: skip
     assert facts_of(row) == ["meaning", "short", "unit", "default"]
     assert [str(each) for each in of_word("mint", row).values()] == ["choice"] * 4
+
+
+@pytest.mark.parametrize(
+    ("language", "name", "found"),
+    [
+        ("mint", "FEEDRATEMODE", ["motion.override-of-a-move"]),  # its default is printed
+        ("mint", "SPEED", ["mint.speed-short"]),  # a fact without an entry
+        ("mint", "GO", []),  # an entry of MCCL names it
+        ("mccl", "GO", ["mccl.new-target"]),
+        ("mint", "HTADEADBAND", ["mint.htadeadband"]),
+    ],
+)
+def test_the_open_questions_about_a_keyword(language: str, name: str, found: list[str]) -> None:
+    row = dialect(language).table().get(name)
+    assert row is not None
+    assert [each.name for each in questions.of_word(language, row)] == found
 
 
 def test_the_row_of_a_word_says_nothing_of_its_evidence() -> None:

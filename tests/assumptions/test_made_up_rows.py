@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import pytest
 
-from motionlang.assumptions.probe import alone
+from motionlang.assumptions.assumption import Assumption, Probe
+from motionlang.assumptions.probe import alone, meanings
 from motionlang.assumptions.rules import unsettled_facts
 from motionlang.lang.keyword import Keyword
-
-if TYPE_CHECKING:
-    from motionlang.assumptions.assumption import Assumption
 
 
 def row(
@@ -247,6 +243,29 @@ def test_a_question_for_a_board_depends_on_the_row(
         (other,) = each.alternatives
         shown[name] = each.question, each.chosen, other, each.probe.ask, each.probe.answers
     assert shown == asked
+
+
+@pytest.mark.parametrize(("length", "lines"), [(51, 1), (52, 2)])
+def test_a_remark_has_110_characters(length: int, lines: int) -> None:
+    """The name takes 8 of them, the first word and a blank 51."""
+    probe = Probe("mint", "1", answers=("1",), alone=True)
+    made_up = Assumption("mint.x", f"{'a' * 50} {'b' * length}", "1", "choice", probe=probe)
+    remarks = [line for line in alone(made_up, 0).splitlines() if line.startswith("' ")]
+    assert remarks.index("' What it shows, and what that says of the controller:") == lines
+
+
+@pytest.mark.parametrize(("length", "lines"), [(40, 1), (41, 2)])
+def test_a_meaning_has_110_characters(length: int, lines: int) -> None:
+    """The answer takes 5 of them, the first word and a blank 51, the end 14."""
+    probe = Probe("mint", "1", answers=("1",), alone=True)
+    made_up = Assumption("mint.x", "", f"{'a' * 50} {'b' * length}", "choice", probe=probe)
+    assert len(meanings(made_up)) == 1 + lines
+
+
+@pytest.mark.parametrize(("length", "lines"), [(24, 1), (25, 2)])
+def test_a_long_answer_has_a_line_of_its_own(length: int, lines: int) -> None:
+    probe = Probe("mint", "1", answers=("x" * length,), alone=True)
+    assert len(meanings(Assumption("mint.x", "", "1", "choice", probe=probe))) == 1 + lines
 
 
 def test_the_name_of_a_question_has_no_underscore() -> None:

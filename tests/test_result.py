@@ -1,0 +1,223 @@
+"""What a run reports about itself: whole diagnostics and notes."""
+
+from __future__ import annotations
+
+import signal
+
+import pytest
+
+from motionlang.errors import Diagnostic, Terminated
+from motionlang.execution import (
+    MACHINE_SUFFIX,
+    ONE_SHIFT,
+    dialect,
+    dialect_for,
+    dialect_of,
+    end_of,
+    machine_of,
+    run,
+)
+from motionlang.lang.machine.machine import Machine
+from motionlang.result import Run, interrupted, report_keywords_without_effect, who_ended
+from motionlang.source import Source
+from tests.cases import cases
+
+ENDLESS = "the program waits until IN(2), which can never happen"
+# A program of Mint, and the status of its run, its notes and its diagnostics: code, message, line, column, length,
+# hint, severity.
+REPORTED: tuple[
+    tuple[str, dict[str, object], str, list[str], list[tuple[str, str, int, int, int, str, str]]], ...
+] = (
+    ("PRINT 1\n", {}, "ended", [], []),
+    # The last move of each line that was loaded and not started.
+    (
+        "MOVER(0) = 5 : MOVER(1) = 3 : MOVER(0) = 4\n  MOVER(2) = 5\n", {}, "ended", [],
+        [
+            (
+                "never-started", f"the program ended, but MOVER on axis {axis} was loaded and never started",
+                line, column, length, f"GO({axis}) starts the buffered moves", "warning",
+            )
+            for axis, line, column, length in ((2, 2, 3, 12), (1, 1, 1, 42), (0, 1, 1, 42))
+        ],
+    ),
+    # Other tasks wait in vain, too.
+    (
+        "Task t\nPAUSE IN(1)\nEnd Task\nRun t\n PAUSE IN(2)\n", {}, "fault",
+        [f"line 5: {ENDLESS}", "line 2: t waits until IN(1)"],
+        [("never", ENDLESS, 5, 2, 5, "[[input]] of the machine file says when it comes", "error")],
+    ),
+    (
+        "Task t\nPAUSE IN(1)\nEnd Task\nRun t\n PAUSE IN(2)\n", {"run.until": 2.0}, "until",
+        [f"line 5: {ENDLESS}", "line 2: t waits until IN(1)"], [],
+    ),
+    (
+        "Task t\nWAIT=100\nEnd Task\nRun t\nWhile IN(1) = 0\nEnd While\n", {"run.until": 2.0}, "until",
+        ["line 5: ParentTask still polled IN(1), which could no longer change, since 0.101 s"], [],
+    ),
+    (
+        "  HOME(0) = 1\nPAUSE IDLE(0)\n", {}, "fault", [],
+        [
+            (
+                "never",
+                "HOME looks for a home switch on axis 0 and index marks on axis 0, which nothing provides",
+                1, 0, 1, "the machine file sets them: axis.0.home_switch, travel and index_every", "warning",
+            ),
+            (
+                "never", "axis 0 homes towards a switch that does not exist", 1, 3, 11,
+                "give its position in the machine file: axis.0.home_switch, travel and index_every", "error",
+            ),
+        ],
+    ),
+    (
+        "PRINT 1\n", {"answer": [{"text": "3"}, {"text": "x" * 61}]}, "ended", [],
+        [
+            (
+                "unasked", f'no INPUT took the answer "{text}"', 0, 0, 1,
+                "leave it out, or let its prompt be part of the question", "warning",
+            )
+            for text in ("3", "x" * 60 + "…")
+        ],
+    ),
+)  # fmt: skip
+
+
+@cases("text, machine, status, notes, diagnostics", REPORTED)
+def test_what_a_run_reports(
+    text: str,
+    machine: dict[str, object],
+    status: str,
+    notes: list[str],
+    diagnostics: list[tuple[str, str, int, int, int, str, str]],
+) -> None:
+    found = run(Source("a.mnt", text), machine=machine, cache=False)
+    assert (found.status, found.notes) == (status, notes)
+    assert [
+        (each.code, each.message, each.line, each.column, each.length, each.hint, each.severity)
+        for each in found.diagnostics
+    ] == diagnostics
+
+
+INPUT = {"channel": 1, "value": 1, "at": 0.1}
+ASK = "Dim n As Integer\nINPUT n\nWAIT = 500\n"
+MOVE = "MOVER(0) = 1 : GO(0) : MOVER(11) = 1 : GO(11) : MOVER(2) = 1 : GO(2)\n"
+# A program, its machine, and what it depends on. A guess counts if the run has used it.
+GUESSES: tuple[tuple[str, dict[str, object], str], ...] = (
+    ("WAIT = 500\n", {"input": [INPUT]}, ""),
+    ("WAIT = 500\n", {"input": [INPUT | {"guess": True}]}, "1 guess of the machine file: input 1"),
+    ("WAIT = 50\n", {"input": [INPUT | {"guess": True}]}, ""),
+    (
+        "WAIT = 500\n",
+        {
+            "input": [INPUT | {"guess": True, "channel": channel} for channel in (3, 2)],
+            "analogue": [INPUT | {"guess": True, "channel": 0}],
+        },
+        "3 guesses of the machine file: input 2, 3; analogue input 0",
+    ),
+    (ASK, {"answer": [{"text": "3", "guess": True}]}, "1 guess of the machine file: 1 answer"),
+    (f"{ASK}INPUT n\n", {"answer": [{"text": "3", "guess": True}] * 2}, "2 guesses of the machine file: 2 answers"),
+    ("WAIT = 500\n", {"key": [{"text": "R", "at": at, "guess": True} for at in (0.5, 0.6)]},
+     "1 guess of the machine file: 1 key"),
+    ("WAIT = 500\n", {"key": [{"text": "R", "guess": True}] * 2}, "2 guesses of the machine file: 2 keys"),
+    (
+        MOVE,
+        {"controller.axes": 12, **{f"axis.{n}.guess": n > 0 for n in (2, 11, 0, 1)}},
+        "2 guesses of the machine file: the switches of axis 2, 11",
+    ),
+)  # fmt: skip
+
+
+@cases("text, machine, message", GUESSES)
+def test_a_result_names_its_guesses(text: str, machine: dict[str, object], message: str) -> None:
+    found = [
+        each
+        for each in run(Source("a.mnt", text), machine=machine, cache=False).diagnostics
+        if each.code == "guess"
+    ]
+    assert [each.message for each in found] == ([f"this result depends on {message}"] if message else [])
+    assert all(each.severity == "warning" and not each.line for each in found)
+
+
+def new_run() -> Run:
+    return Run(Source("a.mnt", " PRINT 1\n"), dialect("mint"), Machine({}))
+
+
+def test_keywords_without_effect_have_five_lines_at_most() -> None:
+    result = new_run()
+    result.machine.without_effect = {
+        "A": [],
+        "B": [3],
+        "C": [2, 1],
+        "D": [6, 5, 4, 3, 2],
+        "E": [6, 5, 4, 3, 2, 1],
+    }
+    result.machine.assumed = {"F": [7]}
+    report_keywords_without_effect(result)
+    assert result.notes == [
+        "keywords without effect here: A, B (line 3), C (lines 1, 2), D (lines 2, 3, 4, 5, 6), "
+        "E (lines 1, 2, 3, 4, 5, …)",
+        "unknown values, 0 or empty here: F (line 7)",
+    ]
+
+
+def test_a_run_in_one_line() -> None:
+    result = new_run()
+    assert repr(result) == "<Run of a.mnt: ended at 0 s, 0 moves>"
+    result.diagnostics.append(Diagnostic("range", "too large"))
+    assert repr(result) == "<Run of a.mnt: ended at 0 s, 0 moves, 1 diagnostic>"
+    moved = run(Source("a.mnt", "MOVER(0) = 1 : GO(0)\n"), cache=False)
+    assert repr(moved).endswith(" s, 1 move>")
+
+
+def test_an_interrupt_names_its_cause() -> None:
+    assert who_ended(Terminated(signal.SIGTERM)) == "by SIGTERM"
+    assert who_ended(KeyboardInterrupt()) == "from the keyboard"
+    found = interrupted(new_run(), None, KeyboardInterrupt())
+    assert (found.code, found.message, found.line) == (
+        "interrupted",
+        "the run was ended from the keyboard",
+        0,
+    )
+
+
+def test_an_interrupted_run_ends_at_its_statement() -> None:
+    """The first line is shown at 10 µs, while WAIT is yet to come."""
+
+    def stop(text: str) -> None:
+        raise KeyboardInterrupt
+
+    found = run(Source("a.mnt", "x = 1\n PRINT x\nWAIT = 500\n"), show=stop, cache=False)
+    (diagnostic,) = found.diagnostics
+    assert (found.status, found.time) == ("interrupted", pytest.approx(1e-5))
+    assert (diagnostic.message, diagnostic.line, diagnostic.column) == (
+        "the run was ended from the keyboard",
+        2,
+        2,
+    )
+
+
+def test_a_run_ends_after_a_shift_of_eight_hours() -> None:
+    assert (ONE_SHIFT, end_of({}), end_of({"run.until": 3})) == (28_800.0, 28_800.0, 3)
+
+
+@pytest.mark.parametrize(
+    ("file", "name"),
+    [("a.mnt", "mint"), ("A.MCL", "mccl"), ("a.txt", None), ("mnt", None), ("a.b.mnt", "mint")],
+)
+def test_the_extension_chooses_the_language(file: str, name: str | None) -> None:
+    found = dialect_of(file)
+    assert (found and found.name) == name
+    if name is None:
+        with pytest.raises(ValueError, match=f"{file}: unknown file extension"):
+            dialect_for(Source(file, ""), None)
+    assert dialect_for(Source(file, ""), "mccl").name == "mccl"
+
+
+def test_a_machine_file_is_next_to_its_program(tmp_path: object) -> None:
+    program, machine = f"{tmp_path}/a.mnt", f"{tmp_path}/a{MACHINE_SUFFIX}"
+    assert machine_of(program) is None
+    assert machine_of(program, "other.toml") == "other.toml"
+    with open(machine, "w", encoding="utf-8"):
+        pass
+    assert machine_of(program) == machine
+    assert [machine_of(each) for each in ("-", None, Source("a.mnt", ""))] == [None] * 3
+    assert machine_of("-", "other.toml") == "other.toml"
