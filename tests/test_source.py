@@ -23,13 +23,14 @@ def test_a_mark_decides() -> None:
     assert Source.from_bytes("x.mnt", b"\xff\xfea\0b").text == "a\ufffd"
 
 
-# Eight bytes with as many NULs as every other byte needs: a quarter, less, and in both halves.
+# Bytes with a quarter of NULs in one half, with fewer, and with NULs in both halves.
 @pytest.mark.parametrize(
     ("data", "text"),
     [
         (b"a\0b\0cdef", "ab\u6463\u6665"),
         (b"\0a\0bcdef", "ab\u6364\u6566"),
         (b"a\0bcdefg", "a\0bcdefg"),
+        (b"a\0b\0cdefgh", "a\0b\0cdefgh"),
         (b"a\0b\0\0def", "a\0b\0\0def"),
     ],
 )

@@ -141,8 +141,10 @@ class Runner:
 
     def _report_at(self, source: Source, at: int, code: str, message: str, hint: str = "") -> None:
         """Report an error at the current position of the command."""
-        location = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, at)
-        self._report([Diagnostic(code, message, *location[:2], length=location[2], hint=hint)], source)
+        diagnostic = Diagnostic(code, message, hint=hint)
+        if source is not NOWHERE:
+            diagnostic.line, diagnostic.column, diagnostic.length = self.dialect.locate(source, at)
+        self._report([diagnostic], source)
 
     def _drop_if_broken(self, error: Exception) -> None:
         """Remove the current task if the error occurred in it, because it cannot continue.

@@ -189,7 +189,7 @@ class Session:
 
         For a move left in a move buffer this is an earlier text.
         """
-        if source is None or not diagnostic.line:
+        if source is None:
             return None
         if source.line(diagnostic.line):
             return source

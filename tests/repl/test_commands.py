@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.execution import dialect
+from motionlang.repl.commands import is_command, without_dot
 from motionlang.repl.complete import candidates
 from motionlang.repl.session import Session
 from motionlang.repl.status import number_text
@@ -46,6 +47,41 @@ def talk(*lines: str, language: str = "mint") -> str:
 )
 def test_a_command(line: str, answer: str) -> None:
     assert talk(line) == answer
+
+
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [
+        ("help", ".help"),
+        ("HELP SPEED", ".help SPEED"),
+        ("  exit ", ".quit"),
+        ("bye", ".quit"),
+        ("?", ".help"),
+        ("run 5", ".run 5"),
+        ("axes", ".axes"),
+        ("axes 0", ""),
+        ("exit now", ""),
+        ("print 1", ""),
+    ],
+)
+def test_a_line_that_means_a_command(line: str, meant: str) -> None:
+    assert without_dot(line) == meant
+
+
+@pytest.mark.parametrize(
+    ("line", "is_one"),
+    [
+        (".go", True),
+        ("  .go", True),
+        (".x", True),
+        (".", False),
+        ("..a", False),
+        (".5", False),
+        ("a.b", False),
+    ],
+)
+def test_a_dot_and_a_letter_begin_a_command(line: str, is_one: bool) -> None:
+    assert is_command(line) is is_one
 
 
 def test_live_mode_is_on_or_off() -> None:

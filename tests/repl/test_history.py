@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -37,7 +39,17 @@ def test_a_file_that_others_could_read_is_closed_to_them(
     assert path.stat().st_mode & 0o777 == 0o600
 
 
-@pytest.mark.parametrize("path", ["", "/proc/nowhere/history", "/dev/null"])
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX pipes")
+def test_a_pipe_is_no_history_and_stays_as_it_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "pipe"
+    os.mkfifo(path)
+    path.chmod(0o644)
+    monkeypatch.setenv("MOTIONLANG_HISTORY", str(path))
+    assert isinstance(history("mint"), InMemoryHistory)
+    assert path.stat().st_mode & 0o777 == 0o644
+
+
+@pytest.mark.parametrize("path", ["", "/proc/nowhere/history"])
 def test_history_that_cannot_be_stored_is_dropped(path: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MOTIONLANG_HISTORY", path)
     assert isinstance(history("mint"), InMemoryHistory)

@@ -15,7 +15,7 @@ from prompt_toolkit.output import DummyOutput
 
 from motionlang.execution import dialect, dialects
 from motionlang.repl.complete import WordCompleter, candidates
-from motionlang.repl.highlight import styled
+from motionlang.repl.highlight import WordLexer, styled
 from motionlang.repl.live import Live
 from motionlang.repl.prompt import _asker, banner, converse
 from motionlang.repl.session import Session
@@ -88,6 +88,38 @@ def test_completion_knows_the_prompts_own_commands() -> None:
 @pytest.mark.parametrize("text", ["", "1MR100, 9XX MD1 @5\n;x", ".run 3", "\0\x1b\n\n", "é" * 300, '"'])
 def test_highlighting_leaves_nothing_out(text: str) -> None:
     assert "".join(piece[1] for piece in styled(dialect("mccl"), text)) == text
+
+
+def test_each_line_of_a_block_is_highlighted() -> None:
+    lines = WordLexer(dialect("mint")).lex_document(Document("Loop\n  SPEED(0) = 5 ' up\nEnd Loop"))
+    assert [[(style, text) for style, text, *_ in lines(number) if text.strip()] for number in range(4)] == [
+        [("class:control", "Loop")],
+        [
+            ("class:keyword", "SPEED"), ("", "("), ("class:number", "0"), ("", ")"), ("", "="),
+            ("class:number", "5"), ("class:comment", "' up"),
+        ],
+        [("class:control", "End"), ("class:control", "Loop")],
+        [],
+    ]  # fmt: skip
+    assert styled(dialect("mint"), ".run 5") == [("class:dotted", ".run 5")]
+
+
+def test_a_completion_replaces_what_was_typed() -> None:
+    completer = WordCompleter(dialect("mccl"))
+    (found,) = completer.get_completions(Document("1MN,1mr"), CompleteEvent())
+    assert (found.text, found.start_position) == ("mr", -2)
+    (command,) = completer.get_completions(Document(".loa"), CompleteEvent())
+    assert (command.text, command.start_position) == ("load", -3)
+
+
+def test_enter_executes_a_complete_text_and_extends_a_block(keys: PipeInput) -> None:
+    """Escape and Enter begin a line in any text; a new line has the margin of the one before."""
+    shown: list[str] = []
+    session = Session(dialect("mint"), show=shown.append)
+    block = f"For i = 1 To 2{ENTER}  PRINT 2{ENTER}NEXT{ENTER}"
+    keys.send_text(f"{block}PRINT 3\x1b{ENTER}PRINT 4{ENTER}{CTRL_D}")
+    assert converse(session) == 0
+    assert "".join(shown) == "2\n2\n3\n4\n"
 
 
 def test_completion_of_files_belongs_to_load(tmp_path: Path) -> None:

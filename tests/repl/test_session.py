@@ -12,6 +12,7 @@ from motionlang.execution import ONE_SHIFT, dialect
 from motionlang.repl.live import Live
 from motionlang.repl.session import Session
 from motionlang.repl.status import number_text
+from motionlang.source import Source
 
 
 def after(polls: int) -> object:
@@ -193,3 +194,25 @@ def test_a_position_at_the_prompt_is_in_whole_counts() -> None:
 )
 def test_a_number_has_ten_digits_and_no_noise_below_half_of_1e_12(value: float, text: str) -> None:
     assert number_text(value) == text
+
+
+def test_a_line_reports_success() -> None:
+    """Texts that do not compile, that fail, and that never end."""
+    session = Session(dialect("mint"))
+    session.feed("Dim x As Float")
+    texts = ("PRINT 1", "PRINT +", "x = 0 : PRINT 1 / x", "PAUSE IN(1)", "PRINT 2")
+    assert [session.execute(Source("input", text)) for text in texts] == [True, False, False, False, True]
+    assert [session.load(Source("a.mnt", text)) for text in texts] == [True, False, False, False, True]
+    assert [session.runner.pass_time(0.1), session.runner.settle()] == [True, True]
+    session.feed("JOG(0) = 5")
+    assert [session.runner.pass_time(0.1), session.runner.settle()] == [True, False]
+
+
+def test_a_handler_continues_after_an_interrupted_command() -> None:
+    """Ctrl-C ends the command at 0.25 s, but not the handler from 0.1 s to 0.6 s."""
+    session = Session(dialect("mint"))
+    session.feed("Event IN1\n  WAIT = 500\n  PRINT 7\nEnd Event\n.input 1=1@0.1")
+    session.interrupted = lambda: session.machine.clock.now >= 0.25
+    assert "error[interrupted]" in session.feed("WAIT = 300")
+    session.interrupted = lambda: False
+    assert session.feed("WAIT = 500") == "7\n"
