@@ -150,6 +150,19 @@ def test_what_a_group_or_the_world_may_write_is_ignored(folder: Path, permission
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX permissions")
+@pytest.mark.parametrize(("permissions", "writable"), [(0o777, True), (0o700, False)])
+def test_nothing_is_written_to_a_folder_of_others(
+    folder: Path, permissions: int, writable: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The user may be root, who may write to any folder."""
+    folder.mkdir()
+    folder.chmod(permissions)
+    monkeypatch.setattr(os, "access", lambda path, mode: writable)
+    entry().put(b"program")
+    assert list(folder.iterdir()) == []
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX permissions")
 def test_what_belongs_to_another_user_is_ignored(monkeypatch: pytest.MonkeyPatch) -> None:
     entry().put(b"program")
     monkeypatch.setattr(os, "getuid", lambda: 1)

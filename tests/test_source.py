@@ -63,6 +63,14 @@ def test_a_file_that_is_no_text_is_refused(tmp_path: Path, data: bytes) -> None:
         Source.read(path)
 
 
+@pytest.mark.parametrize("data", [b"", TEXT.encode("utf-16"), TEXT.encode("utf-16-be"), TEXT.encode()])
+def test_a_file_is_read_in_its_encoding(tmp_path: Path, data: bytes) -> None:
+    path = tmp_path / "program.mnt"
+    path.write_bytes(data)
+    source = Source.read(path)
+    assert (source.name, source.text) == ("program.mnt", TEXT if data else "")
+
+
 def test_padding_of_a_disk_block_is_no_text(tmp_path: Path) -> None:
     path = tmp_path / "old.prg"
     path.write_bytes(b"x = 1\r\n\x1a" + bytes(120))

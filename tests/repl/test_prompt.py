@@ -113,7 +113,7 @@ def test_a_completion_replaces_what_was_typed() -> None:
 
 
 def test_enter_executes_a_complete_text_and_extends_a_block(keys: PipeInput) -> None:
-    """Escape and Enter begin a line in any text; a new line has the margin of the one before."""
+    """Escape and Enter begin a new line in any text."""
     shown: list[str] = []
     session = Session(dialect("mint"), show=shown.append)
     block = f"For i = 1 To 2{ENTER}  PRINT 2{ENTER}NEXT{ENTER}"
