@@ -67,7 +67,7 @@ def read(text: str, wanted: str = "") -> Answers:
     """
     found = Answers()
     lines = [_STAMP.sub("", line) for line in _ESCAPE.sub("", re.sub(r"\r\n?", "\n", text)).split("\n")]
-    answered = _answers_of_mint(lines, found) if any("<" in line and "|" in line for line in lines) else {}
+    answered = _answers_of_mint(lines, found)
     if answered:
         found.language = "mint"
     else:

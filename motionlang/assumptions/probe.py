@@ -143,7 +143,7 @@ def as_shown(answer: str) -> str:
         return "(nothing)"
     if not answer.startswith("re:"):
         return answer
-    text = answer[3:]
+    text = answer.removeprefix("re:")
     for pattern, instead in PLAIN:
         text = re.sub(pattern, instead, text)
     return text

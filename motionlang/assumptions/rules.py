@@ -141,7 +141,7 @@ def _range(row: Keyword) -> Questions:
     if not _is_stored(row):
         return []
     found: Questions = []
-    for end, bound, step in (("high", row.high, 1), ("low", row.low, -1)):
+    for end, most, bound, step in (("high", "greatest", row.high, 1), ("low", "least", row.low, -1)):
         if bound is None:
             continue
         beyond = _beyond(bound, step)
@@ -164,7 +164,6 @@ def _range(row: Keyword) -> Questions:
             f"{beyond} is taken, too",
             f"{beyond} becomes {bound:.10g}, without an error",
         ]
-        most = "greatest" if step > 0 else "least"
         found.append((f"range-{end}", f"The {most} value of {row.name}", f"{bound:.10g}", others, probe))
     return found
 
@@ -263,11 +262,10 @@ def _code(row: Keyword) -> Questions:
         return []
     found: Questions = []
     axis = "{a}" if row.index in ("axis", "axes") else ""
-    for end, bound, step in (("high", row.high, 1), ("low", row.low, -1)):
+    for end, most, bound, step in (("high", "greatest", row.high, 1), ("low", "least", row.low, -1)):
         if bound is not None:
             beyond = _beyond(bound, step)
             probe = Probe("mccl", f"{axis}{row.name}{beyond}", answers=("?-1", ""), alone=True, needs=AGAIN)
-            most = "greatest" if step > 0 else "least"
             others = [f"{beyond} is taken, too"]
             found.append((f"range-{end}", f"The {most} value of {row.name}", f"{bound:.10g}", others, probe))
     return found

@@ -180,7 +180,8 @@ class Session:
         for diagnostic in diagnostics:
             self.failed = self.failed or diagnostic.severity == "error"
             origin = self._origin(diagnostic, source)
-            if origin is not None and (meant := without_dot(origin.text.strip())):
+            rejected = diagnostic.code not in ("never", "interrupted")
+            if rejected and origin is not None and (meant := without_dot(origin.text.strip())):
                 diagnostic.hint = f"commands of the prompt begin with a dot: {meant}"
             self.remark(render(diagnostic, origin, colour=self.colour, width=self.width))
 

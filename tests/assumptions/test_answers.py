@@ -131,6 +131,11 @@ PROBLEMS: tuple[tuple[list[str], list[tuple[str, str, int, str]]], ...] = (
         [*lines_of(TRUTH), "<mint.float-decimals|1.5"],
         [("the answer to mint.float-decimals is cut off", "", 4, "error")],
     ),
+    # A mark may follow a prompt, and so does the echo of a line.
+    (
+        [f">{mark('probe')}", "1", f"> {mark('mccl.gain-default')}", ">1TG", "01 0.2", f">{mark('end')}"],
+        [],
+    ),
     (
         [f"{mark('probe')}", "1", f"{mark('mccl.gain-default')}", "01 0.2", f"{mark('mccl.quotient')}"],
         [

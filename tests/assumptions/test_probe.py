@@ -359,3 +359,16 @@ def test_a_probe_of_one_question() -> None:
 
 def test_a_question_with_motion_of_two_axes() -> None:
     assert alone(questions()["mint.path-speed-axis"], 2, Motion(2, 10.0)) == ALONE
+
+
+@pytest.mark.parametrize(
+    ("name", "line"),
+    [("mint.path-speed-axis", "VECTORR(2, 3) = 0, 0"), ("mccl.relative-to", "2MR0,2MR0,2WS0.1")],
+)
+def test_without_permission_a_distance_is_0(name: str, line: str) -> None:
+    """The remark about motion is missing, too; a question without motion never has it."""
+    text = alone(questions()[name], 2)
+    assert line in text.splitlines()
+    assert "It moves" not in text
+    still = questions()["mint.idletime-range-high"]
+    assert alone(still, 2, Motion(2, 10.0)) == alone(still, 2)

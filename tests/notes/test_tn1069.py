@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from math import cos, pi, sin
 
 import pytest
@@ -44,6 +45,21 @@ def test_only_the_notes_example_has_printed_figures(own: dict[str, float]) -> No
     assert tn1069.Demand(acceleration=100e3, deceleration=100e3).printed
     assert not tn1069.Demand(**own).printed
     assert not tn1069.Demand(**{**own, "deceleration": 7.0}).printed
+
+
+@pytest.mark.parametrize(
+    ("own", "message"),
+    [
+        ({"ramp": 0.0}, "the ramp must be above 0 and below 0.5, not 0"),
+        ({"ramp": 0.5}, "the ramp must be above 0 and below 0.5, not 0.5"),
+        ({"distance": 0.0}, "the distance must be above zero and below 1e+100, not 0"),
+        ({"velocity": 1e100}, "the velocity must be above zero and below 1e+100, not 1e+100"),
+        ({"deceleration": -1.0}, "the deceleration must be above zero and below 1e+100, not -1"),
+    ],
+)
+def test_a_demand_has_figures_that_can_be_planned(own: dict[str, float], message: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(message)):
+        tn1069.Demand(**own)
 
 
 def test_a_column_has_the_ramp_of_its_demand() -> None:

@@ -99,8 +99,10 @@ def test_ctrl_c_instead_of_an_answer_ends_the_command_at_the_input() -> None:
 def test_unanswered_input_ends_the_command() -> None:
     session = Session(dialect("mint"))
     answer = session.feed("Dim n As Integer\nINPUT n")
-    assert "the command waits for the operator to answer INPUT, which can never happen" in answer
-    assert "start a move" not in answer
+    assert answer == (
+        "error[never]: the command waits for the operator to answer INPUT, which can never happen\n"
+        " --> input:2:1\n  |\n2 | INPUT n\n  | ^^^^^\n  hint: .answer 1 ends it, as does [[answer]] of the machine file\n"
+    )
     assert session.feed("PRINT 1") == "1\n"
 
 
