@@ -6,10 +6,12 @@ import signal
 
 import pytest
 
+from motionlang.controller.accelerators import NO_ACCELERATORS
 from motionlang.errors import Diagnostic, Terminated
 from motionlang.execution import (
     MACHINE_SUFFIX,
     ONE_SHIFT,
+    accelerators,
     dialect,
     dialect_for,
     dialect_of,
@@ -38,6 +40,15 @@ REPORTED: tuple[
                 line, column, length, f"GO({axis}) starts the buffered moves", "warning",
             )
             for axis, line, column, length in ((2, 2, 3, 12), (1, 1, 1, 42), (0, 1, 1, 42))
+        ],
+    ),
+    (
+        " x = 0\n PRINT 1 / x\n", {}, "fault", [],
+        [
+            (
+                "division-by-zero", "division by zero", 2, 2, 5,
+                "test the divisor before dividing", "error",
+            )
         ],
     ),
     # Other tasks wait in vain, too.
@@ -135,6 +146,33 @@ def test_a_result_names_its_guesses(text: str, machine: dict[str, object], messa
     ]
     assert [each.message for each in found] == ([f"this result depends on {message}"] if message else [])
     assert all(each.severity == "warning" and not each.line for each in found)
+
+
+@pytest.mark.parametrize(
+    ("text", "status", "output", "code"),
+    [
+        ("Loop\nEnd Loop\n", "fault", [], "language"),
+        ("XX1\n", "ended", ["?1"], "unknown-word"),
+        ("1TP\n", "ended", ["01 0"], ""),
+    ],
+)
+def test_a_program_of_the_other_language_is_not_run(
+    text: str, status: str, output: list[str], code: str
+) -> None:
+    """A mistake alone does not make it one."""
+    found = run(Source("a.mcl", text), cache=False)
+    assert (found.status, found.output) == (status, output)
+    assert [each.code for each in found.diagnostics] == [code] * bool(code)
+
+
+def test_the_environment_switches_accelerators(monkeypatch: pytest.MonkeyPatch) -> None:
+    for value, given, on in (
+        ("0", None, False), ("1", None, True), ("0", True, True), ("1", False, False),
+    ):  # fmt: skip
+        monkeypatch.setenv("MOTIONLANG_FAST", value)
+        assert (accelerators(given) is not NO_ACCELERATORS) is on
+    monkeypatch.delenv("MOTIONLANG_FAST")
+    assert accelerators() is not NO_ACCELERATORS
 
 
 def new_run() -> Run:

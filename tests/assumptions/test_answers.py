@@ -131,6 +131,20 @@ PROBLEMS: tuple[tuple[list[str], list[tuple[str, str, int, str]]], ...] = (
         [*lines_of(TRUTH), "<mint.float-decimals|1.5"],
         [("the answer to mint.float-decimals is cut off", "", 4, "error")],
     ),
+    # The echo of a line with a mark, and of a remark, is no answer.
+    (
+        [
+            f"{mark('probe')}",
+            "1",
+            f"AL{mark('mccl.gain-default')},TR0",
+            f"{mark('mccl.gain-default')}",
+            "; gain",
+            "01 0.2",
+            f"AL{mark('end')},TR0",
+            f"{mark('end')}",
+        ],
+        [],
+    ),
     # A mark may follow a prompt, and so does the echo of a line.
     (
         [f">{mark('probe')}", "1", f"> {mark('mccl.gain-default')}", ">1TG", "01 0.2", f">{mark('end')}"],
@@ -149,6 +163,10 @@ PROBLEMS: tuple[tuple[list[str], list[tuple[str, str, int, str]]], ...] = (
 @pytest.mark.parametrize(("lines", "problems"), PROBLEMS)
 def test_what_is_wrong_with_answers(lines: list[str], problems: list[tuple[str, str, int, str]]) -> None:
     found = read("\n".join(lines))
+    assert [each.answer for each in found.verdicts if each.assumption.name == "mccl.gain-default"] in (
+        [],
+        ["01 0.2"],
+    )
     assert [(each.message, each.hint, each.line, each.severity) for each in found.problems] == problems
 
 

@@ -148,6 +148,10 @@ ASKED: tuple[tuple[Keyword, dict[str, tuple[str, list[str]]]], ...] = (
         "type": ("-3", ["fa = -2.25", "NEW({a}) = fa"]),
         "range-low": ("refuses -4", ["fa = -3", "NEW({a}) = fa", "fa = -4", "NEW({a}) = fa"]),
     }),
+    (row(unit="integer", high=1.0), {
+        "type": ("0", ["fa = 0.75", "NEW({a}) = fa"]),
+        "range-high": ("refuses 2", ["fa = 1", "NEW({a}) = fa", "fa = 2", "NEW({a}) = fa"]),
+    }),
     (row(unit="bool", high=0.0), {
         "range-high": ("refuses 1", ["fa = 0", "NEW({a}) = fa", "fa = 1", "NEW({a}) = fa"]),
     }),

@@ -11,7 +11,7 @@ from prompt_toolkit.application import create_app_session
 from prompt_toolkit.completion import CompleteEvent
 from prompt_toolkit.document import Document
 from prompt_toolkit.input import PipeInput, create_pipe_input
-from prompt_toolkit.output import DummyOutput
+from prompt_toolkit.output import ColorDepth, DummyOutput
 
 from motionlang.execution import dialect, dialects
 from motionlang.repl.complete import WordCompleter, candidates
@@ -120,6 +120,17 @@ def test_enter_executes_a_complete_text_and_extends_a_block(keys: PipeInput) -> 
     keys.send_text(f"{block}PRINT 3\x1b{ENTER}PRINT 4{ENTER}{CTRL_D}")
     assert converse(session) == 0
     assert "".join(shown) == "2\n2\n3\n4\n"
+
+
+@pytest.mark.parametrize(("value", "depth"), [("", None), ("1", ColorDepth.DEPTH_1_BIT)])
+def test_no_color_has_no_colours(
+    value: str, depth: ColorDepth | None, keys: PipeInput, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("NO_COLOR", value)
+    session = Session(dialect("mint"))
+    asker: Any = _asker(session, Live(session))
+    assert asker.color_depth == depth
+    assert asker.prompt_continuation == [("class:prompt", "....> ")]
 
 
 def test_completion_of_files_belongs_to_load(tmp_path: Path) -> None:

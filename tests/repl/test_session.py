@@ -101,7 +101,8 @@ def test_unanswered_input_ends_the_command() -> None:
     answer = session.feed("Dim n As Integer\nINPUT n")
     assert answer == (
         "error[never]: the command waits for the operator to answer INPUT, which can never happen\n"
-        " --> input:2:1\n  |\n2 | INPUT n\n  | ^^^^^\n  hint: .answer 1 ends it, as does [[answer]] of the machine file\n"
+        " --> input:2:1\n  |\n2 | INPUT n\n  | ^^^^^\n"
+        "  hint: .answer 1 ends it, as does [[answer]] of the machine file\n"
     )
     assert session.feed("PRINT 1") == "1\n"
 

@@ -9,9 +9,10 @@ from typing import Any
 
 import pytest
 
+from motionlang import report
 from motionlang.errors import Diagnostic
 from motionlang.execution import run
-from motionlang.report import SCHEMA, _axis, build, failure, moves, text
+from motionlang.report import SCHEMA, _axis, build, failure, moves, rendered, text
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
@@ -150,6 +151,43 @@ def test_the_document_is_plain_ascii() -> None:
     run.machine.terminal.write("µ\ud800\x1b\n")
     assert text(ended(run)).isascii()
     assert json.loads(text(run))["output"] == ["µ\ud800\x1b"]
+
+
+CUT = "MOVER(0) = 1 : GO(0)\nMOVER(0) = 2 : MOVER(0) = 3 : CANCEL(0)\nWAIT = 5\n"
+
+
+def test_a_report_has_dropped_moves_and_events() -> None:
+    """GO takes 10 µs, and CANCEL comes 30 µs later: at 100 000 uu/s² the axis has 3 uu/s then."""
+    report = build(run(Source("a.mnt", CUT), cache=False))
+    assert report["dropped"] == [{"axis": 0, "command": "MOVER", "line": 2, "reason": "cancel"}] * 2
+    peak = {"time": pytest.approx(4e-5), "axis": 0, "value": pytest.approx(3.0), "line": 2, "commanded_by": 1}
+    assert report["events"] == [
+        peak | {"kind": "cancel"},
+        peak | {"kind": "velocity jump", "limit": 0.0, "text": "cancel, an infinite acceleration"},
+    ]
+
+
+def test_an_event_has_the_line_of_its_offset() -> None:
+    """An offset counts tokens: the second PRINT follows the line end."""
+    result = run(Source("a.mnt", "PRINT 1\nPRINT 2\n"), cache=False)
+    for at in (0, 3, -1):
+        result.machine.log.events.add((0.5, "wait", None, None, None, at, 0, ""))
+    result.machine.log.events.add((0.5, "wait", 0, 0.0, 0.0, 3, 2, "why"))
+    rows = [{"time": 0.5, "kind": "wait", "line": line} for line in (1, 2, 0)]
+    more: dict[str, object] = {"axis": 0, "value": 0.0, "limit": 0.0, "commanded_by": 2, "text": "why"}
+    assert build(result)["events"] == [*rows, rows[1] | more]
+
+
+@pytest.mark.parametrize("at_once", [1, 3, 7, 1000])
+@pytest.mark.parametrize("make", [lambda: shift(7), lambda: run(Source("a.mnt", CUT), cache=False)])
+def test_a_document_is_the_same_in_any_chunks(
+    make: Callable[[], Run], at_once: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The lines of moves are written without rows, and read back as those of the rows."""
+    document = text(make())
+    monkeypatch.setattr(report, "AT_ONCE", at_once)
+    assert text(make()) == rendered(build(make())) == document
+    assert "assumptions" not in json.loads(text(make(), whole=False))
 
 
 SIMILAR_MOVES = """
