@@ -175,6 +175,17 @@ def test_the_environment_switches_accelerators(monkeypatch: pytest.MonkeyPatch) 
     assert accelerators() is not NO_ACCELERATORS
 
 
+def test_the_log_on_disk_has_a_size_in_gigabytes() -> None:
+    assert (
+        run(Source("a.mnt", "PRINT 1\n"), cache=False, log_size=2.5).machine.log.store.disk == 2_500_000_000
+    )
+
+
+def test_a_run_of_no_time_is_proved() -> None:
+    result = run(Source("a.mnt", ""), cache=False, prove=True)
+    assert (result.time, result.proof().violations) == (0.0, [])
+
+
 def new_run() -> Run:
     return Run(Source("a.mnt", " PRINT 1\n"), dialect("mint"), Machine({}))
 

@@ -123,7 +123,7 @@ def meanings(assumption: Assumption, most: int = 110) -> list[str]:
     pairs = [(probe.answers[0], chosen), *zip(probe.answers[1:], assumption.alternatives, strict=False)]
     shown = [(as_shown(answer), meaning) for answer, meaning in pairs]
     if probe.form:
-        shown[1:] = [("another number", "that is it")]
+        shown.append(("another number", "that is it"))
     width = min(WIDE, max(len(answer) for answer, _ in shown))
     lines = ["What it shows, and what that says of the controller:"]
     for answer, meaning in shown:

@@ -189,8 +189,7 @@ def _scale(row: Keyword) -> Questions:
     """Return a question with a second scale, which changes values stored in counts."""
     first, second = SCALES
     stored = VALUE * first / second
-    high, low = row.high if row.high is not None else VALUE, row.low if row.low is not None else 0
-    if not low <= VALUE <= high:
+    if (row.low is not None and row.low > VALUE) or (row.high is not None and row.high < VALUE):
         return []
     probe = Probe(
         "mint",

@@ -15,6 +15,8 @@ from motionlang.assumptions.probe import Motion, as_shown, mark
         ("1", "1.0000", True),
         ("1", "1.4", False),
         ("1", "1.04", False),
+        ("1", "1.0000000004", True),
+        ("1", "1.0000000006", False),
         ("2.5 yes", "2.50 yes", True),
         ("2.5 yes", "2.5", False),
         ("yes", "no", False),

@@ -126,6 +126,7 @@ def without_frame(text: str) -> str:
 def test_each_fact_of_an_integer_is_asked() -> None:
     found = of("mint", row(unit="integer", short="NW", default=1.0, low=0.0, high=3.0))
     assert {name: without_frame(alone(each, 2)) for name, each in found.items()} == INTEGER
+    assert all(each.probe is not None and each.probe.alone for each in found.values())
 
 
 # A row of Mint, and of each of its questions the chosen answer and the lines before the last one.

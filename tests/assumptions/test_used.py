@@ -26,6 +26,11 @@ def test_the_table_is_what_the_entries_say() -> None:
     )
 
 
+@pytest.mark.parametrize(("words", "text"), [("x" * 69, '"{}"'), ("x" * 70, '"""\n{}\n"""')])
+def test_a_long_text_has_lines_of_its_own(words: str, text: str) -> None:
+    assert indexing._text([words]) == text.format(words)
+
+
 def test_keywords_bring_their_assumptions_in_every_spelling_and_not_in_texts() -> None:
     for text in ("FOLLOWMODE(0) = 1", "x = 1 : followmode.0 = 1"):
         assert "mint.followmode" in used(text)

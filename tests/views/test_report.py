@@ -157,7 +157,7 @@ CUT = "MOVER(0) = 1 : GO(0)\nMOVER(0) = 2 : MOVER(0) = 3 : CANCEL(0)\nWAIT = 5\n
 
 
 def test_a_report_has_dropped_moves_and_events() -> None:
-    """GO takes 10 µs, and CANCEL comes 30 µs later: at 100 000 uu/s² the axis has 3 uu/s then."""
+    """CANCEL comes 30 µs after GO: at 100 000 uu/s² the axis has 3 uu/s then."""
     report = build(run(Source("a.mnt", CUT), cache=False))
     assert report["dropped"] == [{"axis": 0, "command": "MOVER", "line": 2, "reason": "cancel"}] * 2
     peak = {"time": pytest.approx(4e-5), "axis": 0, "value": pytest.approx(3.0), "line": 2, "commanded_by": 1}
@@ -165,6 +165,11 @@ def test_a_report_has_dropped_moves_and_events() -> None:
         peak | {"kind": "cancel"},
         peak | {"kind": "velocity jump", "limit": 0.0, "text": "cancel, an infinite acceleration"},
     ]
+
+
+def test_an_empty_list_is_one_line() -> None:
+    document = text(run(Source("a.mnt", "PRINT 1\n"), cache=False))
+    assert '"output": ["1"],\n "moves": [],\n "events": [],\n "axes": [],\n' in document
 
 
 def test_an_event_has_the_line_of_its_offset() -> None:
