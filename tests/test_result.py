@@ -51,6 +51,16 @@ REPORTED: tuple[
             )
         ],
     ),
+    # An answer that a fault left unused is not reported.
+    (
+        "PRINT 1 / 0\n", {"answer": [{"text": "3"}]}, "fault", [],
+        [
+            (
+                "division-by-zero", "division by zero", 1, 7, 1,
+                "the divisor is 0 whatever the program does", "error",
+            )
+        ],
+    ),
     # Other tasks wait in vain, too.
     (
         "Task t\nPAUSE IN(1)\nEnd Task\nRun t\n PAUSE IN(2)\n", {}, "fault",

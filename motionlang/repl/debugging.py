@@ -111,8 +111,6 @@ def _with(session: Session, work: Callable[[Debugging], str]) -> None:
         _wrong(session, "no program is stopped in the debugger", ".debug FILE begins one")
     except Interrupted:
         session.write("-- interrupted; the program is where it was\n")
-    except ProgramError as error:
-        session.trouble(error.diagnostics, None if debugging is None else debugging.debugger.source)
     except ValueError as error:
         message, _, hint = str(error).partition("; ")
         _wrong(session, message, hint)
@@ -128,8 +126,9 @@ def debug(session: Session, path: str) -> None:
 
     try:
         if before is not None and path in ("", before.path):
-            source = Source.read(before.path)
-            _with(session, lambda debugging: _again(debugging, source))
+            path = before.path
+            source = Source.read(path)
+            _with(session, lambda debugging: _again(session, debugging, source))
             return
         if not path:
             raise NotStopped
@@ -155,19 +154,21 @@ def change(session: Session, text: str) -> None:
         if not number.isdecimal() or not 1 <= int(number) <= len(lines):
             raise ValueError(f".change takes a line from 1 to {len(lines)} and its new text")
         lines[int(number) - 1] = line
-        changed = Source(source.name, "\n".join(lines))
-        try:
-            return _again(debugging, changed)
-        except ProgramError as error:
-            session.trouble(error.diagnostics, changed)
-            return ""
+        return _again(session, debugging, Source(source.name, "\n".join(lines)))
 
     _with(session, work)
 
 
-def _again(debugging: Debugging, source: Source) -> str:
-    """Run another text to the same time; breakpoints stay at their lines."""
-    stop = debugging.debugger.restart(source)
+def _again(session: Session, debugging: Debugging, source: Source) -> str:
+    """Run another text to the same time; breakpoints stay at their lines.
+
+    The errors of the text are shown, and the program stays as it was.
+    """
+    try:
+        stop = debugging.debugger.restart(source)
+    except ProgramError as error:
+        session.trouble(error.diagnostics, source)
+        return ""
     typed = debugging.broken
     debugging.remove_all()
     for each in typed:

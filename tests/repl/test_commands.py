@@ -224,6 +224,8 @@ def debugged(tmp_path: Path) -> Session:
         ([".goto line 6", ".changed n"], "-- this statement changes n\n0.00001 s  line 3: n = 2\n"),
         ([".changed output 2"], "nothing has changed output 2 yet\n"),
         ([".change 9 x"], "error[values]: .change takes a line from 1 to 7 and its new text\n"),
+        ([".change 1 Dim n As Float", ".goto line 4", ".vars n"], "n = 2\n"),
+        ([".change 7 PRINT 7", ".goto line 7"], "2\n2.00056 s  line 7: PRINT 7\n"),
         ([".change 0 x"], "error[values]: .change takes a line from 1 to 7 and its new text\n"),
         ([".change 3 n = 7", ".goto line 4", ".vars n"], "n = 7\n"),
         ([".goto 1e9"], "error[values]: 1e9 is no time, such as 2.5, and no line, such as line 12\n"),
@@ -231,6 +233,20 @@ def debugged(tmp_path: Path) -> Session:
 )
 def test_a_command_of_the_debugger(debugged: Session, lines: list[str], answer: str) -> None:
     assert [debugged.feed(line) for line in lines][-1] == answer
+
+
+def test_a_program_that_no_longer_compiles_is_shown_as_it_is_now(debugged: Session, tmp_path: Path) -> None:
+    """The program that is stopped stays."""
+    path = tmp_path / "a.mnt"
+    path.write_text(PROGRAM.replace("n = 2", "n = +"))
+    for command in (".debug", f".debug {path}"):
+        assert debugged.feed(command) == (
+            "error[syntax]: expected a value before the end of the line\n"
+            " --> a.mnt:3:6\n  |\n3 | n = +\n  |      ^\n"
+        )
+    path.unlink()
+    assert debugged.feed(".debug") == f"error[file]: {path} cannot be read: no such file or directory\n"
+    assert debugged.feed(".step") == "0.00001 s  line 3: n = 2\n"
 
 
 def test_an_axis_is_shown_once_it_has_moved(debugged: Session) -> None:

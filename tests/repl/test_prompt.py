@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -14,6 +16,7 @@ from prompt_toolkit.input import PipeInput, create_pipe_input
 from prompt_toolkit.output import ColorDepth, DummyOutput
 
 from motionlang.execution import dialect, dialects
+from motionlang.repl import prompt
 from motionlang.repl.complete import WordCompleter, candidates
 from motionlang.repl.highlight import WordLexer, styled
 from motionlang.repl.live import Live
@@ -131,6 +134,25 @@ def test_no_color_has_no_colours(
     asker: Any = _asker(session, Live(session))
     assert asker.color_depth == depth
     assert asker.prompt_continuation == [("class:prompt", "....> ")]
+
+
+def test_the_bar_is_refreshed_in_live_mode_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Output is written as it is, with its colours."""
+    lines, refreshed, raw = iter([".live on", ".live off", ".quit"]), [], []
+
+    def ask(refresh_interval: float) -> str:
+        refreshed.append(refresh_interval)
+        return next(lines)
+
+    def patched(**given: bool) -> AbstractContextManager[None]:
+        raw.append(given)
+        return nullcontext()
+
+    monkeypatch.setattr(prompt, "_asker", lambda session, live: SimpleNamespace(prompt=ask))
+    monkeypatch.setattr(prompt, "patch_stdout", patched)
+    assert converse(Session(dialect("mint"))) == 0
+    assert refreshed == [0, 0.1, 0]
+    assert raw == [{"raw": True}] * 3
 
 
 def test_completion_of_files_belongs_to_load(tmp_path: Path) -> None:
