@@ -249,6 +249,18 @@ def test_what_is_private_is_so_from_its_first_byte(tmp_path: Path) -> None:
         assert stat.S_IMODE(os.fstat(file.fileno()).st_mode) == 0o600
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX permissions")
+def test_a_new_file_is_no_program(tmp_path: Path) -> None:
+    """Apart from that, the user's mask decides who may read and write it."""
+    before = os.umask(0)
+    try:
+        with replacing(str(tmp_path / "x")) as file:
+            file.write(b"new")
+    finally:
+        os.umask(before)
+    assert stat.S_IMODE((tmp_path / "x").stat().st_mode) == 0o666
+
+
 def test_a_file_is_held_once(tmp_path: Path) -> None:
     path = str(tmp_path / "nv.json")
     first = Lock(path)

@@ -31,6 +31,7 @@ REPORTED: tuple[
     tuple[str, dict[str, object], str, list[str], list[tuple[str, str, int, int, int, str, str]]], ...
 ] = (
     ("PRINT 1\n", {}, "ended", [], []),
+    ("PARAMETERSAVE\n", {}, "ended", ["keywords without effect here: PARAMETERSAVE (line 1)"], []),
     # The last move of each line that was loaded and not started.
     (
         "MOVER(0) = 5 : MOVER(1) = 3 : MOVER(0) = 4\n  MOVER(2) = 5\n", {}, "ended", [],

@@ -81,6 +81,7 @@ MEANT = (
     ("abc", ["abcdefgh"], None),  # 2 · 3 / 11
     ("abxxx", ["abyy"], None),  # 2 · 2 / 9
     ("", ["a"], None),
+    ("", [""], None),
     ("a", [], None),
     ("q", ["w"], None),
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 
 import pytest
@@ -28,3 +29,13 @@ def test_interrupt_request_ends_with_its_command() -> None:
     assert not interrupts.pressed()
     with interrupts:
         assert not interrupts.pressed()
+
+
+def test_output_after_ctrl_c_has_its_own_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The terminal has shown ^C; standard error has the number 2."""
+    written: list[tuple[int, bytes]] = []
+    monkeypatch.setattr(os, "isatty", lambda file: file == 2)
+    monkeypatch.setattr(os, "write", lambda *given: written.append(given))
+    with Interrupts():
+        signal.raise_signal(signal.SIGINT)
+    assert written == [(2, b"\n")]
