@@ -9,6 +9,7 @@ import pytest
 
 from motionlang.cli.repl import open_session
 from motionlang.execution import ONE_SHIFT, dialect
+from motionlang.repl.commands import COMMANDS, Command
 from motionlang.repl.live import Live
 from motionlang.repl.session import Session
 from motionlang.repl.status import number_text
@@ -219,3 +220,35 @@ def test_a_handler_continues_after_an_interrupted_command() -> None:
     assert "error[interrupted]" in session.feed("WAIT = 300")
     session.interrupted = lambda: False
     assert session.feed("WAIT = 500") == "7\n"
+
+
+def test_a_task_that_fails_has_ended() -> None:
+    """It fails at 0.1 s; the other task continues."""
+    session = Session(dialect("mint"))
+    session.feed(
+        "Dim z\nTask t\n  WAIT = 100\n  PRINT 1 / z\nEnd Task\nTask u\n  WAIT = 900\n  PRINT 9\nEnd Task"
+    )
+    session.feed("Run t : Run u")
+    assert session.feed("WAIT = 500").startswith("error[division-by-zero]")
+    assert session.machine.scheduler is not None
+    assert [task.name for task in session.machine.scheduler.tasks] == ["ParentTask", "u"]
+    assert session.feed("WAIT = 900") == "9\n"
+
+
+def test_a_missing_library_is_reported_and_another_error_raised(monkeypatch: pytest.MonkeyPatch) -> None:
+    session = Session(dialect("mint"))
+    errors: list[Exception] = []
+
+    def fail(*_: object) -> None:
+        raise errors[0]
+
+    monkeypatch.setattr(session.runner._interactive, "task", fail)
+    monkeypatch.setitem(COMMANDS, "report", Command("report", "", "A report.", fail))
+    errors[:] = [ImportError("no numpy", name="numpy")]
+    for line, user in (("PRINT 1", "this line"), (".report", ".report")):
+        assert session.feed(line).startswith(f"error[extra]: {user} needs numpy\n")
+        assert session.failed
+    errors[:] = [ImportError("no module", name="other")]
+    for line in ("PRINT 1", ".report"):
+        with pytest.raises(ImportError, match="no module"):
+            session.feed(line)
