@@ -262,3 +262,35 @@ def test_an_axis_is_shown_once_it_has_moved(debugged: Session) -> None:
     assert then.endswith(", velocity 50")
     assert "axis 1" not in text
     assert debugged.feed(".go").startswith("2\nended after 2.")
+
+
+TASKS = """\
+Dim n As Integer
+Task t
+  Dim m As Integer
+  m = 1
+  WAIT = 500
+End Task
+Run t
+WAIT = 10
+n = 2
+PRINT n
+"""
+
+
+def test_another_task_is_shown_by_what_it_waits_for(tmp_path: Path) -> None:
+    """At the end there is no task of the stop, and no module."""
+    path = tmp_path / "a.mnt"
+    path.write_text(TASKS)
+    session = Session(dialect("mint"))
+    session.feed(f".debug {path}")
+    assert session.feed(".goto line 10") == "0.01003 s  line 10: PRINT n\n"
+    assert session.feed(".vars") == "task t waits for 0.5 s\nn = 2\n"
+    assert session.feed(".go") == "2\nended after 0.01004 s\n"
+    assert session.feed(".vars") == "task t waits for 0.5 s\n"
+
+
+def test_nothing_is_executed_after_quit() -> None:
+    session = Session(dialect("mint"))
+    assert session.feed("PRINT 1\n.quit\nPRINT 2") == "1\n"
+    assert session.over
