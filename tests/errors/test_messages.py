@@ -74,7 +74,7 @@ def test_a_warning_of_an_old_name_is_at_the_caller_of_the_function_that_reads_it
 
 # A word, known words, and the one that was probably meant. The ratio of two words is twice the number of equal letters
 # by the number of all letters, 0.6 at least.
-MEANT = (
+MEANT: tuple[tuple[str, list[str], str | None], ...] = (
     ("spede", ["SPEED", "SPREAD"], "SPEED"),
     ("ab", ["abcd", "xy"], "abcd"),  # 2 · 2 / 6
     ("abc", ["abcdefg"], "abcdefg"),  # 2 · 3 / 10

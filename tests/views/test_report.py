@@ -143,6 +143,8 @@ def test_a_run_that_never_began() -> None:
     )
     assert (document["schema"], document["status"], document["moves"]) == (SCHEMA, "fault", [])
     assert document["diagnostics"][0]["code"] == "file"
+    assert (document["program"], document["dialect"], document["time"]) == ("pick.mnt", "", 0.0)
+    assert [document[name] for name in ("output", "events", "axes", "notes", "assumptions")] == [[]] * 5
     assert document.keys() == build(ballscrew()).keys()
 
 
