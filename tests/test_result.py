@@ -1,4 +1,4 @@
-"""What a run reports about itself: whole diagnostics and notes."""
+"""Diagnostics and notes of a run, compared as a whole."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ REPORTED: tuple[
             )
         ],
     ),
-    # Other tasks wait in vain, too.
+    # No event ends the wait of the other task.
     (
         "Task t\nPAUSE IN(1)\nEnd Task\nRun t\n PAUSE IN(2)\n", {}, "fault",
         [f"line 5: {ENDLESS}", "line 2: t waits until IN(1)"],

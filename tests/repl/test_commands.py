@@ -224,7 +224,7 @@ def debugged(tmp_path: Path) -> Session:
         ([".goto line 6", ".changed n"], "-- this statement changes n\n0.00001 s  line 3: n = 2\n"),
         ([".changed output 2"], "nothing has changed output 2 yet\n"),
         ([".change 9 x"], "error[values]: .change takes a line from 1 to 7 and its new text\n"),
-        ([".change 1 Dim n As Float", ".goto line 4", ".vars n"], "n = 2\n"),
+        ([".change 1 Dim n As Float"], "0 s  line 2: n = 1\n"),
         ([".change 7 PRINT 7", ".goto line 7"], "2\n2.00056 s  line 7: PRINT 7\n"),
         ([".change 0 x"], "error[values]: .change takes a line from 1 to 7 and its new text\n"),
         ([".change 3 n = 7", ".goto line 4", ".vars n"], "n = 7\n"),
