@@ -42,7 +42,6 @@ EQUIVALENT: dict[str, str] = {
     "was_at_standstill and (not self.at_standstill) -> was_at_standstill or not self.at_standstill": (
         "one look more at the present sample, which finds nothing new"
     ),
-    "motionlang/notes/slip.py: _beyond: 1.0 -> 2.0": ("a piece without an end has one acceleration for ever"),
     "motionlang/servo/tuning.py: Suggestion: True -> False #2": (
         "slots: the attributes are the same without"
     ),
@@ -420,9 +419,6 @@ EQUIVALENT: dict[str, str] = {
     "abs(cost_units - round(cost_units)) <= 1e-06": "just at the size of rounding either is right",
     "motionlang/fast/recurrence.py: Recurrence: __init__: 0 -> 1 #2": "one byte more of ten million",
     "motionlang/fast/recurrence.py: Recurrence: _begin: 0 -> 1": "one byte more of ten million",
-    "motionlang/editor/navigation.py: folds: last > first -> last >= first": (
-        "a fold of one line is left out at the end"
-    ),
     "motionlang/analysis/proof/paths.py: _check_along: back < -SLACK * max(1.0, slow.came) -> back <= "
     "-SLACK * max(1.0, slow.came)": ("just at the size of rounding either is right"),
     "motionlang/analysis/proof/paths.py: _check_along: fast <= SLACK * max(1.0, slow.came) -> fast < "
@@ -852,5 +848,76 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/planners/segment_speed.py: exit_speed: length * (1.0 + _SLACK) -> length / (1.0 + _SLACK)": (
         "just at the size of rounding either is right"
+    ),
+    "motionlang/notes/slip.py: Slip: True -> False": "nothing assigns to one or hashes one",
+    "motionlang/notes/dac_override.py: OverrideRun: True -> False": "nothing assigns to one or hashes one",
+    "motionlang/notes/chapter12.py: Settings: True -> False": "nothing assigns to one or hashes one",
+    "motionlang/notes/chapter12.py: ListingRun: True -> False": "nothing assigns to one or hashes one",
+    "motionlang/notes/tn1069_servo.py: Row: True -> False": "nothing assigns to one or hashes one",
+    "motionlang/notes/slip.py: _sampled: knot < last -> knot <= last": (
+        "an interval of no length has no acceleration of its own"
+    ),
+    "motionlang/notes/slip.py: _sampled: at_a > most -> at_a >= most #2": (
+        "the crossing is found where the acceleration is at the limit"
+    ),
+    "motionlang/notes/slip.py: _sampled: at_b > most -> at_b >= most #2": (
+        "the crossing is found where the acceleration is at the limit"
+    ),
+    "motionlang/notes/slip.py: _crossing: 50 -> 51": "the interval is one number after 50 halvings",
+    "motionlang/notes/slip.py: _crossing: abs(profile.acceleration(middle)) > most -> "
+    "abs(profile.acceleration(middle)) >= most": ("just at the size of rounding either is right"),
+    "motionlang/notes/slip.py: _joined: begin <= made[-1][1] + 1e-12 -> begin < made[-1][1] + 1e-12": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/notes/tn1069.py: 1e+100 -> 1e+100": "the same number",
+    "motionlang/notes/tn1069.py: nominal: 8.0 -> 9.0": "the long move reaches its velocity in either",
+    "motionlang/notes/tn1069_servo.py: accel_for: duration(high) > time -> duration(high) >= time": (
+        "another bracket of the same acceleration"
+    ),
+    "motionlang/notes/tn1069_servo.py: accel_for: 2.0 -> 3.0": "another bracket of the same acceleration",
+    "motionlang/notes/tn1069_servo.py: accel_for: duration(middle) > time -> duration(middle) >= time": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/editor/hover.py: definition_page: 0 -> 1": "a name begins and ends in the same line",
+    "motionlang/editor/hover.py: _comment_above: 0 -> 1": "a name begins and ends in the same line",
+    "motionlang/editor/times.py: _seconds: value < 100 -> value <= 100": (
+        "three digits of 100 to 101 are those of a whole number"
+    ),
+    "motionlang/editor/times.py: _seconds: 100 -> 101": (
+        "three digits of 100 to 101 are those of a whole number"
+    ),
+    "motionlang/editor/navigation.py: folds: 0 -> 1 #4": (
+        "a comment begins at line 1, or a fold of line 1 to line 0 is left out"
+    ),
+    "motionlang/errors.py: Spellings: nearest: 2.0 -> 3.0": (
+        "a looser bound leaves more words to difflib, which decides"
+    ),
+    "motionlang/errors.py: Spellings: nearest: size - (letters & ~others).bit_count() -> size + (letters "
+    "& ~others).bit_count()": ("a looser bound leaves more words to difflib, which decides"),
+    "motionlang/errors.py: Spellings: nearest: length - (others & ~letters).bit_count() -> length + "
+    "(others & ~letters).bit_count()": ("a looser bound leaves more words to difflib, which decides"),
+    "motionlang/errors.py: _letters: 1 -> 2": "the bits are shifted alike for all words",
+    "motionlang/errors.py: _letters: 63 -> 64": "a looser bound leaves more words to difflib, which decides",
+    "motionlang/repl/history.py: _is_writable: 0 -> 1": "a system without O_NOFOLLOW",
+    "motionlang/repl/history.py: _is_writable: 384 -> 385": "fchmod sets the permissions of the new file",
+    "motionlang/repl/prompt.py: converse: 0 -> 1": "the bar is drawn again with the same text",
+    "motionlang/files.py: Lock: release: 1 -> 2": "any negative number shows that the lock is released",
+    "motionlang/files.py: _hold: 1 -> 2": "Windows locks another byte of a file without content",
+    "motionlang/assumptions/answers.py: _answers_of_mccl: 0 -> 1": (
+        "the line is set along with the name of a question"
+    ),
+    "motionlang/assumptions/answers.py: _are_equal: abs(float(wanted) - float(given)) <= 0.5000001 * "
+    "10.0 ** (-decimals) + 1e-06 * abs(float(wanted)) * ('e' in given) -> abs(float(wanted) - "
+    "float(given)) < 0.5000001 * 10.0 ** (-decimals) + 1e-06 * abs(float(wanted)) * ('e' in given)": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/execution.py: run: compiled.size > size -> compiled.size >= size": (
+        "the same program is cached again"
+    ),
+    "motionlang/execution.py: _entry: '' if machine.accelerators.ranges is None else 'fast' -> 'fast' if "
+    "machine.accelerators.ranges is None else ''": ("each kind of program still has a name of its own"),
+    "motionlang/execution.py: _thresholds: hasattr(gc, 'get_threshold') and hasattr(gc, 'set_threshold') "
+    "-> hasattr(gc, 'get_threshold') or hasattr(gc, 'set_threshold')": (
+        "an interpreter has both functions or none"
     ),
 }
