@@ -223,13 +223,15 @@ def test_a_handler_continues_after_an_interrupted_command() -> None:
 
 
 def test_a_task_that_fails_has_ended() -> None:
-    """It fails at 0.1 s; the other task continues."""
+    """It fails at 0.1 s, at no line of the command; the other task continues."""
     session = Session(dialect("mint"))
     session.feed(
         "Dim z\nTask t\n  WAIT = 100\n  PRINT 1 / z\nEnd Task\nTask u\n  WAIT = 900\n  PRINT 9\nEnd Task"
     )
     session.feed("Run t : Run u")
-    assert session.feed("WAIT = 500").startswith("error[division-by-zero]")
+    assert session.feed("WAIT = 500") == (
+        "error[division-by-zero]: division by zero\n  hint: test the divisor before dividing\n"
+    )
     assert session.machine.scheduler is not None
     assert [task.name for task in session.machine.scheduler.tasks] == ["ParentTask", "u"]
     assert session.feed("WAIT = 900") == "9\n"
@@ -248,6 +250,7 @@ def test_a_missing_library_is_reported_and_another_error_raised(monkeypatch: pyt
     for line, user in (("PRINT 1", "this line"), (".report", ".report")):
         assert session.feed(line).startswith(f"error[extra]: {user} needs numpy\n")
         assert session.failed
+    assert session.execute(Source("input", "PRINT 1")) is False
     errors[:] = [ImportError("no module", name="other")]
     for line in ("PRINT 1", ".report"):
         with pytest.raises(ImportError, match="no module"):
