@@ -6,16 +6,12 @@ stationary points.
 
 from __future__ import annotations
 
-from math import ceil, inf, pi
+from math import inf
 
 from motionlang.log.track import WholeTrack
 from motionlang.planners.curve import State, state_in
 from motionlang.planners.formula import summit
-from motionlang.planners.pieces import (
-    crest_points,
-    even_points,
-    still_points,
-)
+from motionlang.planners.pieces import crest_points, even_points, still_points
 from motionlang.record import record
 
 TYPE_CHECKING = False
@@ -24,7 +20,6 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.planners import Profile
-    from motionlang.planners.ramps import Piece
 
 
 @record
@@ -94,7 +89,7 @@ def peak_speed(a: Axis, until: float) -> float:
         if profile.shape != "hold":
             whole = profile.duration <= length + 4e-16 * (begin + length)  # within the rounding of its end
             peak = max(peak, (profile if whole else profile.cut(length)).peak_speed)
-    return peak / abs(a.scale.counts or 1.0)
+    return peak / abs(a.scale.counts)
 
 
 def _track(a: Axis, until: float) -> Iterator[tuple[float, float, Profile]]:
@@ -112,7 +107,8 @@ def _track(a: Axis, until: float) -> Iterator[tuple[float, float, Profile]]:
 def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, State]]]:
     """Yield the smooth stretches of the first `length` seconds.
 
-    Each stretch is the states at its ends and at the extrema in between.
+    Each stretch is the states at its ends and at the extrema in between. Velocity and jerk of a sine have none: its
+    piece is within half a wave.
     """
     within = min(profile.duration, length)
     knots = profile.knots
@@ -123,26 +119,13 @@ def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, St
         if profile.pieced:
             piece = profile.pieces[k]
             extrema: set[float] = set()
-            for where in (still_points, even_points, crest_points, _flat_points):
+            for where in (still_points, even_points, crest_points):
                 extrema.update(where(piece, span))
             yield [(begin + x, state_in(piece, x)) for x in (0.0, *sorted(extrema), span)]
         else:
             yield _searched(profile, begin, begin + span)
     if within < length:
         yield [(time, profile.at(time)) for time in (within, length)]
-
-
-def _flat_points(piece: Piece, span: float) -> tuple[float, ...]:
-    """Return the times of peak velocity and jerk of a wave.
-
-    They are half a period apart, where the cosine of the wave is 1 or -1.
-    """
-    amplitude, omega, phase = piece[4:]
-    if not amplitude:
-        return ()
-    first = ceil(phase / pi)
-    times = ((first + n) * pi - phase for n in range(3))
-    return tuple(x / omega for x in times if 0.0 < x / omega < span)
 
 
 # Points between two knots of a formula that are sampled; the best are refined.
@@ -190,7 +173,7 @@ def _differ(left: float, right: float, slope: float, slope_after: float) -> bool
 
 
 def _in_units(a: Axis, state: State) -> State:
-    size = abs(a.scale.counts or 1.0)
+    size = abs(a.scale.counts)
     return State(
         a.scale.position_to_user(state.position),
         state.velocity / size,
@@ -218,7 +201,7 @@ def motor_peak(a: Axis, until: float, column: str, *, rms: bool = False) -> Extr
         if values[index] > largest:
             largest, when = float(values[index]), first + index * chunk.loop.period
         squares, count = squares + float(values @ values), count + len(values)
-    size = abs(a.scale.counts or 1.0) if column == "error" else 1.0
+    size = abs(a.scale.counts) if column == "error" else 1.0
     if rms:
         return Extreme((squares / count) ** 0.5 / size if count else 0.0, until)
     return Extreme(largest / size, when)

@@ -66,7 +66,7 @@ class Profiles(Chunks):
         """Return the number of the profile in force at a time, or the first one's."""
         number = max(bisect_right(self._begins, time) - 1, 0)
         rows = self.chunk(number)
-        return max(self.firsts[number] + bisect_right(rows, time, key=_start) - 1, 0)
+        return max(self.firsts[number] + bisect_right(rows, time, key=_start) - 1, self.first)
 
 
 def _start(row: tuple[float, object]) -> float:

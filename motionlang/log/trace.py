@@ -302,14 +302,14 @@ class Trace:
 
     def resolution(self, axis: int) -> float:
         """Return the size of one count of an axis in user units."""
-        return 1.0 / abs(self.controller.axes[axis].scale.counts or 1.0)
+        return 1.0 / abs(self.controller.axes[axis].scale.counts)
 
     def to_user(self, axis: int, quantity: str, values: Array) -> None:
         """Convert values in counts to user units, in place; times are always seconds."""
         scale = self.controller.axes[axis].scale
         if quantity == "position" and scale.zero:
             values -= scale.zero
-        if scale.counts not in (0.0, 1.0):
+        if scale.counts != 1.0:
             values /= scale.counts
 
     def _fill(

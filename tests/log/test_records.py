@@ -1,0 +1,371 @@
+"""What a log stores and drops, and its records by hand."""
+
+from __future__ import annotations
+
+from math import inf
+from typing import Any
+
+import pytest
+
+from motionlang.controller.controller import Controller
+from motionlang.controller.move import Action, Move
+from motionlang.log import log as log_module
+from motionlang.log import stream
+from motionlang.log.log import Log
+from motionlang.log.move_rows import move_of, row, sealed
+from motionlang.log.order import Order, PathOrder, Tie
+from motionlang.log.plain_moves import move_of as plain_move_of
+from motionlang.log.records import RepeatedWaits, TimeSlices, Waited
+from motionlang.log.stream import Store
+from motionlang.log.time_slices import TimeSliceStream
+from motionlang.log.track import WholeTrack, pieces_of
+from motionlang.planners import hold, plan_trapezoid
+from tests.log.test_figures import machine
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pack two profiles or moves at a time, and leave four profiles of each axis."""
+    monkeypatch.setattr(stream, "CHUNK_SIZE", 2)
+    monkeypatch.setattr(log_module, "LEFT_PROFILES", 4)
+
+
+def shuttled(moves: int) -> Controller:
+    """Return an axis that has begun a move at each of the seconds 1, 2, 3 …
+
+    A move of 10 takes 0.35 s (`test_figures.py`), so the profiles begin at 0, 1, 1.35, 2, 2.35 …
+    """
+    controller = machine()
+    for k in range(1, moves + 1):
+        controller.clock.advance(float(k))
+        controller.move_to(0, 10.0 * (k % 2), line=k)
+    controller.clock.advance(moves + 0.5)
+    return controller
+
+
+STARTS = [0.0, 1.0, 1.35, 2.0, 2.35, 3.0, 3.35, 4.0, 4.35, 5.0, 5.35]
+
+
+@pytest.mark.usefixtures("small")
+def test_the_profile_in_force_at_a_time_of_a_packed_track() -> None:
+    """Of the eleven profiles of five moves four are not packed: those from 4 s on."""
+    controller = shuttled(5)
+    a = controller.axes[0]
+    controller.log.pack([a])
+    track = WholeTrack(a)
+    assert a.older is not None
+    assert (a.older.count, len(a.starts), controller.log.moves.packed) == (7, 4, 1)
+    assert list(track.starts) == pytest.approx(STARTS)
+    for number, start in enumerate(list(track.starts)):
+        assert track.index_at(start) == number
+        assert track.index_at(start + 0.1) == number
+        assert track.index_at(start - 1e-9) == max(number - 1, 0)
+        assert track.count(0.5, start) == number
+        assert (a.older.in_force(start) if number < 7 else number) == number
+    assert [profile.end for profile in track.profiles] == [0, 10, 10, 0, 0, 10, 10, 0, 0, 10, 10]
+    for begin, end, first, past in ((0.0, 0.5, 0, 1), (1.1, 2.1, 0, 4), (2.1, 4.1, 2, 8), (4.4, 9.0, 7, 11)):
+        starts, profiles = track.between(begin, end)
+        assert list(starts) == pytest.approx(STARTS[first:past])
+        assert len(profiles) == past - first
+    assert [start for start, _ in a.older] == pytest.approx(STARTS[:7])
+    assert [a.older.profile(k).end for k in range(7)] == [0, 10, 10, 0, 0, 10, 10]
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize(
+    ("time", "first"), [(0.0, 0), (1.34, 0), (1.35, 2), (2.34, 2), (2.36, 4), (3.4, 6), (99.0, 6)]
+)
+def test_profiles_before_a_time_are_dropped(time: float, first: int) -> None:
+    """Chunks begin at 0, 1.35, 2.35 and 3.35 s, with the profiles 0, 2, 4 and 6."""
+    controller = shuttled(5)
+    a = controller.axes[0]
+    controller.log.pack([a])
+    assert a.older is not None
+    a.older.forget_before(time)
+    assert (a.older.first, a.older.count) == (first, 7)
+    assert a.older.in_force(0.0) == first
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize("extra", [[], [5.0]])
+def test_an_interrupt_while_profiles_are_packed_is_completed(extra: list[float]) -> None:
+    """The start of the last chunk is not noted yet, or one too many is."""
+    controller = shuttled(5)
+    a = controller.axes[0]
+    controller.log.pack([a])
+    assert a.older is not None
+    if extra:
+        a.older._begins += extra
+    else:
+        del a.older._begins[-1]
+    controller.log.finish_updates([a])
+    assert a.older._begins == pytest.approx([0.0, 1.35, 2.35, 3.35])
+    assert (a.older.count, a.older.in_force(3.4)) == (7, 6)
+
+
+def test_an_interrupt_before_the_first_profile_is_packed() -> None:
+    controller = shuttled(1)
+    a = controller.axes[0]
+    a.older = controller.log.older(controller.log.store)
+    controller.log.finish_updates([a])
+    assert a.older is None
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize(
+    ("moves", "more", "count", "first"), [(9, 0, 0, 0), (9, 1, 0, 0), (10, 0, 11, 8), (12, 0, 15, 14)]
+)
+def test_a_log_that_forgets_packs_profiles_and_drops_the_oldest(
+    moves: int, more: int, count: int, first: int
+) -> None:
+    """A controller that retains one record of a kind retains ten profiles.
+
+    It packs the others if there are more than twenty, in pairs, and drops the pairs that ended before its last move.
+    """
+    controller = shuttled(moves)
+    a = controller.axes[0]
+    if more:
+        controller.define_position(0, 3.0)
+    controller.forget_history(1)
+    assert [move.line for move in controller.log.moves] == [moves]
+    assert (0 if a.older is None else a.older.count) == count
+    assert (0 if a.older is None else a.older.first) == (0 if a.older is None else count - 1)
+    assert len(a.starts) == 1 + 2 * moves + more - count
+
+
+@pytest.mark.parametrize(("most", "axes", "room"), [(20, 1, 16), (20, 2, 15), (7, 1, 4), (9, 1, 5)])
+def test_room_for_profiles(
+    most: int, axes: int, room: int, small: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Four profiles of an axis are left of eleven; one that never moved has one."""
+    monkeypatch.setattr(log_module, "MAX_PROFILES", most)
+    controller = shuttled(5)
+    several = [controller.axes[0], *Controller(axes - 1).axes.values()] if axes > 1 else [controller.axes[0]]
+    controller.log.pack(several)
+    assert controller.log.room == room
+
+
+def test_the_first_room_is_for_all_profiles(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of 40 960 profiles the first 1024 are checked; with motors, of 10 240."""
+    controller = shuttled(2)
+    a: Any = controller.axes[0]
+    controller.log.make_room([a])
+    assert (controller.log.room, a.older, controller.log.moves.packed) == (40_960 - 1024, None, 0)
+    followed = shuttled(2)
+    followed.axes[0].feedback = object()  # type: ignore[assignment]
+    followed.log.make_room([a, followed.axes[0]])
+    assert followed.log.room == 10_240 - 1024
+
+
+@pytest.mark.usefixtures("small")
+def test_a_move_in_progress_stays_an_object_while_others_are_packed() -> None:
+    controller = Controller(2)
+    controller.move_to(0, 1e6, line=1)
+    (long,) = controller.log.moves
+    for k in range(3):
+        controller.move_to(1, 10.0 + k, line=2 + k)
+        controller.clock.advance(controller.idle_time(1))
+    moves = controller.log.moves
+    moves.pack(3)
+    assert (moves.packed, len(moves.tail), moves.number(long)) == (3, 1, 0)
+    assert [each.line for each in moves] == [1, 2, 3, 4]
+    assert moves[0] is long
+    assert moves.number(moves[3]) == 3
+    assert moves.moved() == {0, 1}
+    controller.stop(0)
+    controller.clock.advance(controller.idle_time(0))
+    profile = long.profile
+    assert profile is not None
+    controller.move_to(0, 0.0, line=5)
+    controller.clock.advance(controller.idle_time(0))
+    moves.pack(2)
+    moves._chunks.reread()
+    first = moves[0]
+    assert first is not long
+    assert (first.line, first.ended, first.start_time, first.target) == (1, "stop", 0.0, profile.end)
+    assert first.profile is not None
+    assert (first.profile.end, first.profile.duration) == (profile.end, profile.duration)
+    assert [each.line for each in moves] == [1, 2, 3, 4, 5]
+
+
+def filled(**more: Any) -> Move:
+    move = Move(0, "MOVER", 3, 10.0)
+    for name, value in more.items():
+        setattr(move, name, value)
+    return move
+
+
+FIELDS = (
+    "axis",
+    "command",
+    "line",
+    "target",
+    "commanded_speed",
+    "start_time",
+    "scale",
+    "zero",
+    "offset",
+    "ended",
+)
+
+
+@pytest.mark.parametrize("action", [None, Action()])
+def test_a_packed_move_has_all_its_figures(action: Action | None) -> None:
+    figures = {
+        "commanded_speed": 5.0,
+        "start_time": 2.0,
+        "scale": 100.0,
+        "zero": 4.0,
+        "offset": -3.0,
+        "ended": "stop",
+    }
+    move = filled(**figures, action=action, profile=plan_trapezoid(0.0, 10.0, 5.0, 100.0, 100.0))
+    made, plain = row(move, None), row(filled(), None)
+    assert made[8:12] == (4.0, -3.0, action is not None, False)
+    assert plain[8:] == (None, None, False, False, None)
+    again = move_of(made, {})
+    assert [getattr(again, name) for name in FIELDS] == [
+        0,
+        "MOVER",
+        3,
+        10.0,
+        5.0,
+        2.0,
+        100.0,
+        4.0,
+        -3.0,
+        "stop",
+    ]
+    assert ((again.action is None) == (action is None), again.overlaid) == (True, False)
+    assert again.profile is not None
+    assert (again.profile.end, again.profile.duration) == (
+        10.0,
+        move.profile.duration if move.profile else 0.0,
+    )
+    back = move_of(plain, {})
+    assert (back.zero, back.offset, back.action, back.profile) == (0.0, 0.0, None, None)
+    done = hold(4.0)
+    part = sealed(move, done)
+    assert (part.profile is done, part.ended, part.start_time, part.offset) == (True, "continued", 2.0, -3.0)
+
+
+def test_an_overlaid_move_is_one_when_it_is_read() -> None:
+    class Overlaid(Move):
+        overlaid = True
+
+    again = move_of(row(Overlaid(0, "OFFSET", 3, 10.0), None), {})
+    assert (again.overlaid, again.command) == (True, "OFFSET")
+
+
+def test_a_plain_move_as_a_row() -> None:
+    recipe = (0.0, 1.0, 0.0, 10.0, 1.0, 0.0, 0.0)
+    made = plain_move_of((1, 2.0, 3.0, 13.0, 2.0, recipe, 10.0, 5.0, 4.0, (99.0, 3.0, "MOVER", 7, 8.0, 6)))
+    assert (made.axis, made.start_time, made.target, made.base, made.command) == (1, 2.0, 13.0, 3.0, "MOVER")
+    assert (made.line, made.speed, made.id, made.commanded_speed) == (7, 8.0, 6, 10.0)
+    assert (made.scale, made.zero, made.released, made.ended, made.offset) == (5.0, 4.0, True, "", 0.0)
+    assert made.profile is not None
+    assert (made.profile.start, made.profile.end, made.profile.duration) == (3.0, 13.0, 2.0)
+
+
+SHORT = ("main", 11, (2, 5), 0.25)
+
+
+def test_the_waits_of_a_skipped_iteration_are_logged_once() -> None:
+    """An iteration has begun at 1.0 s.
+
+    A wait for a time is written as its source position, with the base 1.0, the count 2 and the end 4.0. A statement
+    takes 0.25 s, so it is from 1.5 to 4.0 s.
+    """
+    log = Log()
+    mine: list[Any] = [
+        ("main", 3, 1.0, 1.0, "axis", (0,), "idle", ()),
+        (SHORT, 1.0, 2.0, 4.0),
+    ]
+    earlier: Any = ("main", 1, 0.0, 0.9, "axis", (0,), "idle", ())
+    begun_before: Any = ("main", 2, 0.5, 1.0, "axis", (0,), "idle", ())
+    other: Any = ("other", 4, 1.0, 3.0, "axis", (0,), "idle", ())
+    for wait in (earlier, begun_before, mine[0], other, mine[1]):
+        log.waits.add(wait)
+    log.repeat_waits("main", 1.0, 3.0, 7)
+    log.repeat_waits("absent", 1.0, 3.0, 7)
+    assert list(log.repeated_waits) == [RepeatedWaits(tuple(mine), 7, 3.0)]
+    assert log.waits[4] == Waited("main", 11, 1.5, 4.0, "time", (), "", (2, 5))
+    assert log.waits[3] == Waited(*other)
+
+
+def test_time_slices_without_a_wait_are_one_record() -> None:
+    slices = TimeSliceStream(Store())
+    slices.took("one", 1.0, 2.5, True)
+    slices.took("one", 3.0, 4.0, False)
+    slices.took("two", 4.0, 4.25, False)
+    slices.took("one", 4.25, 6.25, True)
+    slices.took("two", 7.0, 7.5, False)
+    slices.close(8.0)
+    slices.took("two", 9.0, 9.5, True)
+    assert list(slices) == [
+        TimeSlices(1.0, 2.5, ("one",), (1.5,)),
+        TimeSlices(3.0, 6.25, ("one", "two"), (3.0, 0.25)),
+        TimeSlices(7.0, 8.0, ("two",), (0.5,)),
+        TimeSlices(9.0, 9.5, ("two",), (0.5,)),
+    ]
+
+
+def test_a_log_has_no_other_stream_and_no_source_offset_without_a_program() -> None:
+    log = Log()
+    with pytest.raises(AttributeError, match="a log has no motions"):
+        log.motions  # noqa: B018
+    log.note(1.0, "stop", 2, 3.0, 4.0, 5, "text")
+    log.locate_by(lambda: 17)
+    log.note(1.5, "cancel")
+    assert [tuple(each) for each in log.events] == [
+        (1.0, "stop", 2, 3.0, 4.0, -1, 5, "text"),
+        (1.5, "cancel", None, None, None, 17, 0, ""),
+    ]
+    made = log.new("Printed")
+    assert log.streams()[-1] is made
+
+
+def test_the_pieces_of_a_profile_that_is_replaced_at_its_knot() -> None:
+    """A move of 100 has knots at 0.1 and 1.95 s; it is stopped as its first ramp ends."""
+    controller = machine()
+    controller.move_to(0, 100.0)
+    controller.clock.advance(0.1)
+    controller.stop(0)
+    controller.clock.advance(2.0)
+    begins, pieces = pieces_of(WholeTrack(controller.axes[0]))
+    assert begins == pytest.approx([0.0, 0.0, 0.1, 0.3])
+    assert pieces[-1] == pytest.approx((7.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    assert pieces[0] == (0.0,) * 7
+
+
+PATH = PathOrder(
+    *((0, 1), (1.0, 1.0), 2.0, 3, True, (3.0, 4.0), (0.0, 0.0), 0.0, (), (0, 1), 5.0),
+    *((10.0, 11.0), (12.0, 13.0), (14.0, 15.0), 0.0),
+    entry=6,
+)
+
+
+@pytest.mark.parametrize(
+    ("order", "settings"),
+    [
+        (Order("jog", 7, 5.0, (1.0, 2.0), goal=-5.0), ("jog", 5.0, -5.0, (1.0, 2.0), None)),
+        (
+            Order("Gear", 7, tie=Tie(Controller(1).axes[0], 2.5)),
+            ("Gear", inf, 0.0, (inf, inf), 2.5),
+        ),
+        (
+            Order("path", 7, 5.0, (1.0, 2.0), path=PATH),
+            ("path", 6, 5.0, (1.0, 2.0), ((10.0, 11.0), (12.0, 13.0), (14.0, 15.0)), False),
+        ),
+    ],
+)
+def test_the_settings_that_affect_a_motion_in_progress(order: Order, settings: tuple[object, ...]) -> None:
+    assert order.settings == settings
+
+
+@pytest.mark.parametrize(
+    ("shape", "jerk", "bends"),
+    [("trapezoid", inf, False), ("trapezoid", 1e9, True), ("scurve", inf, True), ("sinusoidal", inf, True)],
+)
+def test_an_order_whose_acceleration_is_continuous(shape: str, jerk: float, bends: bool) -> None:
+    assert Order("move", 7, jerks=(jerk, inf), shape=shape).bends is bends
