@@ -1,8 +1,9 @@
-"""What a log stores and drops, and its records by hand."""
+"""Records, packed moves and profiles of a log, by hand."""
 
 from __future__ import annotations
 
 from math import inf
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -10,16 +11,18 @@ import pytest
 from motionlang.controller.controller import Controller
 from motionlang.controller.move import Action, Move
 from motionlang.log import log as log_module
+from motionlang.log import moves as moves_module
 from motionlang.log import stream
 from motionlang.log.log import Log
 from motionlang.log.move_rows import move_of, row, sealed
+from motionlang.log.moves import Moves
 from motionlang.log.order import Order, PathOrder, Tie
 from motionlang.log.plain_moves import move_of as plain_move_of
 from motionlang.log.records import RepeatedWaits, TimeSlices, Waited
 from motionlang.log.stream import Store
 from motionlang.log.time_slices import TimeSliceStream
 from motionlang.log.track import WholeTrack, pieces_of
-from motionlang.planners import hold, plan_trapezoid
+from motionlang.planners import Profile, hold, plan_trapezoid
 from tests.log.test_figures import machine
 
 
@@ -63,6 +66,7 @@ def test_the_profile_in_force_at_a_time_of_a_packed_track() -> None:
         assert track.count(0.5, start) == number
         assert (a.older.in_force(start) if number < 7 else number) == number
     assert [profile.end for profile in track.profiles] == [0, 10, 10, 0, 0, 10, 10, 0, 0, 10, 10]
+    assert track.count(1.1, 4.1) == 6
     for begin, end, first, past in ((0.0, 0.5, 0, 1), (1.1, 2.1, 0, 4), (2.1, 4.1, 2, 8), (4.4, 9.0, 7, 11)):
         starts, profiles = track.between(begin, end)
         assert list(starts) == pytest.approx(STARTS[first:past])
@@ -84,6 +88,7 @@ def test_profiles_before_a_time_are_dropped(time: float, first: int) -> None:
     a.older.forget_before(time)
     assert (a.older.first, a.older.count) == (first, 7)
     assert a.older.in_force(0.0) == first
+    assert [a.older.in_force(STARTS[k] + 0.01) for k in range(first, 7)] == list(range(first, 7))
 
 
 @pytest.mark.usefixtures("small")
@@ -143,6 +148,28 @@ def test_room_for_profiles(
     several = [controller.axes[0], *Controller(axes - 1).axes.values()] if axes > 1 else [controller.axes[0]]
     controller.log.pack(several)
     assert controller.log.room == room
+    assert [a.older is None for a in several] == [False, True][:axes]
+
+
+@pytest.mark.usefixtures("small")
+def test_packing_again_packs_what_has_been_added() -> None:
+    """All but four of the profiles, and of the moves, are packed."""
+    controller = Controller(1)
+    a, log = controller.axes[0], controller.log
+    found = []
+    for _ in range(3):
+        log.pack([a])
+        found.append((0 if a.older is None else a.older.count, len(a.starts), log.moves.packed))
+        for _ in range(2):
+            controller.move_by(0, 10.0)
+            controller.clock.advance(controller.idle_time(0) + 1.0)
+    log.pack([a])
+    assert [*found, (0 if a.older is None else a.older.count, len(a.starts), log.moves.packed)] == [
+        (0, 1, 0),
+        (1, 4, 0),
+        (5, 4, 0),
+        (9, 4, 2),
+    ]
 
 
 def test_the_first_room_is_for_all_profiles(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -151,6 +178,8 @@ def test_the_first_room_is_for_all_profiles(monkeypatch: pytest.MonkeyPatch) -> 
     a: Any = controller.axes[0]
     controller.log.make_room([a])
     assert (controller.log.room, a.older, controller.log.moves.packed) == (40_960 - 1024, None, 0)
+    controller.log.make_room([a])
+    assert controller.log.room == 40_960 - 5
     followed = shuttled(2)
     followed.axes[0].feedback = object()  # type: ignore[assignment]
     followed.log.make_room([a, followed.axes[0]])
@@ -265,6 +294,49 @@ def test_a_plain_move_as_a_row() -> None:
     assert (made.scale, made.zero, made.released, made.ended, made.offset) == (5.0, 4.0, True, "", 0.0)
     assert made.profile is not None
     assert (made.profile.start, made.profile.end, made.profile.duration) == (3.0, 13.0, 2.0)
+    assert made.profile._recipe is recipe
+
+
+PLAIN: Any = (1, 2.0, 3.0, 13.0, 2.0, (0.0, 1.0, 0.0), 10.0, 5.0, 4.0, (99.0, 3.0, "MOVER", 7, 8.0, 6))
+
+
+def test_a_row_becomes_the_move_that_was_read() -> None:
+    rows: list[Any] = [(*PLAIN[:1], float(k), *PLAIN[2:]) for k in range(3)]
+    for index in range(3):
+        moves = Moves(Store())
+        moves.tail += rows
+        assert [moves.has(each) for each in rows] == [True, True, True]
+        assert moves.moved() == {1}
+        read = filled(axis=4)
+        moves.show(rows[index], read)
+        assert moves.tail[index] is read
+        assert moves.number(read) == index
+        assert [moves.has(each) for each in rows] == [k != index for k in range(3)]
+        assert moves.moved() == {1, 4}
+        moves.show(rows[index], filled())  # it is no longer in the log
+        assert moves.tail[index] is read
+
+
+@pytest.mark.parametrize("index", range(3))
+def test_a_move_continues_as_another_entry(index: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Entries are packed as their pieces reach ten, then counted from 0 again."""
+    monkeypatch.setattr(moves_module, "MAX_WAITING", 10)
+    moves = Moves(Store())
+    for k in range(3):
+        moves.add(filled(line=k, start_time=1.0, offset=5.0))
+    move, done = moves[index], hold(4.0)
+    moves.split(move, done, 3.0, 9)
+    assert (moves.packed, len(moves), moves.number(move)) == (0, 4, 3)
+    assert (moves[index].ended, moves[index].profile, moves[index].start_time) == ("continued", done, 1.0)
+    assert (moves[3] is move, move.start_time, move.offset, moves[index].offset) == (True, 3.0, 0.0, 5.0)
+    moves.split(move, done, 4.0, 1)
+    assert (moves.packed, len(moves)) == (5, 5)
+    moves.add(move)
+    moves.split(move, done, 5.0, 9)
+    assert (moves.packed, moves.number(move)) == (5, 6)
+    moves.split(move, done, 6.0, 1)
+    assert (moves.packed, len(moves)) == (8, 8)
+    assert [each.line for each in moves] == [0, 1, 2, index, index, index, index, index]
 
 
 SHORT = ("main", 11, (2, 5), 0.25)
@@ -323,6 +395,31 @@ def test_a_log_has_no_other_stream_and_no_source_offset_without_a_program() -> N
     ]
     made = log.new("Printed")
     assert log.streams()[-1] is made
+
+
+def test_the_pieces_after_the_end_of_a_profile() -> None:
+    """A profile ends at 3 s, at 4 uu/s, and continues until another begins."""
+    one = Profile("jog", 0.0, 6.0, 2.0, (2.0, 2.0, 0.0, 4.0))
+    track: Any = SimpleNamespace(starts=[1.0, 5.0], profiles=[one, hold(14.0)])
+    begins, pieces = pieces_of(track)
+    assert begins == [1.0, 1.0, 3.0, 5.0]
+    assert pieces == [
+        (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        (0.0, 2.0, 0.5, 0.0, 0.0, 0.0, 0.0),
+        (6.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        (14.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+    ]
+    track.starts[1] = 3.0
+    assert pieces_of(track)[0] == [1.0, 1.0, 3.0]
+    track.starts[1] = 2.0
+    assert pieces_of(track)[0] == [1.0, 1.0, 2.0]
+
+
+@pytest.mark.parametrize("suspended", [False, True])
+def test_an_axis_that_is_suspended_has_no_moves_that_wait(suspended: bool) -> None:
+    waiting = [filled()]
+    a: Any = SimpleNamespace(index=0, older=None, starts=[], profiles=[], suspended=suspended, buffer=waiting)
+    assert WholeTrack(a).waiting == ([] if suspended else waiting)
 
 
 def test_the_pieces_of_a_profile_that_is_replaced_at_its_knot() -> None:
