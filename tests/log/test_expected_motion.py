@@ -1,0 +1,237 @@
+"""The orders that a run records for its proof, one line for each profile.
+
+Statements take next to no time here, so the times are those of the WAITs. A line has the time, the kind and source
+line of the order, and what is unusual of its settings (`orders.py`).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from motionlang.controller.controller import Controller
+from motionlang.log import expected_motion as module
+from motionlang.log.expected_motion import ExpectedMotion
+from motionlang.log.order import Order
+from tests.log.orders import orders_of, recorded, short
+from tests.log.test_figures import machine
+
+SETTINGS = "SPEED(0, 1) = 50, 40 : ACCEL(0, 1) = 500, 500 : DECEL(0, 1) = 250, 250\n"
+PATH_0 = "path=members=0/1 scales=1/1 begun=9e-09 nth=0 relative=False line=30/0 blend=5 entry="
+PATH_1 = "path=members=0/1 scales=1/1 begun=0.55 nth=1 relative=False line=30/40 blend=5 entry="
+PROGRAMS: dict[str, tuple[str, dict[int, list[str]]]] = {
+    "a move whose speed and zero change, and a stop whose rate does not": (
+        "MOVER(0) = 10 : GO(0)\nPAUSE IDLE(0)\nMOVER(0) = 100 : GO(0)\nWAIT(500)\nSPEED(0) = 20\nWAIT(100)\n"
+        "POS(0) = 7\nWAIT(100)\nSTOP(0)\nWAIT(10)\nDECEL(0) = 100\nWAIT(500)\n",
+        {
+            0: [
+                "0.000 rest:0",
+                "0.000 move:2 speed=50 rates=500/250",
+                "0.350 rest:0",
+                "0.350 move:4 speed=50 rates=500/250",
+                "0.850 move:4 speed=20 rates=500/250",
+                "0.950 move:4 speed=20 rates=500/250 datum=-29.25",
+                "1.050 stop:4 rates=500/250 datum=-29.25",
+                "1.130 rest:0 datum=-29.25",
+            ]
+        },
+    ),
+    "an override of a half and of 0": (
+        "FEEDRATEMODE(0) = 2\nMOVER(0) = 100 : GO(0)\nWAIT(500)\nFEEDRATEOVERRIDE(0) = 50\nWAIT(100)\n"
+        "FEEDRATEOVERRIDE(0) = 0\nWAIT(400)\nFEEDRATEOVERRIDE(0) = 100\nWAIT(100)\n",
+        {
+            0: [
+                "0.000 rest:0",
+                "0.000 move:3 speed=50 rates=500/250",
+                "0.500 move:3 speed=25 rates=500/250",
+                "0.600 stop:3 rates=500/250",
+                "1.000 move:3 speed=50 rates=500/250",
+                "2.600 rest:0",
+            ]
+        },
+    ),
+    "limits of an axis in both directions": (
+        "MAXSPEED(0) = 30 : MAXACCEL(0) = 300 : MAXDECEL(0) = 200\nMOVER(0) = 100 : GO(0)\nWAIT(500)\n"
+        "MAXSPEED(0) = 25\nWAIT(100)\nJOG(0) = 60\nWAIT(200)\nJOG(0) = -60\nWAIT(10)\nCANCEL(0)\n",
+        {
+            0: [
+                "0.000 rest:0",
+                "0.000 move:3 speed=30 rates=300/200",
+                "0.500 move:3 speed=25 rates=300/200",
+                "0.600 jog:7 speed=25 rates=300/200 goal=25",
+                "0.800 jog:9 speed=25 rates=300/200 goal=-25",
+                "0.810 rest:0",
+            ]
+        },
+    ),
+    "a move that is suspended": (
+        "MOVER(0) = 100 : GO(0)\nWAIT(100)\nSUSPEND(0) = 1\nWAIT(300)\nSUSPEND(0) = 0\nWAIT(100)\n",
+        {
+            0: [
+                "0.000 rest:0",
+                "0.000 move:2 speed=50 rates=500/250",
+                "0.100 stop:2 rates=500/250",
+                "0.400 move:2 speed=50 rates=500/250",
+                "2.400 rest:0",
+            ]
+        },
+    ),
+    "a follower whose ratio changes, and its stop": (
+        "MASTERSOURCE(0) = _msPOS : MASTERCHANNEL(0) = 1\nFOLLOW(0) = 2\nJOG(1) = 10\nWAIT(300)\n"
+        "FOLLOW(0) = 3\nWAIT(300)\nSTOP(0)\nWAIT(100)\n",
+        {
+            0: [
+                "0.000 rest:0",
+                "0.000 Gear:3 rates=500/250 tie=master=1 ratio=2 locked=0",
+                "0.000 Gear:3 rates=500/250 tie=master=1 ratio=2 locked=0",
+                "0.300 Gear:3 rates=500/250 tie=master=1 ratio=3 locked=0",
+                "0.600 stop:3 rates=500/250",
+                "0.720 rest:0",
+            ],
+            1: ["0.000 rest:0", "0.000 jog:4 speed=10 rates=500/250 goal=10"],
+        },
+    ),
+    "a jerk-limited move": (
+        "PROFILEMODE(0) = 1 : ACCELJERK(0) = 5000 : DECELJERK(0) = 4000\nMOVER(0) = 100 : GO(0)\nWAIT(300)\n",
+        {
+            0: [
+                "0.000 rest:0",
+                "0.000 move:3 speed=50 rates=500/250 jerks=5000/4000 shape=scurve",
+                "2.231 rest:0",
+            ]
+        },
+    ),
+    "two blended paths whose rate changes": (
+        "MOVEBUFFERSIZE(0) = 10 : MOVEBUFFERSIZE(1) = 10\nBLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
+        "VECTORA(0, 1) = 30, 0\nVECTORA(0, 1) = 30, 40\nGO(0)\nWAIT(400)\nACCEL(0) = 200\nPAUSE IDLE(0)\n",
+        {
+            0: [
+                "0.000 rest:0",
+                f"0.000 path:4 speed=50 rates=500/250 {PATH_0}0",
+                f"0.400 path:4 speed=50 rates=200/250 {PATH_0}0",
+                f"0.550 path:5 speed=50 rates=200/250 {PATH_1}2 tails=(path:4 speed=50 rates=200/250 {PATH_0}0)",
+                "1.575 rest:0",
+            ],
+            1: [
+                "0.000 rest:0",
+                f"0.000 path:4 speed=50 rates=500/250 {PATH_0}1",
+                f"0.400 path:4 speed=50 rates=200/250 {PATH_0}1",
+                f"0.550 path:5 speed=50 rates=200/250 {PATH_1}3",
+                "1.575 rest:0",
+            ],
+        },
+    ),
+}
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_the_orders_of_a_program(name: str) -> None:
+    text, expected = PROGRAMS[name]
+    found = recorded(SETTINGS + text)
+    assert {number: orders_of(found, number) for number in expected} == expected
+
+
+def test_a_jog_that_is_changed_before_it_is_planned_again() -> None:
+    """A new zero is no new order, and ACCEL acts from the next JOG on."""
+    text = (
+        "JOG(0) = 20\nWAIT(200)\nPOS(0) = 3\nWAIT(100)\nJOG(0) = -30\nWAIT(500)\nACCEL(0) = 100\nWAIT(50)\n"
+    )
+    found = recorded(SETTINGS + text + "JOG(0) = 45\nWAIT(20)\nCANCEL(0)\n")
+    assert orders_of(found, 0) == [
+        "0.000 rest:0",
+        "0.000 jog:2 speed=20 rates=500/250 goal=20",
+        "0.200 jog:2 speed=20 rates=500/250 goal=20 datum=-0.6",
+        "0.300 jog:6 speed=30 rates=500/250 goal=-30 datum=-0.6",
+        "0.850 jog:10 speed=45 rates=100/250 goal=45 datum=-0.6",
+        "0.870 rest:0 datum=-0.6",
+    ]
+    ((key, order),) = found.unheeded.items()
+    assert (key, short(order)) == ((0, pytest.approx(0.8)), "jog:6 speed=30 rates=100/250 goal=-30")
+    assert [(*key, word) for key, word in found.standstills.items()] == [(0, pytest.approx(0.87), "cancel")]
+    assert sorted(found.begun[0]) == pytest.approx([0.0, 0.3, 0.85], abs=1e-6)
+    assert found.stopped(0, 0.8, 0.9) == [(pytest.approx(0.87), "cancel")]
+
+
+def observed() -> tuple[Controller, ExpectedMotion]:
+    """Return an axis with 50 counts/s, 500 counts/s² up and 250 down, observed."""
+    controller = machine()
+    return controller, ExpectedMotion(controller)
+
+
+def test_stops_and_prompts_between_two_times() -> None:
+    controller, found = observed()
+    a = controller.axes[0]
+    controller.move_to(0, 1000.0)
+    for time, word in ((1.0, "stop"), (2.0, "fault"), (2.0, "stop"), (3.0, "stop")):
+        controller.clock.advance(time)
+        found.stop(a, word)
+        found.prompt(a, word)
+    for first, last, count in (
+        (0.0, 9.0, 4),
+        (1.0, 2.0, 3),
+        (2.0, 2.0, 2),
+        (1.1, 1.9, 0),
+        (2.1, 3.0, 1),
+        (3.1, 9.0, 0),
+    ):
+        assert len(found.stopped(0, first, last)) == len(found.prompted(0, first, last)) == count
+    assert found.stopped(0, 1.5, 2.5) == [(2.0, "fault"), (2.0, "stop")]
+    assert [found.was_stopped(0, "fault", time) for time in (1.9, 2.0, 2.1)] == [False, True, True]
+    assert found.was_stopped(0, "stop", 1.0)
+    assert not found.was_stopped(0, "cancel", 9.0)
+
+
+def test_the_scales_of_a_time() -> None:
+    """A scale is noted with the first profile that has it."""
+    controller, found = observed()
+    for time, counts in ((1.0, 1.0), (2.0, 1.0), (3.0, 10.0), (4.0, 20.0), (4.0, 30.0)):
+        controller.clock.advance(time)
+        controller.set_scale(0, counts, zero=5.0)
+        controller.define_position(0, counts)
+    times = (0.5, 1.0, 2.5, 3.0, 3.5, 4.0, 9.0)
+    assert [{counts for counts, _ in found.scale(0, time)} for time in times] == [
+        *(set[float](), {1.0}, {1.0}, {10.0}, {10.0}, {20.0, 30.0}, {30.0}),
+    ]
+    assert {zero for _, zero in found.scale(0, 9.0)} == {5.0}
+
+
+@pytest.mark.parametrize(("most", "is_full"), [(102, False), (101, True)])
+def test_so_many_profiles_are_recorded(most: int, is_full: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two new orders count as fifty each, and two standstills as one each."""
+    monkeypatch.setattr(module, "MAX_PROFILES", most / 50)
+    controller, found = observed()
+    controller.move_to(0, 10.0, line=1)
+    controller.clock.advance(1.0)
+    if not is_full:
+        assert [short(order) for order in found.of[0]] == [
+            "rest:0",
+            "move:1 speed=50 rates=500/250",
+            "rest:0",
+        ]
+    controller.move_to(0, 20.0, line=2)
+    controller.clock.advance(2.0)
+    assert found.is_full is is_full
+    assert (controller.expected_motion is None) is is_full
+    everything: list[Any] = [found.of, found.data, found.begun, found.stops, found.prompts, found.standstills]
+    if is_full:
+        assert not any(everything)
+    else:
+        assert found.begun[0] == {0.0, 1.0}
+        assert found.of[0][2] is found.of[0][4] is module.REST
+        assert len(found.of[0]) == len(found.data[0]) == 5
+
+
+@pytest.mark.parametrize("cut", [0, 1, 2])
+def test_orders_without_a_profile_are_dropped(cut: int) -> None:
+    controller, found = observed()
+    controller.move_to(0, 10.0)
+    controller.clock.advance(1.0)
+    if cut:
+        found.of[0].append(Order("move", 9))
+    if cut > 1:
+        found.data[0] += [0.0, 0.0]
+    assert not found.was_cut
+    found.finish_updates()
+    assert found.was_cut
+    assert len(found.of[0]) == len(found.data[0]) == 3
