@@ -30,10 +30,9 @@ def in_short(value: Any) -> str:
     if isinstance(value, PathOrder):
         return fields(value, angle_into=0.0, length=None, plane=(0, 1), centre=(0.0, 0.0), angle=0.0)
     if isinstance(value, Tie):
-        made = value._replace(
-            master=value.master.index, curve=None if value.curve is None else value.curve.end
-        )  # type: ignore[arg-type]
-        return fields(made)
+        master: Any = value.master.index
+        curve: Any = None if value.curve is None else value.curve.end
+        return fields(value._replace(master=master, curve=curve))
     if isinstance(value, (tuple, list)):
         return "/".join(map(in_short, value)) or "none"
     return f"{value:.6g}" if isinstance(value, float) else str(value)

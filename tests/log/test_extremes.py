@@ -231,7 +231,7 @@ def test_the_peak_of_a_motor(
     assert peak is not None
     assert average is not None
     assert (peak.value, peak.time) == (value, time)
-    assert (average.value, average.time) == (pytest.approx(mean), 9.0)
+    assert (average.value, average.time) == pytest.approx((mean, 9.0))
     blocks[:] = blocks[1:2]
     assert [repr(motor_peak(a, 9.0, column, rms=rms)) for rms in (False, True)] == [
         "Extreme(0, 0)",

@@ -73,7 +73,10 @@ def test_a_column_has_the_value_of_the_sample_before(quantity: str, factor: floa
 def test_blocks_are_replayed_again_only_for_earlier_times(replays: list[float]) -> None:
     """The blocks begin at 8, 12, 16 and 20 ms."""
     reader = Reader(AXIS, 9.0)
-    held = lambda: [round(1000.0 * first) for first, _ in reader._loaded]  # noqa: E731
+
+    def held() -> list[int]:
+        return [round(1000.0 * first) for first, _ in reader._loaded]
+
     assert (read(reader, "output", 8.0, 9.0), held()) == ([80.0, 90.0], [8])
     assert (read(reader, "output", 9.0, 11.9), held()) == ([90.0, 110.0], [8])
     assert (read(reader, "output", 8.5, 12.0), held()) == ([80.0, 120.0], [8, 12])

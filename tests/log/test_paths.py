@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from motionlang.controller.move import Action
-from motionlang.log.paths import PathRow, paths
+from motionlang.log.paths import paths
 
 # The position of each axis at a time, and its velocity.
 Motion = dict[int, tuple[Callable[[Any], Any], Callable[[Any], Any]]]
@@ -65,9 +65,9 @@ def test_a_line_at_speed() -> None:
     begun = entries(1.0, 2.0, ended="stop")
     begun[1].ended = "cancel"  # that of the first axis counts
     (row,) = paths(traced(straight(30.0), begun + alone + never_begun + single + empty))
-    assert row == PathRow(
-        3, "VECTORR", (0, 1), 1.0, 2.0, *map(pytest.approx, (10.0, 5.0, 5.0, 5.0)), None, "stop"
-    )
+    assert row[:5] == (3, "VECTORR", (0, 1), 1.0, 2.0)
+    assert row[5:9] == pytest.approx((10.0, 5.0, 5.0, 5.0))
+    assert row[9:] == (None, "stop")
 
 
 def test_a_path_is_over_at_the_end_of_the_run() -> None:
@@ -191,7 +191,8 @@ def test_a_path_of_other_axes_between_two_does_not_hide_the_corner() -> None:
     motion = straight(0.0) | {2: (lambda t: 0.0, lambda t: 0.0), 3: (lambda t: t, lambda t: 1.0)}
     others = entries(0.9999, 5.0, 4, (2, 3))
     first, second, third = paths(traced(motion, entries(0.0, 1.0) + others + entries(1.0, 2.0, 5)))
-    assert (first.corner, second.corner, third.corner) == (pytest.approx(0.0, abs=1e-5), None, None)
+    assert first.corner == pytest.approx(0.0, abs=1e-5)
+    assert (second.corner, third.corner) == (None, None)
 
 
 @pytest.mark.parametrize(

@@ -385,7 +385,7 @@ def test_time_slices_without_a_wait_are_one_record() -> None:
 def test_a_log_has_no_other_stream_and_no_source_offset_without_a_program() -> None:
     log = Log()
     with pytest.raises(AttributeError, match="a log has no motions"):
-        log.motions  # noqa: B018
+        getattr(log, "motions")  # noqa: B009
     log.note(1.0, "stop", 2, 3.0, 4.0, 5, "text")
     log.locate_by(lambda: 17)
     log.note(1.5, "cancel")

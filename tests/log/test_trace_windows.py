@@ -93,7 +93,8 @@ def test_the_columns_of_a_motor_are_in_user_units(
 ) -> None:
     """Sample k has the error k, the position -k, 10 k V and k / 2 N m.
 
-    The first one is at 8 ms. A unit is 2 counts, and its zero is at 5 counts. A following error has no zero, and volts and torques no unit.
+    The first one is at 8 ms. A unit is 2 counts, and its zero is at 5 counts. A following error
+    has no zero, and volts and torques no unit.
     """
     monkeypatch.setattr(module, "ROWS", rows)
     monkeypatch.setattr(history, "chunks", lambda a, until: iter(blocks(4)))
