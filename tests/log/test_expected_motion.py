@@ -20,6 +20,17 @@ from tests.log.test_figures import machine
 SETTINGS = "SPEED(0, 1) = 50, 40 : ACCEL(0, 1) = 500, 500 : DECEL(0, 1) = 250, 250\n"
 PATH_0 = "path=members=0/1 scales=1/1 begun=9e-09 nth=0 relative=False line=30/0 blend=5 entry="
 PATH_1 = "path=members=0/1 scales=1/1 begun=0.55 nth=1 relative=False line=30/40 blend=5 entry="
+PATHS_AT_9 = "path=members=0/1 scales=1/1 begun=9e-09 nth=0 relative=True line=30/0"
+ARC = "path=members=0/1 scales=1/1 begun=0.856667 nth=1 relative=True centre=0/10 angle=90"
+AHEAD = (
+    "ahead=(path:6 speed=30 rates=500/250 path=members=0/1 scales=1/1 begun=0 nth=0 relative=True line=0/5)"
+)
+SCALED = (
+    "path:4 speed=0.5 rates=5/2.5 path=members=0/1 scales=100/100 begun=8e-09 nth=0 relative=True line=3000/4000 "
+    "most=6000/inf most_accel=inf/60000 most_decel=inf/30000"
+)
+BLENDED_ARC = "path=members=0/1 scales=1/1 begun=0.55 nth=1 relative=False centre=30/20 angle=90 blend=5"
+CAM = "TableCam:5 rates=500/250 tie=master=0 curve=35 table=0/10/20/30/0/10/30/35/linear"
 PROGRAMS: dict[str, tuple[str, dict[int, list[str]]]] = {
     "a move whose speed and zero change, and a stop whose rate does not": (
         "MOVER(0) = 10 : GO(0)\nPAUSE IDLE(0)\nMOVER(0) = 100 : GO(0)\nWAIT(500)\nSPEED(0) = 20\nWAIT(100)\n"
@@ -99,6 +110,54 @@ PROGRAMS: dict[str, tuple[str, dict[int, list[str]]]] = {
                 "0.000 rest:0",
                 "0.000 move:3 speed=50 rates=500/250 jerks=5000/4000 shape=scurve",
                 "2.231 rest:0",
+            ]
+        },
+    ),
+    "contoured paths, and a stop on the arc before the last one": (
+        "MOVEBUFFERSIZE(0) = 10 : MOVEBUFFERSIZE(1) = 10\nCONTOURMODE(0) = 1\nVECTORR(0, 1) = 30, 0\n"
+        "CIRCLER(0, 1) = 0, 10, 90\nVECTORR(0, 1) = 0, 5\nGO(0)\nWAIT(300)\nSPEED(0) = 30\nWAIT(600)\n"
+        "STOP(0)\nPAUSE IDLE(0)\n",
+        {
+            axis: [
+                "0.000 rest:0",
+                f"0.000 path:4 speed=50 rates=500/250 {PATHS_AT_9} entry={axis}",
+                f"0.300 path:4 speed=30 rates=500/250 {PATHS_AT_9} entry={axis}",
+                f"0.857 path:5 speed=30 rates=500/250 {ARC} entry={axis + 2}",
+                f"0.900 path:5 speed=30 rates=500/250 {ARC} comes_to_rest=True {AHEAD} entry={axis + 2}",
+                "1.020 rest:0",
+            ]
+            for axis in (0, 1)
+        },
+    ),
+    "a suspended path of axes with 100 counts per unit, whose limits differ": (
+        "SCALE(0, 1) = 100, 100\nMAXSPEED(0) = 60 : MAXACCEL(1) = 600 : MAXDECEL(1) = 300\n"
+        "VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT(300)\nSUSPEND(0) = 1\nWAIT(300)\nCANCEL(0)\n",
+        {
+            1: [
+                "0.000 rest:0",
+                f"0.000 {SCALED} entry=1",
+                f"0.300 {SCALED} comes_to_rest=True entry=1",
+                "0.600 rest:0",
+            ]
+        },
+    ),
+    "a cam, and a stop after its last cycle": (
+        "Dim c(5) As Float = 3, 10, 20, 5\nMASTERCHANNEL(1) = 0 : MASTERDISTANCE(1) = 10\nCAMTABLE(1, c, NULL)\n"
+        "CAM(1) = 0\nGO(1)\nJOG(0) = 50\nWAIT(700)\nSTOP(1)\nWAIT(500)\n",
+        {1: ["0.000 rest:0", f"0.000 {CAM}", f"0.000 {CAM}", "0.650 stop:5 rates=500/250", "0.750 rest:0"]},
+    ),
+    "a stop while a line is blended with an arc": (
+        "MOVEBUFFERSIZE(0) = 10 : MOVEBUFFERSIZE(1) = 10\nBLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n"
+        "VECTORA(0, 1) = 30, 0\nCIRCLEA(0, 1) = 30, 20, 90\nGO(0)\nWAIT(560)\nSTOP(0)\nPAUSE IDLE(0)\n",
+        {
+            0: [
+                "0.000 rest:0",
+                f"0.000 path:4 speed=50 rates=500/250 {PATH_0}0",
+                f"0.550 path:5 speed=50 rates=500/250 {BLENDED_ARC} entry=2 "
+                f"tails=(path:4 speed=50 rates=500/250 {PATH_0}0)",
+                f"0.560 path:5 speed=50 rates=500/250 {BLENDED_ARC} comes_to_rest=True entry=2 "
+                f"tails=(path:4 speed=50 rates=500/250 {PATH_0[:-7]} comes_to_rest=True entry=0)",
+                "0.750 rest:0",
             ]
         },
     ),
