@@ -72,6 +72,14 @@ def printed(text: str, name: str = "y") -> Any:
         ("POS(0)", ANY),
         ("IDLE(0)", BOOL),
         ("_true", (1, 1, "i")),
+        ("(i - 2) & 7", (0, 3, "i")),
+        # An Integer is checked for overflow; 3 000 000 000 is none, so a product with it is exact.
+        ("i * 1000000000", (2 * 10**9, 2**31 - 1, "i")),
+        ("-i * 1000000000", (-(2**31), -2 * 10**9, "i")),
+        ("i * 3000000000", (6 * 10**9, 15 * 10**9, "i")),
+        ("3000000000 * i", (6 * 10**9, 15 * 10**9, "i")),
+        ("_true * 1000000000 * i", (2 * 10**9, 2**31 - 1, "i")),
+        ("-a(i)", (1 - 2**31, 2**31 - 1, "i")),
     ],
 )
 def test_the_range_of_a_value(value: str, known: object) -> None:
@@ -124,6 +132,8 @@ def test_a_condition_narrows_a_range(
         ("For i = 2 To a(1)", (2, 2**31 - 1)),
         ("For i = a(1) To 5", (-(2**31), 5)),
         ("For i = 2 To 5 Step a(1)", (-(2**31), 2**31 - 1)),
+        ("For i = 2 To 5 Step IDLE(0)", (2, 2**31 - 1)),  # it may be 0
+        ("For i = 5 To 2 Step -IDLE(0)", (-(2**31), 5)),
     ],
 )
 def test_the_range_of_a_counter(loop: str, known: tuple[int, int]) -> None:
@@ -131,8 +141,23 @@ def test_the_range_of_a_counter(loop: str, known: tuple[int, int]) -> None:
 
 
 @pytest.mark.parametrize(
+    ("loop", "known"),
+    [
+        ("For i = 2 To 5", (2, 6)),
+        ("For i = 9 To 3 Step -2", (1, 9)),
+        ("For i = 2 To 5 Step 3", (2, 8)),
+    ],
+)
+def test_the_range_of_a_counter_after_its_loop(loop: str, known: tuple[int, int]) -> None:
+    """The last value in the loop and the step after it, or the first value if there is none."""
+    assert printed(f"{loop}\nNext\nPRINT i", "i") == (*known, "i")
+
+
+@pytest.mark.parametrize(
     ("text", "known"),
     [
+        ("While y < 3\n  PRINT y\n  y = y + 1\nEnd While", (0, 2, "i")),
+        ("#here\ny = y + 1\nIf y < 4 Then Goto here\nPRINT y", (4, 4, "i")),
         ("y = 1\nWhile y < 10\n  PRINT y\n  y = y + 2\nEnd While", (1, 9, "i")),
         ("y = 1\nWhile y < 10\n  y = y + 2\nEnd While\nPRINT y", (10, 11, "i")),
         ("y = 9\nRepeat\n  y = y - 1\n  PRINT y\nUntil y < 4", (3, 8, "i")),

@@ -6,11 +6,14 @@ line of the order, and what is unusual of its settings (`orders.py`).
 
 from __future__ import annotations
 
+from math import inf
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from motionlang.controller.controller import Controller
+from motionlang.controller.motion.halt import Stopping
 from motionlang.log import expected_motion as module
 from motionlang.log.expected_motion import ExpectedMotion
 from motionlang.log.order import Order
@@ -296,3 +299,128 @@ def test_orders_without_a_profile_are_dropped(cut: int) -> None:
     found.finish_updates()
     assert found.was_cut
     assert len(found.of[0]) == len(found.data[0]) == 3
+
+
+def test_a_jog_of_another_velocity_that_is_not_adopted() -> None:
+    """An axis jogs at -20, and its limit is 40 in both directions."""
+    controller, found = observed()
+    a = controller.axes[0]
+    found.jogs(a, 30.0)  # at rest
+    controller.move_to(0, 10.0)
+    found.jogs(a, 30.0)  # in a move
+    assert found.unheeded == {}
+    controller.clock.advance(1.0)
+    controller.jog(0, -20.0, line=4)
+    controller.clock.advance(2.0)
+    a.max_speed = 40.0
+    found.jogs(a, -20.0)
+    assert found.unheeded == {}
+    for velocity, goal in ((30.0, 30.0), (-30.0, -30.0), (50.0, 40.0), (-50.0, -40.0)):
+        found.jogs(a, velocity)
+        ((key, order),) = found.unheeded.items()
+        assert (key, order.goal, order.speed, order.rates) == ((0, 2.0), goal, abs(goal), (500.0, 250.0))
+
+
+def test_a_ratio_that_is_not_adopted() -> None:
+    controller = Controller(2)
+    found = ExpectedMotion(controller)
+    a = controller.axes[0]
+    found.gears(a, 3.0)  # it has no master
+    controller.jog(1, 20.0)
+    controller.gear(0, 1, 2.0)
+    controller.clock.advance(1.0)
+    for ratio in (3.0, -3.0):
+        found.gears(a, ratio)
+        ((key, order),) = found.unheeded.items()
+        assert order.tie is not None
+        assert (key, order.tie.ratio, order.tie.master) == ((0, 1.0), ratio, controller.axes[1])
+    found.gears(a, 2.0)
+    assert found.unheeded == {}
+
+
+def test_settings_that_do_not_replace_a_profile() -> None:
+    """A speed of 0 is no setting of a move, since a move at it is rejected."""
+    controller, found = observed()
+    a = controller.axes[0]
+    found.heed(a)  # at rest
+    controller.move_to(0, 1000.0, line=3)
+    assert a.move is not None
+    a.move.speed = None  # that of the axis
+    controller.clock.advance(1.0)
+    found.heed(a)
+    assert found.unheeded == {}
+    a.speed = 0.5
+    found.heed(a)
+    ((key, order),) = found.unheeded.items()
+    assert (key, short(order)) == ((0, 1.0), "move:3 speed=0.5 rates=500/250")
+    a.speed = 50.0
+    found.heed(a)
+    assert found.unheeded == {}
+    a.speed = 0.0
+    found.heed(a)
+    assert found.unheeded == {}
+    a.speed = 50.0
+    controller.stop(0)
+    controller.configure(0, "decel", 100.0)
+    found.heed(a)
+    assert [order.kind for order in found.unheeded.values()] == []
+
+
+@pytest.mark.parametrize(
+    ("ordered", "direction", "table"),
+    [
+        (None, 1, None),
+        (((0.0, 10.0), (0.0, 5.0), "linear"), 1, ((0.0, 10.0), (0.0, 5.0), "linear")),
+        (((0.0, 10.0), (0.0, 5.0), "even"), 1, ((0.0, 10.0), (0.0, 5.0), "even")),
+        (((0.0, -10.0), (0.0, 5.0), "even"), -1, ((0.0, 10.0), (0.0, 5.0), "even")),
+        (((0.0, 0.5), (0.0, 5.0), "even"), 1, ((0.0, 0.5), (0.0, 5.0), "even")),
+    ],
+)
+def test_the_distance_of_an_even_table_has_a_sign(ordered: Any, direction: int, table: Any) -> None:
+    action: Any = SimpleNamespace(master="master", curve="curve", origin=7.0, direction=1, ordered=ordered)
+    tie = module._tie(action)
+    expected: Any = ("master", 0.0, inf, "curve", 7.0, direction, table, False)
+    assert tie == expected
+
+
+@pytest.mark.parametrize(
+    ("speed", "rates", "found"),
+    [
+        (None, None, (500.0, 250.0)),
+        (20.0, None, (200.0, 100.0)),
+        (20.0, (7.0, None), (7.0, 100.0)),
+        (None, (None, 3.0), (500.0, 3.0)),
+        (None, (7.0, 3.0), (7.0, 3.0)),
+    ],
+)
+def test_a_move_has_its_own_rates_or_those_of_its_speed(
+    speed: float | None, rates: Any, found: tuple[float, float]
+) -> None:
+    """An axis at 50 counts/s takes 0.1 s up and 0.2 s down, at any speed."""
+    a: Any = SimpleNamespace(speed=50.0, rates=lambda speed: (10.0 * speed, 5.0 * speed))
+    move: Any = SimpleNamespace(speed=speed, rates=rates)
+    assert module._rates(a, move) == found
+
+
+@pytest.mark.parametrize(
+    ("rate", "hard", "ended", "decel"),
+    [
+        (0.0, False, "stop", 200.0),
+        (70.0, False, "stop", 70.0),
+        (70.0, True, "stop", 70.0),
+        (0.0, True, "stop", 200.0),
+        (0.0, True, "fault", 900.0),
+    ],
+)
+def test_the_rate_of_a_stop(rate: float, hard: bool, ended: str, decel: float) -> None:
+    """A hard stop has the rate 900 of errors, which only a fault exempts from 200."""
+    move: Any = SimpleNamespace(
+        action=Stopping(hard, rate), speed=20.0, rates=None, overridden=True, ended=ended
+    )
+    a: Any = SimpleNamespace(
+        speed=50.0, max_accel=150.0, max_decel=200.0, error_decel=900.0, shape="trapezoid", override=0.5,
+        rates=lambda speed: (10.0 * speed, 15.0 * speed),
+    )  # fmt: skip
+    assert module._bounds(a, move) == (10.0, (150.0, decel), (inf, inf))
+    move.overridden = False
+    assert module._bounds(a, move)[0] == 20.0
