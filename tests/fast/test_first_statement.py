@@ -1,4 +1,4 @@
-"""The first statement after a tick or the end of a WAIT, also where times are rounded."""
+"""The first statement after a tick or the end of a WAIT, to the last bit."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def test_the_first_statement_that_is_not_before_a_tick(moment: float, count: flo
 @pytest.mark.parametrize("cost", [1e-5, 0.7310585e-5, 3e-6, 1e-3 / 3.0])
 @pytest.mark.parametrize("base", [0.0, 0.1, 1234.5678])
 def test_a_tick_at_the_time_of_a_statement_to_the_last_bit(cost: float, base: float) -> None:
-    """Products and quotients round differently, so the quotient alone is sometimes one off."""
+    """A quotient rounds differently from a product, so it may be one off."""
     off = 0
     for count in range(1, 400):
         moment = base + count * cost
@@ -50,7 +50,7 @@ def test_a_tick_at_the_time_of_a_statement_to_the_last_bit(cost: float, base: fl
     ],
 )
 def test_the_first_statement_after_the_end_of_a_wait(distance: float, count: float | None) -> None:
-    """The fourth statement is at 2 s, by its distance after the end, in units of rounding.
+    """A statement is at 2 s, at a distance after the end in units of rounding.
 
     Within a tenth of a unit it counts as the end; up to two units rounding may decide.
     """

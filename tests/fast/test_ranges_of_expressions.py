@@ -149,7 +149,7 @@ def test_the_range_of_a_counter(loop: str, known: tuple[int, int]) -> None:
     ],
 )
 def test_the_range_of_a_counter_after_its_loop(loop: str, known: tuple[int, int]) -> None:
-    """The last value in the loop and the step after it, or the first value if there is none."""
+    """The last value in the loop plus the step, or the first if there is none."""
     assert printed(f"{loop}\nNext\nPRINT i", "i") == (*known, "i")
 
 
