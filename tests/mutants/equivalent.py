@@ -920,4 +920,118 @@ EQUIVALENT: dict[str, str] = {
     "-> hasattr(gc, 'get_threshold') or hasattr(gc, 'set_threshold')": (
         "an interpreter has both functions or none"
     ),
+    "motionlang/log/stream.py: 16000000 -> 16000001": ("one byte more of sixteen million is in memory"),
+    "motionlang/log/stream.py: 8000000000 -> 8000000001": ("one byte more of eight billion"),
+    "motionlang/log/stream.py: 24576 -> 24577": ("when records are packed; they read the same"),
+    "motionlang/log/stream.py: 8192 -> 8193": ("when records are packed; they read the same"),
+    "motionlang/log/stream.py: 2048 -> 2049": ("when records are packed; they read the same"),
+    "motionlang/log/stream.py: Chunks: __init__: 1 -> 2": ("another number that no record has"),
+    "motionlang/log/stream.py: Chunks: reread: 1 -> 2": ("another number that no record has"),
+    "motionlang/log/repeated.py: 1024 -> 1025": ("how many records are made at once"),
+    "motionlang/log/repeated.py: RepeatedRecords: _records: 1 -> 2 #2": (
+        "the general expression gives the same times"
+    ),
+    "motionlang/log/repeated.py: rows_of: 1 -> 2": (
+        "a record with a tuple before its last field has another one there"
+    ),
+    "motionlang/log/paths.py: _tangent: 20 -> 21": (
+        "after twenty doublings a path that has moved has a direction"
+    ),
+    "motionlang/log/paths.py: _tangent: 2.0 -> 3.0": ("how fast the distance grows that has a direction"),
+    "motionlang/log/paths.py: _tangent: 2.0 -> 3.0 #2": ("how fast the distance grows that has a direction"),
+    "motionlang/log/paths.py: _tangent: 1.0 -> 2.0": (
+        "a smallest distance that has a direction, within its rounding"
+    ),
+    "motionlang/log/paths.py: _tangent: 0 -> 1 #3": (
+        "a smallest distance that has a direction, within its rounding"
+    ),
+    "motionlang/log/paths.py: _tangent: size > 1e-07 * max(1.0, float(np.abs(trace.at(path.axes[0], 'position', "
+    "times)).max())) -> size >= 1e-07 * max(1.0, float(np.abs(trace.at(path.axes[0], 'position', times)).max()))": (
+        "a smallest distance that has a direction, within its rounding"
+    ),
+    "motionlang/log/paths.py: _row: speed <= still -> speed < still": ("a speed of 0 is 0 either way"),
+    "motionlang/log/paths.py: _length: 1 -> 2 #5": ("the last sample but one has an odd index"),
+    "motionlang/log/extremes.py: 48 -> 49": ("the best of the samples is refined"),
+    "motionlang/log/extremes.py: _searched: 1 -> 2 #3": ("a wider interval around the same extreme"),
+    "motionlang/log/extremes.py: _searched: 1 -> 2 #4": ("a wider interval around the same extreme"),
+    "motionlang/log/extremes.py: _differ: abs(right - left) > rounding + _MOMENT * max(abs(slope), "
+    "abs(slope_after)) -> abs(right - left) >= rounding + _MOMENT * max(abs(slope), abs(slope_after))": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/log/extremes.py: peak_speed: profile.duration <= length + 4e-16 * (begin + length) -> "
+    "profile.duration < length + 4e-16 * (begin + length)": (
+        "a profile that is cut at its end has the same peak"
+    ),
+    "motionlang/log/extremes.py: peak_speed: length + 4e-16 * (begin + length) -> length - 4e-16 * (begin + length)": (
+        "a profile that is cut at its end has the same peak"
+    ),
+    "motionlang/log/extremes.py: peak_speed: begin + length -> begin - length": (
+        "a profile that is cut at its end has the same peak"
+    ),
+    "motionlang/log/log.py: 512 -> 513": ("when profiles are packed; they read the same"),
+    "motionlang/log/log.py: 40960 -> 40961": ("when profiles are packed; they read the same"),
+    "motionlang/log/log.py: 10240 -> 10241": ("when profiles are packed; they read the same"),
+    "motionlang/log/move_rows.py: 2 -> 3": ("a recipe has two numbers, or four and more"),
+    "motionlang/log/move_rows.py: _profile_index: k >= 0 and a.starts[k] == move.start_time -> k >= 0 or "
+    "a.starts[k] == move.start_time": ("the same profile at another time reads the same"),
+    "motionlang/log/moves.py: 16000 -> 16001": ("when moves are packed; they read the same"),
+    "motionlang/log/moves.py: Moves: __init__: 0 -> 1": ("when moves are packed; they read the same"),
+    "motionlang/log/moves.py: Moves: _tail_index: 1 -> 2 #2": ("the newest record is compared once more"),
+    "motionlang/log/moves.py: Moves: _tail_index: 1 -> 2 #4": ("another number below 0"),
+    "motionlang/log/order.py: PathOrder: 0.0 -> 1.0": ("every path is given this field"),
+    "motionlang/log/order.py: PathOrder: -1 -> 1": ("every path is given this field"),
+    "motionlang/log/order.py: PathOrder: 1 -> 2": ("every path is given this field"),
+    "motionlang/log/order.py: Tie: 0.0 -> 1.0": ("every tie is given this field"),
+    "motionlang/log/order.py: Tie: 0.0 -> 1.0 #2": ("a tie without a curve has no origin"),
+    "motionlang/log/order.py: Tie: 1 -> 2": ("a tie without a curve has no direction"),
+    "motionlang/log/time_slices.py: TimeSliceStream: __init__: 0.0 -> 1.0": (
+        "the first slice sets it before it is read"
+    ),
+    "motionlang/log/trace.py: 65536 -> 65537": ("how many rows a chunk has"),
+    "motionlang/log/trace.py: 200000000 -> 200000001": ("one row more of two hundred million"),
+    "motionlang/log/trace.py: 4096 -> 4097": ("how much packed motion is read at once"),
+    "motionlang/log/trace.py: 0.001 -> 1.001": ("how much packed motion is read at once"),
+    "motionlang/log/trace.py: Column: True -> False": ("nothing assigns to a column or hashes one"),
+    "motionlang/log/trace.py: Column: True -> False #2": (
+        "slots of a frozen class: it takes no other attributes without them, either"
+    ),
+    "motionlang/log/trace.py: Samples: True -> False": ("nothing assigns to samples or hashes them"),
+    "motionlang/log/trace.py: Samples: True -> False #2": (
+        "slots of a frozen class: it takes no other attributes without them, either"
+    ),
+    "motionlang/log/trace.py: Trace: chunks: 1 -> 2": ("one row more than used"),
+    "motionlang/log/trace.py: Trace: chunks: 1.0 -> 2.0 #2": (
+        "how much packed motion is read for the last row"
+    ),
+    "motionlang/log/trace.py: Commanded: _fill: 1 -> 2 #2": ("one point more than used"),
+    "motionlang/log/trajectory_points.py: Points: __init__: 0.0 -> 1.0": (
+        "the first profile is at rest, and sets it"
+    ),
+    "motionlang/fast/command_rounds.py: 2000 -> 2001": ("one state more of two thousand"),
+    "motionlang/fast/polled_ticks.py: PolledTicks: reached: len(self._numbers) > MAX_STATES -> "
+    "len(self._numbers) >= MAX_STATES": ("one state fewer of a thousand"),
+    "motionlang/fast/moves.py: FastAxis: loader: load: 1e+300 -> 1e+300": (
+        "the same number, since 1 is below its last bit"
+    ),
+    "motionlang/fast/moves.py: FastAxis: loader: load: 1e+300 -> 1e+300 #2": (
+        "the same number, since 1 is below its last bit"
+    ),
+    "motionlang/fast/moves.py: FastAxis: loader: load: 1e+300 -> 1e+300 #3": (
+        "the same number, since 1 is below its last bit"
+    ),
+    "motionlang/fast/moves.py: FastAxis: loader: load: 1e+300 -> 1e+300 #4": (
+        "the same number, since 1 is below its last bit"
+    ),
+    "motionlang/fast/moves.py: FastAxis: start_at_once: 1e+300 -> 1e+300": (
+        "the same number, since 1 is below its last bit"
+    ),
+    "motionlang/fast/moves.py: FastAxis: start_at_once: 1e+300 -> 1e+300 #2": (
+        "the same number, since 1 is below its last bit"
+    ),
+    "motionlang/fast/time_slices.py: TimeSlices: idle_round: 1023 -> 1024": (
+        "when waits are packed; they read the same"
+    ),
+    "motionlang/fast/time_slices.py: TimeSlices: passes_among_others: 1023 -> 1024": (
+        "when waits are packed; they read the same"
+    ),
 }
