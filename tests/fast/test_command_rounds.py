@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from math import inf
 from random import Random
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from motionlang import execution
-from motionlang.fast.command_rounds import advanced
+from motionlang.fast.command_rounds import CommandRounds, advanced
 from motionlang.mccl.runtime.task import CommandTask
 from motionlang.source import Source
 from tests.cases import one_in
@@ -127,3 +129,38 @@ def test_many_sums_at_once_are_the_same_to_the_last_bit(step: float) -> None:
 
 def test_a_sum_that_no_longer_changes_is_the_same() -> None:
     assert advanced(2.0**60, 1.0, 10**6) == 2.0**60
+
+
+@pytest.mark.parametrize(
+    ("values", "steps", "effects", "most"),
+    [
+        ([10, 0.0], [2, 0.0], 1, 44.0),  # up to 98, two at a time
+        ([10, 0.0], [4, 0.0], 2, 22.0),
+        ([10, 0.0], [2, 0.0], 2, 0),  # one of two effects is not a count
+        ([10, 0.0], [0, 0.0], 1, 0),
+        ([10.5, 0.0], [2, 0.0], 1, 0),
+        ([10, 0.0], [0, 0.0], 0, inf),
+        ([10, 0.0], [2, 0.0], 0, 0),  # the value changes without an effect
+    ],
+)
+def test_rounds_up_to_the_next_comparison(
+    values: list[float], steps: list[float], effects: int, most: float
+) -> None:
+    """A task counts by 2 in each iteration, and compares with 100."""
+    counter = SimpleNamespace(counter=SimpleNamespace(step=2, levels=[100.0]))
+    rounds: Any = SimpleNamespace(_values=lambda: values, _counters=[counter])
+    assert CommandRounds._most(rounds, steps, effects) == most
+
+
+def test_the_time_of_skipped_rounds_is_shared_by_the_running_tasks() -> None:
+    """Three tasks run for 6 s, which the scheduler adds to the first; one waits."""
+    running: list[Any] = [SimpleNamespace(name=name, wait=None) for name in ("a", "b", "c")]
+    tasks = [*running, SimpleNamespace(name="d", wait=object())]
+    seconds = {"a": 1.0, "c": 2.0}
+    log = SimpleNamespace(slices=SimpleNamespace(seconds=seconds))
+    board: Any = SimpleNamespace(tasks=tasks, machine=SimpleNamespace(log=log))
+    rounds: Any = SimpleNamespace(_board=board)
+    CommandRounds._share(rounds, running[0], 6.0, 3)
+    assert seconds == pytest.approx({"a": 1.0 - 4.0, "b": 2.0, "c": 2.0 + 2.0})
+    CommandRounds._share(rounds, running[1], 6.0, 3)
+    assert seconds == pytest.approx({"a": -1.0, "b": -2.0, "c": 6.0})
