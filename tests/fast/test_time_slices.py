@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
@@ -207,3 +209,25 @@ def test_a_signal_in_such_a_wait_leaves_a_whole_log(after: int, monkeypatch: pyt
     waits = list(ended.machine.log.waits)
     assert waits == list(whole.machine.log.waits)[: len(waits)]
     assert text(ended)
+
+
+@pytest.mark.parametrize(
+    ("next_index", "indices", "last"),
+    [
+        (0, {0, 2}, 2),
+        (1, {0, 2}, 0),
+        (2, {0, 2}, 0),
+        (3, {0, 2}, 2),
+        (3, {0, 1, 2, 3}, 2),
+        (0, {3, 1}, 3),
+        (2, {3, 1}, 1),
+        (2, {2, 3}, 3),
+        (3, {1}, 1),
+        (1, {1}, 1),
+    ],
+)
+def test_the_task_whose_wait_is_checked_last(next_index: int, indices: set[int], last: int) -> None:
+    """Of four tasks, the search begins at the next one and goes around."""
+    tasks: list[Any] = ["one", "two", "three", "four"]
+    scheduler: Any = SimpleNamespace(_next_index=next_index, tasks=tasks)
+    assert TimeSlices._last_checked(scheduler, indices) == tasks[last]
