@@ -327,7 +327,10 @@ def test_two_crossings_at_a_corner_are_two_however_near_they_are(depth: float) -
 
 @pytest.mark.parametrize("below", [0.0, 1e-15, 1e-12, 1e-9, 1e-8, 1e-6, 1e-3])
 def test_both_sides_of_a_top_are_reached_however_slow_it_is_there(below: float) -> None:
-    """10·t - 5·t² is 5 at 1 s, and less by `below` at 1 ± sqrt(below / 5). Rounding hides the sides of 1e-15."""
+    """10·t - 5·t² is 5 at 1 s, and less by `below` at 1 ± sqrt(below / 5).
+
+    Rounding hides the sides of 1e-15.
+    """
     top = from_curve(
         "cam", 0.0, 0.0, ((0.0, 2.0), ((0.0, 10.0, -5.0, 0.0, 0.0, 0.0, 0.0),), (("cam", 0),)), 10.0, -10.0
     )
@@ -338,7 +341,10 @@ def test_both_sides_of_a_top_are_reached_however_slow_it_is_there(below: float) 
 
 @pytest.mark.parametrize("position", [1e-9, 1e-7, 1e-3])
 def test_a_table_that_ends_at_rest_is_just_before_it_once(position: float) -> None:
-    """The last cubic is 10 + 7.5·u - 45·u² + 27.5·u³ up to u = 1: t before that, it is nearly 37.5·t²."""
+    """At t before its end it is nearly at 37.5·t².
+
+    Its last cubic is 10 + 7.5·u - 45·u² + 27.5·u³ up to u = 1.
+    """
     table = table_curve([0.0, 3.0, 3.5, 4.5], [0.0, 0.0, 10.0, 0.0], "cubic")
     found = crossings(table, position)
     assert len(found) == 2

@@ -82,7 +82,7 @@ def _myers(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
 
 
 def _backtrack(steps: list[dict[int, int]], i: int, j: int) -> Pairs:
-    """Return what is common up to positions i and j: after each edit, the rest of its diagonal."""
+    """Return what is common up to i and j: the rest of a diagonal after each edit."""
     pairs = []
     for edits in range(len(steps) - 1, -1, -1):
         furthest, k = steps[edits], i - j
