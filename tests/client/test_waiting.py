@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.client import Client, MintClient, NoReply
+from motionlang.client import Client, ConnectionLost, MintClient, NoReply
 from motionlang.client.virtual import MintWire, VirtualWire
 from motionlang.client.wire import Wire
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
 from motionlang.mint.hosts.console import MintConsole
+from motionlang.source import Source
 from tests.client.test_slow_boards import VERSION, VERSION_WITHOUT_PROMPT, Pieces, ScriptedWire, noise
 
 SILENCE: Pieces = []
@@ -146,6 +147,38 @@ def test_a_line_of_a_virtual_board() -> None:
     assert heard(wire, 0.5) == (b">", 0.251)
 
 
+def test_a_virtual_board_that_waits_for_its_host() -> None:
+    """A blank pauses the line of a host, and a second one resumes it; WA takes 1 s.
+
+    During the pause, time passes while that host reads, but not while another one does. While a line waits for an
+    event, time passes for any host.
+    """
+    console = Console(Machine(first_axis=1))
+    wire, other = VirtualWire(console, 0.001), VirtualWire(console, 0.001)
+    assert (wire.receive(0.0), other.receive(0.0)) == (b">", b">")
+    wire.send(b"1TP,WA1\r ")
+    assert heard(wire, 0.25) == (b"", 0.25)
+    assert heard(other, 0.25) == (b"", 0.25)
+    wire.send(b" ")
+    assert heard(wire, 2.0) == (b"01 0\n>", 1.25)
+    wire.send(b"WN40\r")
+    assert heard(other, 0.5) == (b"", 1.75)
+
+
+def test_a_client_begins_with_one_line() -> None:
+    """A virtual board has no earlier output to drain: VE takes the 10 µs of a command.
+
+    While another host's line waits for an event, the answer is read after the whole time of an attempt, 1 s.
+    """
+    console = Console(Machine(first_axis=1))
+    with Client.virtual(console, timeout=3.0) as board:
+        assert (board.version[:9], round(console.now, 6)) == ("MultiFlex", 1e-5)
+        board._wire.send(b"WN40\r")
+        begin = console.now
+        with Client.virtual(console, timeout=3.0):
+            assert console.now - begin == pytest.approx(1.0)
+
+
 def test_a_line_of_a_virtual_mint_controller() -> None:
     """Each line takes 10 ms, or as long as it waits; time passes while the host reads."""
     wire = MintWire(MintConsole({}), 0.01)
@@ -163,6 +196,14 @@ def test_a_line_of_a_virtual_mint_controller() -> None:
     assert heard(wire, 0.5) == (b"1\r\nP>", 0.78)
 
 
+def test_the_output_of_a_virtual_program_arrives_within_1_ms() -> None:
+    console = MintConsole({})
+    console.load(Source("two.mnt", "Wait = 250 : Print 1\nWait = 100 : Print 2"))
+    wire = MintWire(console, 0.01)
+    assert heard(wire, 1.0) == (b"1\r\n", 0.251)
+    assert heard(wire, 1.0) == (b"2\r\nP>", 0.351)
+
+
 def test_a_mint_controller_that_does_not_answer() -> None:
     """The line has 2 s from its beginning; what arrives in the meantime is output.
 
@@ -178,6 +219,70 @@ def test_a_mint_controller_that_does_not_answer() -> None:
         line.command("Print 5")
     assert wire.now() == 3.0
     assert line.output() == "a\nb\n"
+
+
+def test_a_mint_answer_in_pieces() -> None:
+    """The last bytes arrive exactly at the end of the time-out, 2 s.
+
+    The wire returns after 0.5 s at the latest, with or without data.
+    """
+
+    class EarlyWire(ScriptedWire):
+        def receive(self, timeout: float) -> bytes:
+            return super().receive(min(timeout, 0.5))
+
+    wire = EarlyWire([(1.25, b"Print 5\r\n5\r\n"), (0.75, b"6\r\n"), (0.0, b"P>")])
+    line = MintClient(wire, timeout=2.0)
+    assert line.command("Print 5") == ["5", "6"]
+    assert wire.now() == 2.0
+
+
+def test_stored_output_is_limited() -> None:
+    """The limits are 1000 lines, 100,000 characters, and 1,000,000 bytes of an answer.
+
+    The newest output stays: the second of 1001 lines is the oldest one, and the prompt after a line end takes four
+    bytes of the answer.
+    """
+    lines = b"".join(b"%04d\n" % number for number in range(1001))
+    board = Client(ScriptedWire([(0.0, VERSION)], [(0.0, b"\n>" + lines)], [(0.0, b"01 0\n>")]))
+    board.send("1MN")
+    assert board.send("1TP") == ["01 0"]
+    assert (board.unasked[0], board.unasked[-1], len(board.unasked)) == ("0001", "1000", 1000)
+
+    text = b"first" + b"x" * 99_995 + b"\x06"
+    line = MintClient(ScriptedWire([(0.0, text + b"y")], [(0.0, b"x" * 1_000_000 + b"\r\nP>")]))
+    line.write(1, 5.0)
+    assert line.output() == "irst" + "x" * 99_995 + "y"
+    assert line.command("Print 5") == ["x" * 999_996]
+
+
+@pytest.mark.parametrize(
+    ("sent", "message"),
+    [(b"?3\n", "the server accepts no more hosts"), (b"", "gone"), (b"01 0\n", "gone")],
+    ids=["an error code", "nothing", "a line"],
+)
+def test_a_line_that_ends_before_the_version(sent: bytes, message: str) -> None:
+    """A server without room sends one error code and disconnects."""
+
+    class EndingWire(ScriptedWire):
+        def receive(self, timeout: float) -> bytes:
+            if not self._pieces:
+                raise ConnectionLost("gone")
+            return super().receive(timeout)
+
+    with pytest.raises(ConnectionLost, match=message):
+        Client(EndingWire([(0.0, sent)]))
+
+
+def test_the_version_of_a_board_that_is_never_silent() -> None:
+    """A board without a prompt reports 32 times per second.
+
+    The time-out of 3 s allows 1 s for each attempt. The 32nd report arrives at the end of that second. The version is
+    the last of the 31 complete lines before it.
+    """
+    wire = ScriptedWire([(1 / 32, b"%02d\r\n" % number) for number in range(1, 40)])
+    assert Client(wire, timeout=3.0).version == "31"
+    assert wire.now() == 1.0
 
 
 def test_the_noise_of_a_task_before_the_version() -> None:
