@@ -239,7 +239,7 @@ class Drive:
         It is one servo period longer while the buffer has too few points, and one shorter while it has too
         many.
         """
-        if not self.steering or span == 0:
+        if not self.steering:
             return span
         surplus = len(self.buffer.entries) - START_POINTS
         step = self.servo_period if surplus < 0 else -self.servo_period if surplus > 0 else 0
@@ -274,7 +274,7 @@ class Drive:
 
     def _rest(self, position: float) -> None:
         self._append(hold(position))
-        self.state, self._boundary, self._velocity = IDLE, None, 0.0
+        self.state, self._boundary = IDLE, None
 
     def _append(self, profile: Profile) -> None:
         self.starts.append(self.now)

@@ -105,6 +105,7 @@ class DriveNode(LocalNode):
     def __init__(self, node_id: int, drive: Drive, switches: Switches | None = None) -> None:
         super().__init__(node_id, object_dictionary(node_id))
         self.drive = drive
+        self._heartbeat_id = HEARTBEAT_ID + node_id
         self.objects = ObjectServer(drive, switches)
         self.objects.emergency = self.send_emergency
         drive.listener = self.send_status
@@ -225,7 +226,7 @@ class DriveNode(LocalNode):
         self._heartbeat_at = self._boot_at = INFINITY
         self._listen_to(0)
         self._map_pdos()
-        self.network.send_message(HEARTBEAT_ID + int(self.id or 0), bytes([0]))
+        self.network.send_message(self._heartbeat_id, bytes([0]))
         self.nmt._state = PRE_OPERATIONAL
 
     def _commanded(self, _: int, data: bytearray, __: float) -> None:
@@ -259,7 +260,7 @@ class DriveNode(LocalNode):
         self._silent_at = self.now + (self._number(CONSUMER_HEARTBEAT, 1) & 0xFFFF) * 1e-3
 
     def _send_heartbeat(self) -> None:
-        self.network.send_message(HEARTBEAT_ID + int(self.id or 0), bytes([self.nmt_state]))
+        self.network.send_message(self._heartbeat_id, bytes([self.nmt_state]))
 
     # ---------------------------------------------------------------------------------------- configuration
 
@@ -273,7 +274,7 @@ class DriveNode(LocalNode):
             return
         if 0x1600 <= index < 0x1600 + PDOS or 0x1A00 <= index < 0x1A00 + PDOS:
             self._check_mapping(index, subindex, int.from_bytes(data, "little"))
-        elif 0x1800 <= index < 0x1800 + PDOS and subindex == 2 and data[:1] in (b"\xfc", b"\xfd"):
+        elif 0x1800 <= index < 0x1800 + PDOS and subindex == 2 and data in (b"\xfc", b"\xfd"):
             raise SdoAbortedError(VALUE_RANGE)  # remote frames are not answered
         super().set_data(index, subindex, data, check_writable=check_writable)
         if (index, subindex) == (CONSUMER_HEARTBEAT, 1):
@@ -397,7 +398,7 @@ def _add(dictionary: ObjectDictionary, entry: Object) -> None:
         return
     if entry.index not in dictionary:
         made = ODRecord(entry.name.rsplit(" ", 1)[0], entry.index)
-        made.add_member(_variable("Highest sub-index", entry.index, 0, datatypes.UNSIGNED8, "ro", 0))
+        made.add_member(_variable("Highest sub-index", entry.index, 0, datatypes.UNSIGNED8, "ro", None))
         dictionary.add_object(made)
     record = dictionary[entry.index]
     assert isinstance(record, ODRecord)

@@ -415,9 +415,9 @@ class ObjectServer:
 
     def _interpolate(self, before: int, control: int) -> None:
         """Start or stop the move in the buffer, as the control word commands."""
-        if control & HALT or (before & START and not control & START):
+        if control & HALT or not control & START:
             self.drive.stop("by the control word")
-        elif control & START and not before & START:
+        elif not before & START:
             self.drive.start()
 
     def _leave(self, why: str) -> None:

@@ -80,7 +80,7 @@ def _names(cells: list[str], number: int, wrong: list[Diagnostic]) -> tuple[str,
     A file that begins with numbers has no header line.
     """
     if _number(cells[0]) is not None:
-        return COLUMNS[: max(1, min(len(cells), len(COLUMNS)))]
+        return COLUMNS[: len(cells)]
     names = tuple(cell.lower() for cell in cells)
     for name in names:
         if name not in COLUMNS:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -10,6 +12,7 @@ from motionlang.copley.buffer import SIZE, Entry
 from motionlang.copley.drive import IDLE, MOVING, STOPPING, WAITING, Drive
 from motionlang.copley.packet import OVERFLOW, UNDERFLOW
 from motionlang.copley.point import WirePoint, from_wire
+from motionlang.planners.curve import hold
 from motionlang.planners.pvt.points import plan_points
 
 SCURVE = [
@@ -112,6 +115,45 @@ def test_an_empty_buffer_in_mid_move_is_an_underflow_and_brakes() -> None:
     assert drive.state == IDLE
     assert drive.starts[-1] == pytest.approx(0.3)
     assert events(drive)[-1] == "underflow at 500: the next point was not in the buffer in time"
+
+
+@pytest.mark.parametrize(
+    ("seconds", "microseconds"),
+    [(0.0, 1), (1e-7, 1), (1e-6, 1), (0.05, 50_000), (0.0500004, 50_001), (inf, None)],
+)
+def test_a_motion_ends_at_the_first_microsecond_after_it(seconds: float, microseconds: int | None) -> None:
+    drive = Drive()
+    drive.follow(hold(0.0), seconds, drive.rest)
+    assert drive.next_boundary == microseconds
+
+
+def test_a_stop_takes_at_least_a_microsecond() -> None:
+    """From 0.1 counts/s at 1 000 000 counts/s² it takes 0.1 µs."""
+    drive = loaded([WirePoint(0, 1, 100), WirePoint(0, 1, 0)])
+    drive.start()
+    drive.stop()
+    assert (drive.state, drive.next_boundary) == (STOPPING, 1)
+
+
+def test_a_stop_at_rest_ends_the_move() -> None:
+    """The S-curve begins at rest, so there is nothing to brake."""
+    drive = loaded(SCURVE)
+    drive.start()
+    drive.stop()
+    assert (drive.state, drive.next_boundary) == (IDLE, None)
+    assert events(drive) == ["move started at 0", "move ended at 0: stopped by the master"]
+
+
+def test_a_drive_forgets_all_but_its_last_profiles_and_events() -> None:
+    """The S-curve has four segments between two standstills, and two events."""
+    drive = loaded(SCURVE)
+    drive.start()
+    drive.run_until(500_000)
+    for most, profiles, logged in ((9, 6, 2), (6, 6, 2), (3, 3, 2), (1, 1, 1)):
+        drive.forget(most)
+        assert (len(drive.starts), len(drive.profiles), len(drive.log)) == (profiles, profiles, logged)
+        assert drive.position == 1000.0
+    assert (drive.starts, events(drive)) == ([0.4], ["move ended at 1000"])
 
 
 def test_a_long_stop_ends_at_its_time_to_the_microsecond() -> None:

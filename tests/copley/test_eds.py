@@ -6,6 +6,7 @@ from configparser import RawConfigParser
 
 import pytest
 
+from motionlang import __version__
 from motionlang.copley.eds import eds
 
 
@@ -63,6 +64,14 @@ def test_values_at_power_up(file: RawConfigParser) -> None:
     assert {section: int(file[section]["DefaultValue"], 0) for section in DEFAULTS} == DEFAULTS
 
 
+def test_values_are_hexadecimal_if_they_are_not_negative(file: RawConfigParser) -> None:
+    assert [file[section]["DefaultValue"] for section in ("6040", "60C2sub1", "60C2sub2")] == [
+        "0x00",
+        "0x01",
+        "-3",
+    ]
+
+
 def test_identifiers_count_from_the_node(file: RawConfigParser) -> None:
     """Bit 31 disables the PDOs 2 to 4 of each direction."""
     assert file["1014"]["DefaultValue"] == "$NODEID+0x80"
@@ -85,6 +94,27 @@ TYPES = {
     "6060": (0x2, "rw", 1), "6064": (0x4, "ro", 1), "6099sub1": (0x7, "rw", 1), "60C0": (0x3, "rw", 1),
     "60C1sub2": (0x5, "rw", 1),
 }  # fmt: skip
+
+
+# The objects of CiA 301 and the records of DS402, as the standards call them.
+NAMES = {
+    "1000": "Device type", "1001": "Error register", "1005": "COB-ID SYNC", "1008": "Manufacturer device name",
+    "1009": "Manufacturer hardware version", "100A": "Manufacturer software version", "1014": "COB-ID EMCY",
+    "1016": "Consumer heartbeat time", "1017": "Producer heartbeat time", "1018": "Identity object",
+    "1018sub0": "Highest sub-index", "1018sub4": "Serial number", "1400": "Receive PDO 1 communication",
+    "1603": "Receive PDO 4 mapping", "1802": "Transmit PDO 3 communication", "1A01": "Transmit PDO 2 mapping",
+    "6099": "Homing speed search for", "6099sub1": "Homing speed search for switch",
+    "60C1": "Interpolation", "60C1sub2": "Interpolation time", "60C2": "Interpolation time",
+}  # fmt: skip
+
+
+def test_names(file: RawConfigParser) -> None:
+    assert {section: file[section]["ParameterName"] for section in NAMES} == NAMES
+    assert (file["1008"]["DefaultValue"], file["1009"]["DefaultValue"], file["100A"]["DefaultValue"]) == (
+        "motionlang virtual drive",
+        "virtual",
+        __version__,
+    )
 
 
 def test_data_types_and_access(file: RawConfigParser) -> None:

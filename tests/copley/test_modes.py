@@ -96,6 +96,18 @@ def test_bit_5_changes_the_target_at_once() -> None:
     assert [axis.at(0.5), axis.at(0.9), axis.at(1.0)] == [4500, 8500, 9000]
 
 
+def test_the_present_position_as_a_target() -> None:
+    """At rest there is no motion; from 10 000/s at 2500 the axis comes back from 3000."""
+    axis = Axis(PP)
+    axis.move(0)
+    assert axis.has(REACHED) == [True]
+    axis.move(5000)
+    assert axis.at(0.3) == axis.drive.position == 2500.0
+    axis.move(2500, 0x3F)
+    assert axis.has(REACHED) == [False]
+    assert [axis.at(0.4), axis.at(1.0)] == [3000, 2500]
+
+
 def test_bit_6_makes_a_target_relative_to_the_one_before() -> None:
     axis = Axis(PP)
     axis.move(5000)
@@ -153,6 +165,20 @@ def test_halt_brakes_at_the_deceleration_of_set_points() -> None:
     axis.write(CONTROL, 0x10F)
     assert axis.at(0.35) == 2750
     assert axis.drive.velocity == 0.0
+
+
+def test_a_second_halt_brakes_like_the_first_one() -> None:
+    """From 10 000/s each stop takes 0.1 s and 500 counts, as each start does."""
+    axis = Axis(PP)
+    axis.move(9000)
+    positions = []
+    for time in (0.3, 1.0):
+        axis.at(time)
+        axis.write(CONTROL, 0x10F)
+        positions.append(axis.at(time + 0.4))
+        axis.write(CONTROL, 0x0F)
+    assert positions == [3000, 6000]
+    assert axis.at(3.0) == 9000
 
 
 def test_halt_at_rest_starts_no_motion_when_it_ends() -> None:
@@ -233,6 +259,7 @@ def test_a_motion_may_end_on_a_limit_switch_but_not_begin_there(sign: int) -> No
     assert axis.has(REACHED, LIMIT) == [True, False]
     assert axis.objects.read(0x60FD, 0) == (2 if sign > 0 else 1)
     axis.move(1001 * sign)
+    assert axis.has(REACHED, LIMIT) == [True, True]
     assert axis.at(3.0) == 1000 * sign
     assert axis.has(REACHED, LIMIT) == [True, True]
     assert axis.errors == [0x8612]
@@ -276,6 +303,42 @@ def test_the_switches_belong_to_the_machine_and_not_to_the_zero_position() -> No
     assert axis.objects.read(0x60FD, 0) == 0b001
 
 
+@pytest.mark.parametrize(
+    ("mode", "switch", "end"),
+    [(PV, 100.0, 110.0), (PV, 125.0, 137.5), (PV, 200.0, 212.5), (PP, 4900.0, 4910.0)],
+)
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_limit_switch_within_a_ramp(mode: int, switch: float, end: float, sign: int) -> None:
+    """A stop at 1 000 000/s² takes a tenth of the distance of the ramp at 100 000/s².
+
+    The ramp to 5000/s ends at 125 counts, and the one from 10 000/s to rest at 5000 counts.
+    """
+    axis = Axis(mode, Switches(negative=-switch, positive=switch))
+    if mode == PV:
+        axis.write(TARGET_VELOCITY, 50_000 * sign)
+    else:
+        axis.move(5000 * sign)
+    axis.at(1.0)
+    assert axis.drive.position == pytest.approx(sign * end, abs=0.01)
+    assert axis.errors == [0x8612]
+
+
+def test_a_target_one_count_behind_a_limit_switch_after_homing() -> None:
+    """The home switch at 800 is the zero position, so the limit switch is at 2200."""
+    axis = Axis(HM, MACHINE)
+    axis.write(METHOD, 19)
+    axis.write(CONTROL, 0x1F)
+    axis.at(10.0)
+    axis.write(CONTROL, 0x0F)
+    axis.write(MODE, PP)
+    for target, limited in ((2200, False), (2201, True), (-2800, False), (-2801, True)):
+        axis.move(target)
+        assert axis.at(axis.drive.now + 10.0) == (
+            target if not limited else target - (1 if target > 0 else -1)
+        )
+        assert axis.has(LIMIT) == [limited]
+
+
 def test_a_set_point_at_the_present_position_is_no_motion_towards_a_limit_switch() -> None:
     """The axis is already 5 counts beyond the switch when it is enabled."""
     axis = Axis(PP, Switches(positive=-5.0))
@@ -304,6 +367,15 @@ def test_a_velocity_is_followed_as_soon_as_it_is_written() -> None:
     assert axis.drive.state == IDLE
 
 
+def test_the_slowest_velocity_is_a_motion() -> None:
+    """0.1 counts/s is reached in 1 µs; bit 12 is the speed zero."""
+    axis = Axis(PV)
+    axis.write(TARGET_VELOCITY, 1)
+    assert axis.has(REACHED, BIT_12) == [False, True]
+    assert axis.at(20.0) == 2
+    assert axis.has(REACHED, BIT_12) == [True, False]
+
+
 def test_each_rate_of_a_velocity_is_that_of_its_side() -> None:
     """5000/s takes 0.1 s and 250 counts up at 50 000/s², 25 ms and 62.5 counts down."""
     axis = Axis(PV)
@@ -323,6 +395,12 @@ def test_the_mode_starts_with_the_velocity_that_was_written_before_it() -> None:
     assert axis.at(1.0) == 0
     axis.write(MODE, PV)
     assert axis.at(1.05) == 125
+
+
+def test_a_velocity_of_0_is_no_motion() -> None:
+    axis = Axis(PV)
+    assert axis.drive.state == IDLE
+    axis.write(MODE, PP)
 
 
 def test_a_velocity_waits_until_operation_is_enabled() -> None:
@@ -422,17 +500,18 @@ def test_the_time_of_a_search() -> None:
     assert axis.has(REACHED, BIT_12) == [True, True]
 
 
-def test_a_search_may_end_within_a_count() -> None:
-    """At 1 count/s the index mark at -0.5 is half a second away, the ramp takes 10 µs."""
+@pytest.mark.parametrize(("method", "mark"), [(33, -0.5), (34, 0.5)])
+def test_a_search_may_end_within_a_count(method: int, mark: float) -> None:
+    """At 1 count/s the index mark is half a second away, the ramp takes 10 µs."""
     axis = Axis(HM, Switches(index=0.5))
     axis.write(0x6099, 10, 2)
-    axis.write(METHOD, 33)
+    axis.write(METHOD, method)
     axis.write(CONTROL, 0x1F)
     axis.at(0.4)
     assert axis.has(BIT_12) == [False]
     axis.at(0.6)
     assert axis.has(BIT_12) == [True]
-    assert axis.drive.datum == -0.5
+    assert axis.drive.datum == mark
 
 
 @pytest.mark.parametrize(("method", "sign"), [(19, 1), (20, 1), (18, 1), (17, -1)])
@@ -497,6 +576,27 @@ def test_the_next_index_mark_is_beyond_the_one_that_the_axis_is_on(method: int, 
     axis.write(CONTROL, 0x1F)
     axis.at(60.0)
     assert axis.drive.datum == position
+
+
+@pytest.mark.parametrize(
+    ("method", "switches"),
+    [
+        (17, Switches(negative=0.0)),
+        (18, Switches(positive=0.0)),
+        (19, Switches(home=0.0)),
+        (19, Switches(positive=-1.0, home=0.0)),
+        (20, Switches(home=0.0)),
+    ],
+)
+def test_an_axis_on_the_edge_of_its_switch_is_homed_at_once(method: int, switches: Switches) -> None:
+    """A switch is active at its position, so there is nothing to search.
+
+    This holds behind a limit switch, too.
+    """
+    axis = Axis(HM, switches)
+    axis.write(METHOD, method)
+    axis.write(CONTROL, 0x1F)
+    assert axis.has(REACHED, BIT_12, BIT_13) == [True, True, False]
 
 
 def test_the_home_offset_is_that_of_the_home_position_wherever_it_is() -> None:

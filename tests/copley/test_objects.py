@@ -70,7 +70,8 @@ def test_there_are_four_sub_modes(server: ObjectServer, mode: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("units", "index", "microseconds"), [(15, -3, 15_000), (255, -6, 255), (20, -4, 2000), (7, -5, 70)]
+    ("units", "index", "microseconds"),
+    [(1, -3, 1000), (15, -3, 15_000), (255, -6, 255), (20, -4, 2000), (7, -5, 70)],
 )
 def test_the_fixed_time_is_units_times_a_power_of_ten(
     server: ObjectServer, units: int, index: int, microseconds: int
@@ -111,6 +112,18 @@ def test_what_takes_the_drive_out_of_the_move(server: ObjectServer, control: int
     assert server.drive.state != MOVING
 
 
+def test_a_drive_that_is_disabled_in_mid_move_brakes_first(server: ObjectServer) -> None:
+    """Bit 6 is disabled, bit 12 is in motion, and bit 10 is at the target."""
+    send(server, 0, WirePoint(0, 0, 255))
+    send(server, 1, WirePoint(500, 50_000, 255))
+    server.write(0x6040, 0, 0x1F)
+    server.drive.run_until(100_000)
+    server.write(0x6040, 0, 0x00)
+    assert server.read(0x6041, 0) == 0x1250
+    server.drive.run_until(200_000)
+    assert (server.read(0x6041, 0), server.read(0x603F, 0)) == (0x0650, 0)
+
+
 def test_the_drive_must_be_switched_on_step_by_step() -> None:
     server = ObjectServer(Drive())
     server.write(0x6060, 0, 7)
@@ -130,6 +143,16 @@ def test_only_interpolated_position_mode_starts() -> None:
     with pytest.raises(Abort, match="mode 4 is not simulated, only 1, 3, 6, 7") as refused:
         server.write(0x6060, 0, 4)
     assert refused.value.code == VALUE_RANGE
+
+
+def test_the_first_sub_mode_waits_for_three_points() -> None:
+    server = ObjectServer(Drive())
+    for index, value in ((0x6060, 7), (0x6040, 6), (0x6040, 7), (0x6040, 15), (0x6040, 31)):
+        server.write(index, 0, value)
+    assert server.drive.state == WAITING
+    for position, state in ((0, WAITING), (5, WAITING), (9, MOVING)):
+        server.write(0x60C1, 1, position)
+        assert server.drive.state == state
 
 
 def test_modes_do_not_change_in_mid_move(server: ObjectServer) -> None:
@@ -211,6 +234,8 @@ def test_the_quick_stop_deceleration_brakes(server: ObjectServer) -> None:
     server.write(0x6085, 0, 5000)
     assert server.drive.abort_deceleration == 50_000.0
     assert server.read(0x6085, 0) == 5000
+    server.write(0x6085, 0, 1)
+    assert server.drive.abort_deceleration == 10.0
     with pytest.raises(Abort, match="greater than zero"):
         server.write(0x6085, 0, 0)
 

@@ -24,6 +24,7 @@ bytes8 = st.binary(min_size=8, max_size=8)
         (Packet(3, WirePoint(5, 0, 10, relative=True)), "130a050000000000"),
         (Packet(4, WirePoint(5, 90_000_000, 10, relative=True)), "1c0a050000a0bb0d"),
         (Packet(5, initial=0x12345678), "2578563412000000"),
+        (Packet(5, initial=-2), "25feffffff000000"),
         (Packet(6, WirePoint(2**31 - 1, None, 10)), "2e0affffff7f0000"),
         (Packet(7, WirePoint(-3, None, 10, relative=True)), "370afdffffff0000"),
     ],
@@ -45,6 +46,20 @@ def test_segments_are_these_bytes(content: Packet, data: str) -> None:
 def test_commands_are_these_bytes(command: PacketCommand, data: str) -> None:
     assert packet.encode_command(command).hex() == data
     assert packet.decode(bytes.fromhex(data)) == command
+
+
+@pytest.mark.parametrize(
+    ("data", "content"),
+    [
+        ("812c01ffffffffff", PacketCommand(packet.POP, 300)),
+        ("8205ffffffffffff", PacketCommand(packet.CLEAR_ERRORS, 5)),
+        ("80ffffffffffffff", PacketCommand(packet.CLEAR)),
+        ("2578563412ffffff", Packet(5, initial=0x12345678)),
+        ("2e0affffff7fffff", Packet(6, WirePoint(2**31 - 1, None, 10))),
+    ],
+)
+def test_unused_bytes_are_ignored(data: str, content: object) -> None:
+    assert packet.decode(bytes.fromhex(data)) == content
 
 
 @given(st.integers(0, 7), int24, int24, st.integers(0, 255), st.booleans())
@@ -97,6 +112,18 @@ def test_far_positions_go_as_an_initial_position_and_distances() -> None:
     ]
 
 
+def test_a_distance_counts_from_the_position_that_a_relative_point_reaches() -> None:
+    """From 9 000 100 to 9 000 300 it is 200 counts, from 8 999 900 it is 400."""
+    for distance, left in ((100, 200), (-100, 400)):
+        points = [
+            WirePoint(9_000_000, 0, 10),
+            WirePoint(distance, 0, 10, relative=True),
+            WirePoint(9_000_300, 0, 0),
+        ]
+        *_, last = (packet.decode(message) for message in packet.encode_points(points))
+        assert last == Packet(3, WirePoint(left, 0, 0, relative=True))
+
+
 def test_a_distance_beyond_24_bits_is_named_by_its_point() -> None:
     points = [WirePoint(0, 0, 10), WirePoint(20_000_000, 0, 0)]
     with pytest.raises(BadPacket, match="point 1: neither its position nor its distance fits 24 bits"):
@@ -125,3 +152,9 @@ def test_the_status_is_these_bits(status: BufferStatus, value: int) -> None:
 
 def test_errors_in_words() -> None:
     assert packet.error_names(packet.SEQUENCE | packet.UNDERFLOW) == "sequence error, underflow"
+
+
+@pytest.mark.parametrize("time", [-1, 256])
+def test_a_time_that_does_not_fit_a_byte_is_refused(time: int) -> None:
+    with pytest.raises(BadPacket, match=f"the time {time} ms does not fit a byte"):
+        packet.encode_packet(Packet(0, WirePoint(0, 0, time)))

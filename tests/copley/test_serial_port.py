@@ -73,6 +73,7 @@ def test_a_full_buffer_overflows() -> None:
 
 def test_without_its_configuration_the_drive_does_not_start() -> None:
     line = SerialPort(Drive())
+    assert line.read(0xC8) == (0,)
     line.write(0x115, serial.encode_point(WirePoint(0, 0, 0)))
     with pytest.raises(Refused, match="0xC8 must be 3"):
         line.command(17)

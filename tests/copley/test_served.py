@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import socket
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -22,6 +22,7 @@ from motionlang.copley.eds import eds
 from motionlang.copley.node import object_dictionary
 from motionlang.copley.served import DriveServer
 from motionlang.copley.switches import Switches
+from motionlang.planners.curve import hold
 
 PATIENCE = 30.0
 _CHANNELS = count(1)
@@ -32,15 +33,24 @@ FROM_DRIVES: Any = [{"can_id": 0x080, "can_mask": 0x080}, {"can_id": 0x700, "can
 class Bus:
     """Two drives and the other end of their bus; `time` is the drives' time, s."""
 
-    def __init__(self) -> None:
+    def __init__(self, factor: float = 1.0, switches: Sequence[Switches] = ()) -> None:
         self.time = 0.0
         channel = f"served-{next(_CHANNELS)}"
         self.master = can.Bus(interface="virtual", channel=channel)
         self.complaints: list[str] = []
         self.server = DriveServer(
-            "virtual", channel, 2, complain=self.complaints.append, wall=lambda: self.time
+            "virtual",
+            channel,
+            2,
+            factor=factor,
+            switches=switches,
+            complain=self.complaints.append,
+            wall=lambda: self.time,
         )
-        self.found: list[tuple[int, bytes]] = []
+
+    def close(self) -> None:
+        self.server.close()
+        self.master.shutdown()
 
     def send(self, can_id: int, *data: int) -> None:
         self.master.send(can.Message(arbitration_id=can_id, data=data, is_extended_id=False))
@@ -69,10 +79,11 @@ class Bus:
 
 @pytest.fixture
 def bus() -> Iterator[Bus]:
+    """Yield a bus; no frame may be dropped on it."""
     made = Bus()
     yield made
-    made.server.close()
-    made.master.shutdown()
+    made.close()
+    assert made.complaints == []
 
 
 def test_boot_up_and_reset(bus: Bus) -> None:
@@ -136,15 +147,18 @@ def test_a_pdo_that_is_too_short_is_an_emergency(bus: Bus) -> None:
 
 
 def test_a_master_that_dies_trips_the_drive(bus: Bus) -> None:
-    """Object 0x1016:1 requires a heartbeat of node 0x7F at least every 100 ms."""
+    """Object 0x1016:1 requires a heartbeat of node 0x7F at least every 100 ms.
+
+    The last one arrives at 0.39 s.
+    """
     bus.send(0, 1, 1)
     bus.ask(1, 0x23, 0x16, 0x10, 1, 100, 0, 0x7F, 0)
     assert bus.until(0.3) != []
     bus.send(0x77F, 5)
     bus.until(0.39)
     bus.send(0x77F, 5)
-    assert 0x81 not in dict(bus.until(0.48))
-    assert dict(bus.until(0.6))[0x81] == b"\x30\x81\x11" + bytes(5)
+    assert 0x81 not in dict(bus.until(0.4895))
+    assert dict(bus.until(0.4901))[0x81] == b"\x30\x81\x11" + bytes(5)
     assert bus.ask(1, 0x40, 0x41, 0x60)[4] & 0x4F == 0x08
     bus.send(0x201, 0x80, 0)
     assert dict(bus.until(0.7))[0x81] == bytes(8)
@@ -178,16 +192,103 @@ def test_a_synchronous_pdo_shows_the_position_at_the_sync(bus: Bus) -> None:
     assert positions == [500, 1500, 2500]
 
 
+@pytest.mark.parametrize("objects", [0, 1])
+def test_a_pdo_without_objects_is_not_sent(objects: int, bus: Bus) -> None:
+    """The status word is mapped to transmit PDO 1 or not, and PDO 2 is disabled."""
+    bus.ask(1, 0x2F, 0x00, 0x1A, 0, objects)
+    bus.send(0, 1, 1)
+    assert bus.until(0.05) == [(0x181, b"\x50\x06")] * objects
+
+
+def test_each_drive_has_its_switches() -> None:
+    """Bit 0 of object 0x60FD is the negative limit switch, bit 1 the positive one.
+
+    The second of two drives has no switches if there are those of one.
+    """
+    for switches, inputs in (
+        ([Switches(negative=0.0)], [0b01, 0]),
+        ([Switches(negative=0.0), Switches(positive=0.0)], [0b01, 0b10]),
+    ):
+        bus = Bus(switches=switches)
+        assert [bus.ask(node, 0x40, 0xFD, 0x60)[4] for node in (1, 2)] == inputs
+        bus.close()
+
+
+def test_machine_time_is_a_multiple_of_real_time() -> None:
+    """At twice the speed, a heartbeat of 50 ms, set at 10 ms, arrives every 25 ms."""
+    bus = Bus(factor=2.0)
+    bus.until(0.01)
+    bus.ask(1, 0x2B, 0x17, 0x10, 0, 50)
+    assert [bus.until(time) for time in (0.034, 0.036, 0.059, 0.061)] == [[], [(0x701, b"\x7f")]] * 2
+    bus.close()
+
+
+def test_how_long_a_server_waits_for_a_frame(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It waits 100 ms or until the next event, and 1 ms after a frame or in motion.
+
+    At twice the speed, the heartbeat of 50 ms is due 25 ms after its write.
+    """
+    bus, waits = Bus(factor=2.0), list[float]()
+    receive = bus.server._bus.recv
+
+    def spy(timeout: float) -> can.Message | None:
+        waits.append(round(timeout, 6))
+        bus.server.stop()
+        return receive(0.0)
+
+    def wait(time: float) -> float:
+        """Let the server wait once at a time, and return how long it would wait."""
+        bus.time, bus.server._over = time, False
+        bus.server.run()
+        return waits[-1]
+
+    monkeypatch.setattr(bus.server._bus, "recv", spy)
+    assert wait(0.0) == 0.1
+    period = [0x2B, 0x17, 0x10, 0, 50, 0, 0, 0]
+    bus.master.send(can.Message(arbitration_id=0x601, data=period, is_extended_id=False))
+    assert [wait(time) for time in (0.0, 0.0, 0.002, 0.03)] == [0.1, 0.001, 0.023, 0.0]
+    drive = bus.server.nodes[1].drive
+    drive.follow(hold(0.0), 1.0, drive.rest)
+    assert wait(0.031) == 0.001
+    bus.close()
+
+
+def test_a_server_forgets_old_motion() -> None:
+    """A drive stores its last 100 profiles; each 1000th wait deletes the others."""
+    bus = Bus()
+    drive = bus.server.nodes[1].drive
+    for _ in range(200):
+        drive.rest()
+    lengths = set[int]()
+    for _ in range(999):
+        bus.server.run_once()
+        lengths.add(len(drive.profiles))
+    bus.server.run_once()
+    assert (lengths, len(drive.profiles)) == ({201}, 100)
+    bus.close()
+
+
+def test_each_problem_is_reported_once_and_at_most_a_hundred(bus: Bus) -> None:
+    def fail(text: str) -> None:
+        raise can.CanError(text)
+
+    for number in (1, 1, *range(1, 150)):
+        bus.server._guard(lambda text=f"problem {number}": fail(text))  # type: ignore[misc]
+    assert bus.complaints == [f"the CAN bus: problem {number}" for number in range(1, 101)]
+    bus.complaints.clear()
+
+
 def test_only_frames_of_masters_are_counted(bus: Bus) -> None:
     """Standard data frames count, of any identifier with bit 7 clear, and SYNC."""
     assert bus.server.frames == 0
     for can_id in (0x000, 0x201, 0x601, 0x77F, 0x080):
-        bus.send(can_id, 0, 0)
+        bus.send(can_id, 0x40, 0x41, 0x60, *bytes(5))
     assert bus.server.frames == 5
     for can_id in (0x081, 0x181, 0x5FF):
         bus.send(can_id, 0, 0)
     bus.master.send(can.Message(arbitration_id=0x201, data=[6, 0], is_extended_id=True))
     bus.master.send(can.Message(arbitration_id=0x201, is_remote_frame=True, is_extended_id=False))
+    bus.master.send(can.Message(arbitration_id=0x201, is_error_frame=True, is_extended_id=False))
     bus.until(0.05)
     assert bus.server.frames == 5
 
@@ -320,7 +421,9 @@ def test_frames_without_sense_change_nothing(bus: Bus) -> None:
     bus.master.send(can.Message(arbitration_id=0x201, is_remote_frame=True, is_extended_id=False))
     bus.until(0.05)
     assert bus.ask(1, 0x40, 0x41, 0x60)[4:6] == b"\x50\x06"
+    assert bus.complaints != []
     assert all(text.startswith("a frame was dropped: ") for text in bus.complaints)
+    bus.complaints.clear()
 
 
 # ---------------------------------------------------------------------------------------------------- BaseNode402

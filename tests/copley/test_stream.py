@@ -46,11 +46,12 @@ def departure(drive: Drive, points: Sequence[Point]) -> float:
 
 
 def test_ten_thousand_points_by_pdo() -> None:
+    """The start takes two of the 32 points in the buffer, then each segment takes one."""
     points, drive = winding(10_000), Drive()
     with LockstepBus(drive) as bus:
         done = Master(bus).stream(points)
     assert (done.sent, done.resent) == (10_000, 0)
-    assert done.lowest >= 29
+    assert done.lowest == 30
     assert departure(drive, from_wire(points)) < 1e-6
     assert drive.log == [(0.0, "move started at 0"), (19.998, f"move ended at {points[-1].position}")]
     assert drive.buffer.errors == 0
@@ -203,15 +204,83 @@ def test_the_control_words_of_a_stream(transfer: str, control: list[int]) -> Non
     assert found == control
 
 
-@pytest.mark.parametrize("transfer", ["-1", "-2"])
-def test_the_lowest_level_of_the_buffer(transfer: str) -> None:
-    """Each wait is five segments: of 32 points 27 are left, less those in transit."""
-    points, drive = winding(200), Drive()
+@pytest.mark.parametrize(
+    ("transfer", "sent", "reads"),
+    [("pdo", 200, 3), ("sdo", 200, 3), ("-3", 200, 2), ("-2", 200, 2), ("-1", 234, 2)],
+)
+def test_the_figures_of_a_stream(
+    transfer: str, sent: int, reads: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of 32 points the start takes 2, and the first wait, of five segments, 5.
+
+    Sub-mode -1 repeats the last position until 201 points have left the buffer. After 40 waits these are
+    2 + 40 × 5 = 202, and 32 more are in the buffer. The master reads the status twice at the beginning. At the end of a
+    stream of packets it reads it again, to see if the last one has arrived.
+    """
+    points, drive, counted = winding(200), Drive(), count_calls(monkeypatch, (Master, "refresh"))
     with LockstepBus(drive, step=10_000) as bus:
         done = Master(bus).stream(points, transfer)
-    assert done.resent == 0
-    assert 25 <= done.lowest <= 27
-    assert done.sent >= 200
+    assert (done.sent, done.resent, done.lowest, counted.calls) == (sent, 0, 25, reads)
+
+
+@pytest.mark.parametrize("transfer", ["pdo", "-3", "-1"])
+@pytest.mark.parametrize(("count", "lowest"), [(32, 32), (33, 30)])
+def test_a_buffer_is_low_only_while_points_are_left(transfer: str, count: int, lowest: int) -> None:
+    """The drive has room for 32 points; the start takes two of them."""
+    with LockstepBus(Drive()) as bus:
+        assert Master(bus).stream(winding(count), transfer).lowest == lowest
+
+
+@pytest.mark.parametrize("node", [1, 5])
+def test_the_first_pdos_carry_points_and_the_status(node: int) -> None:
+    """They have 0x2010 of 64 bits, and 0x2012 of 32 bits; type 255 is event-driven."""
+    with LockstepBus(Drive(), node) as bus:
+        master = Master(bus, node)
+        master.prepare()
+        found = [
+            [master.node.sdo[communication][1].raw, master.node.sdo[communication][2].raw]
+            + [master.node.sdo[communication + 0x200][sub].raw for sub in (0, 1)]
+            for communication in (0x1400, 0x1800)
+        ]
+    assert found == [[0x200 + node, 255, 1, 0x20100040], [0x180 + node, 255, 1, 0x20120020]]
+
+
+def test_a_frame_is_delivered_after_those_before_it() -> None:
+    """A frame that is sent while another one is delivered does not overtake a third."""
+    log: list[str] = []
+    with LockstepBus(Drive(), channel="order") as bus, can.Bus(interface="virtual", channel="order") as other:
+
+        def answer(can_id: int, data: bytearray, _: float) -> None:
+            log.append(f"{data[0]} begins")
+            bus.network.send_message(0x7FF, b"")
+            log.append(f"{data[0]} ends")
+
+        bus.network.subscribe(0x3FF, answer)
+        for number in (1, 2):
+            other.send(can.Message(arbitration_id=0x3FF, data=[number], is_extended_id=False))
+        bus.deliver()
+    assert log == ["1 begins", "1 ends", "2 begins", "2 ends"]
+
+
+@pytest.mark.parametrize(("interface", "patience"), [("virtual", 0.0), ("socketcan", 0.01)])
+def test_a_kernel_gets_10_ms_to_return_a_frame(
+    interface: str, patience: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    waits: list[float] = []
+
+    class Kernel:
+        """A bus without frames."""
+
+        def recv(self, timeout: float) -> None:
+            waits.append(timeout)
+
+        def shutdown(self) -> None:
+            pass
+
+    monkeypatch.setattr("motionlang.copley.bus.open_bus", lambda interface, channel: Kernel())
+    with LockstepBus(Drive(), interface=interface) as bus:
+        bus.deliver()
+    assert waits == [patience] * 2
 
 
 @pytest.mark.parametrize("transfer", ["pdo", "-2", "-1"])
@@ -278,6 +347,7 @@ def test_the_node_answers_as_a_canopen_device() -> None:
     with LockstepBus(drive, node_id=5) as bus:
         node = Master(bus, 5).node
         assert node.sdo[0x2011].raw == 32
+        assert bus.frames == 2  # the request and its answer
         assert node.sdo[0x60C2][1].raw == 1
         assert node.sdo[0x1000].raw == 0x00020192
         refusals: list[tuple[Callable[[], object], int]] = [

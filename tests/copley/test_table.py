@@ -26,6 +26,9 @@ points = st.lists(
 )
 
 
+COLUMNS = "the columns are position, velocity, time, relative"
+
+
 def read(text: str) -> list[Point]:
     return read_points(Source("points.csv", text)).points
 
@@ -60,24 +63,26 @@ def test_columns_come_in_any_order_and_may_be_missing(text: str, expected: list[
 
 
 @pytest.mark.parametrize(
-    ("text", "line", "message"),
+    ("text", "line", "column", "message", "hint"),
     [
-        ("position,velocty\n1,2\n", 1, "there is no column 'velocty'"),
-        ("velocity,time\n1,2\n", 1, "there is no column 'position'"),
-        ("position,time\n1,2\n3,x\n", 3, "the time 'x' is not a number"),
-        ("1,2,3\n1,2,3,4\n", 2, "4 values for 3 columns"),
-        ("1,2,3,0\n1,2,3,maybe\n", 2, "the relative 'maybe' is not a number"),
-        ("position,velocity,time\n,2,3\n", 2, "the position '' is not a number"),
-        ("position,velocity,time\n1,2\n", 2, "the time '' is not a number"),
-        ("", 0, "there are no points"),
-        ("position\n", 0, "there are no points"),
+        ("position,velocty\n1,2\n", 1, 1, "there is no column 'velocty'", "did you mean velocity?"),
+        ("# jog\nposition,colour\n1,2\n", 2, 1, "there is no column 'colour'", COLUMNS),
+        ("velocity,time\n1,2\n", 1, 1, "there is no column 'position'", ""),
+        ("position,time\n1,2\n3,x\n", 3, 1, "the time 'x' is not a number", ""),
+        ("1,2,3\n1,2,3,4\n", 2, 1, "4 values for 3 columns", ""),
+        ("1,2,3,0,5\n", 1, 1, "5 values for 4 columns", ""),
+        ("1,2,3,0\n1,2,3,maybe\n", 2, 1, "the relative 'maybe' is not a number", ""),
+        ("position,velocity,time\n,2,3\n", 2, 1, "the position '' is not a number", ""),
+        ("position,velocity,time\n1,2\n", 2, 1, "the time '' is not a number", ""),
+        ("", 0, 0, "there are no points", "a line per point: position,velocity,time,relative"),
+        ("position\n", 0, 0, "there are no points", "a line per point: position,velocity,time,relative"),
     ],
 )
-def test_every_mistake_has_its_line(text: str, line: int, message: str) -> None:
+def test_every_mistake_has_its_line(text: str, line: int, column: int, message: str, hint: str) -> None:
     with pytest.raises(ProgramError) as error:
         read(text)
-    first = error.value.diagnostics[0]
-    assert (first.line, first.message) == (line, message)
+    (first,) = error.value.diagnostics
+    assert (first.line, first.column, first.message, first.hint) == (line, column, message, hint)
 
 
 @given(st.text(max_size=200))
