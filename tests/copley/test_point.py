@@ -6,7 +6,7 @@ from math import inf, nan
 
 import pytest
 
-from motionlang.copley.point import WirePoint, check_points, from_wire, to_wire
+from motionlang.copley.point import BadPoint, WirePoint, check_points, from_wire, to_wire
 from motionlang.planners.pvt.points import Point
 
 GOOD = Point(0, 0, 0.01)
@@ -21,6 +21,12 @@ END = Point(10, 0, 0.0)
             1,
             "the time is 0 in mid-move",
             "the drive would end the move at this point and keep the 2 points after it for the next start",
+        ),
+        (
+            [GOOD, Point(1, 0, 0.0), END],
+            1,
+            "the time is 0 in mid-move",
+            "the drive would end the move at this point and keep the point after it for the next start",
         ),
         (
             [GOOD, Point(1, 0, 0.256), END],
@@ -99,10 +105,16 @@ def test_good_points_have_no_messages() -> None:
 
 
 def test_a_start_elsewhere_is_a_step() -> None:
-    (bad,) = check_points([GOOD, END], start=100.0)
-    assert bad.reason == "the move begins at 0 but the motor is at 100"
-    assert bad.consequence == "the drive would command a step of -100 counts at once"
-    assert not bad.severe
+    assert check_points([GOOD, END], start=100.0) == [
+        BadPoint(
+            0,
+            "the move begins at 0 but the motor is at 100",
+            "the drive would command a step of -100 counts at once",
+            severe=False,
+        )
+    ]
+    assert check_points([GOOD, END], start=0.0) == []
+    assert check_points([Point(0, 0, 0.01, relative=True), END], start=100.0) == []
 
 
 def test_rounding_is_to_whole_counts_and_tenths() -> None:

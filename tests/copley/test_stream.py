@@ -284,17 +284,28 @@ def test_a_kernel_gets_10_ms_to_return_a_frame(
 
 
 @pytest.mark.parametrize("transfer", ["pdo", "-2", "-1"])
+@pytest.mark.parametrize("begun", [0, 20])
 def test_a_drive_whose_time_stands_still_ends_the_stream(
-    transfer: str, monkeypatch: pytest.MonkeyPatch
+    transfer: str, begun: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """With a patience of 10 waits without a status, the master gives up at the 11th."""
+    """With a patience of 10 waits without a status, the master gives up at the 11th.
+
+    In the 20 waits before these, each of a segment of 2 ms, the drive sends its status.
+    """
     waits = []
-    with LockstepBus(Drive()) as bus:
+    with LockstepBus(Drive(), step=2000) as bus:
+        pass_time = bus.wait
+
+        def wait() -> None:
+            waits.append(bus.frames)
+            if len(waits) <= begun:
+                pass_time()
+
         monkeypatch.setattr(bus, "patience", 10)
-        monkeypatch.setattr(bus, "wait", lambda: waits.append(bus.frames))
+        monkeypatch.setattr(bus, "wait", wait)
         with pytest.raises(StreamError, match="the drive does not take points any more"):
             Master(bus).stream(winding(99), transfer)
-    assert len(waits) == 11
+    assert len(waits) == begun + 11
 
 
 def test_a_real_bus_waits_until_the_drive_sends_its_status() -> None:
