@@ -10,12 +10,14 @@ import socket
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from itertools import count
+from math import inf
 from pathlib import Path
 from typing import Any
 
 import can
 import canopen
 import pytest
+from canopen.objectdictionary import ODVariable
 
 from motionlang.copley.bus import BusError
 from motionlang.copley.eds import eds
@@ -45,7 +47,7 @@ class Bus:
             factor=factor,
             switches=switches,
             complain=self.complaints.append,
-            wall=lambda: self.time,
+            wall=lambda: 1000.0 + self.time,
         )
 
     def close(self) -> None:
@@ -121,6 +123,26 @@ def test_the_default_pdos_carry_the_control_and_the_status_word(bus: Bus) -> Non
     assert bus.until(0.23) == [(0x181, b"\x31\x06")] * 2  # every 100 ms, for a master that listens late
 
 
+def test_the_next_event_of_an_operational_drive_is_its_status(bus: Bus) -> None:
+    """It is sent after 1 ms, and then every 100 ms.
+
+    The other drive is pre-operational.
+    """
+    bus.send(0, 1, 1)
+    bus.until(0.01)
+    assert [node.next_time() for node in bus.server.nodes] == pytest.approx([0.101, inf])
+
+
+def test_a_change_is_sent_in_the_next_millisecond(bus: Bus) -> None:
+    """However many frames arrive, PDOs are sent once in a millisecond."""
+    bus.send(0, 1, 1)
+    bus.until(0.01)
+    for bus.time in (0.0103, 0.0106, 0.0109):
+        bus.send(0x201, 6, 0)
+    assert bus.frames() == []
+    assert bus.until(0.011) == [(0x181, b"\x31\x06")]
+
+
 def test_pdos_wait_for_operational(bus: Bus) -> None:
     bus.send(0x201, 6, 0)
     assert bus.until(0.3)[2:] == []
@@ -158,7 +180,7 @@ def test_a_master_that_dies_trips_the_drive(bus: Bus) -> None:
     bus.until(0.39)
     bus.send(0x77F, 5)
     assert 0x81 not in dict(bus.until(0.4895))
-    assert dict(bus.until(0.4901))[0x81] == b"\x30\x81\x11" + bytes(5)
+    assert dict(bus.until(0.49))[0x81] == b"\x30\x81\x11" + bytes(5)
     assert bus.ask(1, 0x40, 0x41, 0x60)[4] & 0x4F == 0x08
     bus.send(0x201, 0x80, 0)
     assert dict(bus.until(0.7))[0x81] == bytes(8)
@@ -317,8 +339,8 @@ def test_the_time_from_a_reset_to_the_boot_up_message(bus: Bus) -> None:
     """It is 20 ms; other nodes do not take part."""
     bus.until(0.01)
     bus.send(0, 129, 1)
-    assert bus.until(0.029) == []
-    assert bus.until(0.031) == [(0x701, b"\0")]
+    assert bus.until(0.0295) == []
+    assert bus.until(0.03) == [(0x701, b"\0")]
 
 
 def test_a_heartbeat_of_period_0_ends_it(bus: Bus) -> None:
@@ -338,6 +360,25 @@ def test_a_heartbeat_is_expected_only_of_a_node_within_a_time(value: list[int], 
     assert 0x81 not in dict(bus.until(1.0))
 
 
+def test_a_drive_expects_no_heartbeat_until_it_is_configured(bus: Bus) -> None:
+    bus.send(0, 130, 0)
+    bus.until(0.1)
+    for node in (3, 0x7F, 1):
+        bus.send(0x700 + node, 5)
+    assert not {0x81, 0x82} & dict(bus.until(0.5)).keys()
+
+
+def test_a_pdo_may_have_another_identifier(bus: Bus) -> None:
+    """The first of each direction get 305 and 385; 201 and 181 are no longer theirs."""
+    assert bus.ask(1, 0x23, 0x00, 0x14, 1, 0x05, 0x03, 0, 0)[0] == 0x60
+    assert bus.ask(1, 0x23, 0x00, 0x18, 1, 0x85, 0x03, 0, 0)[0] == 0x60
+    bus.send(0, 1, 1)
+    bus.send(0x201, 6, 0)
+    assert bus.until(0.01) == [(0x385, b"\x50\x06")]
+    bus.send(0x305, 6, 0)
+    assert bus.until(0.02) == [(0x385, b"\x31\x06")]
+
+
 def test_objects_of_the_communication_refuse_what_does_not_fit(bus: Bus) -> None:
     """The heartbeat time has 16 bits, and the identity is read only."""
     assert bus.ask(1, 0x2F, 0x17, 0x10, 0, 50)[4:] == (0x06070010).to_bytes(4, "little")
@@ -355,6 +396,7 @@ def test_a_pdo_is_not_sent_on_a_remote_frame(kind: int, answer: int, bus: Bus) -
     if answer == 0x80:
         assert refused[4:] == (0x06090030).to_bytes(4, "little")
     assert bus.ask(1, 0x2F, 0x01, 0x14, 2, kind)[0] == 0x60
+    assert [bus.ask(1, 0x2F, pdo, 0x18, 2, kind)[0] for pdo in (0, 3)] == [answer] * 2
 
 
 def test_eight_objects_of_a_byte_fit_a_pdo_and_five_of_sixteen_bits_do_not(bus: Bus) -> None:
@@ -380,6 +422,10 @@ def test_eight_objects_of_a_byte_fit_a_pdo_and_five_of_sixteen_bits_do_not(bus: 
         (0x1601, 0x6064_00_20, False),
         (0x1601, 0, True),
         (0x1A01, 0x1017_00_10, False),
+        (0x1600, 0x6064_00_20, False),
+        (0x1603, 0x6064_00_20, False),
+        (0x1A00, 0x2010_00_40, False),
+        (0x1A03, 0x2010_00_40, False),
     ],
 )
 def test_what_a_pdo_may_carry(mapping: int, entry: int, fits: bool, bus: Bus) -> None:
@@ -619,6 +665,12 @@ def entries(index: int) -> list[tuple[int, str, int]]:
     record = object_dictionary(5)[index]
     assert isinstance(record, canopen.objectdictionary.ODRecord)
     return [(sub, each.access_type, each.default) for sub, each in sorted(record.subindices.items())]
+
+
+def test_an_object_that_is_no_record_has_sub_index_0() -> None:
+    variables = [each for each in object_dictionary().values() if isinstance(each, ODVariable)]
+    assert {each.index for each in variables} > {0x1000, 0x1001, 0x1005, 0x1017, 0x6040, 0x60FF}
+    assert {each.subindex for each in variables} == {0}
 
 
 @pytest.mark.parametrize(("number", "switch"), [(0, 0), (1, 1 << 31), (3, 1 << 31)])

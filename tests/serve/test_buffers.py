@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, field
+from types import SimpleNamespace
 from typing import Any
 from unittest.mock import MagicMock
 
 import pytest
 
 from motionlang.serve import Limits
+from motionlang.serve import channel as channels
 from motionlang.serve.channel import DeviceChannel, Gone, TcpChannel
 from motionlang.serve.host import Host
 
@@ -74,7 +76,8 @@ def test_a_device_that_is_not_read_takes_no_more(monkeypatch: pytest.MonkeyPatch
         assert not os.get_blocking(channel.fileno())
         assert channel.receive(10) == b""
         assert channel.send(b"abc") == 3
-        monkeypatch.setattr(os, "write", MagicMock(side_effect=BlockingIOError()))
+        full = SimpleNamespace(write=MagicMock(side_effect=BlockingIOError()), read=os.read)
+        monkeypatch.setattr(channels, "os", full)
         assert channel.send(b"abc") == 0
         assert channel.receive(10) == b""
     finally:
