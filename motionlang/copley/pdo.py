@@ -39,9 +39,9 @@ NEVER = -inf
 Address = tuple[int, int]
 
 
-def entry(index: int, bits: int, sub: int = 0) -> int:
-    """Return the mapping entry of an object."""
-    return index << 16 | sub << 8 | bits
+def entry(index: int, bits: int) -> int:
+    """Return the mapping entry of an object without sub-indices."""
+    return index << 16 | bits
 
 
 @dataclass(slots=True)

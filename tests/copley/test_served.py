@@ -109,6 +109,7 @@ def test_the_objects_of_cia_301(bus: Bus) -> None:
     assert bus.ask(2, 0x40, 0x18, 0x10, 4)[4:] == bytes([2, 0, 0, 0])
     assert bus.ask(2, 0x40, 0x14, 0x10)[4:] == bytes([0x82, 0, 0, 0])
     assert bus.ask(1, 0x40, 0x02, 0x65)[4:] == bytes([0x65, 0, 0, 0])
+    assert bus.ask(1, 0x40, 0xC2, 0x60, 2)[4] == 0xFD  # -3
     # 0x80 rejects: no such object 0x06020000, and a mode that is not simulated 0x06090030.
     assert bus.ask(1, 0x40, 0x99, 0x20) == bytes([0x80, 0x99, 0x20, 0, 0, 0, 0x02, 0x06])
     assert bus.ask(1, 0x2F, 0x60, 0x60, 0, 4) == bytes([0x80, 0x60, 0x60, 0, 0x30, 0, 0x09, 0x06])
@@ -236,6 +237,12 @@ def test_each_drive_has_its_switches() -> None:
         bus.close()
 
 
+def test_an_idle_server_is_on_time_after_a_day(bus: Bus) -> None:
+    bus.time = 86_400.0
+    bus.server.run_once()
+    assert [node.now for node in bus.server.nodes] == [86_400.0] * 2
+
+
 def test_machine_time_is_a_multiple_of_real_time() -> None:
     """At twice the speed, a heartbeat of 50 ms, set at 10 ms, arrives every 25 ms."""
     bus = Bus(factor=2.0)
@@ -345,7 +352,8 @@ def test_the_time_from_a_reset_to_the_boot_up_message(bus: Bus) -> None:
 
 def test_a_heartbeat_of_period_0_ends_it(bus: Bus) -> None:
     bus.ask(1, 0x2B, 0x17, 0x10, 0, 20)
-    assert bus.until(0.0501) == [(0x701, b"\x7f")] * 2
+    found = [bus.until(time) for time in (0.0195, 0.02, 0.0395, 0.04)]
+    assert found == [[], [(0x701, b"\x7f")], [], [(0x701, b"\x7f")]]
     bus.ask(1, 0x2B, 0x17, 0x10, 0, 0)
     assert bus.until(0.5) == []
 
@@ -357,6 +365,7 @@ def test_a_heartbeat_is_expected_only_of_a_node_within_a_time(value: list[int], 
     bus.send(0x77F, 5)
     bus.ask(1, 0x23, 0x16, 0x10, 1, *value)
     bus.send(0x77F, 5)
+    bus.send(0x701, 5)
     assert 0x81 not in dict(bus.until(1.0))
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import random
 import threading
+from types import SimpleNamespace
 from typing import TYPE_CHECKING
 
 import can
@@ -206,18 +207,18 @@ def test_the_control_words_of_a_stream(transfer: str, control: list[int]) -> Non
 
 @pytest.mark.parametrize(
     ("transfer", "sent", "reads"),
-    [("pdo", 200, 3), ("sdo", 200, 3), ("-3", 200, 2), ("-2", 200, 2), ("-1", 234, 2)],
+    [("pdo", 100, 3), ("sdo", 100, 3), ("-3", 100, 2), ("-2", 100, 2), ("-1", 134, 2)],
 )
 def test_the_figures_of_a_stream(
     transfer: str, sent: int, reads: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Of 32 points the start takes 2, and the first wait, of five segments, 5.
 
-    Sub-mode -1 repeats the last position until 201 points have left the buffer. After 40 waits these are
-    2 + 40 × 5 = 202, and 32 more are in the buffer. The master reads the status twice at the beginning. At the end of a
+    Sub-mode -1 repeats the last position until 101 points have left the buffer. After 20 waits these are
+    2 + 20 × 5 = 102, and 32 more are in the buffer. The master reads the status twice at the beginning. At the end of a
     stream of packets it reads it again, to see if the last one has arrived.
     """
-    points, drive, counted = winding(200), Drive(), count_calls(monkeypatch, (Master, "refresh"))
+    points, drive, counted = winding(100), Drive(), count_calls(monkeypatch, (Master, "refresh"))
     with LockstepBus(drive, step=10_000) as bus:
         done = Master(bus).stream(points, transfer)
     assert (done.sent, done.resent, done.lowest, counted.calls) == (sent, 0, 25, reads)
@@ -325,6 +326,14 @@ def test_a_real_bus_waits_until_the_drive_sends_its_status() -> None:
     assert arrived == [False, True, False]
 
 
+def test_the_master_of_a_real_bus_polls_every_50_ms(monkeypatch: pytest.MonkeyPatch) -> None:
+    waits: list[float] = []
+    with RealBus(1, "virtual", "idle") as bus:
+        monkeypatch.setattr(bus, "_news", SimpleNamespace(wait=waits.append, clear=lambda: None))
+        bus.wait()
+        assert (waits, bus.network.NOTIFIER_CYCLE) == ([0.05], 0.05)
+
+
 def test_a_second_move_follows_the_first() -> None:
     points, drive = winding(40), Drive()
     back = [WirePoint(p.position, -p.velocity if p.velocity else 0, 2) for p in reversed(points[:-1])]
@@ -360,6 +369,7 @@ def test_the_node_answers_as_a_canopen_device() -> None:
         assert node.sdo[0x2011].raw == 32
         assert bus.frames == 2  # the request and its answer
         assert node.sdo[0x60C2][1].raw == 1
+        assert node.sdo[0x1001].raw == 0
         assert node.sdo[0x1000].raw == 0x00020192
         refusals: list[tuple[Callable[[], object], int]] = [
             (lambda: node.sdo.download(0x2011, 0, b"\1\0"), 0x06010002),
