@@ -1034,4 +1034,139 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/fast/time_slices.py: TimeSlices: passes_among_others: 1023 -> 1024": (
         "when waits are packed; they read the same"
     ),
+    "motionlang/client/virtual.py: VirtualWire: receive: timeout <= 0.0 -> timeout < 0.0": (
+        "to run up to the present changes nothing"
+    ),
+    "motionlang/client/virtual.py: VirtualWire: receive: self.console.now < end -> self.console.now <= end": (
+        "to run up to the present changes nothing"
+    ),
+    "motionlang/client/virtual.py: MintWire: True -> False": (
+        "a Mint client does not ask if its line is fresh"
+    ),
+    "motionlang/client/virtual.py: MintWire: send: self._busy_until > self.console.now -> self._busy_until >= "
+    "self.console.now": ("to run up to the present changes nothing"),
+    "motionlang/client/virtual.py: MintWire: receive: timeout > 0.0 -> timeout >= 0.0": (
+        "to run up to the present changes nothing"
+    ),
+    "motionlang/client/virtual.py: MintWire: receive: console.now < self._busy_until -> console.now <= "
+    "self._busy_until": ("to run up to the present changes nothing"),
+    "motionlang/client/wire.py: 65536 -> 65537": "how much is read at once",
+    "motionlang/copley/modes.py: ProfileModes: _homing: self._position <= switches.negative -> self._position "
+    "< switches.negative": ("an axis at the edge of its switch has nothing to search in either direction"),
+    "motionlang/copley/modes.py: ProfileModes: _homing: self._position >= switches.positive -> self._position "
+    "> switches.positive": ("an axis at the edge of its switch has nothing to search in either direction"),
+    "motionlang/copley/modes.py: ProfileModes: _homing: self._position < switches.home -> self._position <= "
+    "switches.home": ("an axis at the edge of its switch has nothing to search in either direction"),
+    "motionlang/copley/modes.py: ProfileModes: _search: (reach - self._position) * velocity -> (reach - "
+    "self._position) / velocity": ("only the sign counts, and the velocity is not 0"),
+    "motionlang/copley/modes.py: ProfileModes: control: before & ~now -> before | ~now": (
+        "without bit 4 nothing is in progress that its fall could end"
+    ),
+    "motionlang/copley/modes.py: ProfileModes: status: abs(self._drive.velocity - wanted) <= 1e-06 * max(1.0, "
+    "abs(wanted)) -> abs(self._drive.velocity - wanted) < 1e-06 * max(1.0, abs(wanted))": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/copley/modes.py: ProfileModes: status: 1.0 -> 2.0": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/copley/modes.py: ProfileModes: status: abs(self._drive.velocity) < 1e-06 -> "
+    "abs(self._drive.velocity) <= 1e-06": ("just at the size of rounding either is right"),
+    "motionlang/copley/modes.py: crossing: (position - profile.position(ramps)) * profile.end_velocity -> "
+    "(position - profile.position(ramps)) / profile.end_velocity": (
+        "only the sign counts, and an endless profile has a velocity at its end"
+    ),
+    "motionlang/copley/modes.py: crossing: 80 -> 81": "the interval is already as short as the rounding",
+    "motionlang/copley/modes.py: crossing: profile.position(middle) > position -> profile.position(middle) >= "
+    "position": ("just at the size of rounding either is right"),
+    "motionlang/copley/drive.py: Drive: __init__: 0.0 -> 1.0 #3": (
+        "a move sets its velocity before its first segment"
+    ),
+    "motionlang/copley/drive.py: Drive: __init__: 0 -> 1 #2": (
+        "a move replaces the entry before its first segment"
+    ),
+    "motionlang/copley/drive.py: Drive: __init__: 0 -> 1 #3": (
+        "a move replaces the entry before its first segment"
+    ),
+    "motionlang/copley/objects.py: ObjectServer: _segment: 0 -> 1": (
+        "an initial position takes no time, whatever its entry has"
+    ),
+    "motionlang/copley/objects.py: ObjectServer: _control: 0 -> 1 #5": (
+        "no mode reads bit 0 of the control word"
+    ),
+    "motionlang/copley/objects.py: _wrapped: value + 2 ** 31 -> value - 2 ** 31": (
+        "both are the same in 32 bits"
+    ),
+    "motionlang/copley/eds.py: eds: 125000 -> 125001": "the file has whole kbit/s",
+    "motionlang/copley/eds.py: eds: 250000 -> 250001": "the file has whole kbit/s",
+    "motionlang/copley/eds.py: eds: 500000 -> 500001": "the file has whole kbit/s",
+    "motionlang/copley/eds.py: eds: 1000000 -> 1000001": "the file has whole kbit/s",
+    "motionlang/copley/master.py: Master: _stream_packets: False -> True #2": (
+        "it is set before the end of a list of points is reached"
+    ),
+    "motionlang/copley/master.py: Master: _received: 1 -> 2": "only a change of the number is noticed",
+    "motionlang/copley/export.py: sdo_download: i // 7 -> i * 7": "both are even or both are odd",
+    "motionlang/copley/packet.py: decode: 8 -> 9 #2": "there are eight bytes",
+    "motionlang/copley/pdo.py: 64 -> 65": "every object has whole bytes",
+    "motionlang/copley/point.py: _rounded: 1000.0 -> 1001.0": "up to 255 ms the difference is rounded away",
+    "motionlang/copley/point.py: _time_trouble: time > 0.0 -> time >= 0.0": (
+        "the time is infinite or negative"
+    ),
+    "motionlang/copley/point.py: _time_trouble: 0.0 -> 1.0 #2": "the time is infinite or negative",
+    "motionlang/copley/point.py: _time_trouble: abs(exact - wire) > 1e-06 -> abs(exact - wire) >= 1e-06": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/copley/node.py: DriveNode: __init__: 0 -> 1 #3": (
+        "no state but operational is compared with it"
+    ),
+    "motionlang/copley/node.py: DriveNode: _configure: 5632 -> 5633 #2": (
+        "there is no object behind the four mappings"
+    ),
+    "motionlang/copley/node.py: DriveNode: _configure: 6656 -> 6657 #2": (
+        "there is no object behind the four mappings"
+    ),
+    "motionlang/copley/node.py: DriveNode: _configure: 6144 -> 6145 #2": (
+        "there is no object behind the four records"
+    ),
+    "motionlang/copley/node.py: DriveNode: _configure: 7168 -> 7169": (
+        "there is no object behind the mappings"
+    ),
+    "motionlang/copley/node.py: DriveNode: _check_mapping: index < 6144 -> index <= 6144": (
+        "a mapping is below 0x1604, or from 0x1A00 on"
+    ),
+    "motionlang/copley/node.py: DriveNode: _check_mapping: 6144 -> 6145": (
+        "a mapping is below 0x1604, or from 0x1A00 on"
+    ),
+    "motionlang/copley/served.py: DriveServer: run_once: wall >= self._updated + CYCLE -> wall > "
+    "self._updated + CYCLE": ("real time is never exactly a cycle later"),
+    "motionlang/serve/modbus.py: ModbusServer: stop: self._loop is not None and self._over is not None and "
+    "(self._thread is not None) -> self._loop is not None or self._over is not None or self._thread is not "
+    "None": ("a server that has started has all three"),
+    "motionlang/copley/buffer.py: Entry: True -> False": "nothing assigns to one, or hashes one",
+    "motionlang/copley/buffer.py: Entry: True -> False #2": "slots: the attributes are the same without",
+    "motionlang/copley/export.py: Export: True -> False": "nothing assigns to one, or hashes one",
+    "motionlang/copley/export.py: Export: True -> False #2": "slots: the attributes are the same without",
+    "motionlang/copley/master.py: Streamed: True -> False": "slots: the attributes are the same without",
+    "motionlang/copley/objects.py: Object: True -> False": "nothing assigns to one, or hashes one",
+    "motionlang/copley/objects.py: Object: True -> False #2": "slots: the attributes are the same without",
+    "motionlang/copley/packet.py: Packet: True -> False": "nothing assigns to one, or hashes one",
+    "motionlang/copley/packet.py: Packet: True -> False #2": "slots: the attributes are the same without",
+    "motionlang/copley/packet.py: PacketCommand: True -> False": "nothing assigns to one, or hashes one",
+    "motionlang/copley/packet.py: PacketCommand: True -> False #2": (
+        "slots: the attributes are the same without"
+    ),
+    "motionlang/copley/packet.py: BufferStatus: True -> False": "nothing assigns to one, or hashes one",
+    "motionlang/copley/packet.py: BufferStatus: True -> False #2": (
+        "slots: the attributes are the same without"
+    ),
+    "motionlang/copley/pdo.py: Sent: True -> False": "slots: the attributes are the same without",
+    "motionlang/copley/point.py: WirePoint: True -> False": "nothing assigns to one, or hashes one",
+    "motionlang/copley/point.py: WirePoint: True -> False #2": "slots: the attributes are the same without",
+    "motionlang/copley/point.py: BadPoint: True -> False #2": "slots: the attributes are the same without",
+    "motionlang/copley/serial.py: BufferCommand: True -> False": "nothing assigns to one, or hashes one",
+    "motionlang/copley/serial.py: BufferCommand: True -> False #2": (
+        "slots: the attributes are the same without"
+    ),
+    "motionlang/copley/switches.py: Switches: True -> False": "nothing assigns to one, or hashes one",
+    "motionlang/copley/switches.py: Switches: True -> False #2": "slots: the attributes are the same without",
+    "motionlang/copley/table.py: Table: True -> False": "slots: the attributes are the same without",
 }
