@@ -32,7 +32,6 @@ FROM_MASTERS: list[CanFilter] = [
 ]
 # The number of profiles that a drive stores, and how often older ones are dropped.
 MEMORY, SELDOM = 100, 1000
-MAX_DRIVES = 127
 
 
 class DriveServer:
@@ -153,4 +152,4 @@ def _advance(node: DriveNode, microseconds: int, update: bool) -> None:
         node.update()
 
 
-__all__ = ["MAX_DRIVES", "BusError", "DriveServer"]
+__all__ = ["BusError", "DriveServer"]

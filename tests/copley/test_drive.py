@@ -50,6 +50,7 @@ def test_the_s_curve_of_the_note() -> None:
     assert positions(drive, [0, 100, 200, 300, 400, 500]) == pytest.approx([0, 83, 500, 917, 1000, 1000])
     assert drive.state == IDLE
     assert drive.log == [(0.0, "move started at 0"), (0.4, "move ended at 1000")]
+    assert drive.starts == pytest.approx([0.0, 0.0, 0.1, 0.2, 0.3, 0.4])
     phases = [phase for profile in drive.profiles if profile.shape == "pvt" for phase in profile.phases]
     assert [(phase.name, phase.duration) for phase in phases] == [("segment", 0.1)] * 4
 

@@ -16,6 +16,8 @@ from motionlang.copley.switches import Switches
 CONTROL, STATUS, MODE, POSITION, VELOCITY = 0x6040, 0x6041, 0x6060, 0x6064, 0x606C
 TARGET, SPEED, ACCEL, TARGET_VELOCITY, METHOD = 0x607A, 0x6081, 0x6083, 0x60FF, 0x6098
 REACHED, LIMIT, BIT_12, BIT_13 = 0x0400, 0x0800, 0x1000, 0x2000
+# Voltage is on (bit 4), and the drive is remote (bit 9).
+OTHERS = 0x0210
 PP, PV, HM = 1, 3, 6
 
 
@@ -240,6 +242,10 @@ def test_a_limit_switch_ends_the_motion_towards_it_only() -> None:
     assert axis.has(LIMIT) == [True]
     assert axis.errors == [0x8612]
     assert axis.objects.read(0x60FD, 0) == 2
+    axis.write(CONTROL, 0)
+    assert axis.objects.read(STATUS, 0) == REACHED | LIMIT | OTHERS | DISABLED
+    for control in (0x06, 0x07, 0x0F):
+        axis.write(CONTROL, control)
     axis.move(6000)
     assert axis.at(2.0) == 1050
     axis.move(0)
@@ -416,7 +422,7 @@ def test_an_axis_at_rest_has_reached_its_velocity_before_it_is_enabled() -> None
     objects = ObjectServer(Drive())
     objects.write(MODE, 0, PV)
     objects.write(TARGET_VELOCITY, 0, 50_000)
-    assert objects.read(STATUS, 0) & (REACHED | BIT_12) == REACHED | BIT_12
+    assert objects.read(STATUS, 0) == REACHED | BIT_12 | OTHERS | DISABLED
 
 
 def test_the_present_velocity_written_again_changes_nothing() -> None:
@@ -512,6 +518,17 @@ def test_a_search_may_end_within_a_count(method: int, mark: float) -> None:
     axis.at(0.6)
     assert axis.has(BIT_12) == [True]
     assert axis.drive.datum == mark
+
+
+def test_a_search_moves_to_a_limit_switch_within_a_count() -> None:
+    """The index mark at 10 is behind the switch at 0.5, where the axis arrives at 1 count/s."""
+    axis = Axis(HM, Switches(positive=0.5, index=10.0))
+    axis.write(0x6099, 10, 2)
+    axis.write(METHOD, 34)
+    axis.write(CONTROL, 0x1F)
+    axis.at(1.0)
+    assert axis.drive.position == pytest.approx(0.5, abs=1e-4)
+    assert axis.errors == [0x8612]
 
 
 @pytest.mark.parametrize(("method", "sign"), [(19, 1), (20, 1), (18, 1), (17, -1)])
@@ -660,7 +677,8 @@ def test_a_switch_that_does_not_come_is_a_homing_error(switches: Switches) -> No
     axis.write(METHOD, 19)
     axis.write(CONTROL, 0x1F)
     axis.at(60.0)
-    assert axis.has(REACHED, BIT_12, BIT_13) == [True, False, True]
+    axis.write(CONTROL, 0)
+    assert axis.objects.read(STATUS, 0) == REACHED | BIT_13 | OTHERS | DISABLED
     assert axis.errors == [0x8612]
 
 
@@ -788,9 +806,9 @@ def test_a_fault_ends_when_bit_7_rises_and_not_while_it_is_set() -> None:
     axis = Axis(PP)
     axis.write(CONTROL, 0x8F)
     axis.objects.trip(0x8130)
-    axis.write(CONTROL, 0x8F)
-    assert axis.objects.read(STATUS, 0) & 0x4F == 0x08
-    axis.write(CONTROL, 0x0F)
+    for control in (0x8F, 0x00, 0x0F):
+        axis.write(CONTROL, control)
+        assert axis.objects.read(STATUS, 0) & 0x4F == 0x08
     axis.write(CONTROL, 0x8F)
     assert axis.objects.read(STATUS, 0) & 0x4F == 0x40
     assert axis.objects.read(0x603F, 0) == 0
@@ -898,6 +916,12 @@ def test_without_switches_none_is_active(position: float) -> None:
 def test_a_pdo_of_type_n_is_sent_on_every_nth_sync(kind: int, sent: list[int]) -> None:
     pdo = Sent(0x182, kind, 0.0, 0.0, [])
     assert [sync for sync in range(1, 8) if pdo.on_sync(b"data")] == sent
+
+
+@pytest.mark.parametrize(("kind", "sent"), [(240, 2), (241, 0), (253, 0)])
+def test_the_slowest_pdo_is_sent_on_every_240th_sync(kind: int, sent: int) -> None:
+    pdo = Sent(0x182, kind, 0.0, 0.0, [])
+    assert [pdo.on_sync(b"data") for _ in range(500)].count(True) == sent
 
 
 def test_a_pdo_of_type_0_is_sent_on_a_sync_if_its_data_have_changed() -> None:

@@ -289,3 +289,12 @@ def test_a_client_that_is_silent_for_a_minute_makes_room(
 
 def test_a_server_that_has_not_started_can_be_stopped() -> None:
     ModbusServer(LockStep(), "127.0.0.1", 0).stop()
+
+
+def test_the_thread_of_a_server_does_not_keep_the_process_alive() -> None:
+    server = ModbusServer(LockStep(), "127.0.0.1", 0)
+    server.start()
+    assert server._thread is not None
+    assert (server._thread.daemon, server._thread.is_alive()) == (True, True)
+    server.stop()
+    assert not server._thread.is_alive()

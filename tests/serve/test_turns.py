@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
@@ -229,6 +230,7 @@ def test_a_host_is_rejected_if_as_many_as_allowed_are_connected(
         server._accept(listener, lambda number, channel: host(channel=channel))
         assert [each.channel.name for each in server.hosts] == ["a host" if is_rejected else "[::1]:4000"]
     assert sent == ([console.no_room] if is_rejected else [])
+    connection.setblocking.assert_called_once_with(False)
     assert complaints == ["[::1]:4000 was turned away: 1 hosts are connected already"] * is_rejected
 
 
@@ -316,3 +318,19 @@ def test_a_server_without_free_connections_listens_again_when_a_host_has_left(
     for _ in range(2):
         server._leave(server.hosts[0], "has left")
         assert calls == ["unregister", "register"]
+
+
+def test_a_server_may_be_woken_any_number_of_times(server: Server) -> None:
+    """The signals that it has not read do not make the caller wait."""
+    assert [each.getblocking() for each in (server._wake, server._alarm)] == [False, False]
+    for _ in range(1000):
+        server.wake()
+    server.turn(None)
+
+
+def test_a_serving_thread_does_not_keep_the_process_alive(server: Server) -> None:
+    others = set(threading.enumerate())
+    with server.in_thread():
+        (serving_thread,) = set(threading.enumerate()) - others
+        assert serving_thread.daemon
+    assert not serving_thread.is_alive()
