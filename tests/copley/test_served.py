@@ -379,8 +379,8 @@ def test_a_drive_expects_no_heartbeat_until_it_is_configured(bus: Bus) -> None:
 
 def test_a_pdo_may_have_another_identifier(bus: Bus) -> None:
     """The first of each direction get 305 and 385; 201 and 181 are no longer theirs."""
-    assert bus.ask(1, 0x23, 0x00, 0x14, 1, 0x05, 0x03, 0, 0)[0] == 0x60
     assert bus.ask(1, 0x23, 0x00, 0x18, 1, 0x85, 0x03, 0, 0)[0] == 0x60
+    assert bus.ask(1, 0x23, 0x00, 0x14, 1, 0x05, 0x03, 0, 0)[0] == 0x60
     bus.send(0, 1, 1)
     bus.send(0x201, 6, 0)
     assert bus.until(0.01) == [(0x385, b"\x50\x06")]
