@@ -1161,7 +1161,8 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/copley/pdo.py: Sent: True -> False": "slots: the attributes are the same without",
     "motionlang/copley/point.py: WirePoint: True -> False": "nothing assigns to one, or hashes one",
     "motionlang/copley/point.py: WirePoint: True -> False #2": "slots: the attributes are the same without",
-    "motionlang/copley/point.py: BadPoint: True -> False #2": "slots: the attributes are the same without",
+    "motionlang/copley/point.py: BadPoint: True -> False #2": "nothing assigns to one, or hashes one",
+    "motionlang/copley/point.py: BadPoint: True -> False #3": "slots: the attributes are the same without",
     "motionlang/copley/serial.py: BufferCommand: True -> False": "nothing assigns to one, or hashes one",
     "motionlang/copley/serial.py: BufferCommand: True -> False #2": (
         "slots: the attributes are the same without"

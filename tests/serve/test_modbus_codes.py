@@ -6,6 +6,7 @@ They go through a real connection. The server answers from a run with NetData: e
 
 from __future__ import annotations
 
+import asyncio
 import socket
 import struct
 from collections.abc import Callable, Iterator
@@ -289,6 +290,14 @@ def test_a_client_that_is_silent_for_a_minute_makes_room(
 
 def test_a_server_that_has_not_started_can_be_stopped() -> None:
     ModbusServer(LockStep(), "127.0.0.1", 0).stop()
+
+
+def test_a_request_after_the_end_of_the_run_is_a_failure_of_the_device() -> None:
+    """Exception 04; bit 7 of the function is set."""
+    outside = LockStep()
+    outside.close()
+    server = ModbusServer(outside, "127.0.0.1", 0)
+    assert asyncio.run(server._answer(words(3, 0, 1))) == bytes.fromhex("83 04")
 
 
 def test_the_thread_of_a_server_does_not_keep_the_process_alive() -> None:
