@@ -156,7 +156,7 @@ def _compiler(target: Target) -> list[str]:
 
 def _run(command: Iterable[str]) -> None:
     words = list(command)
-    done = subprocess.run(words, capture_output=True, text=True, errors="replace", check=False)
+    done = subprocess.run(words, capture_output=True, errors="replace", check=False)
     if done.returncode:
         first = next(iter(done.stderr.splitlines()), f"exit status {done.returncode}")
         raise CannotBuild(f"{words[0]} failed: {first}", "its source is in the package; please report this")

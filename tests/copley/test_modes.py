@@ -521,7 +521,7 @@ def test_a_search_may_end_within_a_count(method: int, mark: float) -> None:
 
 
 def test_a_search_moves_to_a_limit_switch_within_a_count() -> None:
-    """The index mark at 10 is behind the switch at 0.5, where the axis arrives at 1 count/s."""
+    """At 1 count/s the axis arrives at the switch; the index mark at 10 is behind it."""
     axis = Axis(HM, Switches(positive=0.5, index=10.0))
     axis.write(0x6099, 10, 2)
     axis.write(METHOD, 34)

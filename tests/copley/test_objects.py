@@ -223,6 +223,18 @@ def test_every_object_keeps_its_access(server: ObjectServer, entry: object) -> N
         assert refused.value.code == READ_ONLY
 
 
+def test_three_objects_are_records() -> None:
+    """They are the homing speeds, and the point and the fixed time of interpolation."""
+    subs: dict[int, list[int]] = {}
+    for each in OBJECTS:
+        subs.setdefault(each.index, []).append(each.sub)
+    assert {index: found for index, found in subs.items() if found != [0]} == {
+        0x6099: [1, 2],
+        0x60C1: [1, 2, 3],
+        0x60C2: [1, 2],
+    }
+
+
 @pytest.mark.parametrize(("data", "code"), [(b"123", 0x06070010), (b"\x38" + bytes(7), VALUE_RANGE)])
 def test_bad_packets_are_refused_with_their_code(server: ObjectServer, data: bytes, code: int) -> None:
     with pytest.raises(Abort) as refused:
@@ -231,6 +243,7 @@ def test_bad_packets_are_refused_with_their_code(server: ObjectServer, data: byt
 
 
 def test_the_quick_stop_deceleration_brakes(server: ObjectServer) -> None:
+    assert server.drive.abort_deceleration == 1_000_000.0
     server.write(0x6085, 0, 5000)
     assert server.drive.abort_deceleration == 50_000.0
     assert server.read(0x6085, 0) == 5000

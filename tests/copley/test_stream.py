@@ -16,7 +16,7 @@ import canopen
 import pytest
 
 from motionlang.copley import packet
-from motionlang.copley.bus import LockstepBus, RealBus
+from motionlang.copley.bus import NEWS_TIMEOUT, LockstepBus, RealBus
 from motionlang.copley.drive import IDLE, Drive
 from motionlang.copley.master import Master, StreamError
 from motionlang.copley.node import DriveNode
@@ -324,6 +324,13 @@ def test_a_real_bus_waits_until_the_drive_sends_its_status() -> None:
         bus.wait()
         arrived.append(bus._news.is_set())
     assert arrived == [False, True, False]
+
+
+def test_a_master_waits_five_seconds_for_a_status() -> None:
+    """A wait takes 50 ms of real time, or 1 ms of virtual time."""
+    with LockstepBus(Drive()) as bus:
+        assert bus.patience * bus.step == 5_000_000
+    assert RealBus.patience * NEWS_TIMEOUT == 5.0
 
 
 def test_the_master_of_a_real_bus_polls_every_50_ms(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -77,6 +77,7 @@ def test_a_buffer_needs_room_for_the_terminating_zero(host: Mcapi) -> None:
     converse(
         host,
         """
+        MCTranslateErrorEx 18 + 0 -> 18
         MCTranslateErrorEx 18 + 22 -> 18 "parameter out of rang"
         MCTranslateErrorEx 18 + 23 -> 0 "parameter out of range"
         MCTranslateErrorEx 99 + 40 -> 0 "unknown error 99"
@@ -84,6 +85,40 @@ def test_a_buffer_needs_room_for_the_terminating_zero(host: Mcapi) -> None:
         """,
     )
     assert host.TranslateErrorEx(18) == "parameter out of range"
+
+
+def test_modes_of_a_module_at_power_up(host: Mcapi) -> None:
+    converse(
+        host,
+        """
+        MCGetModuleInputMode 1 1 + -> 0 0
+        MCGetModuleOutputMode 1 1 + -> 0 0
+        """,
+    )
+
+
+def test_a_buffer_for_text_keeps_its_length() -> None:
+    """A text of 6 characters and its terminating zero take 7 of 12 characters.
+
+    In one character there is room only for the zero.
+    """
+    host, buffer = opened(mode=mc.MC_OPEN_ASCII), bytearray(b"x" * 12)
+    assert host.pmcgets(buffer, 1) == 0
+    assert buffer == b"\0" + b"x" * 11
+    host.pmcputs("1TP\r")
+    assert host.pmcgets(buffer, 12) == 6
+    assert buffer == b"01 0\n>\0xxxxx"
+    with pytest.raises(mc.McapiException, match="parameter out of range"):
+        host.pmcgets(buffer, 0)
+
+
+def test_a_structure_begins_with_zeros_of_its_types() -> None:
+    assert repr(mc.MCPARAM()) == (
+        "MCPARAM(ID=0, ControllerType=0, NumberAxes=0, DigitalIO=0, AnalogInput=0, AnalogOutput=0, "
+        "AxisType=[0, 0, 0, 0, 0, 0, 0, 0], PointStorage=0, CanDoScaling=0, CanDoContouring=0, "
+        "CanChangeProfile=0, CanChangeRates=0, SoftLimits=0, MultiTasking=0, AmpFault=0)"
+    )
+    assert repr(mc.MCSCALE()) == "MCSCALE(Constant=0.0, Offset=0.0, Rate=0.0, Scale=0.0, Zero=0.0, Time=0.0)"
 
 
 def test_handles() -> None:

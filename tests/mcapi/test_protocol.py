@@ -9,7 +9,9 @@ import ctypes
 
 import pytest
 
+from motionlang import mcapi as mc
 from motionlang.mcapi import Mcapi
+from motionlang.mcapi.host import McapiPort
 from motionlang.mcapi.protocol import decode, encode, parse, request
 from motionlang.mcapi.session import BadCall, wrapped
 from motionlang.mcapi.table import BITS
@@ -212,3 +214,39 @@ def test_the_calls_of_a_host_that_is_gone_are_dropped(host: Mcapi) -> None:
     assert console.now < 1.0
     assert answers == []
     assert len(desk.handles) == 1
+
+
+def test_a_port_takes_a_line_at_a_time(host: Mcapi) -> None:
+    """A call is answered with its value, or with its error code and what it has read."""
+    port = McapiPort(host.board.desk)
+    data = b"MCOpen 0 2 -\nMCGetVer"
+    assert (port.accepts(data), port.accepts(data[13:])) == (True, False)
+    assert (port.next_entry(data), port.next_entry(data[13:])) == ((data[:13], True), (data[13:], False))
+    for line, wanted in (
+        (data[:13], b"1\n"),
+        (b"MCSetVelocity 1 1 5.0\n", b"0\n"),
+        (b"MCEnableAxis 1 99 1\n", b"15\n"),
+        (b"MCGetPositionEx 1 1 +\n", b"0 0.0\n"),
+        (b"MCGetPositionEx 1 99 +\n", b"15\n"),
+    ):
+        assert port.feed(line) == len(line)
+        host.board.console.run(host.now + 0.1)
+        assert (line, port.take()) == (line, wanted)
+    port.feed(b"MCWait 1 1.0\n")
+    assert (port.busy, port.accepts(data)) == (True, False)
+
+
+def test_a_host_process_ends_with_its_last_connection(host: Mcapi) -> None:
+    """Processes are numbered from 1; that of the fixture is the first."""
+    desk = host.board.desk
+    first, other = desk.session("a"), desk.session()
+    assert (first.number, other.number) == (2, 3)
+    assert desk.session("a") is first
+    first.open(mc.MC_OPEN_BINARY)
+    first.leave()
+    assert (list(first.handles), desk.session("a") is first) == ([1], True)
+    for handles in ([1], []):
+        first.leave()
+        assert list(first.handles) == handles
+    again = desk.session("a")
+    assert (again is first, again.number) == (False, 4)

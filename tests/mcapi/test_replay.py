@@ -411,3 +411,13 @@ def test_a_zero_that_is_set_shifts_positions_in_motion() -> None:
     )
     for position, counts in ((595.0, {}), (395.0, {"position": 1}), (495.0, {"position": 1})):
         assert replayed(f"{log}0.7 0.7 2 MCGetPositionEx 1 1 + = 0 {position}\n").counts == counts
+
+
+def test_lines_that_come_late_are_read_in_the_order_of_their_begins() -> None:
+    """Each line is a call of another host; five come after one that begins later."""
+    begins = [0.1, 0.5, 0.3, 0.2, 0.9, 0.6, 0.7, 0.4]
+    lines = [f"{begin} 1.0 {host} MCGetError 1 = 0\n" for host, begin in enumerate(begins)]
+    entries = list(read(io.BytesIO("".join(["mcapi-log 1\n", *lines]).encode())))
+    assert [(entry.begin, entry.host, entry.line) for entry in entries] == [
+        (0.1, 0, 2), (0.2, 3, 5), (0.3, 2, 4), (0.4, 7, 9), (0.5, 1, 3), (0.6, 5, 7), (0.7, 6, 8), (0.9, 4, 6),
+    ]  # fmt: skip

@@ -1170,4 +1170,10 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/copley/switches.py: Switches: True -> False": "nothing assigns to one, or hashes one",
     "motionlang/copley/switches.py: Switches: True -> False #2": "slots: the attributes are the same without",
     "motionlang/copley/table.py: Table: True -> False": "slots: the attributes are the same without",
+    "motionlang/mcapi/client.py: Structure: __init__: 1 -> 2": "a field has one element or eight",
+    "motionlang/mcapi/client.py: Structure: values: 1 -> 2": "a field has one element or eight",
+    "motionlang/mcapi/client.py: Structure: fill: 1 -> 2": "a field has one element or eight",
+    "motionlang/copley/bus.py: 1 -> 2": "another number in the names of channels",
+    "motionlang/serve/modbus_requests.py: 6 -> 7": "the last object has the number 4",
+    "motionlang/serve/modbus_requests.py: 6 -> 7 #2": "the last object has the number 4",
 }

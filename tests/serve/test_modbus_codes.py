@@ -307,3 +307,37 @@ def test_the_thread_of_a_server_does_not_keep_the_process_alive() -> None:
     assert (server._thread.daemon, server._thread.is_alive()) == (True, True)
     server.stop()
     assert not server._thread.is_alive()
+
+
+def test_at_the_end_a_client_gets_the_answer_that_it_waits_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Idle connections are closed at once, a request that takes too long is cancelled."""
+    monkeypatch.setattr(modbus, "FAREWELL", 0.0)
+    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0)
+    connections = [SimpleNamespace(busy=busy, writer=MagicMock()) for busy in (False, True)]
+
+    async def end() -> list[bool]:
+        tasks = [asyncio.ensure_future(asyncio.Event().wait()) for _ in connections]
+        server._connections = dict(zip(tasks, connections, strict=True))
+        await server._end()
+        await asyncio.sleep(0)
+        return [task.cancelled() for task in tasks]
+
+    assert asyncio.run(end()) == [True, True]
+    assert [each.writer.close.call_count for each in connections] == [1, 0]
+
+
+@pytest.mark.parametrize("is_over", [False, True])
+def test_the_end_of_a_server_is_noticed_after_each_frame(is_over: bool) -> None:
+    """The frame is for another unit, so that it is not answered."""
+    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0, unit=1)
+
+    async def goes_on() -> bool:
+        server._over = asyncio.Event()
+        if is_over:
+            server._over.set()
+        reader = asyncio.StreamReader()
+        reader.feed_data(frame(words(3, 0, 1)))
+        found: bool = await server._answer_next(reader, SimpleNamespace(last_received=0.0))
+        return found
+
+    assert asyncio.run(goes_on()) is not is_over
