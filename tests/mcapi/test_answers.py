@@ -10,7 +10,9 @@ from __future__ import annotations
 import pytest
 
 from motionlang import mcapi as mc
+from motionlang.controller.faults import Rejected
 from motionlang.mcapi import Mcapi
+from motionlang.mcapi.errors import code_of
 from motionlang.mcapi.protocol import encode, parse
 from tests.mcapi.conftest import opened
 
@@ -85,6 +87,36 @@ def test_a_buffer_needs_room_for_the_terminating_zero(host: Mcapi) -> None:
         """,
     )
     assert host.TranslateErrorEx(18) == "parameter out of range"
+
+
+@pytest.mark.parametrize(
+    ("model", "module", "rates"),
+    [
+        ("multiflex", mc.MFXSERVO, "4000.0 2000.0 1000.0"),
+        ("dcx-pci300", mc.MC300, "4000.0 2000.0 1000.0"),
+        ("dcx-pc100", mc.MC110, "1000.0 1000.0 1000.0"),
+    ],
+)
+def test_the_module_of_an_axis(model: str, module: int, rates: str) -> None:
+    """The first are module, site, servo motor, and 16 + 32 + 64 + 128 for recordings.
+
+    A recording has 10,000 points. A servo has no step rates. A DCX-PC100 has one loop rate, 1 kHz.
+    """
+    converse(
+        opened({"controller.model": model}),
+        f"MCGetAxisConfiguration 1 3 + -> 0 {module} 3 1 240 10000 0 {rates} 0.0 0.0 0.0 0.0 0.0 0.0 1",
+    )
+
+
+@pytest.mark.parametrize(
+    ("trouble", "code"),
+    [
+        (Rejected("moving", "axis 1 moves"), mc.MCERR_AXIS_ACTIVE),
+        (Rejected("range", "too far"), mc.MCERR_RANGE),
+    ],
+)
+def test_the_code_of_a_rejected_command(trouble: Rejected, code: int) -> None:
+    assert code_of(trouble) == code
 
 
 def test_modes_of_a_module_at_power_up(host: Mcapi) -> None:
@@ -202,6 +234,7 @@ def test_commands_by_their_codes() -> None:
         pmccmdex 1 0 31 5 0 -> 0
         pmcrpyex 1 + 4 -> 0 7.0
         MCSetRegister 1 20 44 2 -> 0
+        MCSetRegister 1 21 55 2 -> 0
         pmccmdex 1 0 30 20 1 -> 0
         MCGetRegister 1 0 + 2 -> 0 44
         pmccmdex 1 0 30 2.5 4 -> 0

@@ -33,7 +33,8 @@ class Compiler:
         monkeypatch.setattr(subprocess, "run", self.run)
         monkeypatch.setattr("motionlang.mcapi.build.sys.platform", "linux")
 
-    def run(self, command: list[str], **_: Any) -> subprocess.CompletedProcess[str]:
+    def run(self, command: list[str], **options: Any) -> subprocess.CompletedProcess[str]:
+        assert (options["capture_output"], options["check"]) == (True, False)
         self.commands.append(command)
         Path(command[command.index("-o") + 1]).write_text("library")
         if command[-1].endswith(".def"):

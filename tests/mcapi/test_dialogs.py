@@ -40,6 +40,16 @@ def test_flags_leave_groups_out(tmp_path: Path) -> None:
     assert text == "[Axis 1]\nProfile = 1\n"
 
 
+def test_only_the_section_of_an_axis_is_read(tmp_path: Path) -> None:
+    """A line without a number, and what comes before the section, is not of the axis."""
+    host = opened()
+    (tmp_path / "a.ini").write_text(
+        "; saved\n[General]\nPhase = 0\n[Axis]\n[Axis 1\n[Axis 1]\nPhase = 1\n[Axis 2]\nPhase = 0\n"
+    )
+    host.RestoreAxis(1, 0, str(tmp_path / "a.ini"))
+    assert [host.GetServoOutputPhase(axis) for axis in (1, 2)] == [1, 0]
+
+
 @pytest.mark.parametrize(
     ("text", "code"),
     [
