@@ -51,8 +51,6 @@ class Call:
             self.finished(self)
 
     @property
-    def result(self) -> int | None:
-        """The return value in C: a value, an error code, or None."""
-        if self.function.is_value:
-            return self.value
-        return self.code if self.function.result else None
+    def result(self) -> int:
+        """The return value in C, or the error code of a function that returns none."""
+        return self.value if self.function.is_value else self.code

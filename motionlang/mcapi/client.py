@@ -186,8 +186,7 @@ class VirtualBoard:
         if not call.done and not console.run_until(lambda: call.done, console.now + MAX_CALL):
             # Nothing else ends it, or not in a day.
             self._session.give_up(call)
-        result = call.result
-        return (call.code if result is None else result), call.outputs
+        return call.result, call.outputs
 
     def close(self) -> None:
         """Do nothing: the board remains as it is."""

@@ -90,8 +90,7 @@ def request(name: str, handle: int, arguments: Sequence[Value | None]) -> str:
 
 def answer(call: Call) -> str:
     """Return the line that answers a call."""
-    result = call.result
-    return encode((call.code if result is None else result, *call.outputs))
+    return encode((call.result, *call.outputs))
 
 
 def _word(value: Value | None) -> str:

@@ -170,7 +170,7 @@ class Replay:
         self._open.pop(entry.line, None)
         if entry.name == "MCOpen" and call.value > 0 and isinstance(entry.result, int):
             self._handles[entry.host, entry.result] = call.value
-        result = call.code if call.result is None else call.result
+        result = call.result
         if abs((call.end - call.begin) - (entry.end - entry.begin)) > self._skew:
             took, here = entry.end - entry.begin, call.end - call.begin
             self._differs(entry, "time", f"the call took {took:.4f} s, here {here:.4f} s")

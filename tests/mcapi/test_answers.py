@@ -144,6 +144,27 @@ def test_a_buffer_for_text_keeps_its_length() -> None:
         host.pmcgets(buffer, 0)
 
 
+def test_a_text_may_be_a_line_end_alone() -> None:
+    """The rest of the text waits for the next call; a busy board is not waited for."""
+    host = opened(mode=mc.MC_OPEN_ASCII)
+    interface = host.board.desk.interface(is_ascii=True)
+    host.pmcputs("WA1\r")
+    interface._unread += b"\r1TP"
+    assert (interface.has_text(9), interface.get(9), interface.has_text(9)) == (True, "\r", False)
+
+
+def test_a_host_may_go_on_after_an_error(host: Mcapi) -> None:
+    """A host that raises no exceptions reads 0, and the handle has the error."""
+
+    class Tolerant(Mcapi):
+        def ProcessException(self, error: int = -1) -> int:  # noqa: N802
+            return error
+
+    tolerant = Tolerant(host.board)
+    tolerant.Open(0, mc.MC_OPEN_BINARY)
+    assert (tolerant.GetPositionEx(99), tolerant.GetError()) == (0, mc.MCERR_AXIS_NUMBER)
+
+
 def test_a_structure_begins_with_zeros_of_its_types() -> None:
     assert repr(mc.MCPARAM()) == (
         "MCPARAM(ID=0, ControllerType=0, NumberAxes=0, DigitalIO=0, AnalogInput=0, AnalogOutput=0, "

@@ -125,3 +125,24 @@ def test_no_home_for_a_cache(compiler: Compiler, monkeypatch: pytest.MonkeyPatch
     with pytest.raises(CannotBuild, match="there is no home for a cache"):
         build(TARGETS["linux"])
     assert build(TARGETS["linux"], tmp_path).exists()
+
+
+@pytest.mark.parametrize(
+    ("target", "message", "hint"),
+    [
+        ("linux", "there is no cc or gcc or clang", "install gcc, such as: apt install gcc"),
+        (
+            "win64",
+            "there is no x86_64-w64-mingw32-gcc",
+            "install mingw-w64, such as: apt install mingw-w64",
+        ),
+    ],
+)
+def test_no_compiler(
+    target: str, message: str, hint: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    Compiler(monkeypatch)
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    with pytest.raises(CannotBuild) as caught:
+        build(TARGETS[target], tmp_path)
+    assert (str(caught.value), caught.value.hint) == (message, hint)

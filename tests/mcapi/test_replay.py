@@ -170,6 +170,7 @@ def test_the_model_is_what_the_first_200_bytes_of_a_log_say() -> None:
         ("mcapi-log 1\n0.0 0.1 1 MCNothing 1 = 0\n", 2, "this is no call: there is no function 'MCNothing'"),
         ("mcapi-log 1\n0.5 0.1 1 MCOpen 0 2 - = 1\n", 2, "this is no call: begin, end, host, call = answer"),
         ("mcapi-log 1\nnan 0.1 1 MCOpen 0 2 - = 1\n", 2, "this is no call: begin, end, host, call = answer"),
+        ("mcapi-log 1\n0.0 1e9 1 MCOpen 0 2 - = 1\n", 2, "this is no call: begin, end, host, call = answer"),
         ("mcapi-log 1\n0.0 inf 1 MCOpen 0 2 - = 1\n", 2, "this is no call: begin, end, host, call = answer"),
     ],
 )

@@ -1176,4 +1176,8 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/copley/bus.py: 1 -> 2": "another number in the names of channels",
     "motionlang/serve/modbus_requests.py: 6 -> 7": "the last object has the number 4",
     "motionlang/serve/modbus_requests.py: 6 -> 7 #2": "the last object has the number 4",
+    "motionlang/serve/channel.py: 65536 -> 65537": "how much is read at once",
+    "motionlang/serve/modbus_requests.py: 2 -> 3 #3": "there is no object 3",
+    "motionlang/serve/modbus_requests.py: Request: 0 -> 1": "a request that only writes reads no registers",
+    "motionlang/serve/limits.py: Limits: True -> False": "nothing assigns to one, or hashes one",
 }

@@ -310,8 +310,14 @@ def test_the_thread_of_a_server_does_not_keep_the_process_alive() -> None:
 
 
 def test_at_the_end_a_client_gets_the_answer_that_it_waits_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Idle connections are closed at once, a request that takes too long is cancelled."""
-    monkeypatch.setattr(modbus, "FAREWELL", 0.0)
+    """Idle connections are closed at once, a request is cancelled after half a second."""
+    waits, wait = list[float](), asyncio.wait
+
+    async def wait_no_time(tasks: Any, timeout: float) -> Any:
+        waits.append(timeout)
+        return await wait(tasks, timeout=0.0)
+
+    monkeypatch.setattr(asyncio, "wait", wait_no_time)
     server: Any = ModbusServer(LockStep(), "127.0.0.1", 0)
     connections = [SimpleNamespace(busy=busy, writer=MagicMock()) for busy in (False, True)]
 
@@ -324,6 +330,41 @@ def test_at_the_end_a_client_gets_the_answer_that_it_waits_for(monkeypatch: pyte
 
     assert asyncio.run(end()) == [True, True]
     assert [each.writer.close.call_count for each in connections] == [1, 0]
+    assert waits == [0.5]
+
+
+def test_a_client_with_an_address_of_ipv6_is_turned_away() -> None:
+    lines: list[str] = []
+    server: Any = ModbusServer(LockStep(), "::1", 0, limits=Limits(hosts=0), complain=lines.append)
+    writer = MagicMock(get_extra_info=lambda name: ("::1", 4000, 0, 0))
+    asyncio.run(server._accept(MagicMock(), writer))
+    assert lines == ["[::1]:4000 was turned away: 0 clients are connected already"]
+    writer.close.assert_called_once_with()
+
+
+def test_a_connection_is_busy_while_its_request_is_answered(monkeypatch: pytest.MonkeyPatch) -> None:
+    server: Any = ModbusServer(LockStep(), "127.0.0.1", 0)
+    drain, found = MagicMock(), list[bool]()
+
+    async def answer(data: bytes) -> bytes:
+        found.append(connection.busy)
+        return b"\x83\x04"
+
+    async def drained() -> None:
+        drain()
+
+    connection = SimpleNamespace(busy=False, writer=MagicMock(drain=drained))
+    monkeypatch.setattr(server, "_answer", answer)
+
+    async def run_once() -> None:
+        reader = asyncio.StreamReader()
+        reader.feed_data(frame(words(3, 0, 1)))
+        await server._answer_next(reader, connection)
+
+    asyncio.run(run_once())
+    assert (found, connection.busy) == ([True], False)
+    connection.writer.write.assert_called_once_with(frame(b"\x83\x04"))
+    drain.assert_called_once_with()
 
 
 @pytest.mark.parametrize("is_over", [False, True])

@@ -21,7 +21,7 @@ from motionlang.serve.host import Host
 from motionlang.serve.modbus_requests import Identity, Rejected, Request
 from motionlang.serve.modbus_requests import parse as parse_request
 from motionlang.serve.pace import BUDGET, TICK
-from motionlang.serve.spy import MAX_LINE, Spy
+from motionlang.serve.spy import Spy
 from tests.serve.test_time import Wall
 
 # ------------------------------------------------------------------------------------------------- the log
@@ -38,8 +38,8 @@ from tests.serve.test_time import Wall
         # A frame ends with its checksum behind ETX.
         ([b"\x0201\x03", b"2"], ["1 < \\x0201\\x032"]),
         ([b"\x06\x15"], ["1 < \\x06", "1 < \\x15"]),
-        ([b"x" * (MAX_LINE - 1)], []),
-        ([b"x" * (MAX_LINE + 1), b"\r"], ["1 < " + "x" * MAX_LINE, "1 < x"]),
+        ([b"x" * 199], []),
+        ([b"x" * 201, b"\r"], ["1 < " + "x" * 200, "1 < x"]),
         ([b"a'b\\\xe4\r"], ["1 < a'b\\\\\xe4"]),
     ],
 )
@@ -198,6 +198,10 @@ def test_a_host_that_has_ended_is_done_when_nothing_is_left() -> None:
     peer.busy = False
     assert (host.done, host.is_silent) == (True, True)
     assert host_of(Peer()).done is False
+
+
+def test_lines_are_read_one_by_one_in_lock_step_alone() -> None:
+    assert (RealTime.by_line, LockStep.by_line) == (False, True)
 
 
 def test_in_real_time_a_host_passes_all_that_the_board_accepts() -> None:
