@@ -420,6 +420,7 @@ def test_a_wait_of_the_interface_gives_up_after_the_time_out(host: Mcapi) -> Non
     with pytest.raises(McapiException) as caught:
         host.Wait(1.0)
     assert caught.value.code == mc.MCERR_TIMEOUT
+    assert host.now == pytest.approx(0.1, abs=5e-3)
     assert host.SetTimeoutEx(0.0) == 0.1
     assert host.GetPositionEx(1) == 0.0
     assert host.now == pytest.approx(1.0, abs=5e-3)

@@ -27,6 +27,7 @@ def test_a_restored_board_is_the_saved_one(tmp_path: Path) -> None:
     host.SetPosition(1, 33.125)
     first = saved(host, tmp_path / "first.ini")
     assert "Velocity = 17.125\n" in first
+    assert "Position = 33.125\n" in first
     assert "[Axis 8]\n" in first
     fresh = opened()
     assert saved(fresh, tmp_path / "fresh.ini") != first

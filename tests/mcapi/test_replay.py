@@ -422,3 +422,29 @@ def test_lines_that_come_late_are_read_in_the_order_of_their_begins() -> None:
     assert [(entry.begin, entry.host, entry.line) for entry in entries] == [
         (0.1, 0, 2), (0.2, 3, 5), (0.3, 2, 4), (0.4, 7, 9), (0.5, 1, 3), (0.6, 5, 7), (0.7, 6, 8), (0.9, 4, 6),
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("off", "wanted"), [(0.25, {}), (0.75, {"position": 1})])
+def test_a_position_in_user_units_may_be_off_by_the_skew(off: float, wanted: dict[str, int]) -> None:
+    """A unit is 40 counts, and the position is set to 25 units before the move.
+
+    The axis runs at 50 units/s, so that 10 ms of skew are 0.5 units.
+    """
+    lines: list[str] = []
+    board = VirtualBoard(complain=lambda text: None)
+    board.desk.record = Recorder(lines.append, "multiflex")
+    host, scale = Mcapi(board), mc.MCSCALE()
+    host.Open(0, mc.MC_OPEN_BINARY)
+    scale.Constant = scale.Rate = scale.Time = 1.0
+    scale.Scale = 40.0
+    host.SetScale(1, scale)
+    host.EnableAxis(1, True)
+    host.SetPosition(1, 25.0)
+    host.SetVelocity(1, 50.0)
+    host.SetAcceleration(1, 5000.0)
+    host.MoveRelative(1, 200.0)
+    host.advance(1.0)
+    host.GetPositionEx(1)
+    host.advance(0.1)
+    text, _ = altered("".join(lines), "MCGetPositionEx", lambda answer: f"0 {float(answer.split()[1]) + off}")
+    assert replayed(text).counts == wanted
