@@ -6,15 +6,18 @@ Words, texts and integers of C, and what the board does with lines that do not f
 from __future__ import annotations
 
 import ctypes
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
 from motionlang import mcapi as mc
 from motionlang.mcapi import Mcapi
-from motionlang.mcapi.host import McapiPort
-from motionlang.mcapi.protocol import decode, encode, parse, request
+from motionlang.mcapi.host import McapiHost, McapiPort
+from motionlang.mcapi.protocol import MAX_LINE, decode, encode, parse, request
 from motionlang.mcapi.session import BadCall, wrapped
 from motionlang.mcapi.table import BITS
+from motionlang.serve import Limits, LockStep
 from tests.mcapi.conftest import opened
 from tests.mcapi.test_answers import ask
 
@@ -224,6 +227,8 @@ def test_a_port_takes_a_line_at_a_time(host: Mcapi) -> None:
     assert (port.next_entry(data), port.next_entry(data[13:])) == ((data[:13], True), (data[13:], False))
     for line, wanted in (
         (data[:13], b"1\n"),
+        (b"\n", b""),
+        (b" \r\n", b""),
         (b"MCSetVelocity 1 1 5.0\n", b"0\n"),
         (b"MCEnableAxis 1 99 1\n", b"15\n"),
         (b"MCGetPositionEx 1 1 +\n", b"0 0.0\n"),
@@ -250,3 +255,23 @@ def test_a_host_process_ends_with_its_last_connection(host: Mcapi) -> None:
         assert list(first.handles) == handles
     again = desk.session("a")
     assert (again is first, again.number) == (False, 4)
+
+
+@pytest.mark.parametrize(
+    ("data", "is_refused", "waits"),
+    [
+        (b" " * (MAX_LINE - 1) + b"\n", False, False),
+        (b" " * MAX_LINE + b"\n", True, False),
+        (b" " * MAX_LINE, False, True),
+        (b" " * (MAX_LINE + 1), True, False),
+    ],
+)
+def test_the_longest_line(data: bytes, is_refused: bool, waits: bool, host: Mcapi) -> None:
+    """A line of blanks is ignored, and the beginning of a line waits for the rest."""
+    channel: Any = SimpleNamespace(receive=lambda most: data)
+    connection = McapiHost(1, channel, host.board.desk, Limits(), None)
+    connection.receive(0.0)
+    connection.feed(LockStep(host.board.console))
+    assert (connection.port.refused, connection.waits) == (is_refused, waits)
+    answer = f"! a line has at most {MAX_LINE} characters\n" if is_refused else ""
+    assert connection.port.take() == answer.encode()

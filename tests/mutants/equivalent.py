@@ -1180,4 +1180,10 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/serve/modbus_requests.py: 2 -> 3 #3": "there is no object 3",
     "motionlang/serve/modbus_requests.py: Request: 0 -> 1": "a request that only writes reads no registers",
     "motionlang/serve/limits.py: Limits: True -> False": "nothing assigns to one, or hashes one",
+    "motionlang/mcapi/replay.py: Replay: _same_result: result > 0 -> result >= 0": (
+        "MCOpen returns a handle from 1 on, or a negative code"
+    ),
+    "motionlang/mcapi/replay.py: Replay: _same_result: entry.result > 0 -> entry.result >= 0": (
+        "MCOpen returns a handle from 1 on, or a negative code"
+    ),
 }
