@@ -907,7 +907,9 @@ def test_a_switch_is_active_from_its_position_on(position: int, inputs: int) -> 
 
 @pytest.mark.parametrize("position", [-1e9, 0.0, 1e9])
 def test_without_switches_none_is_active(position: float) -> None:
+    """There is an index mark at each revolution of 4000 counts."""
     assert Switches().inputs(position) == 0
+    assert [Switches().next_index(0.0, direction) for direction in (-5.0, 5.0)] == [-4000.0, 4000.0]
 
 
 @pytest.mark.parametrize(

@@ -223,7 +223,7 @@ def test_every_object_keeps_its_access(server: ObjectServer, entry: object) -> N
         assert refused.value.code == READ_ONLY
 
 
-def test_three_objects_are_records() -> None:
+def test_three_objects_are_records(server: ObjectServer) -> None:
     """They are the homing speeds, and the point and the fixed time of interpolation."""
     subs: dict[int, list[int]] = {}
     for each in OBJECTS:
@@ -233,6 +233,8 @@ def test_three_objects_are_records() -> None:
         0x60C1: [1, 2, 3],
         0x60C2: [1, 2],
     }
+    assert server.read(0x6061, 0) == server.read(0x6060, 0) == 7
+    assert server.read(0x606B, 0) == server.read(0x606C, 0) == 0
 
 
 @pytest.mark.parametrize(("data", "code"), [(b"123", 0x06070010), (b"\x38" + bytes(7), VALUE_RANGE)])

@@ -112,6 +112,12 @@ def test_far_positions_go_as_an_initial_position_and_distances() -> None:
     ]
 
 
+def test_far_negative_positions_are_distances_from_24_bits_on() -> None:
+    """-8 388 608 is the last position of 24 bits."""
+    for position, packets in ((-(2**23), 1), (-(2**23) - 1, 2)):
+        assert len(packet.encode_points([WirePoint(position, 0, 0)])) == packets
+
+
 def test_a_distance_counts_from_the_position_that_a_relative_point_reaches() -> None:
     """From 9 000 100 to 9 000 300 it is 200 counts, from 8 999 900 it is 400."""
     for distance, left in ((100, 200), (-100, 400)):

@@ -201,7 +201,8 @@ def test_a_host_that_has_ended_is_done_when_nothing_is_left() -> None:
 
 
 def test_lines_are_read_one_by_one_in_lock_step_alone() -> None:
-    assert (RealTime.by_line, LockStep.by_line) == (False, True)
+    console = Console(Machine(first_axis=1))
+    assert [pace.by_line for pace in (RealTime(console), LockStep(console))] == [False, True]
 
 
 def test_in_real_time_a_host_passes_all_that_the_board_accepts() -> None:
