@@ -32,7 +32,7 @@ from motionlang.debug.breakpoints import Breakpoint, Watched
 from motionlang.debug.checkpoints import HandOver
 from motionlang.debug.journal import Assigned, Entered, Journal
 from motionlang.debug.patience import Patience
-from motionlang.debug.replay import MEMORY, Output, Point, Remembered, Replay, Setup
+from motionlang.debug.replay import EVERY, MEMORY, Output, Point, Remembered, Replay, Setup
 from motionlang.debug.state import State
 from motionlang.record import record
 
@@ -232,7 +232,7 @@ class Debugger:
     def start(self, stop_on_entry: bool = True) -> Stop | None:
         """Begin the run and go to its first statement, or to the first stop."""
         if stop_on_entry:
-            return self._at(self._replay.go(lambda point: True, 0), "entry")
+            return self._at(self._replay.go(lambda point: True, EVERY), "entry")
         return self.go_on()
 
     def go_on(self) -> Stop | None:
@@ -317,7 +317,7 @@ class Debugger:
         if self.watched and self._replay.point is not None:
             self._replay.query(lambda: self._note_values(self._point()))
         while True:
-            limit = 0 if every else begin + STRIDE if searching else INFINITY
+            limit = EVERY if every else begin + STRIDE if searching else INFINITY
             point = replay.go(decide, limit, self._stopping_offsets(), give_up)
             moment = self._earliest(point)
             if moment is not None:
@@ -438,7 +438,7 @@ class Debugger:
         found = self._replay.query(lambda: self._moments(until))
         if found:
             return moments.together(found)
-        if point is None and run is not None and self.stops_at_errors and self._after < run.time + 1.0:
+        if point is None and run is not None and self.stops_at_errors and self._after < INFINITY:
             wrong = [each for each in run.diagnostics if each.severity == "error"]
             if wrong:
                 return moments.Moment(INFINITY, wrong[0].message, None, "exception")
@@ -447,9 +447,7 @@ class Debugger:
     def _end(self) -> float:
         """Return the time, s, at which the run ended or gave up."""
         replay = self._replay
-        if replay.run is not None:
-            return replay.run.time
-        return replay.machine.clock.now if replay.gave_up else 0.0
+        return replay.run.time if replay.run is not None else replay.machine.clock.now
 
     def _to_moment(self, moment: Moment, begin: int) -> Stop | None:
         """Go to the first statement at or after a moment, or else to the last one."""
@@ -495,7 +493,7 @@ class Debugger:
 
         self._last = number
         try:
-            return replay.go(there, max(number - MEMORY, 0), counted, Patience(replay, time))
+            return replay.go(there, number - MEMORY, counted, Patience(replay, time))
         finally:
             self._last = 0
 
@@ -555,7 +553,7 @@ class Debugger:
         if what == "arrive":
             return self._arrive_on(number, *rest)
         if what == "time":
-            self._replay.go(lambda each: each.time >= number, 0, frozenset())
+            self._replay.go(lambda each: each.time >= number, EVERY, frozenset())
             point = self._replay.point
             return self._at(point, "goto") if point else self._arrive(self._replay.hook.count, "goto")
         task, depth = rest
@@ -582,7 +580,7 @@ class Debugger:
         point = self._replay.point
         if point is not None and point.number < number:
             self._last = number
-            self._replay.go(lambda each: each.number >= number, max(number - reach, 0), frozenset())
+            self._replay.go(lambda each: each.number >= number, number - reach, frozenset())
             self._last = 0
 
     def _search(self, last: int, first: int, note: Callable[[Point], None], offsets: frozenset[int]) -> None:
@@ -636,7 +634,7 @@ class Debugger:
                 Remembered(point.number, point.task.name, replay.depth(point.task), point.offset)
             )
 
-        self._search(number, max(number - reach, 0), note, frozenset())
+        self._search(number, number - reach, note, frozenset())
 
     def reverse(self) -> Stop | None:
         """Go back to the last breakpoint or moment before this stop, or to the beginning."""
@@ -651,7 +649,7 @@ class Debugger:
 
         moment = self._last_moment()
         if self.breakpoints or self.watched:
-            first = 0 if self.watched else here
+            first = EVERY if self.watched else here
             self._search(here, first, note, self._stopping_offsets())
         if moment is not None and moment[0] < here and (not hits or moment[0] > hits[-1][0]):
             hits.append(moment)
@@ -695,7 +693,7 @@ class Debugger:
 
         after, self._after = self._after, -1.0
         try:
-            self._search(before, 0, note, frozenset())
+            self._search(before, EVERY, note, frozenset())
         finally:
             self._after = after
         return found[0] if found else None
@@ -727,13 +725,13 @@ class Debugger:
                 replay.consider_next()
             return patience(now)
 
-        point = replay.go(decide, 0, None, give_up)
+        point = replay.go(decide, EVERY, None, give_up)
         if replay.paused:
             return self._paused()
-        if point is not None and point.number > before + 1:
+        if point is None:
+            point = self._go_to(replay.hook.count)
+        if point is not None and point.time >= time and point.number > before + 1:
             point = self._go_to(before + 1, lambda each: each.time >= time, time)
-        if point is None and not self._replay.paused:
-            point = self._go_to(self._replay.hook.count)
         return self._arrive_on_replay(point, "goto", "")
 
     def go_to_line(self, line: int) -> Stop | None:
@@ -784,7 +782,7 @@ class Debugger:
                 found = previous
             previous, values = each.number, self._replay_in_force.values
 
-        self._search(point.number, 0, note, frozenset())
+        self._search(point.number, EVERY, note, frozenset())
         replay.values |= values
         if replay.query(lambda: watched.change(replay, point)):
             found = previous

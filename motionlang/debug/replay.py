@@ -56,6 +56,8 @@ if TYPE_CHECKING:
 
 # The number of statements before a stop that a replay remembers, so that stepping back takes one replay.
 MEMORY = 64
+# The limit at which every statement is considered: they are numbered from 1.
+EVERY = 0
 # How often the clock advances without a statement until a pause ends the run instead.
 PAUSE = 64
 # Real time between two checks for Ctrl-C, s.
@@ -263,7 +265,7 @@ class Replay:
         May be called from any thread.
         """
         self._pausing = True
-        self.hook.limit = 0
+        self.hook.limit = EVERY
 
     def copy_soon(self) -> None:
         """Make a copy of the process before the next statement.
@@ -271,7 +273,7 @@ class Replay:
         May be called from any thread.
         """
         self._is_due = True
-        self.hook.limit = 0
+        self.hook.limit = EVERY
 
     def revive(self) -> None:
         """Remain stopped in this copy, with new threads that control the run."""
@@ -286,7 +288,7 @@ class Replay:
 
     def consider_next(self) -> None:
         """Ask `decide` before the next statement; called by `give_up`."""
-        self._limit = self.hook.limit = 0
+        self._limit = self.hook.limit = EVERY
 
     def abandon(self) -> None:
         """End the thread of the run."""
@@ -388,7 +390,7 @@ class Replay:
         """Set the number of the next statement for `decide` or the journal."""
         self.hook.limit = min(self._limit, self._journal.following(self.hook.count))
         if self._pausing or self._is_due:
-            self.hook.limit = 0
+            self.hook.limit = EVERY
 
     def _remember(self, point: Point) -> None:
         recent = self.recent

@@ -1,0 +1,163 @@
+"""The statement of each moment and each time, and when the log is searched.
+
+`READS` has 12 statements of 10 µs: number n, in line n + 1, begins at (n - 1) · 10 µs. Times are in units of 10 µs.
+"""
+
+from __future__ import annotations
+
+from math import ceil
+
+import pytest
+
+from motionlang.debug import debugger as module
+from motionlang.debug.breakpoints import Watched
+from motionlang.debug.debugger import Debugger, Stop
+from motionlang.debug.moments import Moment, search
+from motionlang.lang.machine.machine import Machine
+from tests.cases import cases
+from tests.debug.test_debugger import CALLS, at, mint
+
+COUNT = 12
+READS = "Dim k As Integer\n" + "k = INX(5)\n" * COUNT
+UNIT = 1e-5
+
+
+@pytest.fixture(autouse=True)
+def four(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Search the log every 4 statements."""
+    monkeypatch.setattr(module, "STRIDE", 4)
+
+
+def shown(stop: Stop | None) -> tuple[int, int, str, str, float | None] | None:
+    """Return number, line, reason, text and moment of a stop."""
+    return stop and (stop.number, stop.line, stop.reason, stop.text, stop.moment)
+
+
+def rising(time: float) -> Debugger:
+    """Return a session of `READS` that stops when input 5 rises at a time."""
+    debugger = mint(READS, {"input": [{"channel": 5, "at": time * UNIT, "value": 1}]})
+    debugger.searches = [search("input 5 rises")]
+    return debugger
+
+
+MOMENTS = [0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 3.5, 4.0, 5.5, 7.0, 8.0, 9.5, 10.0, 11.0]
+
+
+@cases("time", MOMENTS)
+def test_the_statement_after_a_moment(time: float) -> None:
+    """Statement ceil(time) + 1 sees the input, and the next one is the stop.
+
+    An input at time 0 is on before statement 1. After the last statement, it is the stop itself.
+    """
+    debugger = rising(time)
+    number = 1 if time == 0.0 else min(ceil(time) + 2, COUNT)
+    text = f"input 5 rises at {time * UNIT:.9g} s"
+    earlier = time * UNIT if time < number - 1 else None
+    assert shown(debugger.start(False)) == (number, number + 1, "moment", text, earlier)
+    assert debugger.go_on() is None
+    assert shown(debugger.reverse()) == (number, number + 1, "moment", text, None)
+    assert shown(debugger.reverse()) == (1, 2, "start", "this is the first statement", None)
+
+
+@cases("time", [*MOMENTS, 500.0])
+def test_the_statement_at_a_time(time: float) -> None:
+    """Statement ceil(time) + 1 is the first at or after the time.
+
+    If there is none, the stop is the last one. It is the same from before, from after and from the end.
+    """
+    debugger = mint(READS)
+    wanted = min(ceil(time) + 1, COUNT)
+    for begin in (1, COUNT, None):
+        debugger.start() if begin == 1 else debugger.go_on() if begin is None else debugger.go_to_number(
+            begin
+        )
+        assert shown(debugger.go_to_time(time * UNIT)) == (wanted, wanted + 1, "goto", "", None)
+
+
+def recorded(debugger: Debugger) -> list[tuple[float, float]]:
+    """Return the intervals of the following searches of the log."""
+    intervals: list[tuple[float, float]] = []
+
+    def find(machine: Machine, after: float, until: float) -> list[Moment]:
+        intervals.append((round(after / UNIT, 3), round(until / UNIT, 3)))
+        return []
+
+    debugger.searches = [find]
+    return intervals
+
+
+@pytest.mark.parametrize("watches", [False, True])
+def test_the_log_is_searched_at_every_fourth_statement_and_at_the_end(watches: bool) -> None:
+    """Statements 4, 8 and 12 are at 3, 7 and 11; the last one ends at 12."""
+    debugger = mint(READS)
+    debugger.watched = [Watched(("module", "k"))] if watches else []
+    intervals = recorded(debugger)
+    assert debugger.start(False) is None
+    assert intervals == [(-1e5, 3.0), (-1e5, 7.0), (-1e5, 11.0), (-1e5, 12.0)]
+
+
+def test_the_log_is_searched_from_the_stop_on() -> None:
+    """A step searches up to its statement; then statements 6 and 10, and the end."""
+    debugger = mint(READS)
+    debugger.start()
+    intervals = recorded(debugger)
+    debugger.step_in()
+    debugger.go_on()
+    assert intervals == [(0.0, 1.0), (1.0, 5.0), (1.0, 9.0), (1.0, 12.0)]
+
+
+def test_the_log_of_a_wait_is_searched_when_it_has_doubled() -> None:
+    """An input changes at each second, and the clock advances to it.
+
+    When it is about to advance for the 4th, 8th, 16th and 32nd time, 3, 7, 15 and 31 s have been reached.
+    """
+    inputs = [{"channel": 5, "at": float(each), "value": each % 2} for each in range(1, 41)]
+    debugger = mint("OUTX(1) = 1\nPAUSE INX(0)\nOUTX(2) = 1\n", {"input": inputs}, until=45.0)
+    intervals = recorded(debugger)
+    assert debugger.start(False) is None
+    assert [until for _, until in intervals] == [3e5, 7e5, 15e5, 31e5, 40e5]
+
+
+def test_a_watched_variable_is_compared_at_each_statement_of_a_search() -> None:
+    """`total` becomes 2, 6 and 12; the log is searched in between."""
+    debugger = mint(CALLS)
+    debugger.watched = [Watched(("module", "total"))]
+    recorded(debugger)
+    stops = []
+    stop = debugger.start(False)
+    while stop is not None:
+        stops.append(shown(stop))
+        stop = debugger.go_on()
+    assert stops == [
+        (5, 9, "change", "total changes from 0 to 2 before line 9", None),
+        (8, 9, "change", "total changes from 2 to 6 before line 9", None),
+        (11, 11, "change", "total changes from 6 to 12 before line 11", None),
+    ]
+
+
+BLINKS = READS.replace("k = INX(5)\n", "OUTX(2) = 1\nOUTX(2) = 0\nk = k + 1\n", 2)
+
+
+def test_breakpoints_and_moments_forward_and_backward() -> None:
+    """Statements 1, 2, 4 and 5 switch the output; the next one is the stop.
+
+    The breakpoints are at statements 3 and 8. At statement 3, forward finds the moment and backward the breakpoint.
+    """
+    debugger = mint(BLINKS)
+    debugger.searches = [search("output 2 changes")]
+    debugger.set_breakpoints([at(debugger, 4), at(debugger, 9)])
+    forward, backward = [], []
+    stop = debugger.start(False)
+    while stop is not None:
+        forward.append((stop.number, stop.reason, stop.text))
+        stop = debugger.go_on()
+    assert forward == [
+        (2, "moment", "output 2 rises at 0 s"),
+        (3, "moment", "output 2 falls at 1e-05 s"),
+        (5, "moment", "output 2 rises at 3e-05 s"),
+        (6, "moment", "output 2 falls at 4e-05 s"),
+        (8, "breakpoint", ""),
+    ]
+    while (stop := debugger.reverse()) is not None and stop.reason != "start":
+        backward.append((stop.number, stop.reason, stop.text))
+    assert backward == [*forward[:1], (3, "breakpoint", ""), *forward[2:]][::-1]
