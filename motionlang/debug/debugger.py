@@ -607,7 +607,7 @@ class Debugger:
             return self._arrive(self._replay.hook.count, "step")
         point, depth = self._point(), self._depth()
         found = _before(list(self._replay.recent), point.number, point.task.name, depth)
-        if found is None and self._recorded_from() > 1:
+        if found is None:
             self._hand_over(self._recorded_from() - 1, "back", point.number, point.task.name, depth)
         reach = MEMORY
         while found is None and self._recorded_from() > 1:
@@ -623,7 +623,7 @@ class Debugger:
         return self._arrive(found, "step")
 
     def _recorded_from(self) -> int:
-        return self._replay.recent[0].number if self._replay.recent else self._point().number
+        return self._replay.recent[0].number
 
     def _remember_more(self, number: int, reach: int) -> None:
         self._history = []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import nan
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ def destination(debugger: Debugger, text: str) -> Callable[[], Stop | None]:
     try:
         time = float(text)
     except ValueError:
-        time = -1.0
+        time = nan
     if not 0.0 <= time < 1e9:
         raise ValueError(f"{text[:40]} is no time, such as 2.5, and no line, such as line 12")
     return lambda: debugger.go_to_time(time)

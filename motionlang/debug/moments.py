@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 # Samples of each profile in which a condition is looked for, and the resolution of its time, s.
 SAMPLES = 64
 RESOLUTION = 1e-9
+# A number that no program subtracts from a reading to divide by the difference.
+READING = 0.7320508
 # Texts of moments at the same time in one message: an e-stop has one for each axis.
 MAX_TEXTS = 2
 # The exception filters by name: what they are called, and the kinds of events.
@@ -100,7 +102,7 @@ def filtered(kinds: Iterable[str]) -> Search:
 def complaints(machine: Machine, after: float, until: float) -> Iterator[Moment]:
     """Yield the errors that did not end the program, such as rejected commands."""
     for each in machine.diagnostics:
-        if each.severity == "error" and each.first is not None and after < each.first <= until:
+        if each.severity == "error" and after < each.first <= until:
             yield Moment(each.first, f"{each.message}, line {each.line}", None, "exception")
 
 
@@ -168,7 +170,7 @@ def _stops(machine: Machine, number: int, after: float, until: float) -> Iterato
 
 
 class _Blank:
-    """A state in which every reading is 1, to check an expression without a run.
+    """A state whose readings are all `READING`, to check an expression without a run.
 
     Targets are rejected: the log has the motion of an axis, not its targets.
     """
@@ -179,14 +181,14 @@ class _Blank:
     def reading(self, what: str, number: int) -> float:
         if what == "target":
             raise WrongExpression("the target of an axis has no history; use position")
-        return 1.0
+        return READING
 
 
 class Past:
     """The state of a machine at an earlier time, taken from the log."""
 
-    def __init__(self, machine: Machine) -> None:
-        self._machine, self.time = machine, 0.0
+    def __init__(self, machine: Machine, time: float) -> None:
+        self._machine, self.time = machine, time
         self._tracks: dict[int, WholeTrack] = {}
 
     def variable(self, name: str, subscripts: list[float]) -> float | None:
@@ -226,7 +228,7 @@ def _becomes_true(
 ) -> Iterator[Moment]:
     if not machine.has_controller:
         return
-    state = Past(machine)
+    state = Past(machine, after)
 
     def holds(time: float) -> bool:
         state.time = time
@@ -255,6 +257,6 @@ def _samples(machine: Machine, after: float, until: float) -> list[float]:
         starts, profiles = WholeTrack(axis).between(after, until)
         for start, profile in zip(starts, profiles, strict=True):
             length = min(profile.duration, until - start)
-            if length > 0 and start + length > after:
+            if start + length > after:
                 found.update(start + length * k / SAMPLES for k in range(SAMPLES + 1))
     return sorted(each for each in found if after < each <= until)

@@ -25,10 +25,10 @@ class Patience:
     """
 
     def __init__(self, replay: Replay, time: float) -> None:
-        self._replay, self._time = replay, time
+        self._replay = replay
         self._last = INFINITY
         # The last time to which the clock has advanced.
-        self.reached = 0.0
+        self._time = self.reached = time
 
     @property
     def is_over(self) -> bool:

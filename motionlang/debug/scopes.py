@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
     from motionlang.controller.io.channels import Channels
+    from motionlang.controller.move import Move
     from motionlang.debug.replay import Point
     from motionlang.lang.debugging import Frame, Hook
     from motionlang.lang.machine.machine import Machine
@@ -61,8 +62,8 @@ def tasks(machine: Machine, running: Task | None) -> list[Waiting]:
 def frames(hook: Hook, task: Task, point: Point | None) -> Sequence[Frame]:
     """Return the calls of a task, the innermost first; `point` is the stop of the run."""
     assert hook.inspection is not None
-    stopped = point is not None and point.task is task
-    return hook.inspection.frames(task, point.offset if stopped and point is not None else None)
+    offset = point.offset if point is not None and point.task is task else None
+    return hook.inspection.frames(task, offset)
 
 
 def module(hook: Hook) -> list[Variable]:
@@ -162,10 +163,9 @@ def _state(controller: Controller, axis: Axis) -> str:
     return "idle" if controller.is_idle(axis.index) else "moving"
 
 
-def _move(number: int, move: object) -> Variable:
-    released = "" if getattr(move, "released", True) else ", not released"
-    line = getattr(move, "line", 0)
-    return Variable(f"move {number}", "", f"{getattr(move, 'command', move)}, line {line}{released}")
+def _move(number: int, move: Move) -> Variable:
+    released = "" if move.released else ", not released"
+    return Variable(f"move {number}", "", f"{move.command}, line {move.line}{released}")
 
 
 def reading(machine: Machine, time: float, what: str, number: int) -> float:

@@ -28,8 +28,10 @@ class State:
     @property
     def time(self) -> float:
         """The time of the statement, or of the end, s."""
-        run = self._replay.run
-        return self._point.time if self._point is not None else run.time if run is not None else 0.0
+        if self._point is not None:
+            return self._point.time
+        assert self._replay.run is not None
+        return self._replay.run.time
 
     def tasks(self) -> list[Waiting]:
         """Return the tasks and event handlers, each with the condition it waits for."""
@@ -47,7 +49,7 @@ class State:
     def axes(self) -> list[Variable]:
         """Return the axes at the time of the stop, and their motion at its moment."""
         stop = self._debugger.stop
-        moment = None if stop is None or self._point is None else stop.moment
+        moment = None if stop is None else stop.moment
         return self._query(lambda: scopes.axes(self._replay.machine, self.time, moment))
 
     def inputs(self) -> list[Variable]:

@@ -82,6 +82,9 @@ class State:
         ("@10 + R10", 14.0),
         ("v(3)", 103.0),
         ("v[1, 2]", 121.0),
+        ("v(0 Or 2)", 101.0),
+        ("v(1, 0 Or 2)", 111.0),
+        ("(0 Or 2) + 1", 2.0),
         ("v.4", 104.0),
         ("position(0) + pos(1)", 21.0),
         ("VELOCITY(0) + vel(0)", 40.0),
@@ -115,6 +118,7 @@ NEITHER = " is neither a variable here nor a reading that a condition may use"
         ("(1", ") is missing"),
         ("v[1)", "] is missing"),
         ("* 2", "a value is expected, not *"),
+        ("1 = Not 0", '"0" is one word too many'),
         ("1 ! 2", "'!' has no meaning in an expression"),
         ('t + 1', "+ cannot take a text and a number"),
         ('t - "a"', "- needs numbers, not texts"),
@@ -145,8 +149,9 @@ def test_an_expression_has_a_largest_length_and_depth() -> None:
         parse("1".rjust(MAX_LENGTH + 1))
     assert parse("-" * (MAX_DEPTH - 1) + "1")(State()) == -1.0
     assert parse("(-1) + " * MAX_DEPTH + "1")(State()) == 1.0 - MAX_DEPTH
-    with pytest.raises(WrongExpression, match="nested more than 50 deep"):
-        parse("-" * MAX_DEPTH + "1")
+    for before in ("", "1 + "):
+        with pytest.raises(WrongExpression, match="nested more than 50 deep"):
+            parse(before + "-" * MAX_DEPTH + "1")
 
 
 @pytest.mark.parametrize(
@@ -270,6 +275,13 @@ def test_a_motion_breakpoint_that_is_none(text: str, message: str) -> None:
         "a motion breakpoint is axis 0 starts, axis 0 stops, input 5 rises, output 2 falls or a condition such as "
         "position(0) > 120"
     )
+
+
+def test_a_condition_may_divide_by_a_reading() -> None:
+    """It has a value for the reading at which it is checked before the run."""
+    assert search("1 / (position(0) - 1) > 5 Or 1 / velocity(0) > 5") is not None
+    with pytest.raises(WrongExpression, match="division by zero"):
+        search("position(0) / 0 > 1")
 
 
 def test_an_axis_of_a_condition_that_does_not_exist() -> None:

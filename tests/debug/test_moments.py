@@ -11,7 +11,8 @@ from math import inf
 import pytest
 
 from motionlang import run
-from motionlang.debug.moments import FILTERS, MAX_TEXTS, Moment, filtered, search, together
+from motionlang.debug.moments import FILTERS, MAX_TEXTS, Moment, complaints, filtered, search, together
+from motionlang.errors import Diagnostic
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.debug.test_debugger import mint
@@ -77,6 +78,11 @@ def found(text: str, after: float = 0.0, until: float = 9.0, result: Run | None 
         ("input(5) = 0 And position(1) > 5", 0.0, 9.0, [0.75]),
         ("output(2) = 0", 0.0, 9.0, [FALLS]),
         ("idle(0) And time > 0.1", 0.0, 9.0, [GOES + 0.7, CANCELLED]),
+        ("input(5)", 0.0, 0.25, [0.25]),
+        # From 4.8 to 5.2 uu takes 20 ms, in a move of 0.7 s that is sampled every 11 ms.
+        ("position(0) > 4.8 And position(0) < 5.2", 0.0, BACK, [GOES + 0.34]),
+        # From 1.5 to 0.5 uu/s takes 10 ms, 15 ms before the end.
+        ("velocity(0) < 1.5 And velocity(0) > 0.5", 0.1, BACK, [GOES + 0.685]),
     ],
 )
 def test_moments_are_after_one_time_up_to_another(
@@ -109,6 +115,37 @@ def test_a_motion_that_has_not_ended_has_started() -> None:
     assert stop is not None
     assert stop.moment == pytest.approx(FOLLOWS)
     assert stop.text.startswith("axis 1 starts FOLLOW")
+
+
+def test_a_motion_without_an_end_is_sampled_64_times_up_to_the_search() -> None:
+    """A jog at 64 uu/s from 10 s on is sampled every 1 uu of its first second.
+
+    The ramp takes 1 ms, which is 0.5 ms longer than that distance at speed.
+    """
+    program = "SPEED(0) = 64 : ACCEL(0) = 64000\nWAIT = 10000\nJOG(0) = 64\nWAIT = 5000\n"
+    result = run(Source("jog.mnt", program), machine={}, cache=False, until=12.0)
+    start = 10.00003  # three statements before
+    (moment,) = found("position(0) > 4.9 And position(0) < 5.1", 9.0, start + 1.0, result)
+    assert moment.time == pytest.approx(start + 0.5e-3 + 4.9 / 64, abs=1e-8)
+
+
+def test_errors_that_did_not_end_the_program() -> None:
+    """A command reports its error after its 10 µs; warnings are left out."""
+    machine = run(Source("a.mcl", "WA.001,99MR5\n99MR6\n"), machine={}, cache=False).machine
+    warned = Diagnostic("never-waits", "it never waits", 1, severity="warning")
+    warned.first = 0.00102
+    machine.diagnostics.append(warned)
+    one, other = complaints(machine, -1.0, 9.0)
+    text = "there is no axis 99 (?-15: axis not assigned), line"
+    assert (one.time, one.text, one.reason) == (pytest.approx(0.00102), f"{text} 1", "exception")
+    assert (other.time, other.text, other.reason) == (pytest.approx(0.00103), f"{text} 2", "exception")
+    for after, until, times in (
+        (0.0, one.time, [one.time]),
+        (0.0, one.time - 1e-9, []),
+        (one.time, 9.0, [other.time]),
+        (other.time, 9.0, []),
+    ):
+        assert [each.time for each in complaints(machine, after, until)] == times
 
 
 def test_a_run_without_motion_has_no_moments() -> None:

@@ -11,11 +11,12 @@ import pytest
 
 from motionlang.controller.clock import Clock, WatchedClock
 from motionlang.debug import patience, replay
-from motionlang.debug.breakpoints import Breakpoint
+from motionlang.debug.breakpoints import Breakpoint, Watched
 from motionlang.debug.debugger import Debugger
 from motionlang.debug.moments import search
 from motionlang.execution import dialect
 from motionlang.source import Source
+from tests.debug.test_debugger import mint
 
 # A spline of 0.3 s that begins again when it ends, and an input that never rises. 1000 s have thousands of splines.
 ENDLESS = """\
@@ -161,7 +162,7 @@ def test_a_pause_ends_an_endless_wait(fired: Callable[[], int]) -> None:
     debugger.pause()
     stop = debugger.go_on()
     assert stop is not None
-    assert (stop.line, stop.reason) == (6, "pause")
+    assert (stop.line, stop.reason, stop.text) == (6, "pause", "")
     assert fired() < LIMIT
     debugger.abandon()
 
@@ -189,6 +190,105 @@ def test_ctrl_c_in_an_endless_wait_stops_at_its_statement(
     stop = debugger.go_on()
     assert stop is not None
     assert (stop.line, stop.reason) == (6, "pause")
+    debugger.abandon()
+
+
+# The clock advances to each second, when an input changes.
+SECONDS: dict[str, object] = {
+    "input": [{"channel": 5, "at": float(each), "value": each % 2} for each in range(1, 41)]
+}
+RISING: dict[str, object] = {"input": [*SECONDS["input"], {"channel": 0, "at": 13.5, "value": 1}]}  # type: ignore[misc]
+WAITS = "WAIT({})\nOUTX(1) = 1\nPAUSE INX(0)\nOUTX(2) = 1\n"
+
+
+@pytest.fixture
+def brief(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Commands wait for 4 advances of the clock, and 2 more for another task."""
+    monkeypatch.setattr(patience, "ADVANCES", 4)
+    monkeypatch.setattr(patience, "PAUSE", 2)
+
+
+@pytest.mark.usefixtures("brief")
+@pytest.mark.parametrize(("waited", "until"), [(0, 8), (3, 11), (4, 13), (5, 15)])
+def test_a_step_waits_as_long_as_the_run_before_it(waited: int, until: int) -> None:
+    """The step sees advance n = `waited` + 1 first, and waits for max(n, 4) more.
+
+    It ends at the third advance after these: n + max(n, 4) + 3.
+    """
+    debugger = mint(WAITS.format(1000 * waited), SECONDS, until=45.0)
+    debugger.start()
+    debugger.go_to_line(3)
+    stop = debugger.next()
+    assert stop is not None
+    assert (stop.line, stop.reason, stop.text) == (3, "pause", f"line 3 still waits at {until} s")
+    debugger.abandon()
+
+
+@pytest.mark.usefixtures("brief")
+@pytest.mark.parametrize(("time", "line"), [(0.5, 3), (5.0, 3), (5.5, 4), (13.5, 4), (14.0, 4)])
+def test_a_time_waits_as_long_again_for_a_statement(time: float, line: int) -> None:
+    """The wait ends at the 14th advance, at 13.5 s.
+
+    For a time of 5 s, advance 5 is the first, and the 13th the last; for 5.5 s they are 6 and 15.
+    """
+    debugger = mint(WAITS.format(0), RISING, until=45.0)
+    debugger.start()
+    stop = debugger.go_to_time(time)
+    assert stop is not None
+    assert (stop.line, stop.reason, stop.text) == (line, "goto", "")
+    debugger.abandon()
+
+
+OTHER = """\
+Run Other
+OUTX(1) = 1
+PAUSE INX(1)
+End
+Task Other
+Loop
+PAUSE INX(5) = 1
+OUTX(3) = 1
+PAUSE INX(5) = 0
+End Loop
+End Task
+"""
+
+
+@pytest.mark.usefixtures("brief")
+def test_a_step_ends_at_the_first_statement_of_another_task_after_its_wait() -> None:
+    """It waits up to advance 5; the other task goes on at 6 s, with two statements."""
+    debugger = mint(OTHER, SECONDS, until=45.0)
+    debugger.start()
+    debugger.go_to_line(3)
+    stop = debugger.next()
+    assert stop is not None
+    assert (stop.line, stop.task, stop.text) == (7, "other", "line 3 still waits at 6.00002 s")
+    debugger.abandon()
+
+
+@pytest.mark.usefixtures("brief")
+def test_a_run_to_a_change_waits_without_an_end() -> None:
+    debugger = mint(OTHER, RISING, until=45.0)
+    debugger.start()
+    debugger.go_to_line(2)
+    debugger.watched = [Watched(("machine", "input 0"))]
+    stop = debugger.go_on()
+    assert stop is not None
+    assert (stop.reason, stop.text) == ("change", "input 0 changes from 0 to 1 before line 7")
+    assert stop.time == pytest.approx(14.00002)
+    assert debugger.go_on() is None
+
+
+@pytest.mark.usefixtures("brief")
+def test_a_step_ends_while_motion_continues_after_the_program() -> None:
+    """The clock advances to GO, at 30 µs, and to the ends of 7 splines of 0.3 s."""
+    debugger = debug(ENDLESS.replace("PAUSE INX(0)\nOUTX(2) = 1\n", ""))
+    debugger.start()
+    debugger.go_to_line(5)
+    stop = debugger.next()
+    assert stop is not None
+    text = "the program has ended, but motion continues at 2.10003 s"
+    assert (stop.line, stop.reason, stop.text) == (5, "pause", text)
     debugger.abandon()
 
 

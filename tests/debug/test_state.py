@@ -7,16 +7,19 @@ from __future__ import annotations
 
 import os
 import socket
+import sys
 from collections.abc import Iterable
+from types import SimpleNamespace
+from typing import cast
 
 import pytest
 
-from motionlang.debug import checkpoints
+from motionlang.debug import checkpoints, scopes
 from motionlang.debug import debugger as module
 from motionlang.debug.breakpoints import Watched
-from motionlang.debug.checkpoints import Checkpoints, receive, send
+from motionlang.debug.checkpoints import Checkpoints, Ticks, can_fork, receive, send
 from motionlang.debug.debugger import Debugger
-from motionlang.debug.expressions import WrongExpression
+from motionlang.debug.expressions import READINGS, WrongExpression
 from motionlang.debug.moments import search
 from motionlang.debug.values import shown
 from tests.cases import cases
@@ -71,6 +74,95 @@ def test_the_time_at_a_stop_and_at_the_end() -> None:
     assert value(debugger, "time") == pytest.approx(0.25, abs=1e-3)
     assert debugger.go_on() is None
     assert value(debugger, "time") == pytest.approx(0.25, abs=1e-3)
+
+
+def test_the_lines_of_an_axis_in_order() -> None:
+    """A motor is listed after the position, the moment of the stop at the end."""
+    debugger = mint(MOVE)
+    debugger.searches = [search("output 2 rises")]
+    debugger.start(False)
+    assert list(axis(debugger)) == [
+        "position", "velocity", "target", "state", "faults", "buffer", "position at 3e-05 s", "velocity at 3e-05 s",
+    ]  # fmt: skip
+    debugger.searches = []
+    debugger.go_on()
+    assert debugger.run is not None
+    machine = debugger.run.machine
+    motor = SimpleNamespace(known_position=lambda time: 7.0 * time)
+    machine.controller.axes[0].feedback = motor  # type: ignore[assignment]
+    lines = scopes.axes(machine, 3.0)[0].value
+    assert isinstance(lines, list)
+    assert [(each.name, each.type, each.value) for each in lines[:2]] == [
+        ("position", "uu", 100.0),
+        ("measured position", "uu", 21.0),
+    ]
+
+
+def test_a_program_without_the_controller() -> None:
+    debugger = mint("k = 1\nk = 2\n")
+    debugger.start()
+    for _ in range(2):
+        state = debugger.state()
+        assert (state.axes(), state.inputs(), state.outputs()) == ([], [], [])
+        assert [value(debugger, text) for text in ("position(0)", "idle(9)", "input(1)")] == [0.0] * 3
+        debugger.next()
+    debugger.abandon()
+
+
+def test_an_axis_is_idle_if_it_is_at_rest_and_its_move_has_ended() -> None:
+    """SUSPEND stops the axis; its move has not ended."""
+    debugger = mint("SPEED(0) = 5\nMOVEA(0) = 10\nGO(0)\nWAIT(100)\nSUSPEND(0) = 1\nWAIT(1000)\nPrint 1\n")
+    debugger.start()
+    for line, idle, velocity in ((2, 1.0, 0.0), (5, 0.0, 5.0), (7, 0.0, 0.0)):
+        debugger.go_to_line(line)
+        assert (value(debugger, "idle(0)"), value(debugger, "velocity(0)")) == (idle, velocity)
+    debugger.abandon()
+
+
+TASKS = """\
+Run Blink
+WAIT(100)
+OUTX(2) = 1
+OUTX(2) = 0
+End
+Task Blink
+  PAUSE INX(2)
+End Task
+Event IN1
+  OUTX(1) = 1
+  WAIT(50)
+End Event
+"""
+
+
+def test_tasks_with_their_waits_and_calls() -> None:
+    """The event is at 20 ms, while the program waits for 100 ms."""
+    debugger = mint(TASKS, {"input": [{"channel": 1, "at": 0.02, "value": 1}]})
+    debugger.start()
+
+    def shown_tasks() -> list[tuple[str, str, bool, list[tuple[str, int]]]]:
+        state = debugger.state()
+        return [
+            (
+                each.name, each.why, each.is_handler,
+                [(call.name, debugger.location_of(call.offset)[0]) for call in state.frames(each.task)],
+            )
+            for each in state.tasks()
+        ]  # fmt: skip
+
+    found = []
+    for line in (2, 11, 3):
+        debugger.go_to_line(line)
+        found.append(shown_tasks())
+    debugger.go_on()
+    found.append(shown_tasks())
+    blink = ("blink", "waits until INX(2)", False, [("Blink", 7)])
+    assert found == [
+        [("ParentTask", "", False, [("main", 2)]), ("blink", "", False, [])],
+        [("in", "", True, [("IN1", 11)]), ("ParentTask", "waits for 0.1 s", False, [("main", 2)]), blink],
+        [("ParentTask", "", False, [("main", 3)]), blink],
+        [blink],
+    ]
 
 
 def test_channels_that_have_had_a_value() -> None:
@@ -145,9 +237,8 @@ def test_names_for_completion() -> None:
     debugger.start()
     debugger.go_to_line(5)
     names = debugger.state().names()
-    assert names[:2] == ["n", "twice"]
-    assert {"total", "i", "position", "time"} <= set(names)
-    assert len(names) == len(set(names))
+    assert names == ["n", "twice", "total", "i", *READINGS, "time"]
+    debugger.step_in()
 
 
 @pytest.mark.parametrize(
@@ -155,6 +246,7 @@ def test_names_for_completion() -> None:
     [
         (("module", "nothing"), "there is no variable nothing here"),
         (("local5", "n"), "there is no variable n here"),
+        (("local1", "n"), "there is no variable n here"),
         (("module", "a"), "a cannot be set; set one of its elements"),
     ],
 )
@@ -312,6 +404,45 @@ def test_of_too_many_copies_every_second_one_ends(monkeypatch: pytest.MonkeyPatc
     assert [number for number, _, _ in front.copies.known] == [0, 2, 4]
 
 
+class Narrow:
+    """A channel on which at most 3 bytes arrive at a time."""
+
+    def __init__(self, data: bytes) -> None:
+        self._data = data
+
+    def recv(self, length: int) -> bytes:
+        found, self._data = self._data[: min(length, 3)], self._data[min(length, 3) :]
+        return found
+
+
+def test_bytes_that_arrive_in_several_packets() -> None:
+    channel = cast(socket.socket, Narrow(b"\0\0\0\0\0\0\0\5abcde\0\0\0\0\0\0\0\1fgh"))
+    assert [receive(channel) for _ in range(3)] == [b"abcde", b"f", None]
+
+
+def test_ticks_come_until_they_are_ended(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(checkpoints, "INTERVAL", 0.0)
+    times: list[int] = []
+
+    def action() -> None:
+        times.append(len(times))
+        if len(times) == 3:
+            ticks.end()
+
+    ticks = Ticks(action)
+    assert ticks.daemon
+    ticks.run()
+    assert times == [0, 1, 2]
+
+
+@pytest.mark.parametrize(("platform", "can"), [("linux", True), ("darwin", False), ("win32", False)])
+def test_processes_with_threads_are_forked_on_linux_alone(
+    platform: str, can: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "platform", platform)
+    assert can_fork() is can
+
+
 def test_bytes_go_through_a_channel_with_their_length() -> None:
     near, far = socket.socketpair()
     with near, far:
@@ -364,6 +495,7 @@ def test_a_step_back_from_the_first_statement_of_a_task() -> None:
         ("r10", ("R10", "register", 7)),
         ("R0", ("R0", "accumulator", 5)),
         ("R255", ("R255", "register", 9)),
+        ("R77", ("R77", "register", 0)),
         ("R256", None),
         ("R", None),
         ("Rx", None),
