@@ -432,7 +432,7 @@ class Debugger:
     def _earliest(self, point: Point | None) -> Moment | None:
         """Return the first moment between the last stop and a point, or the end."""
         run = self._replay.run
-        if not self.searches and not (self.stops_at_errors and point is None):
+        if not self.searches and not self.stops_at_errors:
             return None
         until = point.time if point is not None else self._end()
         found = self._replay.query(lambda: self._moments(until))

@@ -12,10 +12,10 @@ import pytest
 from motionlang.debug import debugger as module
 from motionlang.debug.breakpoints import Watched
 from motionlang.debug.debugger import Debugger, Stop
-from motionlang.debug.moments import Moment, search
+from motionlang.debug.moments import Moment, complaints, search
 from motionlang.lang.machine.machine import Machine
 from tests.cases import cases
-from tests.debug.test_debugger import CALLS, at, mint
+from tests.debug.test_debugger import CALLS, at, mccl, mint
 
 COUNT = 12
 READS = "Dim k As Integer\n" + "k = INX(5)\n" * COUNT
@@ -72,6 +72,15 @@ def test_the_statement_at_a_time(time: float) -> None:
             begin
         )
         assert shown(debugger.go_to_time(time * UNIT)) == (wanted, wanted + 1, "goto", "", None)
+
+
+@pytest.mark.parametrize("count", [10, 11, 12, 13])
+def test_a_time_shortly_before_the_end(count: int) -> None:
+    """The times of statements 1, 5, 9 and 13 are compared; 10 is the first at 90 µs."""
+    debugger = mint("Dim k As Integer\n" + "k = INX(5)\n" * count)
+    debugger.start()
+    assert shown(debugger.go_to_time(8.5 * UNIT)) == (10, 11, "goto", "", None)
+    debugger.abandon()
 
 
 def recorded(debugger: Debugger) -> list[tuple[float, float]]:
@@ -161,3 +170,65 @@ def test_breakpoints_and_moments_forward_and_backward() -> None:
     while (stop := debugger.reverse()) is not None and stop.reason != "start":
         backward.append((stop.number, stop.reason, stop.text))
     assert backward == [*forward[:1], (3, "breakpoint", ""), *forward[2:]][::-1]
+
+
+def test_a_line_counts_the_hits_on_the_path_to_it() -> None:
+    """Line 5 is at statements 4, 7 and 10, and two of them are before statement 8."""
+    debugger = mint(CALLS)
+    debugger.start()
+    debugger.set_breakpoints([at(debugger, 5, hits="3")])
+    for number in (2, 5, 8):
+        assert shown(debugger.go_to_line(9)) == (number, 9, "goto", "", None)
+    stop = debugger.go_on()
+    assert stop is not None
+    assert (stop.number, stop.reason) == (10, "breakpoint")
+    debugger.abandon()
+
+
+def test_a_search_ends_before_the_statement_of_the_stop() -> None:
+    """The stop is before `Print`, so nothing is shown."""
+    output: list[str] = []
+    debugger = mint(CALLS, show=output.append)
+    debugger.start()
+    debugger.go_to_line(11)
+    debugger.go_back_to_line(5)
+    debugger.go_to_line(11)
+    debugger.last_change(("module", "total"))
+    debugger.go_to_line(11)
+    debugger.set_breakpoints([at(debugger, 4)])
+    debugger.reverse()
+    assert output == []
+    debugger.abandon()
+
+
+def test_log_points_print_once_at_a_statement_where_the_program_stops_again() -> None:
+    """Line 4 prints at statement 3, again after a change before it."""
+    messages: list[str] = []
+    debugger = mint(CALLS, log_message=messages.append)
+    debugger.set_breakpoints([at(debugger, 4, message="{n}"), at(debugger, 5)])
+    debugger.start(False)
+    debugger.go_to_number(2)
+    debugger.go_on()
+    assert (shown(debugger.stop), messages) == ((4, 5, "breakpoint", "", None), ["1"])
+    debugger.go_to_number(2)
+    debugger.assign(("module", "total"), 7)
+    debugger.go_on()
+    assert messages == ["1", "1"]
+    debugger.abandon()
+
+
+def test_errors_stop_the_program_and_warnings_do_not() -> None:
+    """A move that no GO starts is a warning, at the end of the run."""
+    debugger = mint("MOVEA(0) = 5\nPrint 1\n")
+    debugger.stops_at_errors = True
+    assert debugger.start(False) is None
+    assert debugger.run is not None
+    assert [each.severity for each in debugger.run.diagnostics] == ["warning"]
+    debugger = mccl("AL1\n99MR5\nAL2\nTR0\n")
+    debugger.stops_at_errors = True
+    debugger.searches = [complaints]
+    stop = debugger.start(False)
+    assert stop is not None
+    text = "there is no axis 99 (?-15: axis not assigned), line 2 at 2e-05 s"
+    assert (stop.line, stop.reason, stop.text) == (3, "exception", text)
+    debugger.abandon()
