@@ -34,6 +34,7 @@ AXES, INPUTS, OUTPUTS, VALUE = "axes", "inputs", "outputs", "value"
 MAX_REFERENCES = 1_000_000
 # More completions than a client shows.
 MAX_COMPLETIONS = 200
+_FIXED = "the program and the machine set this; only variables and inputs can be changed"
 # The word before the cursor, or a command.
 _WORD = re.compile(r"(?:^\.\w*|@?\w+)$")
 
@@ -208,7 +209,7 @@ class Showing:
         if path[0] == INPUTS:
             return self._set_input(name, text)
         if path[0] in (AXES, OUTPUTS):
-            raise Refused("the program and the machine set this; only variables and inputs can be changed")
+            raise Refused(_FIXED)
         if not any(each.name == name for each in found):
             raise Refused(f"there is no variable {name[:60]} here")
         if frame is not None and not self._is_current(frame):
@@ -241,8 +242,13 @@ class Showing:
         return self._debugger.state().path_of(name)
 
     def set_expression(self, given: Arguments) -> Body:
-        """Change the value of a variable, given by its name."""
-        return self._assign(self.path_of(given.text("expression")), given.text("value"))
+        """Change the value of a variable or an input, given by its name."""
+        path, text = self.path_of(given.text("expression")), given.text("value")
+        if path[0] != MACHINE:
+            return self._assign(path, text)
+        if "input" not in path[1]:
+            raise Refused(_FIXED)
+        return self._set_input(path[1], text)
 
     def evaluate(self, text: str) -> Body:
         """Return the value of an expression."""

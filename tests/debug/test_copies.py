@@ -44,6 +44,13 @@ class Ticks:
         self.actions.remove(self._action)
 
 
+def tick(state: object) -> float:
+    """Make a tick of all timers: a condition that is false."""
+    for action in Ticks.actions:
+        action()
+    return 0.0
+
+
 @pytest.fixture(autouse=True)
 def ticks(monkeypatch: pytest.MonkeyPatch) -> None:
     """Replace the timer of runs, so that no run is copied because it is slow."""
@@ -298,12 +305,6 @@ def ticking() -> tuple[Debugger, list[tuple[int, float]], list[float]]:
         Taken(lambda *_: None, lambda keys: None, lambda: None, lambda *_: None), fractions.append
     )
     place = at(debugger, 5)
-
-    def tick(state: object) -> float:
-        for action in Ticks.actions:
-            action()
-        return 0.0
-
     place.condition = tick
     debugger.set_breakpoints([place])
     return debugger, taken, fractions
