@@ -6,6 +6,7 @@ Statements take 10 µs. GO is the third one, at 20 µs, and the stop is at line 
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,8 @@ import pytest
 
 from motionlang.dap.adapter import Adapter
 from motionlang.dap.tables import PHASES
-from tests.dap.client import Client
+from motionlang.debug.checkpoints import Checkpoints
+from tests.dap.client import PATIENCE, Client
 from tests.dap.test_requests import PROGRAM
 from tests.debug.test_copies import Ticks, tick
 from tests.debug.test_debugger import CALLS
@@ -65,13 +67,14 @@ def scope(name: str, reference: int, **more: str) -> dict[str, object]:
 SKIPPED = "iterations of a polling loop that are skipped do not count"
 
 
-@pytest.mark.parametrize("first", [0, 1])
-def test_all_answers_at_a_stop(client: Client, tmp_path: Path, first: int) -> None:
-    """The client counts lines and columns from `first`."""
+@pytest.mark.parametrize("counts", [{"linesStartAt1": False, "columnsStartAt1": False}, {}])
+def test_all_answers_at_a_stop(client: Client, tmp_path: Path, counts: dict[str, bool]) -> None:
+    """The client counts lines and columns from 0, or from 1, as is usual."""
+    first = 0 if counts else 1
     path = tmp_path / "a.mnt"
     path.write_text(PROGRAM)
     source = {"name": "a.mnt", "path": str(path)}
-    client.ask("initialize", adapterID="x", linesStartAt1=bool(first), columnsStartAt1=bool(first))
+    client.ask("initialize", adapterID="x", **counts)
     client.ask("launch", program=str(path), input=["5=1"], analog=["0=25"])
     points = [
         {"line": 4 + first, "hitCondition": "1"},
@@ -303,6 +306,25 @@ def test_terminate_ends_a_program_and_reports_it_once(client: Client, tmp_path: 
     client.ask("cancel")
     assert client.refused("next") == "next is not possible now: the session is ended"
     assert [each["event"] for each in client.events].count("terminated") == 1
+    client.close()
+    worker = client.adapter._worker
+    assert worker is not None
+    worker.join(PATIENCE)
+    assert not worker.is_alive()
+    assert worker.daemon
+
+
+def test_terminate_ends_the_thread_of_a_program_that_runs(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text("Dim n As Integer\nLoop\n  n = 1 - n\nEnd Loop\n")
+    client.launch(path)
+    client.ask("configurationDone")
+    debugger, ended = client.adapter._debugger, list[bool]()
+    abandon = debugger.abandon
+    debugger.abandon = lambda: ended.append(True) or abandon()  # type: ignore[method-assign]
+    client.ask("terminate")
+    assert ended == [True]
+    client.wait("terminated")
 
 
 @pytest.mark.parametrize(
@@ -343,3 +365,113 @@ def test_a_stop_at_the_end_is_left_by_any_step_forward(client: Client, tmp_path:
     scopes = client.scopes(stop)
     assert list(scopes) == ["Variables", "Axes", "Inputs", "Outputs"]
     assert client.go(command)["event"] == "terminated"
+
+
+def test_variables_of_a_task_that_waits_cannot_be_set(client: Client, tmp_path: Path) -> None:
+    """The program is in `Add`, and the task `Blink` waits in `Work`."""
+    path = tmp_path / "a.mnt"
+    task = "Task Blink\n  Work\nEnd Task\nSub Work\n  Dim k As Integer\n  k = 5\n  PAUSE INX(1)\nEnd Sub\n"
+    path.write_text(f"Run Blink\nWAIT(100)\n{CALLS}End\n{task}")
+    client.launch(path)
+    client.ask("setBreakpoints", source={"path": str(path)}, breakpoints=[{"line": 6}])
+    client.begin()
+    assert [each["name"] for each in client.ask("threads")["threads"]] == [
+        "ParentTask",
+        "blink (waits until INX(1))",
+    ]
+    ours, theirs = (client.ask("stackTrace", threadId=number)["stackFrames"] for number in (1, 2))
+    assert [(each["id"], each["name"], each["line"]) for each in ours + theirs] == [
+        (1, "Add", 6), (2, "main", 11), (3, "Work", 21), (4, "Blink", 16),
+    ]  # fmt: skip
+    found = {}
+    for number in (1, 3):
+        local = client.ask("scopes", frameId=number)["scopes"][0]
+        assert local["name"] == "Local"
+        found[number] = local["variablesReference"]
+    assert client.ask("variables", variablesReference=found[3])["variables"] == [
+        variable("k", "5", "Integer", evaluateName="k")
+    ]
+    text = "only variables of the task that is stopped can be changed"
+    assert client.refused("setVariable", variablesReference=found[3], name="k", value="1") == text
+    assert client.ask("setVariable", variablesReference=found[1], name="n", value="7")["value"] == "7"
+
+
+# ------------------------------------------------------------------------------------------------------ copies
+
+
+class Engine(Client):
+    """A client of an adapter whose session may continue in a copy of its process."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.states: list[Any] = []
+        self.copies = Checkpoints(lambda *_: None, lambda keys: None, lambda: None, lambda *_: None)
+        self.adapter = Adapter(self._receive, self.copies, self._hand_over)
+
+    def _hand_over(self, key: int, state: object) -> dict[str, Any]:
+        self.states.append(pickle.loads(pickle.dumps(state)))
+        return {"type": "event", "event": "handover", "body": {"key": key}}
+
+
+def test_a_copy_continues_the_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The session is at statement 9, and a copy with key 5 waits at statement 2.
+
+    The step back goes to statement 8, and the copy has the breakpoints of the session.
+    """
+    monkeypatch.setattr("motionlang.debug.replay.Ticks", Ticks)
+    monkeypatch.setattr("motionlang.dap.adapter.PATIENCE", 0.0)  # the session does not become idle
+    monkeypatch.setattr("tests.dap.client.is_installed", lambda: False)  # "handover" is for the front
+    path = tmp_path / "a.mnt"
+    path.write_text(CALLS)
+    session, copy = Engine(), Engine()
+    for client in (session, copy):
+        client.launch(path, stopOnEntry=True)
+        client.begin()
+    session.ask("setBreakpoints", source={"path": str(path)}, breakpoints=[{"line": 4}])
+    for _ in range(3):
+        stop = session.go("continue")
+    assert session.frames(stop) == [("Add", 4), ("main", 9)]
+    session.copies.known = [(2, 1e-5, 5)]
+    session.ask("stepBack")
+    assert session.wait("handover")["body"] == {"key": 5}
+    copy.go("next")
+    revived: list[object] = []
+    monkeypatch.setattr(copy.adapter._debugger, "revive", revived.append)
+    (state,) = session.states
+    copy.adapter.revive(state)
+    stop = copy.wait("stopped")
+    assert stop["body"] == {"reason": "step", "threadId": 1, "allThreadsStopped": True}
+    assert revived == [state["debugger"]]
+    frames = copy.ask("stackTrace", threadId=1)["stackFrames"]
+    assert [(each["id"], each["name"], each["line"]) for each in frames] == [(3, "main", 9)]
+    assert copy.ask("evaluate", expression="total", context="repl")["result"] == "6"
+    assert copy.frames(copy.go("continue")) == [("Add", 4), ("main", 9)]
+    assert copy.go("reverseContinue")["body"]["reason"] == "breakpoint"
+    copy.close()
+    session.close()
+    session.adapter._debugger.abandon()
+
+
+def test_references_have_a_largest_number(
+    client: Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A variable without a reference cannot be opened; 0 means that."""
+    monkeypatch.setattr("motionlang.dap.showing.MAX_REFERENCES", 3)
+    path = tmp_path / "a.mnt"
+    path.write_text(CALLS)
+    client.launch(path, stopOnEntry=True)
+    client.begin()
+    client.ask("stackTrace", threadId=1)
+    scopes = client.ask("scopes", frameId=1)["scopes"]
+    assert [each["variablesReference"] for each in scopes] == [1, 2, 3, 0]
+
+
+@pytest.mark.parametrize(("count", "shown"), [(2, 2), (10, 10), (12, 10)])
+def test_a_launch_reports_ten_mistakes(client: Client, tmp_path: Path, count: int, shown: int) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text("Dim\n" * count)
+    client.ask("initialize", adapterID="x")
+    texts = client.refused("launch", program=str(path)).split("; line ")
+    assert [each.removeprefix("line ").partition(":")[0] for each in texts] == [
+        str(number) for number in range(1, shown + 1)
+    ]

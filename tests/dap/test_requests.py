@@ -145,6 +145,24 @@ def test_a_message_that_cannot_be_read(data: bytes, message: str, is_fatal: bool
     assert (str(caught.value), caught.value.is_fatal) == (message, is_fatal)
 
 
+class Narrow(io.BytesIO):
+    """A stream on which at most 3 bytes of a message arrive at a time."""
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        assert size is not None
+        return super().read(min(size, 3))
+
+
+def test_messages_that_arrive_in_several_packets() -> None:
+    stream = Narrow(written({"a": "bcdef"}) + written({"g": 1}))
+    assert [read(stream) for _ in range(3)] == [{"a": "bcdef"}, {"g": 1}, None]
+
+
+def test_a_body_of_the_largest_size_is_read() -> None:
+    """The stream ends before it."""
+    assert read(framed(b"Content-Length: %d\r\n\r\n{}" % MAX_BODY)) is None
+
+
 def test_a_header_of_the_largest_size() -> None:
     field = b"a: " + b"b" * (MAX_HEADER - 3 - 2 - 19 - 2) + b"\r\n"
     head = b"Content-Length: 2\r\n"
@@ -353,6 +371,7 @@ def test_some_frames_of_a_stack(client: Client, tmp_path: Path) -> None:
     for how, names in (
         ({}, ["Add", "main"]),
         ({"startFrame": 1}, ["main"]),
+        ({"startFrame": 1, "levels": 1}, ["main"]),
         ({"levels": 1}, ["Add"]),
         ({"startFrame": -3, "levels": 1}, ["Add"]),
         ({"startFrame": 2, "levels": 5}, []),
@@ -396,7 +415,8 @@ def test_a_command_of_the_console_that_is_none(
 def test_commands_of_the_console(stopped: tuple[Client, dict[str, Any]]) -> None:
     client, _ = stopped
     assert ".goto" in client.ask("evaluate", expression=".help", context="repl")["result"]
-    assert client.ask("evaluate", expression=".input 6=1", context="repl")["result"] == ""
+    none = {"result": "", "variablesReference": 0}
+    assert client.ask("evaluate", expression=".input 6=1", context="repl") == none
     client.go("next")
     assert client.ask("evaluate", expression="input(6)")["result"] == "1"
     client.ask("evaluate", expression=".changed a", context="repl")
@@ -498,7 +518,8 @@ def test_the_console_is_free_again_after_an_answer(client: Client, tmp_path: Pat
     client.ask("configurationDone")
     while "waits for a line" not in client.wait("output")["body"]["output"]:
         pass
-    client.ask("evaluate", expression="21", context="repl")
+    none = {"result": "", "variablesReference": 0}
+    assert client.ask("evaluate", expression="21", context="repl") == none
     client.wait("stopped")
     assert client.ask("evaluate", expression="n * 2", context="repl")["result"] == "42"
 

@@ -332,6 +332,8 @@ def test_a_search_reports_its_progress_and_is_not_copied() -> None:
     stop = debugger.reverse()
     assert stop is not None
     assert (stop.number, taken, fractions) == (1, [], [10 / 18, 13 / 18, 16 / 18])
+    debugger.go_on()
+    assert len(fractions) == 3  # a run forward reports none
 
 
 def test_a_replay_reports_its_progress_and_is_copied() -> None:
@@ -343,4 +345,12 @@ def test_a_replay_reports_its_progress_and_is_copied() -> None:
     debugger.go_to_number(14)
     assert [number for number, _ in taken] == [10, 13]
     assert fractions == [10 / 14, 13 / 14]
+    debugger.go_on()
+    assert len(fractions) == 2
+    debugger.start()
+    debugger.go_to_number(11)
+    fractions.clear()
+    debugger.resume(("arrive", 14, "goto", ""))
+    debugger.go_on()
+    assert fractions == []
     debugger.abandon()

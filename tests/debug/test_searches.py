@@ -232,3 +232,33 @@ def test_errors_stop_the_program_and_warnings_do_not() -> None:
     text = "there is no axis 99 (?-15: axis not assigned), line 2 at 2e-05 s"
     assert (stop.line, stop.reason, stop.text) == (3, "exception", text)
     debugger.abandon()
+
+
+def test_a_step_back_to_the_first_statement_of_the_program() -> None:
+    """The run has stopped first at statement 2, in the sub, and remembers no other."""
+    debugger = mint("Dim n As Integer\nSub Work\n  n = 1\nEnd Sub\nWork\nn = 2\n")
+    debugger.set_breakpoints([at(debugger, 3)])
+    assert shown(debugger.start(False)) == (2, 3, "breakpoint", "", None)
+    assert shown(debugger.step_out()) == (3, 6, "step", "", None)
+    assert shown(debugger.step_back()) == (1, 5, "step", "", None)
+    debugger.abandon()
+
+
+def test_a_step_out_of_a_sub_goes_over_the_rest_of_it() -> None:
+    """Statement 3 is the first of the sub, and 5 the next call in the loop."""
+    debugger = mint(CALLS)
+    debugger.start()
+    debugger.go_to_number(3)
+    assert shown(debugger.step_out()) == (5, 9, "step", "", None)
+    debugger.abandon()
+
+
+def test_a_time_is_reached_without_the_statements_after_it() -> None:
+    """INPUT is at 40 µs, after the stop at 20 µs."""
+    asked: list[str] = []
+    program = READS.replace("k = INX(5)\n" * 5, "k = INX(5)\n" * 4 + "INPUT k\n", 1)
+    debugger = mint(program, ask=lambda prompt: asked.append(prompt) or "7")
+    debugger.start()
+    assert shown(debugger.go_to_time(2 * UNIT)) == (3, 4, "goto", "", None)
+    assert asked == []
+    debugger.abandon()
