@@ -7,6 +7,7 @@ Statements take 10 µs. GO is the third one, at 20 µs, and the stop is at line 
 from __future__ import annotations
 
 import pickle
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ import pytest
 from motionlang.dap.adapter import Adapter
 from motionlang.dap.tables import PHASES
 from motionlang.debug.checkpoints import Checkpoints
+from motionlang.debug.expressions import READINGS
 from tests.dap.client import PATIENCE, Client
 from tests.dap.test_requests import PROGRAM
 from tests.debug.test_copies import Ticks, tick
@@ -292,15 +294,12 @@ def test_requests_that_are_none() -> None:
 
 
 def test_terminate_ends_a_program_and_reports_it_once(client: Client, tmp_path: Path) -> None:
-    """It has no effect before the launch, and neither has `cancel` at a stop."""
+    """It has no effect before the launch."""
     path = tmp_path / "a.mnt"
     path.write_text(CALLS)
     client.ask("terminate")
     client.launch(path, stopOnEntry=True)
     client.begin()
-    client.ask("cancel")
-    client.ask("pause")
-    assert client.go("next")["body"]["reason"] == "step"
     client.ask("terminate")
     client.ask("terminate")
     client.ask("cancel")
@@ -317,14 +316,55 @@ def test_terminate_ends_a_program_and_reports_it_once(client: Client, tmp_path: 
 def test_terminate_ends_the_thread_of_a_program_that_runs(client: Client, tmp_path: Path) -> None:
     path = tmp_path / "a.mnt"
     path.write_text("Dim n As Integer\nLoop\n  n = 1 - n\nEnd Loop\n")
+    before = set(threading.enumerate())
     client.launch(path)
     client.ask("configurationDone")
-    debugger, ended = client.adapter._debugger, list[bool]()
-    abandon = debugger.abandon
-    debugger.abandon = lambda: ended.append(True) or abandon()  # type: ignore[method-assign]
     client.ask("terminate")
-    assert ended == [True]
     client.wait("terminated")
+    for thread in set(threading.enumerate()) - before:
+        if thread.name == "program":
+            thread.join(PATIENCE)
+            assert not thread.is_alive()
+
+
+@pytest.mark.parametrize("command", ["cancel", "pause"])
+def test_a_stopped_program_is_not_paused(client: Client, tmp_path: Path, command: str) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text(CALLS)
+    client.launch(path, stopOnEntry=True)
+    client.begin()
+    client.ask(command)
+    assert client.ask("continue") == {"allThreadsContinued": True}
+    assert client.wait("stopped", "terminated")["event"] == "terminated"
+
+
+def test_a_filter_alone_does_not_stop_at_other_errors(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text("Dim b(2) As Integer\nb(1) = 9\nb(b(1)) = 1\n")
+    client.launch(path)
+    client.ask("setExceptionBreakpoints", filters=["limit"])
+    assert client.begin()["event"] == "terminated"
+
+
+def test_arrays_of_one_and_two_elements(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text("Dim b(1) As Integer, c(2) As Integer\nPrint 1\n")
+    client.launch(path, stopOnEntry=True)
+    client.begin()
+    found = [client.ask("evaluate", expression=each)["result"] for each in ("b", "c")]
+    assert found == ["1 element", "2 elements"]
+
+
+@pytest.mark.parametrize("column", [0, 1])
+def test_completions_before_a_word(client: Client, tmp_path: Path, column: int) -> None:
+    """The cursor is at the start of the line, or outside, so every name is offered."""
+    path = tmp_path / "a.mnt"
+    path.write_text("Dim total As Integer\nPrint 1\n")
+    client.launch(path, stopOnEntry=True)
+    client.begin()
+    found = client.ask("completions", text="to", column=column)["targets"]
+    assert [each["label"] for each in found] == ["total", *READINGS, "time"]
+    assert {(each["start"], each["length"]) for each in found} == {(column, 0)}
 
 
 @pytest.mark.parametrize(

@@ -83,6 +83,16 @@ def test_a_time_shortly_before_the_end(count: int) -> None:
     debugger.abandon()
 
 
+def test_the_first_of_the_last_statements_at_a_time() -> None:
+    """Statement 11 is a call at 100 µs, and 12, in the sub, begins at the same time."""
+    debugger = mint("Dim k As Integer\nSub Last\n  k = 1\nEnd Sub\n" + "k = INX(5)\n" * 10 + "Last\n")
+    debugger.start()
+    last = debugger.go_to_number(12)
+    assert last is not None
+    assert shown(debugger.go_to_time(last.time)) == (11, 15, "goto", "", None)
+    debugger.abandon()
+
+
 def recorded(debugger: Debugger) -> list[tuple[float, float]]:
     """Return the intervals of the following searches of the log."""
     intervals: list[tuple[float, float]] = []
