@@ -35,15 +35,15 @@ class Engine:
 
     def serve(self) -> NoReturn:
         """Handle messages until the front closes the channel; then end the process."""
-        stream = self._channel.makefile("rb")
-        while True:
-            try:
-                message = read(stream)
-            except (OSError, WrongMessage):
-                message = None
-            if message is None:
-                os._exit(0)
-            self._adapter.handle(message)
+        with self._channel.makefile("rb") as stream:
+            while True:
+                try:
+                    message = read(stream)
+                except (OSError, WrongMessage):
+                    message = None
+                if message is None:
+                    os._exit(0)
+                self._adapter.handle(message)
 
     def _send(self, message: Message) -> None:
         if not self._is_current:
