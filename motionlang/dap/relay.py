@@ -122,9 +122,9 @@ class Relay:
     def _answered(self, message: Message) -> None:
         if message.get("type") == "response":
             with self._lock:
-                number = message.get("request_seq")
-                self._open.pop(number if isinstance(number, int) else -1, None)
-
+                number = message["request_seq"]
+                assert isinstance(number, int)
+                self._open.pop(number, None)
             if message.get("command") == "disconnect":
                 self.is_over = True
                 self._is_answered.set()

@@ -160,7 +160,7 @@ class Showing:
         state = self._debugger.state()
         if variable is not None and isinstance(variable.value, list):
             found: Sequence[Variable] = variable.value
-            if frame is None and path[0] == MODULE and len(path) > 1:
+            if frame is None and path[0] == MODULE:
                 fresh = state.find(path)
                 found = fresh.value if fresh is not None and isinstance(fresh.value, list) else found
         elif frame is not None:

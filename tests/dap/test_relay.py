@@ -10,7 +10,7 @@ import signal
 import socket
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from queue import SimpleQueue
 from types import SimpleNamespace
 from typing import Any
@@ -119,6 +119,15 @@ def test_the_end_of_the_engine_answers_all_open_requests(front: Front) -> None:
     assert front.messages.empty()
 
 
+def test_a_request_during_the_end_of_the_engine_is_refused(
+    front: Front, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(front.relay._is_answered, "set", lambda: front.request(9, "next"))
+    front.engine.shutdown(socket.SHUT_RDWR)
+    assert front.messages.get(timeout=client.PATIENCE) == refusal(9, "next", 1)
+    assert front.messages.get(timeout=client.PATIENCE)["event"] == "output"
+
+
 def test_bytes_that_are_no_message_are_the_end_of_the_engine(front: Front) -> None:
     front.engine.sendall(b"x" * MAX_HEADER)
     found = [front.messages.get(timeout=client.PATIENCE)["event"] for _ in range(2)]
@@ -143,6 +152,7 @@ def test_the_session_continues_in_a_copy(front: Front) -> None:
     near, far = socket.socketpair()
     other, dropped = socket.socketpair()
     with near, other:
+        front.relay.handle({"type": "response", "seq": 3, "command": "runInTerminal"})
         front.request(4, "stepBack")
         for text, channel in (("copy 7", far), ("copy 8", dropped)):
             socket.send_fds(front.announcements, [text.encode()], [channel.fileno()])
@@ -161,6 +171,24 @@ def test_the_session_continues_in_a_copy(front: Front) -> None:
         assert front.messages.get(timeout=client.PATIENCE)["event"] == "stopped"
         front.relay.close()
         assert near.recv(1) == b""
+
+
+def test_the_front_waits_until_the_copy_is_announced(front: Front, monkeypatch: pytest.MonkeyPatch) -> None:
+    near, far = socket.socketpair()
+    wait_for = front.relay._announced.wait_for
+    known: list[bool] = []
+
+    def announce(predicate: Callable[[], bool], timeout: float) -> bool:
+        known.append(predicate())
+        socket.send_fds(front.announcements, [b"copy 7"], [far.fileno()])
+        far.close()
+        return wait_for(predicate, timeout)
+
+    monkeypatch.setattr(front.relay._announced, "wait_for", announce)
+    with near:
+        front.engine.sendall(written({"type": "handover", "key": 7, "state": ""}))
+        assert receive(near) == b""
+    assert known == [False]
 
 
 def test_the_end_of_the_front_ends_the_engine_and_all_copies(front: Front) -> None:
@@ -351,26 +379,23 @@ def test_a_client_is_served_until_its_session_ends(
 
 @pytest.mark.parametrize("forks", [False, True])
 def test_the_first_client_of_a_port_is_served(forks: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Both sockets wait, although a listener of several clients does not."""
-    if not forks:
-        monkeypatch.setattr(servers, "can_fork", lambda: False)
-    else:
-        monkeypatch.setattr("motionlang.dap.relay.Relay", lambda send, close: Adapter(send))
+    """Its connection and the port wait, which they do not do for several clients."""
     near, far = socket.socketpair()
     near.setblocking(False)
-    blocking: list[bool] = []
+    waits: list[bool] = []
+
+    def made(send: Callable[[dict[str, Any]], None], close: object = None) -> Adapter:
+        waits.append(near.getblocking())
+        return Adapter(send)
+
+    monkeypatch.setattr(servers, "can_fork", lambda: forks)
+    monkeypatch.setattr("motionlang.dap.relay.Relay" if forks else "motionlang.dap.adapter.Adapter", made)
     listener: Any = SimpleNamespace(
-        setblocking=blocking.append,
-        accept=lambda: (near, None),
-        close=lambda: blocking.append(near.getblocking()),
+        setblocking=waits.append, accept=lambda: (near, None), close=lambda: waits.append(near.getblocking())
     )
     with far:
-        client_thread = threading.Thread(
-            target=lambda: far.sendall(written({"type": "request", "seq": 1, "command": "disconnect"}))
-        )
-        client_thread.start()
+        far.sendall(message("disconnect"))
         servers.serve_connection(listener)
-        client_thread.join()
         with far.makefile("rb") as stream:
-            assert read(stream) is not None
-    assert blocking == [True, False]
+            assert read(stream) == {"of": "disconnect"}
+    assert waits == [True, False, True]

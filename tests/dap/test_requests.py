@@ -333,6 +333,8 @@ def test_a_client_that_counts_from_0_or_1(client: Client, tmp_path: Path, first:
     assert [each["line"] - shift for each in lines] == [4, 5, 8, 9]
     lines = client.ask("breakpointLocations", source=source, line=5 + shift)["breakpoints"]
     assert [each["line"] - shift for each in lines] == [5]
+    lines = client.ask("breakpointLocations", source=source, line=8 + shift)["breakpoints"]
+    assert [each["line"] - shift for each in lines] == [8]
     points = client.ask(
         "setBreakpoints",
         source=source,

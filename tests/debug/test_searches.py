@@ -272,3 +272,13 @@ def test_a_time_is_reached_without_the_statements_after_it() -> None:
     assert shown(debugger.go_to_time(2 * UNIT)) == (3, 4, "goto", "", None)
     assert asked == []
     debugger.abandon()
+
+
+def test_a_step_back_from_the_second_statement_that_begins_a_task() -> None:
+    """The program waits in its first statement, and the handler of an input begins."""
+    settings: dict[str, object] = {"input": [{"channel": 1, "at": 0.02, "value": 1}]}
+    debugger = mint("PAUSE INX(9)\nEnd\nEvent IN1\n  OUTX(1) = 1\nEnd Event\n", settings, until=0.1)
+    debugger.start()
+    assert shown(debugger.go_to_line(4)) == (2, 4, "goto", "", None)
+    assert shown(debugger.step_back()) == (1, 1, "step", "", None)
+    debugger.abandon()
