@@ -110,7 +110,7 @@ def woven(path: Path, numbers: Mapping[int, int]) -> str:
         def visit(self, node: ast.AST) -> ast.AST:
             found = chosen.get(id(node))
             node = self.generic_visit(node)
-            if isinstance(node, ast.FunctionDef):
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
                 has_docstring = ast.get_docstring(node, clean=False) is not None
                 node.body.insert(
                     int(has_docstring), *ast.parse(f"__seen__({path.relative_to(ROOT).as_posix()!r})").body
@@ -137,7 +137,7 @@ def _changes(tree: ast.AST, where: str) -> Iterator[tuple[str, ast.expr, str]]:
         if type(node) in _MUTABLE:
             for changed, after in _of(node):
                 yield where, changed, after
-        if isinstance(node, ast.FunctionDef):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             for statement in node.body:
                 yield from _changes(ast.Module([statement], []), f"{where}{node.name}: ")
         else:

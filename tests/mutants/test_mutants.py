@@ -26,6 +26,9 @@ def f(a, b):
         raise ValueError(f"{a + 1}")
     return a + b * -1.5 if a == LIMIT else profiles[-1]
     zip(a, b, strict=True)
+
+async def g(a) -> int | None:
+    return a < 7
 '''
 
 
@@ -51,8 +54,9 @@ def test_what_is_changed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
         (10, spelt("a < b and not b"), spelt("a < b or not b")),
         (12, "a == LIMIT", "a != LIMIT"),
         (12, "-1", "1"),
+        (16, "a < 7", "a <= 7"),
     }
-    assert {line for line, _, _ in found} == {5, 10, 12}
+    assert {line for line, _, _ in found} == {5, 10, 12, 16}
     assert {each.line for each in mutants(path) if each.imported} == {5}
 
 
@@ -108,6 +112,10 @@ def test_each_change_is_made_where_its_number_is_active(
                 results.append(space["f"](a, b))
             except (ValueError, IndexError) as error:
                 results.append(type(error))
+        for a in (6, 7, 8):
+            with pytest.raises(StopIteration) as end:
+                space["g"](a).send(None)
+            results.append(end.value.value)
         assert set(seen) == {"a.py"}
         return tuple(results)
 
