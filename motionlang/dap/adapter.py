@@ -180,7 +180,7 @@ class Adapter:
         )  # fmt: skip
         debugger.observe(self._checkpoints, self._progress)
         self._launch, self._debugger = launch, debugger
-        self._breaking = Breaking(debugger, launch.path, int(self._lines_at_1), int(self._columns_at_1))
+        self._breaking = Breaking(debugger, launch.path, int(self._lines_at_1))
         self._showing = Showing(debugger, launch.path, int(self._lines_at_1), int(self._columns_at_1))
         self.phase = CONFIGURING
         self._after.append(lambda: self.event("initialized"))

@@ -22,12 +22,11 @@ if TYPE_CHECKING:
 class Breaking:
     """The breakpoints of a session.
 
-    `first_line` and `first_column` are the numbers with which the client starts counting lines and columns.
+    `first_line` is the number with which the client starts counting lines.
     """
 
-    def __init__(self, debugger: Debugger, path: str, first_line: int, first_column: int) -> None:
-        self._debugger, self._path = debugger, path
-        self._line, self._column = 1 - first_line, 1 - first_column
+    def __init__(self, debugger: Debugger, path: str, first_line: int) -> None:
+        self._debugger, self._path, self._line = debugger, path, 1 - first_line
         self._searches: dict[str, list[Search]] = {}
 
     def _is_program(self, given: Arguments) -> bool:

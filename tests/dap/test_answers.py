@@ -515,3 +515,12 @@ def test_a_launch_reports_ten_mistakes(client: Client, tmp_path: Path, count: in
     assert [each.removeprefix("line ").partition(":")[0] for each in texts] == [
         str(number) for number in range(1, shown + 1)
     ]
+
+
+@pytest.mark.parametrize(("count", "offered"), [(150, 150), (199, 199), (200, 200), (230, 200)])
+def test_completions_have_a_largest_number(client: Client, tmp_path: Path, count: int, offered: int) -> None:
+    path = tmp_path / "a.mnt"
+    path.write_text("".join(f"Dim total{number} As Integer\n" for number in range(count)) + "Print 1\n")
+    client.launch(path, stopOnEntry=True)
+    client.begin()
+    assert len(client.ask("completions", text="total", column=6)["targets"]) == offered
