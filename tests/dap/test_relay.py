@@ -284,9 +284,12 @@ def test_an_engine_is_silent_after_it_has_handed_over(
     revived: list[object] = []
     begun: list[dict[str, Any]] = []
     monkeypatch.setattr(engine._adapter, "revive", revived.append)
-    monkeypatch.setattr(
-        threading, "Thread", lambda **how: begun.append(how) or SimpleNamespace(start=lambda: None)
-    )
+
+    def thread(**how: Any) -> SimpleNamespace:
+        begun.append(how)
+        return SimpleNamespace(start=lambda: None)
+
+    monkeypatch.setattr(threading, "Thread", thread)
     near, far = socket.socketpair()
     with near, far:
         engine._revive(far, state)
@@ -369,7 +372,12 @@ def test_a_client_is_served_until_its_session_ends(
     data: bytes, outgoing: type[io.BytesIO], seen: list[str], answers: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     made: list[Adapter] = []
-    monkeypatch.setattr(servers, "_made", lambda send, close: made.append(Adapter(send)) or made[0])
+
+    def make(send: Any, close: object) -> Adapter:
+        made.append(Adapter(send))
+        return made[0]
+
+    monkeypatch.setattr(servers, "_made", make)
     stream = outgoing()
     servers.serve(io.BytesIO(data), stream, lambda: None)
     made[0].send({"of": "the end"})

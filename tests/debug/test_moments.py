@@ -137,8 +137,9 @@ def test_errors_that_did_not_end_the_program() -> None:
     machine.diagnostics.append(warned)
     one, other = complaints(machine, -1.0, 9.0)
     text = "there is no axis 99 (?-15: axis not assigned), line"
-    assert (one.time, one.text, one.reason) == (pytest.approx(0.00102), f"{text} 1", "exception")
-    assert (other.time, other.text, other.reason) == (pytest.approx(0.00103), f"{text} 2", "exception")
+    assert (one.text, one.reason) == (f"{text} 1", "exception")
+    assert (other.text, other.reason) == (f"{text} 2", "exception")
+    assert [one.time, other.time] == pytest.approx([0.00102, 0.00103])
     for after, until, times in (
         (0.0, one.time, [one.time]),
         (0.0, one.time - 1e-9, []),

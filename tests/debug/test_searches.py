@@ -30,7 +30,9 @@ def four(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def shown(stop: Stop | None) -> tuple[int, int, str, str, float | None] | None:
     """Return number, line, reason, text and moment of a stop."""
-    return stop and (stop.number, stop.line, stop.reason, stop.text, stop.moment)
+    if stop is None:
+        return None
+    return stop.number, stop.line, stop.reason, stop.text, stop.moment
 
 
 def rising(time: float) -> Debugger:
@@ -267,7 +269,12 @@ def test_a_time_is_reached_without_the_statements_after_it() -> None:
     """INPUT is at 40 µs, after the stop at 20 µs."""
     asked: list[str] = []
     program = READS.replace("k = INX(5)\n" * 5, "k = INX(5)\n" * 4 + "INPUT k\n", 1)
-    debugger = mint(program, ask=lambda prompt: asked.append(prompt) or "7")
+
+    def ask(prompt: str) -> str:
+        asked.append(prompt)
+        return "7"
+
+    debugger = mint(program, ask=ask)
     debugger.start()
     assert shown(debugger.go_to_time(2 * UNIT)) == (3, 4, "goto", "", None)
     assert asked == []

@@ -428,10 +428,10 @@ def test_a_message_that_is_too_large_is_skipped(count: int, monkeypatch: pytest.
         return [await stream.readexactly(count), await reader.read()]
 
     stream = io.BytesIO(body + rest)
-    assert [Input(stream).read(count), stream.read()] == [wanted, rest]  # type: ignore[arg-type]
+    assert [Input(stream).read(count), stream.read()] == [wanted, rest]
     assert asyncio.run(limited(body + rest)) == [wanted, rest]
     if count > 10:
-        assert Input(io.BytesIO(b"short")).read(count) == b"{}"  # type: ignore[arg-type]
+        assert Input(io.BytesIO(b"short")).read(count) == b"{}"
         assert asyncio.run(limited(b"short")) == [b"", b""]
 
 
@@ -513,7 +513,7 @@ def test_a_process_is_detached_from_the_streams_once(monkeypatch: pytest.MonkeyP
     replaced: list[int] = []
     fake = SimpleNamespace()
     monkeypatch.setattr(workers, "sys", fake)
-    monkeypatch.setattr(workers.os, "dup2", lambda null, number: replaced.append(number))
+    monkeypatch.setattr("os.dup2", lambda null, number: replaced.append(number))
     for _ in range(2):
         workers._silence()
     assert (replaced, fake._motionlang_silent) == ([0, 1], True)

@@ -1186,4 +1186,127 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mcapi/replay.py: Replay: _same_result: entry.result > 0 -> entry.result >= 0": (
         "MCOpen returns a handle from 1 on, or a negative code"
     ),
+    "motionlang/debug/debugger.py: Debugger: go_to_time: before + 1 -> before - 1": (
+        "a statement compared earlier is before the time"
+    ),
+    "motionlang/debug/debugger.py: Debugger: go_to_time: before + 1 -> before - 1 #2": (
+        "a statement compared earlier is before the time"
+    ),
+    "motionlang/debug/debugger.py: Debugger: go_to_time: point.number > before + 1 -> point.number >= before + 1": (
+        "the run is repeated up to the same statement"
+    ),
+    "motionlang/debug/debugger.py: Debugger: go_to_time: 0 -> 1": (
+        "the first statement compared is number 1"
+    ),
+    "motionlang/debug/debugger.py: Debugger: go_to_time: give_up: now < time -> now <= time": (
+        "a later statement is found, and the first one after that"
+    ),
+    "motionlang/debug/debugger.py: Debugger: go_to_time: decide: before + STRIDE -> before - STRIDE": (
+        "all statements are compared, not one in 4096"
+    ),
+    "motionlang/debug/debugger.py: Debugger: _has_come: abs(each.time - moment.time) <= CLOSE "
+    "-> abs(each.time - moment.time) < CLOSE": ("no two searches differ by just this rounding"),
+    "motionlang/debug/debugger.py: Debugger: step_back: self._recorded_from() > 1 -> self._recorded_from() >= 1": (
+        "a search finds no more than the complete record"
+    ),
+    "motionlang/debug/debugger.py: Debugger: step_back: 16 -> 17": (
+        "how much more of the run is recorded each time"
+    ),
+    "motionlang/debug/debugger.py: Debugger: step_back: reach >= point.number -> reach > point.number": (
+        "another search records nothing new"
+    ),
+    "motionlang/debug/debugger.py: Debugger: resume: begin > 1 -> begin >= 1": (
+        "a search finds no more than the complete record"
+    ),
+    "motionlang/debug/debugger.py: Debugger: _forward: 0.0 -> 1.0 #2": (
+        "before the first stop, the number is that for no mark"
+    ),
+    "motionlang/debug/debugger.py: Debugger: _forward: begin + STRIDE -> begin - STRIDE": (
+        "all statements are compared, not one in 4096"
+    ),
+    "motionlang/debug/debugger.py: Debugger: _forward: decide: point.number + STRIDE -> point.number - STRIDE": (
+        "all statements are compared, not one in 4096"
+    ),
+    "motionlang/debug/debugger.py: Debugger: _forward: self._after < self.stop.time -> self._after <= self.stop.time": (
+        "a search up to where the last one ended finds nothing"
+    ),
+    "motionlang/debug/debugger.py: Debugger: _to_moment: lowest + 1 -> lowest - 1": (
+        "an earlier statement is before the moment"
+    ),
+    "motionlang/debug/debugger.py: Debugger: _to_moment: lowest + 1 -> lowest - 1 #2": (
+        "an earlier statement is before the moment"
+    ),
+    "motionlang/debug/debugger.py: Debugger: _to_moment: here.number > lowest + 1 -> here.number >= lowest + 1": (
+        "the run is repeated up to the same statement"
+    ),
+    "motionlang/debug/debugger.py: Debugger: _to_moment: time < moment.time -> time <= moment.time": (
+        "before a statement the log has only earlier moments, or those at 0"
+    ),
+    "motionlang/debug/debugger.py: Debugger: _to_moment: moment.time < INFINITY -> moment.time <= INFINITY": (
+        "the run is repeated to its end once more"
+    ),
+    "motionlang/debug/debugger.py: Debugger: _to_moment: self._replay.point is None and (not self._replay.paused) "
+    "-> self._replay.point is None or not self._replay.paused": (
+        "the run is repeated up to the same statement"
+    ),
+    "motionlang/debug/debugger.py: Debugger: last_change: 0 -> 1": (
+        "no change is found at the first statement"
+    ),
+    "motionlang/debug/debugger.py: 4096 -> 4097": ("how often the log is searched"),
+    "motionlang/debug/replay.py: Replay: _advancing: False -> True": ("the run ends"),
+    "motionlang/debug/replay.py: 0 -> 1": ("statements are numbered from 1"),
+    "motionlang/debug/replay.py: 64 -> 65": ("how many statements are remembered for a step back"),
+    "motionlang/debug/replay.py: 64 -> 65 #2": ("how long a pause waits for a statement"),
+    "motionlang/debug/replay.py: 64 -> 65 #3": ("the stack of a thread"),
+    "motionlang/debug/replay.py: 1024 -> 1025": ("the stack of a thread"),
+    "motionlang/debug/replay.py: 1024 -> 1025 #2": ("the stack of a thread"),
+    "motionlang/debug/replay.py: 0.05 -> 1.05": ("how often Ctrl-C is polled"),
+    "motionlang/debug/patience.py: 16384 -> 16385": (
+        "how long a command waits for a statement that may never begin"
+    ),
+    "motionlang/debug/checkpoints.py: 0.1 -> 1.1": ("how often a slow run is copied"),
+    "motionlang/debug/checkpoints.py: 32 -> 33": ("how many copies there are"),
+    "motionlang/debug/destinations.py: destination: 9 -> 10": ("no program has a hundred million lines"),
+    "motionlang/debug/moments.py: _stops: profile.duration > 0 -> profile.duration >= 0": (
+        "a profile of no duration has no velocity"
+    ),
+    "motionlang/debug/moments.py: _stops: 0.25 -> 1.25": (
+        "a profile in motion is so at one of the other samples"
+    ),
+    "motionlang/debug/moments.py: _stops: 0.5 -> 1.5": (
+        "a profile in motion is so at one of the other samples"
+    ),
+    "motionlang/debug/moments.py: _stops: 0.75 -> 1.75": (
+        "a profile in motion is so at one of the other samples"
+    ),
+    "motionlang/debug/moments.py: _stops: abs(track.at(end + RESOLUTION).velocity) < RESOLUTION "
+    "-> abs(track.at(end + RESOLUTION).velocity) <= RESOLUTION": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/debug/moments.py: _becomes_true: high - low > RESOLUTION -> high - low >= RESOLUTION": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/debug/moments.py: _becomes_true: high - low -> high + low": (
+        "the bisection ends with the last bit instead, within rounding"
+    ),
+    "motionlang/debug/moments.py: _samples: 1 -> 2": (
+        "the sample after the end of a profile is one of the next"
+    ),
+    "motionlang/debug/moments.py: _samples: start + length > after -> start + length >= after": (
+        "samples up to the last search are dropped later"
+    ),
+    "motionlang/dap/adapter.py: Adapter: __init__: False -> True #2": ("`initialize` sets it"),
+    "motionlang/dap/adapter.py: 5.0 -> 6.0": ("how long the end waits for a program that does not stop"),
+    "motionlang/dap/relay.py: Relay: _maintain_copies: 1 -> 2": ("the engine sends one channel at a time"),
+    "motionlang/dap/relay.py: 4096 -> 4097": ("packets are much shorter"),
+    "motionlang/dap/showing.py: Showing: _end: 0 -> 1": ("the depth of a frame without a task is not used"),
+    "motionlang/dap/showing.py: Showing: _local: depth < len(frames) -> depth <= len(frames)": (
+        "the frames at a stop stay the same"
+    ),
+    "motionlang/dap/showing.py: Showing: _referred: fresh is not None and isinstance(fresh.value, list) "
+    "-> fresh is not None or isinstance(fresh.value, list)": ("an array at a stop stays one"),
+    "motionlang/dap/showing.py: 1000000 -> 1000001": ("more references than a client can show"),
+    "motionlang/debug/moments.py: 0.7320508 -> 1.7320508000000001": (
+        "no program subtracts either from a reading to divide by the difference"
+    ),
 }
