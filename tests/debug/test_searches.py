@@ -289,3 +289,14 @@ def test_a_step_back_from_the_second_statement_that_begins_a_task() -> None:
     assert shown(debugger.go_to_line(4)) == (2, 4, "goto", "", None)
     assert shown(debugger.step_back()) == (1, 1, "step", "", None)
     debugger.abandon()
+
+
+def test_a_program_that_changes_an_axis_stops_without_its_values() -> None:
+    """GO in line 4 begins the move, which changes target and buffer."""
+    debugger = mint("SPEED(0) = 50\nMOVEA(0) = 100\nPrint 1\nGO(0)\nPrint 2\n")
+    debugger.watched = [Watched(("machine", "axis 0"))]
+    debugger.start()
+    texts = []
+    while (stop := debugger.go_on()) is not None:
+        texts.append((stop.line, stop.text))
+    assert texts == [(3, "axis 0 changes before line 3"), (5, "axis 0 changes before line 5")]

@@ -22,6 +22,7 @@ from motionlang.debug.debugger import Debugger
 from motionlang.debug.expressions import READINGS, WrongExpression
 from motionlang.debug.moments import search
 from motionlang.debug.values import shown
+from motionlang.lang.machine.machine import Machine
 from tests.cases import cases
 from tests.debug.test_debugger import CALLS, MOVE, at, line_of, mccl, mint, value
 
@@ -98,15 +99,11 @@ def test_the_lines_of_an_axis_in_order() -> None:
     ]
 
 
-def test_a_program_without_the_controller() -> None:
-    debugger = mint("k = 1\nk = 2\n")
-    debugger.start()
-    for _ in range(2):
-        state = debugger.state()
-        assert (state.axes(), state.inputs(), state.outputs()) == ([], [], [])
-        assert [value(debugger, text) for text in ("position(0)", "idle(9)", "input(1)")] == [0.0] * 3
-        debugger.next()
-    debugger.abandon()
+def test_a_machine_before_the_program_uses_the_controller() -> None:
+    machine = cast(Machine, SimpleNamespace(has_controller=False))
+    assert [scopes.axes(machine, 1.0), scopes.inputs(machine), scopes.outputs(machine)] == [[], [], []]
+    assert [scopes.reading(machine, 1.0, what, 9) for what in ("position", "idle", "input")] == [0.0] * 3
+    assert scopes.present(machine, "axis 0") is None
 
 
 def test_an_axis_is_idle_if_it_is_at_rest_and_its_move_has_ended() -> None:
@@ -537,4 +534,14 @@ def test_a_register_takes_32_bits_or_a_fraction(given: object, stored: float | N
     else:
         found = debugger.assign(("module", "R10"), given).value
         assert (found, type(found)) == (stored, type(stored))
+    debugger.abandon()
+
+
+def test_names_of_the_innermost_call_alone() -> None:
+    """`k` belongs to the caller, which the expression does not see."""
+    subs = "Sub Outer()\n  Dim k As Integer\n  Inner(k)\nEnd Sub\nSub Inner(ByVal n As Integer)\n  Print n\nEnd Sub\n"
+    debugger = mint(subs + "Outer()\n")
+    debugger.start()
+    debugger.go_to_line(6)
+    assert debugger.state().names() == ["n", *READINGS, "time"]
     debugger.abandon()
