@@ -222,7 +222,7 @@ class _Done:
                 following += 1
             for _, move in open_ones:
                 move.take(first, chunk, window)
-            while open_ones and open_ones[0][1].until <= end:
+            while open_ones and open_ones[0][1].until < end:  # the sample at its end is in the next block
                 made.put(*open_ones.popleft())
         for number, move in open_ones:
             made.put(number, move)

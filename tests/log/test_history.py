@@ -157,6 +157,21 @@ def test_the_figures_of_moves_across_blocks() -> None:
     assert [number in found for number in (0, 1, 7, 8, 99, "0")] == [True, False, True, False, False, False]
 
 
+@pytest.mark.parametrize("end", [15, 16, 17])
+@pytest.mark.usefixtures("replays")
+def test_the_sample_at_the_end_of_a_move_counts_in_any_block(end: int) -> None:
+    """The blocks begin at 8, 12, 16 and 20 ms. A move from 13 ms on ends as the next one begins."""
+    windows = {"program": SimpleNamespace(error=inf, announced=False)}
+    controller: Any = SimpleNamespace(
+        axes={0: SimpleNamespace(feedback=SimpleNamespace(windows=windows))},
+        log=SimpleNamespace(moves=[moved(13.0, 90.0), moved(float(end), 2.0)]),
+        clock=SimpleNamespace(now=0.022),
+    )
+    found = figures(controller).get(0)
+    assert found is not None
+    assert (found.peak_error, found.peak_output) == (end, 10.0 * end)
+
+
 @pytest.mark.parametrize(
     ("error", "announced", "window"),
     [(7.0, True, 7.0), (7.0, False, REST_ERROR), (inf, True, REST_ERROR), (inf, False, REST_ERROR)],

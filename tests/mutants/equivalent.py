@@ -653,9 +653,6 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/copley/modes.py: crossing: profile.position(high) > position -> "
     "profile.position(high) >= position": ("the profile ends beyond the position"),
-    "motionlang/log/history.py: _Done: collect: open_ones[0][1].until <= end -> open_ones[0][1].until < end": (
-        "a move that ends with its block has no samples in the next"
-    ),
     "motionlang/log/history.py: MoveFigures: _sample_index: 62 -> 63": ("any index beyond all blocks"),
     "motionlang/mint/compile/statements.py: inner: 0 -> 1": (
         "at which depth a nested block becomes a function of its own"
