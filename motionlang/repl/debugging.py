@@ -44,7 +44,10 @@ class Debugging:
             source, dialect_for(source, session.dialect), settings_next_to(path),
             show=session.write, ask=self._ask, interrupted=self._interrupted,
         )  # fmt: skip
-        self._filters = [moments.filtered(kinds) for _, kinds in moments.FILTERS.values() if kinds]
+        self._filters = [
+            moments.filtered(kinds) if kinds else moments.complaints
+            for _, kinds in moments.FILTERS.values()
+        ]
         self.debugger.stops_at_errors = True
         self.use()
 

@@ -243,7 +243,7 @@ def test_errors_stop_the_program_and_warnings_do_not() -> None:
     assert stop is not None
     text = "there is no axis 99 (?-15: axis not assigned), line 2 at 2e-05 s"
     assert (stop.line, stop.reason, stop.text) == (3, "exception", text)
-    debugger.abandon()
+    assert debugger.go_on() is None  # it has been reported, and did not end the program
 
 
 def test_a_step_back_to_the_first_statement_of_the_program() -> None:
