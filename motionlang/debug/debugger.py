@@ -441,9 +441,7 @@ class Debugger:
         if point is None and run is not None and self.stops_at_errors and self._after < INFINITY:
             # Errors that did not end the program are moments of their own.
             passed = set(map(id, self._replay.machine.diagnostics))
-            wrong = [
-                each for each in run.diagnostics if each.severity == "error" and id(each) not in passed
-            ]
+            wrong = [each for each in run.diagnostics if each.severity == "error" and id(each) not in passed]
             if wrong:
                 return moments.Moment(INFINITY, wrong[0].message, None, "exception")
         return None

@@ -45,8 +45,7 @@ class Debugging:
             show=session.write, ask=self._ask, interrupted=self._interrupted,
         )  # fmt: skip
         self._filters = [
-            moments.filtered(kinds) if kinds else moments.complaints
-            for _, kinds in moments.FILTERS.values()
+            moments.filtered(kinds) if kinds else moments.complaints for _, kinds in moments.FILTERS.values()
         ]
         self.debugger.stops_at_errors = True
         self.use()

@@ -160,7 +160,7 @@ def test_the_figures_of_moves_across_blocks() -> None:
 @pytest.mark.parametrize("end", [15, 16, 17])
 @pytest.mark.usefixtures("replays")
 def test_the_sample_at_the_end_of_a_move_counts_in_any_block(end: int) -> None:
-    """The blocks begin at 8, 12, 16 and 20 ms. A move from 13 ms on ends as the next one begins."""
+    """Blocks begin each 4 ms from 8 ms on; the move ends as the next one begins."""
     windows = {"program": SimpleNamespace(error=inf, announced=False)}
     controller: Any = SimpleNamespace(
         axes={0: SimpleNamespace(feedback=SimpleNamespace(windows=windows))},
