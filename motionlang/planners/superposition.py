@@ -146,8 +146,8 @@ def _later(profile: Profile, time: float) -> float:
 def _from(profile: Profile, time: float) -> Profile:
     """Return the rest of a profile from `time` on.
 
-    A profile that is over rests or continues at its end velocity.
+    A profile that is over rests or continues at its end velocity; the rest of a sum does so by itself.
     """
-    if time <= profile.duration or not profile.end_velocity:
-        return profile.after(time)
-    return profile.after(time).shifted(profile.end_velocity * (time - profile.duration))
+    rest = profile.after(time)
+    late = profile.position(time) - rest.start if time > profile.duration else 0.0
+    return rest.shifted(late) if late else rest

@@ -153,6 +153,20 @@ def test_a_wave_is_added_to_one_without_height() -> None:
     assert both.position(time) != pytest.approx(wave.pieces[0][1] * time)
 
 
+@pytest.mark.parametrize("time", [0.1, 0.2, 0.4, 0.75])
+def test_the_rest_of_a_sum_begins_where_the_sum_is(time: float) -> None:
+    """Two waves overlap, so their sum has no pieces; it ends after 0.2 s and runs on at 10."""
+    first = plan_velocity("sinusoidal", 0.0, 0.0, 10.0, 100.0, 100.0).cut(0.2)
+    both = added(first, plan_sinusoidal(0.0, 1.0, *LIMITS), "sum")
+    assert (both.pieced, both.end_velocity, both.duration) == (False, 10.0, 0.2)
+    total = added(both, plan_sinusoidal(0.0, 100.0, *LIMITS), "sum")
+    assert total.duration > 1.0
+    rest = total.after(time)
+    for later in (0.0, 0.05, 0.2):
+        assert rest.position(later) == pytest.approx(total.position(time + later), rel=1e-12)
+        assert rest.velocity(later) == pytest.approx(total.velocity(time + later), rel=1e-9)
+
+
 def test_a_curve_has_no_turning_points_beyond_its_pieces() -> None:
     pieces = ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0), (1.0, 1.0, -0.25, 0.0, 0.0, 0.0, 0.0))
     curve = ((0.0, 1.0, 2.0), pieces, (("segment", 0),))  # the second would reverse at 3
