@@ -363,6 +363,11 @@ def _values(statement: list[Token], language: Dialect) -> Iterator[tuple[str, To
                     token,
                     whole and (len(values) <= max(1, len(indices))),
                 )
+    elif rest and not index:
+        row = language.table().get(base)
+        if row is not None and row.index == "none" and row.kind == "setting":  # WAIT 7
+            for token, whole in _numbers(rest):
+                yield base, token, whole
     elif index and not rest:
         row = language.table().get(base)
         if row is not None and row.index == "none" and row.kind in ("setting", "statement", "command"):

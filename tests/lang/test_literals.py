@@ -103,6 +103,7 @@ STATEMENTS: dict[str, dict[str, str]] = {
     "PAUSE (POS(0) > 5 Or (INX(3) = 1)) : WAIT = 2": {"POS[0]@1:1": "5", "POS[0]@1:2": "1", "WAIT@1": "2"},
     "SPEED(n Mod 2) = 5 : WAIT(3) : SPEED(1) = 6": {"SPEED[nMod2]@1": "5", "WAIT@1": "3", "SPEED[1]@1": "6"},
     "x = f(1, (2 + 3), 4) : WAIT = 5": {"WAIT@1": "5"},
+    "WAIT 7 : PRINT 5\nWAIT 2 + 1": {"WAIT@1": "7", "WAIT@2:1": "2", "WAIT@2:2": "1"},
     "' a comment (\nSPEED(0) = 5 ' ) another\nWAIT = 2": {"SPEED[0]@2": "5", "WAIT@3": "2"},
     "SPEED(0)) = 5\nWAIT = 3": {"WAIT@2": "3"},
 }

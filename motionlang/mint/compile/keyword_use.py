@@ -443,13 +443,22 @@ def done_at(
     )
 
 
+def _with_value(target: nodes.Name, row: Keyword, shown: str) -> str:
+    """Return the statement that writes a keyword; TIME 0 and TIME(0) are meant as TIME = 0."""
+    if row.index != "none":
+        return f"{shown} = value"
+    given = target.args or []
+    number = given[0] if len(given) == 1 else None
+    return f"{row.name} = {number.value:g}" if isinstance(number, nodes.Number) else f"{row.name} = value"
+
+
 def not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
     """Report that a keyword is not a statement."""
     shown = row.name if target.args is None else f"{row.name}(…)"
     if row.kind == "statement":
         b.problem("syntax", f"{row.name} cannot be used here", target, as_hint(row.help))
     elif "W" in row.access:
-        b.problem("not-a-command", f"{row.name} needs a value", target, f"{shown} = value")
+        b.problem("not-a-command", f"{row.name} needs a value", target, _with_value(target, row, shown))
     else:
         b.problem(
             "not-a-command",
