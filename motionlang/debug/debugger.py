@@ -25,6 +25,7 @@ Invariants.
 from __future__ import annotations
 
 from collections import deque
+from math import nextafter
 
 from motionlang.controller.clock import INFINITY
 from motionlang.debug import checkpoints, moments, scopes
@@ -272,7 +273,7 @@ class Debugger:
         """Continue to a breakpoint, a moment, or a point at which `steps` is true."""
         if self._replay.run is not None:
             return None
-        if self.stop is not None and self._after < self.stop.time:
+        if self.stop is not None and nextafter(self._after, INFINITY) < self.stop.time:
             moment = self._earliest(self._replay.point)
             if moment is not None:  # it came with the last one, before this statement
                 return self._at_moment(moment)
@@ -362,7 +363,10 @@ class Debugger:
             return None
         line, column, _ = self.location_of(point.offset)
         self.stop = Stop(point.number, point.time, point.task.name, line, column, reason, text)
-        self._after = point.time
+        # What the statement itself causes has its time, too.
+        self._after = nextafter(point.time, -INFINITY)
+        if self._moments(point.time):
+            self._after = point.time
         return self.stop
 
     # ------------------------------------------------------------------------------------------- breakpoints

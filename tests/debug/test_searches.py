@@ -118,13 +118,30 @@ def test_the_log_is_searched_at_every_fourth_statement_and_at_the_end(watches: b
 
 
 def test_the_log_is_searched_from_the_stop_on() -> None:
-    """A step searches up to its statement; then statements 6 and 10, and the end."""
+    """A step searches up to its statement; then statements 6 and 10, and the end.
+
+    A search from a stop on includes its own time, at which the statement may cause something.
+    """
     debugger = mint(READS)
     debugger.start()
     intervals = recorded(debugger)
     debugger.step_in()
     debugger.go_on()
-    assert intervals == [(0.0, 1.0), (1.0, 5.0), (1.0, 9.0), (1.0, 12.0)]
+    assert intervals == [(0.0, 1.0), (1.0, 1.0), (1.0, 5.0), (1.0, 9.0), (1.0, 12.0)]
+
+
+def test_what_the_statement_causes_at_which_it_stops_is_found() -> None:
+    """The last of three rejected commands has the time of the statement that the step has come to."""
+    debugger = mccl("9MR1\nAL1\n9MR2\nTR0\n")
+    debugger.searches = [complaints]
+    texts = []
+    stop = debugger.start()
+    for go_on in (debugger.go_on, debugger.step_in, debugger.go_on):
+        stop = go_on()
+        assert stop is not None
+        texts.append((stop.line, stop.text.partition(",")[2]))
+    assert texts == [(2, " line 1 at 1e-05 s"), (3, ""), (4, " line 3 at 3e-05 s")]
+    debugger.abandon()
 
 
 def test_the_log_of_a_wait_is_searched_when_it_has_doubled() -> None:
