@@ -131,11 +131,11 @@ def test_the_log_is_searched_from_the_stop_on() -> None:
 
 
 def test_what_the_statement_causes_at_which_it_stops_is_found() -> None:
-    """The last of three rejected commands has the time of the statement that the step has come to."""
+    """The step comes to the statement that the second error has the time of."""
     debugger = mccl("9MR1\nAL1\n9MR2\nTR0\n")
     debugger.searches = [complaints]
     texts = []
-    stop = debugger.start()
+    debugger.start()
     for go_on in (debugger.go_on, debugger.step_in, debugger.go_on):
         stop = go_on()
         assert stop is not None
