@@ -155,7 +155,7 @@ def test_a_wave_is_added_to_one_without_height() -> None:
 
 @pytest.mark.parametrize("time", [0.1, 0.2, 0.4, 0.75])
 def test_the_rest_of_a_sum_begins_where_the_sum_is(time: float) -> None:
-    """Two waves overlap, so their sum has no pieces; it ends after 0.2 s and runs on at 10."""
+    """Two waves overlap: a sum without pieces, which ends after 0.2 s at 10."""
     first = plan_velocity("sinusoidal", 0.0, 0.0, 10.0, 100.0, 100.0).cut(0.2)
     both = added(first, plan_sinusoidal(0.0, 1.0, *LIMITS), "sum")
     assert (both.pieced, both.end_velocity, both.duration) == (False, 10.0, 0.2)

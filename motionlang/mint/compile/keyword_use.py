@@ -444,7 +444,7 @@ def done_at(
 
 
 def _with_value(target: nodes.Name, row: Keyword, shown: str) -> str:
-    """Return the statement that writes a keyword; TIME 0 and TIME(0) are meant as TIME = 0."""
+    """Return the statement that writes a keyword: TIME = 0 for TIME 0 or TIME(0)."""
     if row.index != "none":
         return f"{shown} = value"
     given = target.args or []
