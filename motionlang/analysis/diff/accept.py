@@ -21,6 +21,10 @@ if TYPE_CHECKING:
 
     from motionlang.analysis.diff.reports import Move, Pair, Report
 
+    # A begin or end of a move in its run: its time, its shift in the merged run, and whether that has this move.
+    Shift = tuple[float, float, bool]
+    Shifts = tuple[list[Shift], list[Shift]]
+
 
 @record
 class Change:
@@ -54,7 +58,7 @@ def merged(old: Report, new: Report, found: Difference, accepted: Collection[Cha
     moves, shifts = _moves(old, new, found, keys, line)
     made = dict(old)
     made["moves"] = moves
-    _, made["time"] = line.pair(end_of(old), end_of(new), None, ("end", "") in keys)
+    _, made["time"] = line.pair(end_of(old), end_of(new), None, _ends_like_new(found, keys))
     if ("status", "") in keys:
         made["status"] = new.get("status")
     made["output"] = list(
@@ -66,14 +70,7 @@ def merged(old: Report, new: Report, found: Difference, accepted: Collection[Cha
         )
     )
     if "events" in old or "events" in new:
-        olds, news = shifts
-        rows = [
-            {**row, "time": row["time"] + _shift(olds if side == 0 else news, row["time"])}
-            for side, row in _sided(
-                old.get("events", []), new.get("events", []), found.happened, _numbers(keys, "event")
-            )
-        ]
-        made["events"] = rows
+        made["events"] = list(_events(old, new, found, _numbers(keys, "event"), shifts))
     for name in found.fields:
         if ("field", name) in keys:
             made.pop(name, None)
@@ -82,44 +79,65 @@ def merged(old: Report, new: Report, found: Difference, accepted: Collection[Cha
     return {name: made[name] for name in dict.fromkeys((*new, *old)) if name in made}
 
 
+def _ends_like_new(found: Difference, keys: set[tuple[str, object]]) -> bool:
+    """True if the merged run goes on after its last motion as long as the new run.
+
+    If both runs take the same time, their ends are no change: then it does so with all changes of motion.
+    """
+    if found.tail:
+        return ("end", "") in keys
+    return all(each.key in keys for each in changes(found) if each.kind in ("line", "moves"))
+
+
 def _moves(
     old: Report, new: Report, found: Difference, keys: set[tuple[str, object]], line: Timeline
-) -> tuple[list[Move], tuple[list[tuple[float, float]], list[tuple[float, float]]]]:
-    """Return the moves of the merged report, and the time shifts of both sides.
-
-    The shifts have, for old and new, the shift of each begin and end by its time.
-    """
+) -> tuple[list[Move], Shifts]:
+    """Return the moves of the merged report, and the time shifts of both sides."""
     was, is_ = old.get("moves", []), new.get("moves", [])
     made: list[Move] = []
-    shifts: tuple[list[tuple[float, float]], list[tuple[float, float]]] = ([], [])
+    shifts: Shifts = ([], [])
     for i, j, change in found.pairs:
         if i is not None and j is not None:
             accepted = change is not None and ("line", id(change)) in keys
             row = is_[j] if accepted else was[i]
             _, begin = line.pair(was[i], is_[j], row, accepted)
-            sides = ((0, was[i]), (1, is_[j]))
+            sides = ((0, was[i], not accepted), (1, is_[j], accepted or change is None))
         else:
             side, row = (0, was[i]) if i is not None else (1, is_[j])
             in_merged = (("moves", found.hunks[i, j]) in keys) is (side == 1)
             begin = line.alone(row, side, in_merged)
             if not in_merged:
                 continue
-            sides = ((side, row),)  # type: ignore[assignment]
+            sides = ((side, row, True),)  # type: ignore[assignment]
         made.append({**row, "start_time": begin})
         over = begin + (row["duration"] or 0.0)
-        for side, each in sides:
-            shifts[side].append((each["start_time"], begin - each["start_time"]))
+        for side, each, is_taken in sides:
             end = each["start_time"] + (each["duration"] or 0.0)
-            shifts[side].append((end, over - end))
+            shifts[side].append((each["start_time"], begin - each["start_time"], is_taken))
+            shifts[side].append((end, over - end, is_taken))
     for each in shifts:
         each.sort()
     return made, shifts
 
 
-def _shift(shifts: list[tuple[float, float]], time: float) -> float:
-    """Return the shift at a time, which is that of the last begin or end before."""
-    index = bisect_right(shifts, (time + 1e-9, inf))
-    return shifts[index - 1][1] if index else 0.0
+def _events(
+    old: Report, new: Report, found: Difference, accepted: set[object], shifts: Shifts
+) -> Iterator[Move]:
+    """Yield the events of the merged report; equal ones are those of the run that their motion is from."""
+    olds, news = old.get("events", []), new.get("events", [])
+    for i, j, number in found.happened:
+        takes_new = number in accepted
+        if number is None and j is not None:
+            takes_new = _last(shifts[1], news[j]["time"])[1]
+        row = (None if j is None else news[j]) if takes_new else None if i is None else olds[i]
+        if row is not None:
+            yield {**row, "time": row["time"] + _last(shifts[takes_new], row["time"])[0]}
+
+
+def _last(shifts: list[Shift], time: float) -> tuple[float, bool]:
+    """Return the shift of the last begin or end up to a time, and whether it is taken."""
+    index = bisect_right(shifts, (time + 1e-9, inf, True))
+    return shifts[index - 1][1:] if index else (0.0, True)
 
 
 def _numbers(keys: set[tuple[str, object]], kind: str) -> set[object]:
@@ -127,20 +145,10 @@ def _numbers(keys: set[tuple[str, object]], kind: str) -> set[object]:
 
 
 def _chosen(old: list[Any], new: list[Any], pairs: list[Pair], accepted: set[object]) -> Iterator[Any]:
-    for _, row in _sided(old, new, pairs, accepted):
-        yield row
-
-
-def _sided(
-    old: list[Any], new: list[Any], pairs: list[Pair], accepted: set[object]
-) -> Iterator[tuple[int, Any]]:
-    """Yield the entries of the merged list in order, with 1 for new ones, 0 for old.
-
-    Equal entries count as new.
-    """
+    """Yield the entries of the merged list in order; equal entries count as new."""
     for i, j, number in pairs:
         take = number is None or number in accepted
         if take and j is not None:
-            yield 1, new[j]
+            yield new[j]
         elif not take and i is not None:
-            yield 0, old[i]
+            yield old[i]

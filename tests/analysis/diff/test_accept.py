@@ -66,6 +66,27 @@ def test_a_rejected_change_is_the_only_difference_left(edit: str) -> None:
     assert difference(old, merged(old, new, found, [])).same
 
 
+RATES = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+# Both runs of a pair take equally long: the wait after the motion makes up for its duration.
+AS_LONG = {
+    "another distance": ("MOVER(0) = 1 : GO(0)\nWAIT = 500", "MOVER(0) = 2 : GO(0)\nWAIT = 500"),
+    "a later stop": (
+        "MOVEA(0) = 50 : GO(0)\nWAIT = 10\nSTOP(0)\nWAIT = 100\nABORT",
+        "MOVEA(0) = 50 : GO(0)\nWAIT = 60\nSTOP(0)\nWAIT = 50\nABORT",
+    ),
+}
+
+
+@pytest.mark.parametrize("back", [False, True])
+@pytest.mark.parametrize("pair", AS_LONG)
+def test_all_changes_make_the_new_report_and_none_the_old(pair: str, back: bool) -> None:
+    old, new = (report(RATES + each + "\n") for each in AS_LONG[pair][:: -1 if back else 1])
+    found = difference(old, new)
+    assert found.time is None
+    assert difference(merged(old, new, found, changes(found)), new).same
+    assert difference(old, merged(old, new, found, [])).same
+
+
 def kinds(found: object) -> list[str]:
     return sorted(change.kind for change in found)  # type: ignore[attr-defined]
 
