@@ -293,11 +293,11 @@ class CriticalPath:
     def _started(self, task: str, time: float) -> tuple[str, float]:
         """Go from `time`, before the first wait of a task, back to the start of the task.
 
-        Return the task that started it, and when.
+        Return the task that started it, and when. A task may wait for a move that began before the task itself.
         """
-        starter = self._starter(task)
-        self._compute(starter[1], time, task, self._first_location(task))
-        return starter
+        starter, begin = self._starter(task)
+        self._compute(begin, time, task, self._first_location(task))
+        return starter, min(begin, time)
 
     def _awaited(self, wait: Wait, time: float) -> Motion | None:
         """Return the motion that ended a wait at `time`, or was in progress at that time."""

@@ -123,7 +123,7 @@ def _moves(
 def _events(
     old: Report, new: Report, found: Difference, accepted: set[object], shifts: Shifts
 ) -> Iterator[Move]:
-    """Yield the events of the merged report; equal ones are those of the run that their motion is from."""
+    """Yield the events of the merged report; equal ones come with their motion."""
     olds, news = old.get("events", []), new.get("events", [])
     for i, j, number in found.happened:
         takes_new = number in accepted

@@ -134,6 +134,22 @@ def test_tasks_have_their_own_times() -> None:
     assert slow.computing < 0.1 * parent.computing
 
 
+def test_a_task_may_wait_for_a_move_that_began_before_it() -> None:
+    """The path goes from the second move to the task, from its wait to the first move.
+
+    That began at 4 ms, and the task 2 ms later; each move takes 0.2 s, and each statement 1 ms.
+    """
+    made = profiled(
+        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVER(0) = 10 : GO(0)\nRun Other\n"
+        "WAIT = 250\nPAUSE IDLE(0)\nEnd\nTask Other\n  PAUSE IDLE(0)\n  MOVER(0) = 10 : GO(0)\nEnd Task\n",
+        machine={"controller.instruction_time": 0.001},
+    )
+    times = [(round(link.begin, 6), round(link.end, 6)) for link in made.links]
+    assert times[:2] == [(0.0, 0.004), (0.004, 0.104)]
+    assert [b for _, b in times[:-1]] == [a for a, _ in times[1:]]
+    assert made.seconds == pytest.approx(made.run.time) == pytest.approx(0.407)
+
+
 def test_a_run_that_is_cut_short_waits_to_its_end() -> None:
     made = profiled("WAIT(100)\nPAUSE INX(3)\n", until=2.0, machine=WORLD)
     assert by_name(made.kinds()) == {
