@@ -12,7 +12,7 @@ from math import inf
 from typing import Any
 
 from motionlang.analysis.diff.reports import Difference, LineChange, end_of
-from motionlang.analysis.diff.timeline import Timeline
+from motionlang.analysis.diff.timeline import NEAR, Timeline
 from motionlang.record import record
 
 TYPE_CHECKING = False
@@ -126,12 +126,15 @@ def _events(
     """Yield the events of the merged report; equal ones come with their motion."""
     olds, news = old.get("events", []), new.get("events", [])
     for i, j, number in found.happened:
-        takes_new = number in accepted
-        if number is None and j is not None:
-            takes_new = _last(shifts[1], news[j]["time"])[1]
-        row = (None if j is None else news[j]) if takes_new else None if i is None else olds[i]
+        was, is_ = None if i is None else olds[i], None if j is None else news[j]
+        takes_new, stays = number in accepted, False
+        if number is None and was is not None and is_ is not None:
+            takes_new = _last(shifts[1], is_["time"])[1]
+            stays = abs(is_["time"] - was["time"]) < NEAR  # such as an event of a timer
+        row = is_ if takes_new else was
         if row is not None:
-            yield {**row, "time": row["time"] + _last(shifts[takes_new], row["time"])[0]}
+            shift = 0.0 if stays else _last(shifts[takes_new], row["time"])[0]
+            yield {**row, "time": row["time"] + shift}
 
 
 def _last(shifts: list[Shift], time: float) -> tuple[float, bool]:

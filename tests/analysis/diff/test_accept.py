@@ -74,6 +74,10 @@ AS_LONG = {
         "MOVEA(0) = 50 : GO(0)\nWAIT = 10\nSTOP(0)\nWAIT = 100\nABORT",
         "MOVEA(0) = 50 : GO(0)\nWAIT = 60\nSTOP(0)\nWAIT = 50\nABORT",
     ),
+    "a timer that goes on": (
+        "TIMEREVENT = 100\nWAIT = 1\nMOVER(0) = 1 : GO(0)\nWAIT = 499\nEnd\nEvent TIMER\nEnd Event",
+        "TIMEREVENT = 100\nWAIT = 2\nMOVER(0) = 1 : GO(0)\nWAIT = 498\nEnd\nEvent TIMER\nEnd Event",
+    ),
 }
 
 
