@@ -6,6 +6,7 @@ import pytest
 
 from motionlang.errors import ProgramError
 from motionlang.mint.hosts.console import MintConsole
+from motionlang.mint.hosts.editor import CONFIGURATION, PROGRAM, Texts
 from motionlang.mint.hosts.hcp import write_frame
 from motionlang.source import Source
 from tests.cases import cases
@@ -212,6 +213,130 @@ def test_a_served_controller_forgets_what_is_over() -> None:
     for stream in (log.moves, log.prints, log.waits):
         assert len(stream) > 7000
         assert len(stream) - stream.first < 0.5 * len(stream)
+
+
+def test_a_program_that_a_host_starts_prints_to_all_hosts() -> None:
+    """The output of a typed line goes to its host alone."""
+    line = Line()
+    other = line.console.open(echo=False)
+    line.send(b"EDIT\nPrint 1\n\nRUN\n")
+    line.run(0.1)
+    assert line.received() == "P>1>2>P>1\nP>"
+    assert line.ask(b"Print 5\r") == "5\nP>"
+    assert other.take() == b"P>1\r\nP>"
+
+
+def test_a_line_has_1000_characters_and_65536_wait_behind_it() -> None:
+    """The first line is being carried out as the others come, so the last characters are lost."""
+    line = Line()
+    assert line.ask(b"'" + b"x" * 999 + b"\r") == "P>"
+    too_long = "Error: the line is longer than 1000 characters\nP>"
+    assert line.ask(b"'" + b"x" * 1000 + b"\r") == too_long
+    line.port.feed(b"Wait = 10\r" + b"'" * 65535 + b"\rPrint 1")
+    line.run(0.1)
+    assert line.received() == f"P>{too_long}"
+    assert line.ask(b"\r") == "P>"
+
+
+def test_the_oldest_of_four_million_characters_of_a_typed_line_are_lost() -> None:
+    line = Line()
+    line.port.take()
+    line.port.send("a" + "x" * 3_999_998 + "yz")
+    unread = line.port.take()
+    assert (len(unread), unread[:1], unread[-2:]) == (4_000_000, b"x", b"yz")
+
+
+def test_the_lines_of_the_editor() -> None:
+    """EDIT takes lines up to the first free one, as a number of at most 8 digits."""
+    line = Line()
+    wrong = "Error: EDIT takes a line from 1 to 1, not {}\nP>"
+    answers = {
+        b"EDIT 0\n": wrong.format(0),
+        b"EDIT 2\n": wrong.format(2),
+        b"EDIT x\n": wrong.format("X"),
+        b"EDIT 000000001\n": wrong.format("000000001"),
+        b"EDIT 00000001\n": "1>",
+        b"\n": "P>",
+        b"LIST\n": "P>",
+        b"CON\n": "C>",
+    }
+    assert {sent: line.ask(sent) for sent in answers} == answers
+
+
+def test_a_text_has_a_million_characters() -> None:
+    """Each line has a line end. A line that replaces another one counts without that."""
+    texts = Texts()
+    assert texts.put(PROGRAM, 1, "x" * 600_000)
+    assert not texts.put(PROGRAM, 2, "x" * 399_999)
+    assert texts.put(PROGRAM, 2, "x" * 399_998)
+    assert not texts.put(PROGRAM, 2, "x" * 399_999)
+    assert texts.put(PROGRAM, 1, "x" * 599_999)
+    assert texts.put(PROGRAM, 3, "")
+    assert not texts.put(PROGRAM, 4, "")
+    assert [len(each) for each in texts.lines(PROGRAM)] == [599_999, 399_998, 0]
+    assert texts.put(CONFIGURATION, 1, "")
+
+
+def state(line: Line) -> str:
+    """Return what the console reports: its flags, and the time of the next thing to happen."""
+    console, port = line.console, line.port
+    flags = {
+        "busy": console.is_busy,
+        "program": console.runs,
+        "asking": console.is_asking,
+        "working": console.working,
+        "serves": console.serves(port),
+        "port busy": port.busy,
+        "port waits": port.waiting is not None,
+    }
+    return f"{' '.join(name for name, on in flags.items() if on)} {console.next_time():g}"
+
+
+def test_the_state_of_the_console_while_a_line_runs() -> None:
+    line = Line()
+    seen = [state(line)]
+    line.port.feed(b"Wait = 100\r")
+    seen.append(state(line))
+    assert not line.console.settle(0.05)
+    assert line.console.now == 0.05
+    seen.append(state(line))
+    assert line.console.settle()
+    line.port.feed(b"Dim a : Input a\r")
+    assert line.console.settle()  # a line that waits for its host does not count
+    seen.append(state(line))
+    line.port.feed(b"1\r")
+    seen.append(state(line))
+    assert line.console.settle()
+    seen.append(state(line))
+    assert seen == [
+        " inf",
+        "busy working serves port busy 0",
+        "busy working serves port busy port waits 0.1",
+        "busy asking serves port busy inf",
+        "busy working serves port busy port waits 0",
+        " inf",
+    ]
+
+
+def test_the_state_of_the_console_while_the_program_runs() -> None:
+    line = Line("Wait = 100\nPrint 1")
+    seen = [state(line)]
+    for _ in range(2):
+        line.run(0.06)
+        seen.append(state(line))
+    assert seen == ["busy program 0", "busy program 0.1", " inf"]
+
+
+def test_of_much_that_is_printed_before_a_host_comes_the_end_waits() -> None:
+    """Of 101 lines of 1000 characters the last 65 fit in 65536, and 536 characters of the one before.
+
+    They are sent with CR and LF: 66 more.
+    """
+    line = Line('Loop\n  Print "{}"\n  Wait = 1\nEnd Loop'.format("y" * 999))
+    line.console.close(line.port)
+    line.run(0.1)
+    unread = line.console.open(echo=False).take()
+    assert unread == (b"y" * 999 + b"\r\n")[-537:] + (b"y" * 999 + b"\r\n") * 65
 
 
 def test_what_is_printed_before_a_host_comes_waits_for_it() -> None:

@@ -32,6 +32,8 @@ def test_an_element_that_is_written_can_be_read() -> None:
     assert line.ask(read_frame(1)) == answer_frame(1, "2.5000").decode()
     assert line.ask(write_frame(99, "   -7 ")) == ACK  # blanks, as Pascal pads numbers
     assert line.ask(read_frame(99)) == answer_frame(99, "-7.0000").decode()
+    assert line.ask(write_frame(99, "2" + " " * 39)) == ACK  # the longest text
+    assert line.ask(read_frame(99)) == answer_frame(99, "2.0000").decode()
 
 
 @pytest.mark.parametrize("frame", [write_frame(1, "2.5"), read_frame(1)], ids=["write", "read"])
@@ -53,6 +55,7 @@ def test_a_frame_that_comes_byte_by_byte_is_answered_at_its_end(frame: bytes) ->
         write_frame(1, "nan"),
         write_frame(1, "1_0"),
         write_frame(1, "1e39"),  # no 32-bit number
+        write_frame(1, "0" * 41),
         write_frame(1, "0" * 1000),
         b"\x0400\x02A1\x05",
         b"\x0400\x02\x03\x03",
