@@ -7,6 +7,8 @@ numbers are from memory.
 
 from __future__ import annotations
 
+from functools import partial
+
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.triggers.homing import next_index
 from motionlang.lang.keyword import Actions, Keyword
@@ -45,7 +47,8 @@ class Latch:
         self.armed = self.caught = False
         self.value = 0.0
         self._time = -INFINITY
-        self._watches: list[Watch] = []
+        # The watches of the nearest index marks, by their positions.
+        self._watches: dict[float, Watch] = {}
         self._controller.inputs.listeners.append(self._changed)
 
     @property
@@ -80,20 +83,26 @@ class Latch:
         if self.trigger_mode != BY_INDEX:
             return
         for direction in (1, -1):
-            mark = next_index(self._controller, self.axis, direction)
-            if abs(mark) < INFINITY:
-                self._watches.append(self._controller.watch(self.axis, mark, self._mark, physical=True))
+            self._watch_mark(next_index(self._controller, self.axis, direction))
 
-    def _unwatch(self) -> None:
-        for watch in self._watches:
-            self._controller.unwatch(self.axis, watch)
-        self._watches.clear()
+    def _watch_mark(self, mark: float) -> None:
+        if abs(mark) < INFINITY:
+            on_mark = partial(self._mark, mark)
+            self._watches[mark] = self._controller.watch(self.axis, mark, on_mark, physical=True)
 
-    def _mark(self, direction: int) -> None:
-        self._unwatch()
+    def _unwatch(self, kept: float | None = None) -> None:
+        """Stop watching all marks, except the one at `kept`."""
+        for mark in [each for each in self._watches if each != kept]:
+            self._controller.unwatch(self.axis, self._watches.pop(mark))
+
+    def _mark(self, mark: float, direction: int) -> None:
+        """Catch a mark; the axis passes it again if it comes back, or then the next one."""
+        self._unwatch(kept=mark)
         self._catch()
         if self.armed:
-            self._watch()
+            self._watch_mark(next_index(self._controller, self.axis, direction))
+        else:
+            self._unwatch()
 
     def _changed(self, channel: int, value: float) -> None:
         if not self.armed or self.trigger_mode != BY_INPUT or channel != self.input:

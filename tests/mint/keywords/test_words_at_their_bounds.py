@@ -62,6 +62,30 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         "ADCMAX(0) = 40 : ADCMIN(1) = -40 : ADCMONITOR(0) = 3\nPRINT ADCERROR(0), AXISERROR(0)\n"
         "ADCMAX(0) = 39.5 : PRINT AXISERROR(0) : ADCMAX(0) = 40 : AXISERROR(0) = 0 : PRINT AXISERROR(0)\n"
         "ADCMIN(1) = -39.5 : PRINT AXISERROR(0)", ["00", "128", "0", "128"], volts(40.0, -40.0)),
+    # Marks are 10 apart. From 25 the axis goes back over the mark at 20, and over that once more.
+    "a latch catches an index mark in both directions, and again on the way back": (
+        RATES + "LATCHTRIGGERMODE(0) = 1 : LATCHENABLE(0) = 1 : LATCHMODE(0) = 1\n"
+        "MOVEA(0) = 25 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCH(0), LATCHVALUE(0)\n"
+        "MOVEA(0) = 15 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCHVALUE(0)\n"
+        "MOVEA(0) = 25 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCHVALUE(0)\n"
+        "MOVEA(0) = -15 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCHVALUE(0)",
+        ["1020.0000", "120.0000", "120.0000", "1-10.0000"], {**EXACT, "axis.0.index_every": 10.0}),
+    "a latch of one mark is armed again by LATCHENABLE, which forgets the mark": (
+        RATES + "LATCHTRIGGERMODE(0) = 1 : LATCHENABLE(0) = 1\n"
+        "MOVEA(0) = 25 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCH(0), LATCHENABLE(0), LATCHVALUE(0)\n"
+        "LATCHENABLE(0) = 1 : PRINT LATCH(0), LATCHENABLE(0)\n"
+        "MOVEA(0) = 5 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCHVALUE(0)",
+        ["11010.0000", "01", "120.0000"], {**EXACT, "axis.0.index_every": 10.0}),
+    # The mark at -10 is 0 from the last one, and the mark at 0 is 10 from it.
+    "a latch ignores marks nearer than its distance, and marks within its time": (
+        RATES + "LATCHTRIGGERMODE(0) = 1 : LATCHENABLE(0) = 1 : LATCHMODE(0) = 1\n"
+        "MOVEA(0) = -15 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCHVALUE(0) : LATCHINHIBITVALUE(0) = 10\n"
+        "MOVEA(0) = -9 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0)\n"
+        "MOVEA(0) = 1 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCHVALUE(0)\n"
+        "LATCHINHIBITVALUE(0) = 0 : LATCHINHIBITTIME(0) = 1000 : PRINT LATCHINHIBITTIME(0)\n"
+        "MOVEA(0) = 21 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCHVALUE(0)\n"
+        "WAIT 1000 : MOVEA(0) = 41 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCHVALUE(0)",
+        ["1-10.0000", "0", "10.0000", "1000", "00.0000", "130.0000"], {**EXACT, "axis.0.index_every": 10.0}),
     # ------------------------------------------------------------------------------------------------------ encoders
     # 1000 counts, divided by 5 and by 4.
     "an encoder is prescaled, scaled and shifted": (
