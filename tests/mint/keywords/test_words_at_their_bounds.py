@@ -86,6 +86,11 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         "MOVEA(0) = 21 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCHVALUE(0)\n"
         "WAIT 1000 : MOVEA(0) = 41 : GO(0) : PAUSE IDLE(0) : PRINT LATCH(0), LATCHVALUE(0)",
         ["1-10.0000", "0", "10.0000", "1000", "00.0000", "130.0000"], {**EXACT, "axis.0.index_every": 10.0}),
+    "the last of 32 monitored inputs is the sign, and no other input counts": (
+        "ADCMAX(31) = 10 : ADCMAX(0) = 10 : PRINT ADCERROR(0) : ADCMONITOR(0) = 2 : PRINT ADCERROR(0), AXISERROR(0)\n"
+        "ADCMONITOR(0) = -2147483648 : PRINT ADCERROR(0), AXISERROR(0), ADCERROR(1)",
+        ["0", "00", "-21474836481280"],
+        {"analogue": [{"channel": channel, "at": 0.0, "value": 40.0} for channel in (0, 31)]}),
     # ------------------------------------------------------------------------------------------------------ encoders
     # 1000 counts, divided by 5 and by 4.
     "an encoder is prescaled, scaled and shifted": (
