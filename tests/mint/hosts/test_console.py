@@ -410,3 +410,32 @@ def test_the_prompt_shows_a_position_in_whole_counts(reading: str, shown: str) -
     )
     line.run(3.0)
     assert line.ask(b"Print " + reading.encode() + b"\r") == f"{shown}\nP>"
+
+
+@cases(
+    "data, entry",
+    [
+        (b"PRINT 1\rX", (b"PRINT 1\r", True)),
+        (b"PRINT 1\nX", (b"PRINT 1\n", True)),
+        (b"\nX", (b"\n", True)),
+        (b"PRINT", (b"PRINT", False)),
+        (b"PR\x05INT\r", (b"PR", False)),
+        (b"PR\x0400", (b"PR", False)),
+        (b"\x05\x05", (b"\x05", True)),
+    ],
+)
+def test_the_first_entry_at_the_prompt_is_a_line_or_ctrl_e(data: bytes, entry: tuple[bytes, bool]) -> None:
+    assert Line().port.next_entry(data) == entry
+
+
+def test_a_line_feed_after_a_carriage_return_is_no_line() -> None:
+    line = Line()
+    line.send(b"PRINT 1\r")
+    assert [line.port.next_entry(data) for data in (b"\nX", b"A\nX")] == [(b"\n", False), (b"A\n", True)]
+
+
+def test_the_entries_of_a_program_are_keys_unless_it_asks_for_a_line() -> None:
+    line = Line('Dim a\nWait = 500\nInput "? ", a')
+    assert line.port.next_entry(b"12\r") == (b"1", True)
+    line.run(1.0)
+    assert line.port.next_entry(b"12\r") == (b"12\r", True)

@@ -97,3 +97,18 @@ def test_a_table_that_makes_no_sense_is_refused(table: str, message: str) -> Non
     (found,) = run(Source("box.mnt", text), cache=False).diagnostics
     assert found.line == 3
     assert message in found.message
+
+
+def test_the_outputs_of_a_box_and_their_times() -> None:
+    """At 100 per second and 1000 per s², a distance of d takes 50 ms + 10 ms * d."""
+    text = (
+        "Dim p(5) As Float = 4, 20, 30, 40, 45\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+        "CAMBOXDATA(0, 5, 0, 0, 0, p) : CAMBOX(0) = 1 : MOVER(0) = 100 : GO(0)"
+    )
+    result = run(Source("box.mnt", text), machine={"controller.instruction_time": 1e-9}, cache=False)
+    assert [(round(each.time, 6), each.channel, each.value) for each in result.controller.log.outputs] == [
+        (0.25, 5, 1),
+        (0.35, 5, 0),
+        (0.45, 5, 1),
+        (0.5, 5, 0),
+    ]

@@ -91,6 +91,74 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         "ADCMONITOR(0) = -2147483648 : PRINT ADCERROR(0), AXISERROR(0), ADCERROR(1)",
         ["0", "00", "-21474836481280"],
         {"analogue": [{"channel": channel, "at": 0.0, "value": 40.0} for channel in (0, 31)]}),
+    # Banks at 0, 10, 20, 30 and 40 ms. Input 0 is active low and off, input 2 on from 10 to 30 ms, input 31 from 25 ms.
+    "a capture records banks and channels as they were": (
+        "Dim k As Integer\nCAPTUREMODE(0) = 13 : CAPTUREMODE(1) = 14 : CAPTUREMODE(2) = 12 : CAPTUREMODE(3) = 11\n"
+        "CAPTUREMODEPARAMETER(2) = 1 : CAPTUREMODEPARAMETER(3) = 1 : ADCGAIN(1) = 50 : INPUTACTIVELEVEL(0) = -2\n"
+        "CAPTURENUMPOINTS = 5 : CAPTUREPERIOD = 10000 : CAPTURE = 1 : OUTX(3) = 1\n"
+        "WAIT 15 : DAC(1) = 25 : OUTX(3) = 0 : OUTX(1) = 1 : OUTX(32) = 1 : PAUSE CAPTURESTATUS = 3\nFor k = 0 To 4\n"
+        'PRINT Int(CAPTUREPOINT(0, k)), " ", Int(CAPTUREPOINT(1, k)), " ", CAPTUREPOINT(2, k), " ",\n'
+        "PRINT CAPTUREPOINT(3, k)\nNext",
+        ["1 0 0.0000 0.0000", "5 8 0.0000 0.0000", "5 2 25.0000 20.0000", "-2147483647 2 25.0000 20.0000",
+         "-2147483647 2 25.0000 20.0000"],
+        {**EXACT, "input": [{"channel": 2, "at": 0.01, "for": 0.02}, {"channel": 31, "at": 0.025},
+                            {"channel": 32, "at": 0.01}],
+         "analogue": [{"channel": 1, "at": 0.02, "value": 40.0}, {"channel": 2, "at": 0.01, "value": 60.0}]}),
+    # A unit of length has 4 counts, and one of speed 40.
+    "a capture has the units of what it records": (
+        "SPEED(0) = 2000 : ACCEL(0) = 20000 : DECEL(0) = 20000 : MOVER(0) = 1000 : GO(0)\n"
+        "CAPTUREMODE(0) = 6 : CAPTUREMODE(1) = 2 : CAPTUREMODE(2) = 1 : CAPTURENUMPOINTS = 1 : SCALE(0) = 4\n"
+        "VELSCALEFACTOR(0) = 40 : WAIT 250 : CAPTURE = 1\n"
+        "PRINT Abs(CAPTUREPOINT(1, 0) - 50) < 0.1, FOLERROR(0) > 5e-4\n"
+        "PRINT Abs(CAPTUREPOINT(0, 0) - FOLERROR(0)) < 1e-4, Abs(CAPTUREPOINT(2, 0) - POS(0)) < 1e-4",
+        ["11", "11"], {**PLANT, **EXACT}),
+    # The move takes 0.1 + 0.4 + 0.1 s.
+    "IDLETIME is added to a move of a motor that stays within IDLEPOS": (
+        "SPEED(0) = 2000 : ACCEL(0) = 20000 : DECEL(0) = 20000 : IDLEMODE(0) = 1 : IDLEPOS(0) = 30 : IDLETIME(0) = 50\n"
+        'MOVER(0) = 1000 : GO(0) : PAUSE IDLE(0) : PRINT TIME, " ", IDLESETTLINGTIME(0) : IDLETIME(0) = 200\n'
+        'MOVER(0) = 1000 : TIME = 0 : GO(0) : PAUSE IDLE(0) : PRINT TIME, " ", IDLESETTLINGTIME(0) : IDLEMODE(0) = 0\n'
+        'MOVER(0) = 1000 : TIME = 0 : GO(0) : PAUSE IDLE(0) : PRINT TIME, " ", IDLESETTLINGTIME(0)',
+        ["650 50", "800 200", "600 0"], {**PLANT, **EXACT}),
+    # 10 at 100 per second and 1000 per s² take 0.2 s.
+    "IDLETIME applies to a wait of one task that another task has set it for": (
+        RATES + "Run Other\nMOVER(0) = 10 : GO(0) : PAUSE IDLE(0) : PRINT TIME\nEnd\n"
+        "Task Other\n  WAIT 100\n  IDLEMODE(0) = 1 : IDLEPOS(0) = 5 : IDLETIME(0) = 30\nEnd Task", ["230"], EXACT),
+    # The inputs are on for 0.1 s from 500, 1499.5 and 2100.5 ms.
+    "a latch ignores edges of its input within its time": (
+        "LATCHTRIGGERCHANNEL(0) = 3 : LATCHMODE(0) = 1 : LATCHINHIBITTIME(0) = 1000 : LATCHENABLE(0) = 1\n"
+        "WAIT 600 : PRINT LATCH(0) : WAIT 1000 : PRINT LATCH(0) : WAIT 600 : PRINT LATCH(0)", ["1", "0", "1"],
+        {**EXACT, "input": [{"channel": 3, "at": at, "for": 0.1} for at in (0.5, 1.4995, 2.1005)]}),
+    "a field of a preset is an integer or a number, and a rate or a time": (
+        "PRESETMOVESPEED(2) = 2.5 : PRESETMOVETYPE(2, 0) = 1 : PRESETACCEL(2, 1) = 7 : PRESETDECEL(2, 0) = 3.5\n"
+        'PRINT PRESETMOVESPEED(2), " ", PRESETMOVETYPE(2, 0), " ", PRESETDECEL(2, 0), " ", PRESETMOVESPEED(1)',
+        ["2.5000 1 3.5000 0.0000"], {}),
+    # 1000 counts per second are 250 units: 100 is reached at 400 ms, and the move takes 200 ms.
+    "a move starts at a position of an encoder, in its units": (
+        RATES + "ENCODERSCALE(5) = 4 : TRIGGERSOURCE(0) = 1 : TRIGGERCHANNEL(0) = 5 : TRIGGERVALUE(0) = 100\n"
+        "TRIGGERMODE(0) = 3 : MOVER(0) = 10 : PAUSE POS(0) = 10 : PRINT TIME", ["600"],
+        {**EXACT, "encoder": [{"channel": 5, "velocity": 1000.0}]}),
+    # 10 in 0.5 s to the velocities 20, 30, 40 and, as the spline goes on, from 40 to 20.
+    "a spline with velocities goes on at its last one": (
+        "Dim p(4) As Float = 3, 10, 10, 10\nDim v(4) As Float = 3, 20, 30, 40\nDim t(4) As Float = 3, 500, 500, 500\n"
+        "SPLINETABLE(0, p, v, t) : SPLINE(0) = 4 : GO(0)\n"
+        'WAIT 1500 : PRINT POS(0), " ", VEL(0) : WAIT 500 : PRINT POS(0), " ", VEL(0)\n'
+        'WAIT 1000 : PRINT POS(0), " ", VEL(0) : CANCEL(0)',
+        ["30.0000 40.0000", "40.0000 20.0000", "60.0000 40.0000"], EXACT),
+    # The largest 32-bit Float is 3.4e38; 0x7F80 and 0xFF80 are the upper halves of the infinite ones.
+    "a Float beyond 32 bits is infinite in a register of Modbus": (
+        "MODBUSTCPFLOAT(1, 5) = -1e39 : MODBUSTCPFLOAT(1, 7) = 1e39 : MODBUSTCPFLOAT(1, 9) = -2.5\n"
+        'PRINT MODBUSTCPFLOAT(1, 5), " ", MODBUSTCPFLOAT(1, 7), " ", MODBUSTCPFLOAT(1, 9)\n'
+        'PRINT MODBUSTCP16(1, 6), " ", MODBUSTCP16(1, 8), " ", MODBUSTCP16(1, 5)',
+        ["-Inf Inf -2.5000", "65408 32640 0"], {}),
+    "ERRORCLEAR clears the errors of the controller with its group": (
+        "WAIT 20 : PRINT MISCERROR : ERRORCLEAR(_egAXIS, 0) : PRINT MISCERROR\n"
+        "ERRORCLEAR(_egMISC, 0) : PRINT MISCERROR\n"
+        "WAIT 20 : PRINT MISCERROR : ERRORCLEAR(_egALL, 0) : PRINT MISCERROR\nEnd\nEvent ONERROR\nEnd Event",
+        ["2", "2", "0", "4", "0"],
+        {**EXACT, "fault": [{"kind": "controller", "at": at, "value": bits} for at, bits in ((0.01, 2), (0.03, 4))]}),
+    "of the errors that call no handler the newest is read": (
+        "Dim n As Integer\nERRORMASKCODE(3, 0) = 1 : ERRORMASKCODE(1001, 0) = 1\nSPEED(0) = -1 - n\nPRINT 1 / n\n"
+        'PRINT ERRCODE, " ", ERRLINE\nEnd\nEvent ONERROR\nEnd Event', ["1001 4"], {}),
     # ------------------------------------------------------------------------------------------------------ encoders
     # 1000 counts, divided by 5 and by 4.
     "an encoder is prescaled, scaled and shifted": (
@@ -438,6 +506,12 @@ OUTSIDE = {
     "PRINT GROUPSTATUS(1, 32)": "there is no group 32",
     "PRINT GROUPSTATUS(1, -1)": "there is no group -1",
     "GROUPCOMMS(1, 32, 9) = 4.5": "there is no group 32",
+    "Dim k As Integer = 1\nMOVER(k) = 5 : MOVER(k) = 6 : MOVER(k) = 7": (
+        "the program waits for space in the move buffer of axis 1, which can never happen"
+    ),
+    "Dim k As Integer = 1\nVECTORR(k, 2) = 5, 6 : VECTORR(k, 2) = 6, 7 : VECTORR(k, 2) = 7, 8": (
+        "the program waits for space in the move buffers of axes 1, 2, which can never happen"
+    ),
 }
 
 

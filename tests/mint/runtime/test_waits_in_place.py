@@ -284,3 +284,24 @@ def test_a_pause_for_a_position_ends_where_it_is_passed_however_late_that_is() -
     waits = execution.run(Source("late.mnt", text), cache=False).machine.log.waits
     (began, ended) = next((each.since, each.until) for each in waits if each.cause == "condition")
     assert ended - began == pytest.approx(50 / 33 + 0.033 / 2, abs=2e-5)
+
+
+@pytest.mark.parametrize("length", ["10", "x"])
+def test_a_statement_after_a_wait_sees_what_has_changed_before_it(length: str) -> None:
+    """x = 10 and the wait take 10.01 ms, so the statements begin at 10.01, 10.02, 10.03 and 10.04 ms."""
+    text = f"Dim x As Float = 10\nWAIT({length})\na = INX(1) : b = INX(1) : c = INX(1) : d = INX(1)\nPRINT a, b, c, d\n"
+    program = "Dim a As Integer\nDim b As Integer\nDim c As Integer\nDim d As Integer\n" + text
+    for microseconds, seen in ((5, "1111"), (15, "0111"), (25, "0011"), (35, "0001"), (45, "0000")):
+        machine = {"input": [{"channel": 1, "at": 0.01 + 1e-6 * microseconds}]}
+        result = execution.run(Source("waits.mnt", program), machine=machine, cache=False)
+        assert result.output == [seen]
+
+
+@pytest.mark.parametrize("length", ["1", "x"])
+def test_a_wait_ends_on_a_multiple_of_the_time_unit(length: str) -> None:
+    """1001 statements of 3.333... us and 1 ms are 4.33666666... ms, and 4.33666667 ms in units of 10 ps."""
+    text = f"Dim n As Integer\nDim x As Float = 1\nFor n = 1 To 1000\nNext\nWAIT({length})\nOUTX(1) = 1"
+    machine = {"controller.instruction_time": 1e-5 / 3}
+    result = execution.run(Source("waits.mnt", text), machine=machine, cache=False)
+    (output,) = result.machine.log.outputs
+    assert output.time == pytest.approx(4.33666667e-3 + 1e-5 / 3, abs=1e-12)
