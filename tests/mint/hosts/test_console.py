@@ -146,6 +146,19 @@ def test_errors_are_one_line_each_and_the_controller_goes_on() -> None:
     assert line.ask(b"Print 3\r") == "3\nP>"
 
 
+def test_a_run_time_fault_of_a_program_has_its_line() -> None:
+    line = Line("Dim n\nn = 77\nWait = 10\nMOVER(n) = 1")
+    line.run(0.1)
+    assert line.received().startswith("Error 2 at line 4: there is no axis 77")
+
+
+def test_a_line_after_one_with_an_error_is_carried_out() -> None:
+    line = Line()
+    answer = line.ask(b"Wait = 1 : Print 1 / 0\rPrint 2\r")
+    assert answer.startswith("Error 1001: division by zero")
+    assert answer.endswith("\nP>2\nP>")
+
+
 def test_a_program_with_errors_is_not_started() -> None:
     with pytest.raises(ProgramError):
         Line("SPED(0) = 1\n")

@@ -137,13 +137,14 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         RATES + "ENCODERSCALE(5) = 4 : TRIGGERSOURCE(0) = 1 : TRIGGERCHANNEL(0) = 5 : TRIGGERVALUE(0) = 100\n"
         "TRIGGERMODE(0) = 3 : MOVER(0) = 10 : PAUSE POS(0) = 10 : PRINT TIME", ["600"],
         {**EXACT, "encoder": [{"channel": 5, "velocity": 1000.0}]}),
-    # 10 in 0.5 s to the velocities 20, 30, 40 and, as the spline goes on, from 40 to 20.
+    # Segments of 10 in 0.5 s, to the velocities 20, 30 and 40, from rest and later from 40. In the middle of one from v
+    # to w the axis has gone 5 + 0.5 (v - w) / 8: 3.75 from 0 to 20, and 6.25 from 40 to 20.
     "a spline with velocities goes on at its last one": (
         "Dim p(4) As Float = 3, 10, 10, 10\nDim v(4) As Float = 3, 20, 30, 40\nDim t(4) As Float = 3, 500, 500, 500\n"
         "SPLINETABLE(0, p, v, t) : SPLINE(0) = 4 : GO(0)\n"
-        'WAIT 1500 : PRINT POS(0), " ", VEL(0) : WAIT 500 : PRINT POS(0), " ", VEL(0)\n'
-        'WAIT 1000 : PRINT POS(0), " ", VEL(0) : CANCEL(0)',
-        ["30.0000 40.0000", "40.0000 20.0000", "60.0000 40.0000"], EXACT),
+        'WAIT 250 : PRINT POS(0) : WAIT 1250 : PRINT POS(0), " ", VEL(0) : WAIT 250 : PRINT POS(0)\n'
+        'WAIT 250 : PRINT POS(0), " ", VEL(0) : CANCEL(0)',
+        ["3.7500", "30.0000 40.0000", "36.2500", "40.0000 20.0000"], EXACT),
     # The largest 32-bit Float is 3.4e38; 0x7F80 and 0xFF80 are the upper halves of the infinite ones.
     "a Float beyond 32 bits is infinite in a register of Modbus": (
         "MODBUSTCPFLOAT(1, 5) = -1e39 : MODBUSTCPFLOAT(1, 7) = 1e39 : MODBUSTCPFLOAT(1, 9) = -2.5\n"
@@ -159,6 +160,38 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
     "of the errors that call no handler the newest is read": (
         "Dim n As Integer\nERRORMASKCODE(3, 0) = 1 : ERRORMASKCODE(1001, 0) = 1\nSPEED(0) = -1 - n\nPRINT 1 / n\n"
         'PRINT ERRCODE, " ", ERRLINE\nEnd\nEvent ONERROR\nEnd Event', ["1001 4"], {}),
+    "a jerk time may be long": (
+        "ACCEL(0) = 10 : DECEL(0) = 10 : ACCELJERK(0) = 1 : DECELJERK(0) = 2\n"
+        'PRINT ACCELJERKTIME(0), " ", DECELJERKTIME(0)', ["10000 5000"], {}),
+    # The error is 1. From 10 to 11 ms the sum of errors rises from 9 to 10, and again 10 ms after it was cleared.
+    "a new HTAKINT clears the sum of errors": (
+        RATES + "HTACHANNEL(0) = 1 : HTAKPROP(0) = 0.5 : HTAKINT(0) = 0.25 : HTA(0) = 21 : WAIT 10.5 : PRINT VEL(0)\n"
+        "HTAKINT(0) = 0.5 : WAIT 10 : PRINT VEL(0)", ["2.8750", "5.2500"], volts(0.0, 20.0)),
+    "a spare analogue output is no other one": (
+        'AUXDAC(1) = 20 : AUXDAC(2) = 30 : PRINT DAC(63), " ", DAC(62), " ", AUXDAC(1), " ", AUXDAC(2)',
+        ["0.0000 0.0000 20.0000 30.0000"], {}),
+    # 100 % take 200 ms up and 100 ms down: from 30 to 0 in 30 ms, then to -5 in 10 ms.
+    "a torque falls to 0 in its own time, rises behind it, and begins at 0 after a stop": (
+        "TORQUEREFRISETIME(0) = 200 : TORQUEREFFALLTIME(0) = 100 : TORQUEREF(0) = 30\n"
+        "WAIT 20.5 : PRINT TORQUEDEMAND(0) : WAIT 60 : PRINT TORQUEDEMAND(0) : TORQUEREF(0) = -10\n"
+        "WAIT 20 : PRINT TORQUEDEMAND(0) : WAIT 20 : PRINT TORQUEDEMAND(0), TORQUEREF(0)\n"
+        "CANCEL(0) : TORQUEREF(0) = 20 : WAIT 20.5 : PRINT TORQUEDEMAND(0) : CANCEL(0)",
+        ["10.0000", "30.0000", "10.0000", "-5.0000-10.0000", "10.0000"], {**PLANT, **EXACT}),
+    "TORQUEREFSOURCE is the number of an analogue input plus 1": (
+        "TORQUEREFSOURCE(0) = 2 : WAIT 2 : PRINT TORQUEDEMAND(0) : TORQUEREFENABLE(0) = 0 : WAIT 2\n"
+        "PRINT TORQUEDEMAND(0) : TORQUEREFENABLE(0) = 1 : TORQUEREFSOURCE(0) = 1 : WAIT 2 : PRINT TORQUEDEMAND(0)\n"
+        "CANCEL(0)",
+        ["20.0000", "0.0000", "15.0000"], {**PLANT, **volts(15.0, 20.0)}),
+    # A window of 0 is not that of the mode.
+    "IDLEMODE chooses the window of the speed or that of the error": (
+        "SPEED(0) = 2000 : ACCEL(0) = 20000 : DECEL(0) = 20000 : IDLETIME(0) = 50\n"
+        "IDLEMODE(0) = 2 : IDLEPOS(0) = 0 : IDLEVEL(0) = 10000 : MOVER(0) = 1000 : GO(0) : PAUSE IDLE(0) : PRINT TIME\n"
+        "IDLEMODE(0) = 1 : IDLEPOS(0) = 30 : IDLEVEL(0) = 0 : MOVER(0) = 1000 : GO(0) : PAUSE IDLE(0) : PRINT TIME",
+        ["650", "1300"], {**PLANT, **EXACT}),
+    "ERRDATA counts the data of an error from 1": (
+        "MISCERRORDISABLE = 4 : WAIT 20\nPRINT ERRCODE, ERRDATA(0), ERRDATA(1), ERRDATA(2)\nEnd\n"
+        "Event ONERROR\nEnd Event", ["20000040"],
+        {"fault": [{"kind": "controller", "at": 0.01, "value": 4}]}),
     # ------------------------------------------------------------------------------------------------------ encoders
     # 1000 counts, divided by 5 and by 4.
     "an encoder is prescaled, scaled and shifted": (
@@ -474,6 +507,7 @@ OUTSIDE = {
     "PULSEOUTX(1000) = 1": "there is no output 1000",
     "PRINT ADC(64)": "there is no analogue input 64",
     "ADCGAIN(64) = 5": "there is no analogue input 64",
+    "TORQUEREFSOURCE(0) = 65": "TORQUEREFSOURCE cannot be 65",
     "DAC(64) = 5": "there is no analogue output 64",
     "AUXDAC(64) = 5": "there is no spare analogue output 64",
     "PRINT MOTORBRAKEDELAY(0, 2)": "there is no delay of a brake 2",
