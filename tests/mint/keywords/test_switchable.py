@@ -30,6 +30,7 @@ def test_keyword_is_found_under_its_listed_name() -> None:
     assert found == {row.name for row in table() if has_default(row)}
     assert set(switches()) >= {name_of(row) for row in with_default()}
     assert all(name in switches() for name in switches())
+    assert len(switches()) == len(list(switches()))
 
 
 def test_a_lookup_imports_one_file_of_keywords() -> None:

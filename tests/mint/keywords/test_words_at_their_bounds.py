@@ -192,6 +192,21 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         "MISCERRORDISABLE = 4 : WAIT 20\nPRINT ERRCODE, ERRDATA(0), ERRDATA(1), ERRDATA(2)\nEnd\n"
         "Event ONERROR\nEnd Event", ["20000040"],
         {"fault": [{"kind": "controller", "at": 0.01, "value": 4}]}),
+    "a ramp time is that of the rate, or the one written": (
+        'SPEED(0) = 100 : ACCEL(0) = 1 : DECEL(0) = 2 : PRINT ACCELTIME(0), " ", DECELTIME(0)\n'
+        'ACCELTIME(0) = 50 : PRINT ACCELTIME(0), " ", ACCEL(0), " ", DECEL(0)',
+        ["100000 50000", "50 2000.0000 2.0000"], {}),
+    # Segments of 10. The phase begins with the second cycle, at 40, where segments 2 and 3 are 13 long: from 50 to 76.
+    "CAMPHASESTATUS is 1 until the last of its segments is over": (
+        RATES + "Dim r(5) As Float = 4, 1, 2, 2, 1\nSPEED(1) = 1000 : ACCEL(1) = 10000 : DECEL(1) = 10000\n"
+        "MASTERCHANNEL(1) = 0 : CAMTABLE(1, r) : MASTERDISTANCE(1) = 10 : PRINT CAMPHASESTATUS(1)\n"
+        "CAM(1) = 4 : GO(1) : PRINT CAMPHASESTATUS(1) : CAMPHASE(1, 2, 2, 6) : PRINT CAMPHASESTATUS(1)\n"
+        "JOG(0) = 100 : PAUSE POS(0) > 41 : PRINT CAMPHASESTATUS(1) : PAUSE POS(0) > 75.9 : PRINT CAMPHASESTATUS(1)\n"
+        "PAUSE POS(0) > 76.1 : PRINT CAMPHASESTATUS(1) : CANCEL(1)\n"
+        "CAMPHASE(1, 2, 2, 6) : PRINT CAMPHASESTATUS(1) : CANCEL(0)", ["0", "0", "1", "1", "1", "0", "0"], EXACT),
+    "CAMPHASE leaves some travel in each segment": (
+        "Dim r(5) As Float = 4, 1, 2, 2, 1\nMASTERCHANNEL(1) = 0 : CAMTABLE(1, r) : MASTERDISTANCE(1) = 10\n"
+        "CAMPHASE(1, 1, 4, -39) : CAMPHASE(1, 2, 1, -9) : PRINT CAMPHASESTATUS(1)", ["0"], {}),
     # ------------------------------------------------------------------------------------------------------ encoders
     # 1000 counts, divided by 5 and by 4.
     "an encoder is prescaled, scaled and shifted": (
@@ -532,6 +547,12 @@ OUTSIDE = {
     "PRINT NODELIVE(0, 1)": "there is no bus 0",
     "PRINT NODELIVE(1, 256)": "there is no node 256",
     "SPLINE(0) = 0": "axis 0 has no spline",
+    "Dim r(5) As Float = 4, 1, 2, 2, 1\nCAMTABLE(1, r) : MASTERDISTANCE(1) = 10 : CAMPHASE(1, 1, 4, -40)": (
+        "CAMPHASE cannot take 40 from segments 1 to 4"
+    ),
+    "Dim r(5) As Float = 4, 1, 2, 2, 1\nCAMTABLE(1, r) : MASTERDISTANCE(1) = 10 : CAMPHASE(1, 2, 1, -10)": (
+        "CAMPHASE cannot take 10 from segments 2 to 2"
+    ),
     "FLY(1) = 5": "FLY needs the distance of the master",
     "MASTERDISTANCE(0) = 5 : FLY(0) = 5": "axis 0 cannot follow axis 0: it would follow itself",
     "JOGCOMMAND(0) = 1": "axis 0 cannot jog: its JOGSPEED is 0",
@@ -555,6 +576,21 @@ def test_what_it_prints(rule: str) -> None:
     result = run(Source("a.mnt", text), machine=machine, cache=False, until=20.0)
     assert [each.message for each in result.diagnostics] == []
     assert result.output == expected
+
+
+# A number outside its range, and the hint.
+LIMITS = {
+    "TASKPRIORITY(T) = n\nTask T\nEnd Task": "it takes 0 to 255",
+    "SPEED(0) = n - 301": "it takes 0 to 8388607",
+    "POS(0) = n * 1e308": "a position is finite, in counts too",
+    "JOG(0) = n * 1e308 - n * 1e308": "it takes -8388607 to 8388607",
+}
+
+
+@pytest.mark.parametrize("text", LIMITS)
+def test_a_hint_has_the_range(text: str) -> None:
+    result = run(Source("a.mnt", f"Dim n As Integer = 300\n{text}"), cache=False, until=10.0)
+    assert [each.hint for each in result.diagnostics] == [f"{LIMITS[text]} (Mint error 3, value invalid)"]
 
 
 @pytest.mark.parametrize("text", OUTSIDE)
