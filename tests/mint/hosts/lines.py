@@ -12,12 +12,15 @@ class Line:
 
     def __init__(self, program: str = "", echo: bool = False, model: str = "NextMove ESB-2") -> None:
         self.complaints: list[Diagnostic] = []
-        self.console = MintConsole(
-            {"controller.model": model}, complain=lambda found, source: self.complaints.extend(found)
-        )
+        self.console = MintConsole({"controller.model": model}, complain=self._complain)
         if program:
             self.console.load(Source("served.mnt", program))
         self.port = self.console.open(echo)
+
+    def _complain(self, found: list[Diagnostic], source: Source) -> None:
+        assert found
+        assert source.name
+        self.complaints += found
 
     def send(self, data: bytes) -> None:
         """Send characters; the controller executes typed lines."""

@@ -49,6 +49,46 @@ def test_handlers_and_tasks_end_with_the_program() -> None:
     assert line.received() == "\x06"
 
 
+def test_ctrl_e_ends_the_tasks_and_an_input_of_the_program() -> None:
+    line = Line(
+        'Dim a\nRun Side\nInput a\nEnd\nTask Side\n  Loop\n    Wait = 100\n    Print "x"\n  End Loop\nEnd Task'
+    )
+    line.run(0.15)
+    assert state(line).startswith("busy program asking 0.2000")
+    assert line.ask(b"\x05") == "Break at line 3\nP>"
+    line.run(1.0)
+    assert line.received() == ""
+    line.send(b"NEW\nEDIT\nWait = 100\nPrint INKEY\n\nRUN\n")
+    line.run(0.05)
+    assert state(line).startswith("busy program 1.2")
+    line.send(b"A")
+    line.run(0.1)
+    assert line.received().endswith("65\nP>")
+
+
+def test_a_task_that_a_typed_line_starts_goes_on_without_it() -> None:
+    """Its waits of 100 ms begin when it is started, 0.1 s after power-up."""
+    line = Line('Print "p"\nEnd\nTask Side\n  Loop\n    Wait = 100\n    Print "x"\n  End Loop\nEnd Task')
+    line.run(0.1)
+    assert line.ask(b"Run Side\r") == "P>"
+    assert not line.console.is_busy
+    line.run(0.25)
+    assert line.received() == "x\nx\n"
+    assert line.console.next_time() == pytest.approx(0.4, abs=1e-3)
+    assert [line.ask(b"Print 1\r"), line.ask(b"\x05")] == ["1\nP>", "Break\nP>"]
+    line.run(0.2)
+    assert line.received() == "x\nx\n"
+    assert line.ask(b"End Side\r") == "P>"
+    line.run(0.2)
+    assert line.received() == ""
+
+
+def test_a_typed_line_takes_no_longer_than_it_needs() -> None:
+    line = Line()
+    assert line.ask(b'JOG(0) = 10 : Wait = 100 : Print "None"\r') == "None\nP>"
+    assert line.console.now == pytest.approx(0.1, abs=1e-3)
+
+
 def test_input_takes_a_line_and_its_text_is_shown_once() -> None:
     line = Line('Dim a\nInput "Speed? ", a\nPrint "is ", a', echo=True)
     line.run(0.1)
@@ -154,9 +194,21 @@ def test_a_run_time_fault_of_a_program_has_its_line() -> None:
 
 def test_a_line_after_one_with_an_error_is_carried_out() -> None:
     line = Line()
-    answer = line.ask(b"Wait = 1 : Print 1 / 0\rPrint 2\r")
-    assert answer.startswith("Error 1001: division by zero")
-    assert answer.endswith("\nP>2\nP>")
+    line.received()
+    answer = line.ask(b"n = 0 : Wait = 1 : Print 1 / n\rPrint 2\r")
+    assert answer == "Error 1001: division by zero (test the divisor before dividing)\nP>2\nP>"
+
+
+def test_ctrl_e_ends_a_handler() -> None:
+    """The break is in the handler, 30 ms after its first start."""
+    line = Line("TIMEREVENT = 50\nLoop\n  Wait = 1\nEnd Loop\nEvent TIMER\n  Wait = 60\n  Print 1\nEnd Event")
+    line.run(0.08)
+    assert line.ask(b"\x05").startswith("Break at line ")
+    assert line.console.next_time() == float("inf")
+    assert line.ask(b"Wait = 200 : Print 2\r") == "2\nP>"
+    line.send(b"RUN\r")
+    line.run(0.13)
+    assert line.received() == "1\n"
 
 
 def test_a_program_with_errors_is_not_started() -> None:
@@ -282,6 +334,7 @@ def test_a_text_has_a_million_characters() -> None:
     assert texts.put(PROGRAM, 1, "x" * 600_000)
     assert not texts.put(PROGRAM, 2, "x" * 399_999)
     assert texts.put(PROGRAM, 2, "x" * 399_998)
+    assert texts.put(PROGRAM, 2, "y" * 399_998)
     assert not texts.put(PROGRAM, 2, "x" * 399_999)
     assert texts.put(PROGRAM, 1, "x" * 599_999)
     assert texts.put(PROGRAM, 3, "")
@@ -435,6 +488,7 @@ def test_the_prompt_shows_a_position_in_whole_counts(reading: str, shown: str) -
         (b"PR\x05INT\r", (b"PR", False)),
         (b"PR\x0400", (b"PR", False)),
         (b"\x05\x05", (b"\x05", True)),
+        (b"\x05A", (b"\x05", True)),
     ],
 )
 def test_the_first_entry_at_the_prompt_is_a_line_or_ctrl_e(data: bytes, entry: tuple[bytes, bool]) -> None:

@@ -24,6 +24,9 @@ def test_a_read_frame_and_its_answer_byte_by_byte() -> None:
     assert answer_frame(5, "7") == b"\x02057\x031"
     assert text_of_answer(b"\x02057\x031") == (5, "7")
     assert text_of_answer(b"\x02057\x032") is None
+    assert text_of_answer(answer_frame(15, "7.25")) == (15, "7.25")
+    assert text_of_answer(answer_frame(5, "")) == (5, "")
+    assert text_of_answer(b"\x0205\x03") is None
 
 
 def test_an_element_that_is_written_can_be_read() -> None:
@@ -60,6 +63,8 @@ def test_a_frame_that_comes_byte_by_byte_is_answered_at_its_end(frame: bytes) ->
         b"\x0400\x02A1\x05",
         b"\x0400\x02\x03\x03",
         b"\x0400\x0201\r",
+        b"\x0400\x020\r",
+        b"\x0400\x02\r",
     ],
 )
 def test_what_is_no_write_and_no_read_is_answered_with_nak(frame: bytes) -> None:

@@ -412,6 +412,9 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         "HTA(0) = 25 : WAIT 300 : PRINT VEL(0)",
         ["10.000025.0000", "-10.000015.0000", "-100.0000", "100.0000"], volts(0.0, 20.0)),
     # -------------------------------------------------------------------------------------------------- buses and nodes
+    "a controller without a number is in no group": (
+        "GROUPMASTER(1, 3) = 1 : GROUP(1, 3, 1) = 1 : PRINT GROUPMASTERSTATUS(1, 3), GROUPSTATUS(1, 3), BUSNODE(1)\n"
+        "BUSNODE(1) = 1 : PRINT GROUPMASTERSTATUS(1, 3), GROUPSTATUS(1, 3)", ["000", "11"], {}),
     "the controller is the master of a group by its own number": (
         "GROUPMASTER(1, 3) = 7 : PRINT GROUPMASTERSTATUS(1, 3) : BUSNODE(1) = 7\n"
         "PRINT GROUPMASTERSTATUS(1, 3), GROUPMASTERSTATUS(1, 4), GROUPMASTERSTATUS(2, 3), BUSNODE(1), BUSNODE(2)\n"

@@ -242,6 +242,57 @@ End Sub
     assert [round(1e3 * (wait.until - wait.since), 6) for wait in waits] == [3, 5, 4, 5] * 2
 
 
+MOVES = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+
+
+@pytest.mark.parametrize(
+    ("program", "expected"),
+    [
+        (
+            "MOVER(0) = 10 : GO(0)\nThere\nBack\nWAIT 5\nEnd\nSub There\nPAUSE POS(0) > 5\nPAUSE IDLE(0)\nEnd Sub\n"
+            "Sub Back\nMOVER(0) = -10 : GO(0)\nRests\nEnd Sub\nSub Rests\nPAUSE IDLE(0)\nEnd Sub",
+            [
+                ("ParentTask", 8, 0, 100, "condition", "until POS(0) > 5", [3]),
+                ("ParentTask", 9, 100, 200, "condition", "until IDLE(0)", [3]),
+                ("ParentTask", 16, 200, 400, "condition", "until IDLE(0)", [4, 13]),
+                ("ParentTask", 5, 400, 405, "time", "", []),
+            ],
+        ),
+        (
+            "Run Side\nMOVER(0) = 10 : GO(0)\nThere\nEnd\nSub There\nPAUSE POS(0) > 5\nPAUSE IDLE(0)\nWAIT 3\nEnd Sub\n"
+            "Task Side\nDwell\nPAUSE IDLE(0)\nEnd Task\nSub Dwell\nWAIT 20\nWAIT 1\nEnd Sub",
+            [
+                ("side", 16, 0, 20, "time", "", [12]),
+                ("side", 17, 20, 21, "time", "", [12]),
+                ("ParentTask", 7, 0, 100, "condition", "until POS(0) > 5", [4]),
+                ("side", 13, 21, 200, "condition", "until IDLE(0)", []),
+                ("ParentTask", 8, 100, 200, "condition", "until IDLE(0)", [4]),
+                ("ParentTask", 9, 200, 203, "time", "", [4]),
+            ],
+        ),
+    ],
+    ids=["one task", "two tasks"],
+)
+def test_a_wait_is_logged_with_its_task_its_reason_and_its_calls(
+    program: str, expected: list[tuple[object, ...]]
+) -> None:
+    """10 at 100 per second and 1000 per s² take 200 ms, and half of it 100 ms."""
+    source = Source("waits.mnt", MOVES + program)
+    result = execution.run(source, machine={"controller.instruction_time": 1e-9}, cache=False)
+    assert [
+        (
+            each.task,
+            MINT.locate(source, each.at)[0],
+            round(1e3 * each.since, 3),
+            round(1e3 * each.until, 3),
+            each.cause,
+            each.why,
+            [MINT.locate(source, at)[0] for at in each.callers],
+        )
+        for each in result.machine.log.waits
+    ] == expected
+
+
 def test_task_of_a_wait_is_the_one_that_runs_its_statement() -> None:
     program = """
 Run One
