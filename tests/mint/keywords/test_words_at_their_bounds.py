@@ -224,6 +224,22 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
     "PAUSE ends when the encoder of an axis has crossed the level": (
         RATES + "JOG(0) = 100 : PAUSE ENCODER(0) > 100.05 : PRINT TIME\n"
         "PAUSE ENCODER(0) >= 110.55 : PRINT TIME", ["1051", "1156"], EXACT),
+    "a virtual encoder runs at AUXENCODERSPEED, in its units, until another mode ends that": (
+        "AUXENCODERSCALE(1) = 4 : AUXENCODERSPEED(1) = 50 : WAIT 100\n"
+        'PRINT AUXENCODER(1), " ", AUXENCODERSPEED(1), " ", AUXENCODERMODE(1)\n'
+        'AUXENCODERMODE(1) = 8 : WAIT 1000 : PRINT AUXENCODER(1), " ", AUXENCODERVEL(1), " ", AUXENCODER(0)\n'
+        'AUXENCODERSPEED(1) = 100 : WAIT 1000 : PRINT AUXENCODER(1), " ", AUXENCODERVEL(1)\n'
+        'AUXENCODERMODE(1) = 0 : WAIT 1000 : PRINT AUXENCODER(1), " ", AUXENCODERVEL(1), " ", AUXENCODERMODE(1)',
+        ["0.0000 50.0000 0", "50.0000 50.0000 0.0000", "150.0000 100.0000", "150.0000 0.0000 0"], EXACT),
+    "OKTOLOADMOVE is 1 if all of the axes have space, do not stop and are enabled": (
+        "Dim a(3) As Integer = 0, 1, 2\n" + RATES + "PRINT OKTOLOADMOVE(3, a) : MOVER(1) = 5 : MOVER(1) = 5\n"
+        "PRINT OKTOLOADMOVE(3, a), OKTOLOADMOVE(1, a), OKTOLOADMOVE(2, a) : GO(1) : PAUSE IDLE(1)\n"
+        "PRINT OKTOLOADMOVE(3, a) : JOG(0) = 50 : WAIT 500 : STOP(0) : WAIT 1 : PRINT OKTOLOADMOVE(3, a)\n"
+        "PAUSE IDLE(0) : PRINT OKTOLOADMOVE(3, a) : DRIVEENABLE(2) = 0\n"
+        "PRINT OKTOLOADMOVE(3, a), OKTOLOADMOVE(2, a)", ["1", "010", "1", "0", "1", "01"], EXACT),
+    "the clock counts whole seconds from its date on": (
+        'REALTIMECLOCK = "2024-02-28 23:59:59" : WAIT 900 : PRINT REALTIMECLOCK : WAIT 200 : PRINT REALTIMECLOCK',
+        ["2024-02-28 23:59:59", "2024-02-29 00:00:00"], EXACT),
     "an encoder wraps at its end": (
         RATES + "ENCODERWRAP(0) = 360 : MOVER(0) = 360 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0)\n"
         "MOVER(0) = -1 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0)", ["0.0000", "359.0000"], {}),
