@@ -341,6 +341,8 @@ def test_a_text_has_a_million_characters() -> None:
     assert not texts.put(PROGRAM, 4, "")
     assert [len(each) for each in texts.lines(PROGRAM)] == [599_999, 399_998, 0]
     assert texts.put(CONFIGURATION, 1, "")
+    texts.clear(PROGRAM)
+    assert texts.put(PROGRAM, 1, "x" * 999_999)
 
 
 def state(line: Line) -> str:

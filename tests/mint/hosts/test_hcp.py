@@ -111,7 +111,15 @@ def test_the_text_of_a_number_is_that_of_print_on_the_controller() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "value"), [("1.", 1.0), (".5", 0.5), ("+2e2", 200.0), ("e5", None), (".", None)]
+    ("text", "value"),
+    [
+        ("1.", 1.0),
+        (".5", 0.5),
+        ("+2e2", 200.0),
+        ("3.4028234663852886e38", 3.4028234663852886e38),
+        ("e5", None),
+        (".", None),
+    ],
 )
 def test_the_forms_of_a_number(text: str, value: float | None) -> None:
     assert number(text) == value

@@ -207,6 +207,24 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
     "CAMPHASE leaves some travel in each segment": (
         "Dim r(5) As Float = 4, 1, 2, 2, 1\nMASTERCHANNEL(1) = 0 : CAMTABLE(1, r) : MASTERDISTANCE(1) = 10\n"
         "CAMPHASE(1, 1, 4, -39) : CAMPHASE(1, 2, 1, -9) : PRINT CAMPHASESTATUS(1)", ["0"], {}),
+    "a capture and its triggers begin without a quantity, a channel and a value": (
+        "PRINT CAPTUREMODE(7), CAPTUREAXIS(0), CAPTUREMODEPARAMETER(7), CAPTURETRIGGERMODE(1)\n"
+        "PRINT CAPTURETRIGGERSOURCE(0), CAPTURETRIGGERCHANNEL(0), CAPTURETRIGGERVALUE(1), CAPTURETRIGGERABSOLUTE(0)",
+        ["0000", "000.00000"], {}),
+    # 15 ms after its start a capture has one whole period of 10 ms before the trigger, in which the axis goes 1.
+    "a trigger before the time before it leaves the points since the start": (
+        RATES + "CAPTUREMODE(0) = 3 : CAPTURENUMPOINTS = 5 : CAPTUREPERIOD = 10000 : CAPTUREPRETRIGGERDURATION = 30\n"
+        "JOG(0) = 100 : WAIT 1000 : CAPTURETRIGGERSOURCE(0) = 13 : CAPTURETRIGGERMODE(0) = 1 : CAPTURECOMMAND = 1\n"
+        "WAIT 15 : CAPTURETRIGGER : PRINT POS(0) - CAPTUREPOINT(0, 0) : STOP(0)", ["1.0000"], EXACT),
+    # The move takes 600 ms.
+    "the time to settle is that from the end of the move to IDLE": (
+        "SPEED(0) = 2000 : ACCEL(0) = 20000 : DECEL(0) = 20000 : IDLEMODE(0) = 2 : IDLEVEL(0) = 1 : IDLETIME(0) = 50\n"
+        "MOVER(0) = 1000 : GO(0) : PAUSE IDLE(0)\n"
+        "PRINT IDLESETTLINGTIME(0) > 60, Abs(TIME - 600 - IDLESETTLINGTIME(0)) < 2", ["11"], {**PLANT, **EXACT}),
+    "the last of the controller's own registers": (
+        "HOLDINGREGISTER(1999) = 5 : PRINT HOLDINGREGISTER(1999), HOLDINGREGISTER(1998)", ["50"], {}),
+    "a cam box may switch 32767 ms ahead": (
+        "Dim p(3) As Float = 2, 10, 20\nCAMBOXDATA(0, 5, 0, 0, 32767, p) : CAMBOX(0) = 1 : PRINT CAMBOX(0)", ["1"], {}),
     # ------------------------------------------------------------------------------------------------------ encoders
     # 1000 counts, divided by 5 and by 4.
     "an encoder is prescaled, scaled and shifted": (
@@ -579,6 +597,8 @@ OUTSIDE = {
     "MOVEOUT(0, 32) = 1": "there is no bank 32",
     "PRINT GROUPSTATUS(1, 32)": "there is no group 32",
     "PRINT GROUPSTATUS(1, -1)": "there is no group -1",
+    "HOLDINGREGISTER(2000) = 5": "there is no register 2000",
+    "Dim p(3) As Float = 2, 10, 20\nCAMBOXDATA(0, 5, 0, 0, 32768, p)": "CAMBOXDATA cannot switch 32768 ms ahead",
     "GROUPCOMMS(1, 32, 9) = 4.5": "there is no group 32",
     "Dim k As Integer = 1\nMOVER(k) = 5 : MOVER(k) = 6 : MOVER(k) = 7": (
         "the program waits for space in the move buffer of axis 1, which can never happen"
@@ -616,6 +636,13 @@ def test_a_hint_has_the_range(text: str) -> None:
 def test_a_number_outside_its_range_is_refused(text: str) -> None:
     result = run(Source("a.mnt", text), cache=False, until=10.0)
     assert [each.message for each in result.diagnostics] == [OUTSIDE[text]]
+
+
+def test_a_mode_of_an_encoder_that_has_no_effect_is_reported() -> None:
+    """0 and 8, the virtual axis, have their effect."""
+    for mode, reported in ((0, []), (8, []), (2, ["AUXENCODERMODE"])):
+        result = run(Source("a.mnt", f"AUXENCODERMODE(0) = {mode}"), cache=False)
+        assert list(result.machine.without_effect) == reported
 
 
 # A program that waits for a level, and the milliseconds at which it passes that. With 100 per second and 1000 per s², a
