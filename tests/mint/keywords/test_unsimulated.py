@@ -267,3 +267,9 @@ def test_a_stored_value_is_found_by_its_indices(written: str, read: str) -> None
         f"PRINT AUTOTUNEPARAM({read})",
     )
     assert result.output == ["9.0000"]
+
+
+def test_a_jump_of_the_demand_ends_the_run_at_its_line() -> None:
+    result = ran("PRINT 1", "PRINT 2", "POSDEMAND(0) = 5", "PRINT 3")
+    assert result.output == ["1", "2"]
+    assert {each.line for each in result.diagnostics} == {3}

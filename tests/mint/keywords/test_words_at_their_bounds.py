@@ -481,6 +481,13 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         "TASKRESUME(Blink) : PRINT TASKSTATUS(Blink) : WAIT 50 : PRINT TASKSTATUS(Blink)\nEnd\n"
         "Task Blink\n  WAIT 20\nEnd Task", ["0", "1", "2", "1", "0"], {}),
     # ------------------------------------------------------------------------------------------- other small rules
+    # Of one kind the first to come is the first.
+    "events that have waited come by their urgency, whatever their numbers are": (
+        "TIMEREVENT = 25 : EVENTDISABLE = -1 : WAIT 30 : TIMEREVENT = 0 : EVENTDISABLE = 0 : WAIT 5\nEnd\n"
+        + "".join(f'Event {name}\nPRINT "{name}"\nEnd Event\n' for name in ("IN1", "IN3", "TIMER", "COMMS1", "COMMS2")),
+        ["TIMER", "IN3", "IN1", "COMMS2", "COMMS1"],
+        {"input": [{"channel": 3, "at": 0.005}, {"channel": 1, "at": 0.006}],
+         "comms": [{"at": at, "element": element, "value": 1} for at, element in ((0.001, 2), (0.002, 1))]}),
     "the last of 64 analogue inputs gives a speed reference": (
         "SPEEDREFSOURCE(0) = 64 : PRINT SPEEDREFSOURCE(0)", ["64"], {}),
     "the number 0 is no error, and 1 is one": (
@@ -636,6 +643,18 @@ def test_a_hint_has_the_range(text: str) -> None:
 def test_a_number_outside_its_range_is_refused(text: str) -> None:
     result = run(Source("a.mnt", text), cache=False, until=10.0)
     assert [each.message for each in result.diagnostics] == [OUTSIDE[text]]
+
+
+def test_an_output_is_logged_as_1_or_0_when_it_changes() -> None:
+    text = "OUTX(5) = 7 : OUTX(5) = 1 : OUTX(6) = -1 : OUTX(5) = 0 : OUT(1) = 5"
+    result = run(Source("a.mnt", text), cache=False)
+    assert [(each.channel, each.value) for each in result.controller.log.outputs] == [
+        (5, 1),
+        (6, 1),
+        (5, 0),
+        (32, 1),
+        (34, 1),
+    ]
 
 
 def test_a_mode_of_an_encoder_that_has_no_effect_is_reported() -> None:

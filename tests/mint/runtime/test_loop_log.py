@@ -29,6 +29,7 @@ LOOPS: list[tuple[str, list[tuple[int, float, float, tuple[int, ...]]]]] = [
         "Outer\nEnd\nSub Outer\nWAIT 20\nInner\nEnd Sub\nSub Inner\n" + COUNT.format(60) + "End Sub",
         [(9, 20.0, 21.2, (2, 6)), (8, 20.0, 21.2, (2, 6))],
     ),
+    ("WAIT 50\nFor n = 1 To 3\nIf n = 2 Then Goto done\nNext\ndone:\nWAIT 3", []),
     # A jump ends the loops that it leaves, the inner one first.
     (
         "WAIT 50\nFor n = 1 To 3\nLoop\nWAIT 10\nk = k + 1\nIf k = 4 Then Goto done\nEnd Loop\nNext\ndone:\nWAIT 3",

@@ -348,11 +348,13 @@ def test_a_statement_after_a_wait_sees_what_has_changed_before_it(length: str) -
         assert result.output == [seen]
 
 
-@pytest.mark.parametrize("length", ["1", "x"])
-def test_a_wait_ends_on_a_multiple_of_the_time_unit(length: str) -> None:
-    """1001 statements of 3.333... us and 1 ms are 4.33666666... ms, and 4.33666667 ms in units of 10 ps."""
+@pytest.mark.parametrize(
+    ("length", "milliseconds"), [("1", 4.33666667), ("x", 4.33666667), ("0.123456789", 3.46012346)]
+)
+def test_a_wait_ends_on_a_multiple_of_the_time_unit(length: str, milliseconds: float) -> None:
+    """1001 statements of 3.333... us are 3.33666666... ms, and a unit is 10 ps."""
     text = f"Dim n As Integer\nDim x As Float = 1\nFor n = 1 To 1000\nNext\nWAIT({length})\nOUTX(1) = 1"
     machine = {"controller.instruction_time": 1e-5 / 3}
     result = execution.run(Source("waits.mnt", text), machine=machine, cache=False)
     (output,) = result.machine.log.outputs
-    assert output.time == pytest.approx(4.33666667e-3 + 1e-5 / 3, abs=1e-12)
+    assert output.time == pytest.approx(1e-3 * milliseconds + 1e-5 / 3, abs=1e-12)
