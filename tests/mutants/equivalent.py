@@ -1306,4 +1306,65 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/debug/moments.py: 0.7320508 -> 1.7320508000000001": (
         "no program subtracts either from a reading to divide by the difference"
     ),
+    "motionlang/mint/runtime/waits.py: Rests: __init__: environment.statements.cost * UNITS"
+    " -> environment.statements.cost / UNITS": (
+        "a wait whose length is computed at run time has the same result"
+    ),
+    "motionlang/mint/runtime/waits.py: Rests: __init__: -1.0 -> 1.0": ("it is compared by identity"),
+    "motionlang/mint/runtime/waits.py: Rests: _computed: rest: not self._left -> self._left": (
+        "when the log of waits is packed"
+    ),
+    "motionlang/mint/runtime/waits.py: Rests: _computed: rest: 1.0 -> 2.0": (
+        "other events are checked for one statement earlier"
+    ),
+    "motionlang/mint/runtime/waits.py: Waits: pause: pause: ignores_data or bool(axes)"
+    " -> ignores_data and bool(axes)": ("the wait is checked more often, after changes that cannot end it"),
+    "motionlang/mint/keywords/captures.py: Capture: _report_progress: step: 100 -> 101": (
+        "no event follows that of 99 percent in either way"
+    ),
+    "motionlang/mint/keywords/captures.py: Capture: __init__: 0.0 -> 1.0": (
+        "set when a capture starts, before it is read"
+    ),
+    "motionlang/mint/keywords/captures.py: Capture: __init__: 0.0 -> 1.0 #2": (
+        "set when a capture starts, before it is read"
+    ),
+    "motionlang/mint/keywords/captures.py: Capture: __init__: 1 -> 2": (
+        "no program can address one channel more"
+    ),
+    "motionlang/mint/keywords/camboxes.py: CamBox: __init__: 0.0 -> 1.0": (
+        "set by CAMBOXDATA, without which a box cannot be enabled"
+    ),
+    "motionlang/mint/runtime/environment.py: Environment: random: 1 -> 2": (
+        "only a change of the count matters"
+    ),
+    "motionlang/mint/runtime/environment.py: Environment: __init__: 0 -> 1 #3": (
+        "only a change of the count matters"
+    ),
+    "motionlang/mint/keywords/network.py: read_event: 1 -> 2": ("only a change of the count matters"),
+    "motionlang/mint/keywords/identity.py: Calendar: text: self.clock.now - self.since + 1e-09 -> "
+    "self.clock.now - self.since - 1e-09": ("just at the size of rounding either is right"),
+    "motionlang/mint/keywords/table_motion_splines.py: _seam: len(times) > 1 -> len(times) >= 1": (
+        "the slope of one segment is the same by both formulas"
+    ),
+    "motionlang/mint/hosts/port.py: MintPort: _add: len(self._out) > most -> len(self._out) >= most": (
+        "at the limit itself nothing is deleted"
+    ),
+    "motionlang/mint/hosts/port.py: MintPort: next_entry: 0 -> 1 #2": ("a frame has more than one character"),
+    "motionlang/mint/hosts/console.py: MintConsole: _forget: 1 -> 2": ("how often history is trimmed"),
+    "motionlang/mint/hosts/console.py: MintConsole: _forget: 0 -> 1": ("how often history is trimmed"),
+    "motionlang/mint/hosts/console.py: MintConsole: __init__: 0 -> 1": ("how often history is trimmed"),
+    "motionlang/mint/hosts/hcp.py: Receiver: take: code < 128 -> code <= 128": ("character 128 is no digit"),
+    "motionlang/mint/hosts/hcp.py: Receiver: take: 128 -> 129": ("character 128 is no digit"),
+    "motionlang/mint/hosts/hcp.py: Receiver: take: 5 -> 6 #2": (
+        "a text that is too long is rejected at either length"
+    ),
+    "motionlang/mint/hosts/hcp.py: Receiver: take: len(frame) > 3 -> len(frame) >= 3": (
+        "the third character of a frame is STX"
+    ),
+    "motionlang/mint/keywords/captures.py: Capture: __init__: 1 -> 2 #2": (
+        "no program can address one trigger more"
+    ),
+    "motionlang/mint/keywords/captures.py: Capture: _report_progress: step: 100 -> 101 #2": (
+        "one event more at the last point, where the capture ends"
+    ),
 }
