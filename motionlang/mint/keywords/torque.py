@@ -70,10 +70,6 @@ class TorqueReferences(Settings):
         """Give up control of the output to another keyword."""
         self._present.pop(axis, None)
 
-    def present(self, axis: int) -> float:
-        """Return the percentage in force, 0 under closed-loop control."""
-        return self._present[axis] if self.has(axis) else 0.0
-
     def _step(self, axis: int) -> None:
         """Carry out one servo period of the ramp."""
         self._ramping.discard(axis)
