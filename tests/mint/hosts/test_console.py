@@ -292,7 +292,7 @@ def test_a_program_that_a_host_starts_prints_to_all_hosts() -> None:
 
 
 def test_a_line_has_1000_characters_and_65536_wait_behind_it() -> None:
-    """The first line is being carried out as the others come, so the last characters are lost."""
+    """A line is being carried out as the others come, so the last ones are lost."""
     line = Line()
     assert line.ask(b"'" + b"x" * 999 + b"\r") == "P>"
     too_long = "Error: the line is longer than 1000 characters\nP>"
@@ -346,7 +346,7 @@ def test_a_text_has_a_million_characters() -> None:
 
 
 def state(line: Line) -> str:
-    """Return what the console reports: its flags, and the time of the next thing to happen."""
+    """Return the flags of the console, and the time of the next thing to happen."""
     console, port = line.console, line.port
     flags = {
         "busy": console.is_busy,
@@ -396,7 +396,7 @@ def test_the_state_of_the_console_while_the_program_runs() -> None:
 
 
 def test_of_much_that_is_printed_before_a_host_comes_the_end_waits() -> None:
-    """Of 101 lines of 1000 characters the last 65 fit in 65536, and 536 characters of the one before.
+    """65536 characters are the last 65 lines of 1000, and 536 of the one before.
 
     They are sent with CR and LF: 66 more.
     """

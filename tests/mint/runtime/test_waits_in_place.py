@@ -339,7 +339,10 @@ def test_a_pause_for_a_position_ends_where_it_is_passed_however_late_that_is() -
 
 @pytest.mark.parametrize("length", ["10", "x"])
 def test_a_statement_after_a_wait_sees_what_has_changed_before_it(length: str) -> None:
-    """x = 10 and the wait take 10.01 ms, so the statements begin at 10.01, 10.02, 10.03 and 10.04 ms."""
+    """The statements begin at 10.01, 10.02, 10.03 and 10.04 ms.
+
+    x = 10 and the wait take 10.01 ms.
+    """
     text = f"Dim x As Float = 10\nWAIT({length})\na = INX(1) : b = INX(1) : c = INX(1) : d = INX(1)\nPRINT a, b, c, d\n"
     program = "Dim a As Integer\nDim b As Integer\nDim c As Integer\nDim d As Integer\n" + text
     for microseconds, seen in ((5, "1111"), (15, "0111"), (25, "0011"), (35, "0001"), (45, "0000")):
