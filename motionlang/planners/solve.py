@@ -93,11 +93,17 @@ def _apply_rule(known: Figures, rule: str) -> None:
 
 
 def _deduce(known: Figures) -> bool:
-    """Add one figure that follows from the known ones; False if none follows."""
+    """Add one figure that follows from the known ones; False if none follows.
+
+    Raises ValueError if it would have to be zero or negative; only the slew time may be zero, and is checked later.
+    """
     for name, needs, step in _STEPS:
         if name not in known and all(need in known for need in needs):
             value = step(known)
             if value is not None:
+                if value <= 0.0 and name != "slew_time":
+                    words = name.replace("_", " ")
+                    raise ValueError(f"contradiction: the {words} would have to be {value:g}")
                 known[name] = value
                 return True
     return False
@@ -187,8 +193,6 @@ def _agree(known: Figures, given: Figures) -> None:
     """Raise ValueError unless all eight figures describe one move."""
     if known["slew_time"] < -1e-9 * known["time"]:
         raise ValueError("contradiction: the ramps alone take longer than the move, or go further")
-    if min(known[name] for name in NAMES if name != "slew_time") <= 0.0:
-        raise ValueError("contradiction: a time or distance would have to be negative")
     known["slew_time"] = max(known["slew_time"], 0.0)
     k = known
     statements = (

@@ -264,6 +264,37 @@ def test_the_distance_that_a_speed_needs() -> None:
             {"distance": 100.0, "time": 1.0, "accel": 100.0},
             ["accel 400 or more", "time 2 or more", "distance 25 or less"],
         ),
+        (
+            {"distance": 100.0, "time": 1.0, "decel": 100.0},
+            ["decel 400 or more", "time 2 or more", "distance 25 or less"],
+        ),
+        # A triangle takes the root of 2 * 100 * (1/100 + 1/50) = 6 s²: 6 times the rates, or a sixth of 100.
+        (
+            {"distance": 100.0, "time": 1.0, "accel": 100.0, "decel": 50.0},
+            ["accel 600 and decel 300 or more", "time 2.44949 or more", "distance 16.6667 or less"],
+        ),
+        # Two ramps of 2 s cover 200 in 4 s; the other 100 take 1 s longer.
+        (
+            {"distance": 300.0, "time": 4.0, "speed": 100.0, "accel": 50.0, "decel": 50.0},
+            ["distance 200", "time 5"],
+        ),
+        # In 4 s the ramps have 2 * (4 - 300/100) = 2 s instead of 4 s; at 50 the move takes 1 s longer.
+        (
+            {"distance": 300.0, "time": 4.0, "speed": 100.0, "accel": 50.0},
+            ["accel 100", "time 5"],
+        ),
+        # The ramps alone would go 100 * 2 = 200, so no longer time is possible.
+        (
+            {"distance": 100.0, "time": 2.0, "speed": 100.0, "accel": 50.0, "decel": 50.0},
+            ["accel 100 and decel 100"],
+        ),
+        # A speed between 100 and twice that is possible.
+        (
+            {"distance": 100.0, "time": 1.0, "speed": 100.0},
+            ["speed above 100 and up to 200", "time above 1 and up to 2", "distance from 50 to below 100"],
+        ),
+        ({"distance": 100.0, "time": 1.0, "speed": 200.0}, []),
+        ({"distance": 100.0, "time": 2.0, "accel": 100.0, "decel": 100.0}, []),
         ({"distance": 100.0}, []),
         ({"time": 1.0, "speed": 5.0}, []),
     ],

@@ -85,6 +85,15 @@ RELATIONS = (
         ({"speed": 10.0, "accel": 1.0, "accel_time": 2.0}, "not enough|contradiction"),
         ({"speed": 0.0}, "speed must be greater than zero"),
         ({"velocity": 1.0}, "no figure called velocity"),
+        # Of 4 s the slew takes 2 * 300 / 100 - 4 = 2 s, and the deceleration 2 s or 2.5 s.
+        (
+            {"distance": 300.0, "time": 4.0, "speed": 100.0, "decel": 50.0},
+            "contradiction: the accel time would have to be 0",
+        ),
+        (
+            {"distance": 300.0, "time": 4.0, "speed": 100.0, "decel": 40.0},
+            "contradiction: the accel time would have to be -0.5",
+        ),
     ],
 )
 def test_what_cannot_be_solved(given: dict[str, Any], message: str) -> None:
