@@ -322,17 +322,14 @@ class Gear(Follow):
     def resume(self, controller: Core, a: Axis) -> None:
         """Ramp to the ratio again and complete the offset; then start the waiting offsets."""
         self._locks_at = INFINITY
-        (left, velocity), now = self.offset_left(), controller.clock.now
-        if self._halt is not None:  # it may not be at rest yet
-            stop, began = self._halt
-            left, velocity = left + stop.end - stop.position(now - began), stop.velocity(now - began)
+        left, velocity = self.offset_left()  # it may not be at rest yet
         self._paused, self._halt = 0.0, None
         if left or velocity:
             accel, decel = controller.rates(a, a.speed)
             jerks = a.accel_jerk, a.decel_jerk
             profile = plan(a.shape, 0.0, left, a.speed, accel, decel, velocity, a.ramp, *jerks)
             self._log_offset(profile)
-            self.carry(profile, now, self.offset_entry)
+            self.carry(profile, controller.clock.now, self.offset_entry)
         self.renew()
         later, self._later = self._later, []
         for begin in later:
@@ -346,8 +343,12 @@ class Gear(Follow):
         return self.a.suspended
 
     def offset_left(self) -> tuple[float, float]:
-        """Return the remaining distance of the offset, and its velocity, 0 while it waits."""
-        return (self._paused, 0.0) if self._paused else super().offset_left()
+        """Return the remaining distance of the offset, and its velocity."""
+        if self._halt is None:
+            return super().offset_left()
+        stop, began = self._halt
+        elapsed = self.controller.clock.now - began
+        return self._paused + stop.end - stop.position(elapsed), stop.velocity(elapsed)
 
     def _pause_offset(self) -> None:
         """Ramp the offset down together with the slave; the rest of it waits."""

@@ -581,3 +581,51 @@ def test_a_second_offset_on_a_cam_replaces_the_first_on_its_way() -> None:
         assert at(c, 1, 0.01 * k) == pytest.approx(at(plain, 1, 0.01 * k) + 4.0, abs=1e-9)
     for k in range(600):
         assert abs(at(c, 1, 0.01 * k + 0.01) - at(c, 1, 0.01 * k)) < 0.35
+
+
+# The time of the resumption, what is left of the offset just before, the times, positions and velocities of the
+# slave, and the phases of the offset in the log.
+PAUSED: dict[str, tuple[float, float, list[tuple[float, float, float]], list[tuple[str, float, float]]]] = {
+    "in the ramp": (
+        1.6, 14.75, [(1.6, 20.5, 10.0), (1.65, 21.25, 20.0), (3.1375, 50.5, 10.0), (5.0, 69.125, 10.0)],
+        [
+            ("accel", 0.1, 0.5), ("slew", 0.4, 4.0), ("stop", 0.1, 0.75), ("accel", 0.05, 0.375),
+            ("slew", 1.3875, 13.875), ("decel", 0.1, 0.5),
+        ],
+    ),
+    "at rest": (
+        3.0, 14.5, [(1.7, 21.0, 0.0), (3.05, 21.25, 10.0), (3.1, 22.0, 20.0), (4.55, 50.5, 10.0), (5.0, 55.0, 10.0)],
+        [
+            ("accel", 0.1, 0.5), ("slew", 0.4, 4.0), ("stop", 0.2, 1.0), ("hold", 1.3, 0.0), ("accel", 0.1, 0.5),
+            ("slew", 1.35, 13.5), ("decel", 0.1, 0.5),
+        ],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PAUSED)
+def test_a_suspended_slave_pauses_its_offset(name: str) -> None:
+    """The slave is suspended at 1.5 s, at 19 counts and 20 counts/s.
+
+    Half of that speed is the offset's, which has covered 4.5 of 20 counts. The ramp at 100 counts/s² takes 0.2 s and
+    2 counts, 1 of them the offset's; after half of that time it is 0.75. The offset goes on at 10 counts/s.
+    """
+    resumed, left, states, phases = PAUSED[name]
+    c = moving_slave()
+    c.offset(1, 20.0, command="OFFSET", line=4)
+    until(c, 1.5).suspend(1)
+    assert c.offset_remaining(1) == pytest.approx(15.5)
+    until(c, resumed)
+    assert c.offset_remaining(1) == pytest.approx(left)
+    c.resume(1)
+    assert c.offset_remaining(1) == pytest.approx(left)
+    until(c, 5.0)
+    assert [(at(c, 1, t), speed(c, 1, t)) for t, *_ in states] == [
+        pytest.approx(state, abs=1e-6) for _, *state in states
+    ]
+    assert c.offset_remaining(1) == 0.0
+    entry = c.log.moves[-1]
+    assert entry.profile is not None
+    assert (entry.command, entry.line, entry.start_time, entry.ended) == ("OFFSET", 4, 1.0, "")
+    found = [(phase.name, phase.duration, phase.distance) for phase in entry.profile.phases]
+    assert found == [(kind, pytest.approx(time), pytest.approx(way)) for kind, time, way in phases]
