@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import exp, inf, nextafter, sqrt, tanh
+from math import exp, inf, nextafter, pi, sqrt, tanh
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -10,6 +10,8 @@ import pytest
 from motionlang.notes import tn1069
 from motionlang.planners import (
     Profile,
+    on_line,
+    path_length,
     plan_jerk,
     plan_parabolic,
     plan_ratio,
@@ -17,6 +19,8 @@ from motionlang.planners import (
     plan_trapezoid,
     plan_velocity,
 )
+from motionlang.planners.arc import arc_over, line_over
+from motionlang.planners.cubics import cubics
 from motionlang.planners.curve import from_curve
 from motionlang.planners.dissect import s_curve_times, slip_acceleration, step_segments, trapezoid_times
 from motionlang.planners.extrapolation import Extrapolated
@@ -35,8 +39,8 @@ from motionlang.planners.segment_speed import _farthest, between, entry_speed, e
 from motionlang.planners.sequence import ProfileSequence
 from motionlang.planners.solve import solve_move
 from motionlang.planners.stop import ramps_of
-from motionlang.planners.superposition import added
-from motionlang.planners.table_motion import table_curve
+from motionlang.planners.superposition import Superposed, added
+from motionlang.planners.table_motion import spline_slopes, table_curve
 from motionlang.planners.trapezoid import from_rest
 
 if TYPE_CHECKING:
@@ -131,6 +135,7 @@ def test_a_profile_of_ramps_too_short_to_count_stands_still() -> None:
     made = Profile("trapezoid", 3.0, 3.0, time, (0.0, time, 0.0, 0.0))
     assert made.knots == (0.0, time)
     assert made.pieces == ((3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),)
+    assert made.curve[2] == (("slew", 0),)
 
 
 def test_all_of_a_sequence_is_the_sequence() -> None:
@@ -306,3 +311,127 @@ def test_the_peak_of_a_move_from_rest(name: str) -> None:
     assert peak_from_rest(size, *figures) == pytest.approx(peak)
     accel, decel, accel_jerk, decel_jerk = figures
     assert peak_from_rest(size, decel, accel, decel_jerk, accel_jerk) == pytest.approx(peak)
+
+
+# The sweep, the length of the path and which of both axes; then the ends, their slopes, the knots and the waves.
+ARCS: dict[str, tuple[tuple[float, float, bool], tuple[float, ...], list[tuple[float, ...]]]] = {
+    "half a circle, sine": (
+        (pi, 4.0, False), (5.0, 5.0, pi / 2, -pi / 2, 0.0, 4.0), [(2.0, pi / 4, 0.0)],
+    ),
+    "half a circle back, sine": (
+        (-pi, 4.0, False), (5.0, 5.0, -pi / 2, pi / 2, 0.0, 4.0), [(-2.0, pi / 4, 0.0)],
+    ),
+    "three quarters, cosine": (
+        (1.5 * pi, 6.0, True), (7.0, 5.0, 0.0, pi / 2, 0.0, 2.0, 6.0), [(2.0, pi / 4, pi / 2), (-2.0, pi / 4, 0.0)],
+    ),
+    "three quarters back, cosine": (
+        (-1.5 * pi, 6.0, True), (7.0, 5.0, 0.0, pi / 2, 0.0, 2.0, 6.0),
+        [(2.0, pi / 4, pi / 2), (-2.0, pi / 4, 0.0)],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ARCS)
+def test_an_axis_of_an_arc_consists_of_half_waves(name: str) -> None:
+    """Around 5 with a radius of 2, each unit of the path is an angle of pi / 4."""
+    (sweep, length, cosine), (start, end, slope, last_slope, *knots), waves = ARCS[name]
+    made = arc_over(length, 5.0, 2.0, 0.0, sweep, end, cosine)
+    assert (made.start, made.end, made.duration) == (pytest.approx(start), end, length)
+    assert (made.start_velocity, made.end_velocity) == pytest.approx((slope, last_slope), abs=1e-12)
+    assert made.knots == pytest.approx(knots)
+    assert [piece[:4] for piece in made.pieces] == [(5.0, 0.0, 0.0, 0.0)] * len(waves)
+    assert [piece[4:] for piece in made.pieces] == [pytest.approx(wave, abs=1e-12) for wave in waves]
+
+
+def test_an_axis_of_a_line_rises_evenly() -> None:
+    made = line_over(4.0, 3.0, 1.0)
+    assert (made.start, made.end, made.start_velocity, made.end_velocity) == (3.0, 1.0, -0.5, -0.5)
+    assert made.pieces == ((3.0, -0.5, 0.0, 0.0, 0.0, 0.0, 0.0),)
+    assert made.knots == (0.0, 4.0)
+
+
+def test_axes_on_a_line_share_the_profile_of_the_path() -> None:
+    """The path has a length of 5: 3 for the first axis, -4 for the second."""
+    starts, targets = [1.0, 5.0], [4.0, 1.0]
+    assert path_length(starts, targets) == 5.0
+    path = plan_trapezoid(0.0, 5.0, 5.0, 10.0, 10.0)
+    x, y = on_line(path, starts, targets)
+    assert [(each.start, each.end, each.duration) for each in (x, y)] == [(1.0, 4.0, 1.5), (5.0, 1.0, 1.5)]
+    assert (x.velocity(0.75), y.velocity(0.75)) == pytest.approx((3.0, -4.0))
+    assert (x.position(0.75), y.position(0.75)) == pytest.approx((2.5, 3.0))
+    still = plan_trapezoid(0.0, 0.0, 5.0, 10.0, 10.0)
+    assert [(each.start, each.end) for each in on_line(still, starts, starts)] == [(1.0, 1.0), (5.0, 5.0)]
+
+
+@pytest.mark.parametrize(
+    ("widths", "rises", "cyclic", "slopes"),
+    [
+        # x²(9 - x) has no slope at 0 and 6; at 0, 2, 3 and 6 it is 0, 28, 54 and 108, with slopes of 24 and 27.
+        ([2.0, 1.0, 3.0], [14.0, 26.0, 18.0], False, [0.0, 24.0, 27.0, 0.0]),
+        ([2.0, 1.0, 3.0, 5.0], [7.0] * 4, True, [7.0] * 5),
+        # 4/3 a + 8/3 b = 3 (3/1 - 1/3), and the same for b and a.
+        ([1.0, 3.0], [3.0, -1.0], True, [2.0, 2.0, 2.0]),
+        ([2.0], [7.0], False, [0.0, 0.0]),
+    ],
+)
+def test_the_slopes_of_a_spline(
+    widths: list[float], rises: list[float], cyclic: bool, slopes: list[float]
+) -> None:
+    assert spline_slopes(widths, rises, cyclic) == pytest.approx(slopes, abs=1e-12)
+
+
+def test_a_sum_of_cubics_is_drawn_as_their_sums() -> None:
+    """Each piece fits at once, so there are no knots but those of both motions."""
+    first = plan_jerk(0.0, 100.0, *LIMITS, 2000.0, 2000.0)
+    second = plan_trapezoid(5.0, 45.0, 50.0, 100.0, 100.0)
+    knots, pieces, marks = cubics(Superposed(first, second, "sum"))
+    wanted = sorted({*first.knots, *second.knots})
+    assert list(knots) == pytest.approx(wanted)
+    assert marks == (("sum", 0),)
+    for knot, piece in zip(wanted, pieces, strict=False):
+        a, b = first.at(knot + 1e-9), second.at(knot + 1e-9)
+        assert piece[:4] == pytest.approx(
+            (
+                a.position + b.position,
+                a.velocity + b.velocity,
+                0.5 * (a.acceleration + b.acceleration),
+                (a.jerk + b.jerk) / 6.0,
+            ),
+            rel=1e-4,
+            abs=1e-2,
+        )
+
+
+def test_a_sum_without_an_end_is_drawn_with_its_last_velocity() -> None:
+    """At 0.5 s the jog is at 100 * 0.5²/2 and 50 per second."""
+    jog = plan_velocity("trapezoid", 0.0, 0.0, 50.0, 100.0, 100.0)
+    knots, pieces, _ = cubics(Superposed(jog, jog, "sum"))
+    assert knots == (0.0, 0.5, inf)
+    assert pieces[0][:4] == pytest.approx((0.0, 0.0, 100.0, 0.0), abs=1e-6)
+    assert pieces[1] == pytest.approx((25.0, 100.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("v0", "ramps"),
+    [
+        # From 1 to 10 at 20 in 0.45 s over 2.475, and 2.5 to rest.
+        (1.0, [("accel", 0.45, 2.475), ("slew", 9.5025, 95.025), ("decel", 0.5, 2.5)]),
+        # To rest over 0.025, and from there 2.5 each up and down.
+        (-1.0, [("stop", 0.05, -0.025), ("accel", 0.5, 2.5), ("slew", 9.5025, 95.025), ("decel", 0.5, 2.5)]),
+    ],
+)
+def test_a_move_from_a_velocity_of_one(v0: float, ramps: list[tuple[str, float, float]]) -> None:
+    made = plan_trapezoid(0.0, 100.0, 10.0, 20.0, 20.0, v0)
+    assert made.start_velocity == v0
+    found = [(phase.name, phase.duration, phase.distance) for phase in made.phases]
+    assert found == [(kind, pytest.approx(time), pytest.approx(way)) for kind, time, way in ramps]
+
+
+def test_a_known_end_replaces_that_of_the_pieces() -> None:
+    end = nextafter(MOVE.end, inf)
+    made = MOVE.ending_at(end)
+    assert (made.start, made.end, made.duration, made.shape) == (0.0, end, MOVE.duration, "trapezoid")
+    assert made.curve == MOVE.curve
+    assert MOVE.ending_at(MOVE.end) is MOVE
+    both = Superposed(MOVE, MOVE, "sum")
+    assert both.ending_at(end) is both
