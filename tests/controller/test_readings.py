@@ -235,3 +235,23 @@ def test_without_a_motor_there_is_no_output_and_no_error() -> None:
     assert (c.following_error(0), c.servo_output(0), c.motor_current(0)) == (0.0, 0.0, 0.0)
     assert (c.has_motor(0), c.is_open(0)) == (False, False)
     assert (c.position(0), c.velocity(0)) == (c.demand(0), c.demand_velocity(0)) == pytest.approx((2.0, 20.0))
+
+
+def test_gains_are_those_of_the_program_or_the_default() -> None:
+    c = controller()
+    assert c.gain(0, "proportional", 5.0) == 5.0
+    c.set_gain(0, "proportional", 2.0, "KPROP")
+    c.set_gain(0, "integral", 3.0, "KINT")
+    assert [c.gain(0, name, 5.0) for name in ("proportional", "integral", "derivative")] == [2.0, 3.0, 5.0]
+    assert c.gain(1, "proportional", 5.0) == 5.0
+    c.set_gains(0, {"derivative": (4.0, "KDERIV")})
+    assert [c.gain(0, name, 5.0) for name in ("proportional", "integral", "derivative")] == [5.0, 5.0, 4.0]
+
+
+def test_past_positions_without_a_motor_are_the_commanded_ones() -> None:
+    """50 t² during the first 0.5 s; a motor that does not exist has no output."""
+    c = controller()
+    c.move_to(0, 30.0)
+    c.clock.advance(2.0)
+    assert c.recall(0, "actual", [0.1, 0.2, 1.5]) == pytest.approx([0.5, 2.0, 30.0])
+    assert c.recall(0, "output", [0.1, 0.2]) == [0.0, 0.0]

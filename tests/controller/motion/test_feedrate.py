@@ -189,3 +189,123 @@ def test_a_limit_of_speed_acts_on_a_speed_reference() -> None:
     until(c, 1.0).configure(0, "max_speed", 5.0)
     assert until(c, 1.05).velocity(0) == pytest.approx(7.5)
     assert until(c, 2.0).velocity(0) == 5.0
+
+
+def test_bit_1_of_the_feed_rate_mode_alone_lets_the_override_act() -> None:
+    c = machine(feedrate_mode=3)
+    c.load_by(0, 100.0)
+    c.go([0])
+    until(c, 1.0).configure(0, "feedrate_mode", 1)
+    c.configure(0, "override", 0.5)
+    assert until(c, 2.0).velocity(0) == 10.0
+    c.configure(0, "feedrate_mode", 2)
+    assert until(c, 3.0).velocity(0) == pytest.approx(5.0)
+
+
+def test_a_speed_reference_that_is_written_again_changes_nothing() -> None:
+    """At 100 counts/s² it has 5 counts/s after 0.05 s; then at 200 and 50 counts/s²."""
+    c = machine()
+    a = c.axes[0]
+
+    def refer(speed: float, rate: float, command: str = "SPEEDREF") -> tuple[float, int]:
+        slope = Slope(rate, 0.0, 0.0)
+        c.refer_speed(0, speed, (slope, slope), command=command, line=3)
+        return a.starts[-1], len(c.log.moves)
+
+    assert refer(0.0, 100.0) == (0.0, 0)
+    assert refer(10.0, 100.0) == (0.0, 1)
+    until(c, 0.05)
+    assert refer(10.0, 100.0) == (0.0, 1)
+    assert refer(10.0, 200.0) == (0.05, 1)
+    assert until(c, 0.06).velocity(0) == pytest.approx(7.0)
+    until(c, 1.0)
+    assert refer(10.0, 50.0) == (0.05, 1)
+    assert refer(20.0, 50.0) == (1.0, 1)
+    assert until(c, 1.1).velocity(0) == pytest.approx(15.0)
+    assert refer(20.0, 50.0, "other") == (1.1, 2)
+    assert until(c, 1.15).velocity(0) == pytest.approx(17.5)
+    assert [(move.command, move.line, move.ended) for move in c.log.moves] == [
+        ("SPEEDREF", 3, "retarget"),
+        ("other", 3, ""),
+    ]
+
+
+def test_position_references_form_one_entry_of_the_log() -> None:
+    """Each takes 1 ms, at 500 or -1500 counts/s.
+
+    An entry ends with a stop or another command.
+    """
+    c = machine(decel=1e6)
+    c.refer_position(0, 0.0, "POSREF", 3)
+    assert len(c.log.moves) == 0
+    c.refer_position(0, 0.5, "POSREF", 3)
+    assert until(c, 0.0005).velocity(0) == pytest.approx(500.0)
+    assert (c.position(0), c.target(0), c.idle_time(0)) == (pytest.approx(0.25), 0.5, 0.001)
+    c.refer_position(0, 0.5, "POSREF", 3)
+    assert c.axes[0].starts[-1] == 0.0
+    until(c, 0.01).refer_position(0, -1.0, "POSREF", 4)
+    assert until(c, 0.0105).velocity(0) == pytest.approx(-1500.0)
+    c.refer_position(0, 1.0, "POSREF", 4)
+    assert until(c, 0.011).velocity(0) == pytest.approx((1.0 + 0.25) / 0.001)
+    until(c, 0.02).refer_position(0, 3.0, "other", 5)
+    until(c, 0.0205).stop(0)
+    until(c, 1.0).refer_position(0, 30.0, "other", 6)
+    until(c, 2.0)
+    assert [(move.command, move.line, move.start_time, move.ended) for move in c.log.moves] == [
+        ("POSREF", 3, 0.0, ""), ("other", 5, 0.02, "stop"), ("other", 6, 1.0, ""),
+    ]  # fmt: skip
+    first, last = c.log.moves[0].profile, c.log.moves[-1].profile
+    assert first is not None
+    assert last is not None
+    assert (first.duration, first.end, last.duration, last.end) == (pytest.approx(0.0115), 1.0, 0.001, 30.0)
+    for position in (float("inf"), float("nan")):
+        with pytest.raises(Rejected, match=f"axis 0 cannot go to {position:g}"):
+            c.refer_position(0, position)
+
+
+def test_a_velocity_that_is_decided_at_each_tick() -> None:
+    """It speeds up by 0.1 and slows down by 0.05 counts/s each ms.
+
+    At rest there are no more ticks.
+    """
+    c = machine(decel=50.0, max_speed=8.0)
+    wanted = [10.0, False]
+    decided: list[float] = []
+
+    def decide() -> tuple[float, bool]:
+        decided.append(c.clock.now)
+        return wanted[0], bool(wanted[1])
+
+    track = c.track(0, decide, "HTA", 3)
+    with pytest.raises(Rejected, match="axis 0 is in HTA, which takes no other motion"):
+        c.track(0, decide, "HTA", 3)
+    c.jog(1, 1.0)
+    with pytest.raises(Rejected, match="axis 1 is moving"):
+        c.track(1, decide, "HTA", 3)
+    until(c, 0.0505)
+    assert (len(decided), c.velocity(0), c.is_idle(0)) == (50, pytest.approx(4.95), False)
+    assert until(c, 0.0905).velocity(0) == pytest.approx(8.0)
+    wanted[0] = 6.98
+    until(c, 0.1105)
+    assert c.velocity(0) == pytest.approx(7.025)
+    assert until(c, 0.2).velocity(0) == pytest.approx(6.98)
+    wanted[0] = -1.0
+    until(c, 0.5)
+    assert c.velocity(0) == pytest.approx(-1.0)
+    wanted[0] = 0.0
+    until(c, 1.0)
+    count = len(decided)
+    assert (c.velocity(0), track.resting, c.axes[0].is_at_standstill) == (0.0, True, True)
+    until(c, 2.0)
+    assert len(decided) == count
+    wanted[:] = [0.0, True]
+    track.wake()
+    until(c, 2.0105)
+    assert len(decided) == count + 10
+    assert not track.resting
+    c.suspend(0)
+    until(c, 3.0)
+    assert (track.resting, len(decided)) == (True, count + 10)
+    wanted[0] = 1.0
+    c.resume(0)
+    assert until(c, 4.0).velocity(0) == pytest.approx(1.0)

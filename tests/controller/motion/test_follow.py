@@ -629,3 +629,105 @@ def test_a_suspended_slave_pauses_its_offset(name: str) -> None:
     assert (entry.command, entry.line, entry.start_time, entry.ended) == ("OFFSET", 4, 1.0, "")
     found = [(phase.name, phase.duration, phase.distance) for phase in entry.profile.phases]
     assert found == [(kind, pytest.approx(time), pytest.approx(way)) for kind, time, way in phases]
+
+
+def test_an_offset_commanded_during_a_suspension_waits_for_its_end() -> None:
+    """The slave rests at 10 counts; from 3 s on it follows again and does both."""
+    c = moving_slave()
+    until(c, 1.0).suspend(1)
+    c.offset(1, 14.0)
+    c.offset(1, 5.0)
+    assert c.offset_remaining(1) == 0.0
+    until(c, 3.0).resume(1)
+    assert c.offset_remaining(1) == pytest.approx(19.0)
+    until(c, 5.0)
+    assert c.position(1) == pytest.approx(10.0 + 0.5 + 19.0 + 19.0)
+    assert c.velocity(1) == pytest.approx(10.0)
+
+
+def test_a_ratio_that_is_written_again_begins_no_new_ramp() -> None:
+    """From 1 s on it gains 100 counts/s each second, from 1.1 s on 50 counts/s."""
+    c = machine()
+    c.jog(0, 10.0)
+    until(c, 1.0).gear(1, 0, 2.0, ramp=True)
+    a = c.axes[1]
+    until(c, 1.1).gear(1, 0, 2.0, ramp=True)
+    assert a.starts[-1] == 1.0
+    c.configure(1, "accel", 50.0)
+    c.gear(1, 0, 2.0, ramp=True)
+    assert a.starts[-1] == 1.1
+    assert until(c, 1.2).velocity(1) == pytest.approx(15.0)
+    assert until(c, 1.3).velocity(1) == pytest.approx(20.0)
+    until(c, 2.0).configure(1, "accel", 100.0)
+    c.gear(1, 0, 2.0, ramp=True)
+    assert a.starts[-1] == 1.1
+    c.gear(1, 0, 2.0)
+    assert (a.starts[-1], c.velocity(1)) == (2.0, pytest.approx(20.0))
+    c.set_ratio(1, 2.0)
+    c.set_ratio(0, 3.0)  # no slave
+    assert a.starts[-1] == 2.0
+    until(c, 2.5).set_ratio(1, -1.0)
+    assert (a.starts[-1], c.velocity(1)) == (2.5, pytest.approx(-10.0))
+
+
+@pytest.mark.parametrize("ratio", [1e12, -1e12, math.inf, math.nan])
+def test_a_ratio_that_is_too_large_is_rejected(ratio: float) -> None:
+    c = machine()
+    c.gear(1, 0, 9e11)
+    message = rf"an axis cannot follow at a ratio of {ratio:g}".replace("+", r"\+")
+    with pytest.raises(Rejected, match=message):
+        c.gear(1, 0, ratio)
+    with pytest.raises(Rejected, match=message):
+        c.set_ratio(1, ratio)
+
+
+def test_a_slave_that_leaves_its_master_completes_its_profile() -> None:
+    """The master takes 2.1 s for 20 counts, unless it is stopped at 1.5 s."""
+    c = machine()
+    c.gear(1, 0, 0.5, command="FOLLOW")
+    c.move_to(0, 20.0)
+    until(c, 1.0).leave_master(1)
+    assert (c.master_of(1), c.target(1), c.idle_time(1)) == (None, 10.0, pytest.approx(2.1))
+    until(c, 1.5).stop(0)
+    until(c, 9.0)
+    assert (c.position(0), c.position(1)) == (pytest.approx(15.0), pytest.approx(10.0))
+    entry = c.log.moves[0]
+    assert (entry.command, entry.ended, entry.target) == ("FOLLOW", "", 10.0)
+    assert entry.profile is not None
+    assert entry.profile.duration == pytest.approx(2.1)
+    c.leave_master(1)  # a no-op
+    assert c.is_idle(1)
+
+
+def test_a_slave_at_rest_that_leaves_its_master_is_idle() -> None:
+    c = machine(buffer_size=3)
+    c.gear(1, 0, 0.5)
+    c.move_to(0, 20.0)
+    until(c, 5.0)
+    c.load_to(1, 13.0)
+    c.axes[1].buffer[0].released = True
+    assert not c.is_idle(1)
+    c.leave_master(1)
+    assert c.log.moves[0].profile is not None
+    assert c.log.moves[0].profile.duration == pytest.approx(5.0)
+    assert until(c, 9.0).position(1) == pytest.approx(13.0)
+    c.gear(1, 0, 0.5)
+    c.leave_master(1)
+    c.move_to(0, 0.0)
+    assert (c.is_idle(1), c.target(1)) == (True, pytest.approx(13.0))
+    assert until(c, 20.0).position(1) == pytest.approx(13.0)
+
+
+def test_the_shortest_segment_of_a_shear_is_one_count_of_its_master() -> None:
+    """The ratio grows to 2 * 5 / 1: at 100 counts/s the slave stops over 50 more."""
+    c = machine()
+    shear(c, (5.0, 1.0))
+    c.jog(0, 10.0)
+    assert until(c, 9.0).position(1) == pytest.approx(55.0)
+    for over in (0.999, -0.999, 0.0):
+        with pytest.raises(Rejected, match=rf"a segment cannot go 5 counts while its master goes {over:g}$"):
+            c.load_fly(1, 0, 5.0, over)
+    c.load_fly(1, 0, 5.0, -1.0)
+    c.go([1])
+    c.jog(0, -10.0)
+    assert until(c, 20.0).position(1) == pytest.approx(110.0)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, sqrt
 
 import pytest
 
 from motionlang import run
 from motionlang.controller.controller import Controller
+from motionlang.controller.faults import SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
 from motionlang.controller.io.wiring import World
 from motionlang.controller.triggers.homing import Homing, next_index
 from motionlang.source import Source
@@ -234,3 +235,78 @@ def test_the_next_index_mark_in_each_direction(
             assert (next_index(c, 0, 1), next_index(c, 0, -1)) == (up, down)
             c.define_position(0, 77.0)
     assert (next_index(machine({}), 0, 1), next_index(machine({}), 0, -1)) == (inf, -inf)
+
+
+@pytest.mark.parametrize(
+    ("rates", "limits", "offset", "end"),
+    [
+        # 0.5 s up to 4, 9 at 4, 0.25 s to rest at 0.5; 0.5 more is a triangle with a peak of 4/sqrt(3).
+        ((8.0, None), {}, 1.0, 0.5 + 2.25 + 0.25 + 4.0 / sqrt(3.0) * (1 / 8 + 1 / 16)),
+        # 0.25 s up, 9.5 at 4, 0.5 s to rest at 1; 1 more is a triangle with a peak of sqrt(32 / 3).
+        ((None, 8.0), {}, 2.0, 0.25 + 2.375 + 0.5 + sqrt(32.0 / 3.0) * (1 / 8 + 1 / 16)),
+        # At 2 and 4 every ramp takes 0.5 s over 0.5: 9.5 at 2 up to the mark, and 0.5 at 2 after it.
+        ((8.0, 8.0), {"max_speed": 2.0, "max_accel": 4.0, "max_decel": 4.0}, 2.0, 0.5 + 4.75 + 0.5 + 1.25),
+    ],
+)
+def test_a_homing_goes_to_its_offset_at_its_own_rates_and_within_the_limits(
+    rates: tuple[float | None, float | None], limits: dict[str, float], offset: float, end: float
+) -> None:
+    """The mark at 30 is 10 counts ahead; the rates of the axis are 16."""
+    c = machine()
+    for name, value in limits.items():
+        c.configure(0, name, value)
+    Homing(c, 0, +1, 4.0, 4.0, 4.0, switch="index", offset=offset, rates=rates)
+    idle: list[float] = []
+    c.listeners.append(
+        lambda what, axis: idle.append(c.clock.now) if what == "idle" and c.is_idle(axis) else None
+    )
+    c.clock.advance(60.0)
+    assert idle == [pytest.approx(end)]
+    assert c.position(0) == pytest.approx(offset)
+    assert [move.command for move in c.log.moves] == ["HOME", "HOME"]
+
+
+AWAY = "axis 0 homes away from its {} and never reaches it"
+
+
+@pytest.mark.parametrize(
+    ("settings", "direction", "what", "provided", "reason"),
+    [
+        (SETTINGS, -1, "home", True, ""),
+        (SETTINGS, 1, "home", True, AWAY.format("switch")),
+        ({}, -1, "home", True, AWAY.format("switch")),
+        ({}, -1, "home", False, "axis 0 homes towards a switch that does not exist"),
+        ({}, -1, "limit", True, AWAY.format("limit switch")),
+        ({}, -1, "limit", False, "axis 0 homes towards a limit switch that does not exist"),
+        ({"axis.0.travel": [-50.0, 50.0]}, -1, "limit", True, ""),
+        ({"axis.0.travel": [-50.0, 50.0]}, 1, "home", True, ""),
+        ({}, 1, "index", True, "axis 0 homes and never reaches an index mark"),
+        ({}, 1, "index", False, "axis 0 homes and never reaches an index mark"),
+        (SETTINGS, 1, "index", True, ""),
+    ],
+)
+def test_the_reason_why_a_homing_never_ends(
+    settings: dict[str, object], direction: int, what: str, provided: bool, reason: str
+) -> None:
+    """Two software limits, which do not act during a homing, make no difference."""
+    c = machine(settings)
+    for sign, bit in ((1, SOFT_LIMIT_FORWARD), (-1, SOFT_LIMIT_REVERSE)):
+        soft = c.add_limit(0, sign, bit, "stop")
+        soft.set_position(sign * 500.0)
+    homing = Homing(c, 0, direction, 8.0, 0.8, 0.8, switch=what, provided=provided)
+    c.clock.advance(0.1)
+    assert homing.endless_motion == reason
+    homing.cancel()
+    assert homing.endless_motion == ""
+
+
+def test_the_reason_why_a_homing_never_leaves_its_switch() -> None:
+    """The switch was closed by hand, so the axis never leaves it."""
+    c = machine({})
+    c.set_home_switch(0, True)
+    homing = Homing(c, 0, -1, 8.0, 0.8, 0.8, provided=False)
+    assert homing.endless_motion == "axis 0 backs off its switch and never leaves it"
+    c.clock.advance(1.0)
+    assert c.velocity(0) == pytest.approx(0.8)
+    c.set_home_switch(0, False)
+    assert homing.endless_motion == ""

@@ -106,3 +106,13 @@ def test_a_limit_that_is_only_a_switch() -> None:
     c.clock.advance(9.0)
     assert c.position(0) == pytest.approx(6.0 + 8.0**2 / 64.0)
     assert (c.faults(0), limit.active) == (LIMIT_FORWARD, True)
+
+
+def test_the_action_of_one_kind_of_limit() -> None:
+    c, soft = limited("ignore")
+    hard = Limit(c, 0, +1, LIMIT_FORWARD, "abort", physical=True)
+    c.axes[0].limits.append(hard)
+    c.set_limit_action(0, SOFT_LIMIT_FORWARD, "stop")
+    assert (soft.action, hard.action) == ("stop", "abort")
+    c.set_limit_action(0, LIMIT_FORWARD, "off")
+    assert (soft.action, hard.action) == ("stop", "off")
