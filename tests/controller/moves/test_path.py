@@ -531,3 +531,111 @@ def test_a_path_says_if_it_stops_for_the_angle_alone(name: str) -> None:
     until(c, 9.0)
     assert not run.stops_at_corner
     assert positions(c) == pytest.approx([3.0 + distances[0], distances[1]])
+
+
+def contour(**settings: float | str) -> Controller:
+    """Return a contour of three paths of 3 by 4 units, at 10, 5 and 10 units/s."""
+    c = plane(contour_mode=True, contour_angle=10.0, feedrate_mode=3, **settings)
+    for line, speed in enumerate((1000.0, 500.0, 1000.0), 1):
+        c.configure(0, "speed", speed)
+        c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", line)
+    c.go([0])
+    return c
+
+
+# Line, start, duration, distance along the path and the cause of an early end.
+Row = tuple[int, float, float, float, str]
+
+
+def rows(c: Controller) -> list[Row]:
+    """Return the entries of the log, which are the same for both axes."""
+    found: list[list[Row]] = [[], []]
+    for move in c.log.moves:
+        assert move.profile is not None
+        distance = move.profile.distance / (60.0, 40.0)[move.axis]
+        found[move.axis].append((move.line, move.start_time, move.profile.duration, distance, move.ended))
+    assert found[1] == [(row[0], *(pytest.approx(each) for each in row[1:4]), row[4]) for row in found[0]]
+    return found[0]
+
+
+def slow_in_the_middle(c: Controller) -> None:
+    """Load the same contour with 50 units/s² for the second path."""
+    c.abort(0)
+    for line, (speed, decel) in enumerate(((1000.0, None), (500.0, 5000.0), (1000.0, None)), 1):
+        c.configure(0, "own_rates", (speed, None, decel))
+        c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", line)
+    c.go([0])
+
+
+CHANGES: dict[str, tuple[list[tuple[float, str, tuple[object, ...]]], list[Row], float]] = {
+    "none": (
+        [], [(1, 0.0, 0.5625, 5.0, ""), (2, 0.5625, 1.0, 5.0, ""), (3, 1.5625, 0.5625, 5.0, "")], 15.0,
+    ),
+    "a stop that rests in the next path": (
+        [(0.5125, "stop", (1,))], [(1, 0.0, 0.5625, 5.0, "stop"), (2, 0.5625, 0.05, 0.125, "stop")], 5.125,
+    ),
+    "a stop in the second path": (
+        [(1.0, "stop", (0,))],
+        [(1, 0.0, 0.5625, 5.0, ""), (2, 0.5625, 0.4875, 0.4375 * 5.0 + 0.125, "stop")], 7.3125,
+    ),
+    "an abort in the second path": (
+        [(0.7, "abort", (1,))], [(1, 0.0, 0.5625, 5.0, ""), (2, 0.5625, 0.1375, 0.6875, "cancel")], 5.6875,
+    ),
+    # From rest at 5.125, 0.125 up to 5 units/s, and 4.75 at it.
+    "a suspension that rests in the next path": (
+        [(0.5125, "suspend", (0,)), (1.0, "resume", (0,))],
+        [(1, 0.0, 0.5625, 5.0, ""), (2, 0.5625, 1.4375, 5.0, ""), (3, 2.0, 0.5625, 5.0, "")], 15.0,
+    ),
+    # At 2.5 the speed halves: 0.05 s over 0.375, 0.40625 s at 5, and 0.025 s down to 2.5 units/s.
+    "half of all speeds": (
+        [(0.3, "configure", (0, "override", 0.5))],
+        [(1, 0.0, 0.78125, 5.0, ""), (2, 0.78125, 2.0, 5.0, ""), (3, 2.78125, 1.03125, 5.0, "")], 15.0,
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_a_contour_and_its_log_after_a_change(name: str) -> None:
+    """At 100 units/s² a change from 10 to 5 units/s takes 0.05 s over 0.375.
+
+    A change from 10 to 0 takes 0.1 s over 0.5. So the first path takes 0.1 + 4.125/10 + 0.05 s, the second 5/5 s, and
+    the third as long as the first.
+    """
+    changes, wanted, end = CHANGES[name]
+    c = contour()
+    for time, verb, arguments in changes:
+        getattr(until(c, time), verb)(*arguments)
+    until(c, 9.0)
+    assert rows(c) == [(row[0], *(pytest.approx(each) for each in row[1:4]), row[4]) for row in wanted]
+    assert (c.position(0), c.position(1)) == pytest.approx((end * 60.0, end * 40.0))
+    assert (c.target(0), c.target(1)) == (c.position(0), c.position(1))
+    assert (c.is_idle(0), c.is_idle(1), c.room(0)) == (True, True, 20)
+
+
+def test_a_stop_is_delayed_to_a_path_that_must_not_be_entered_faster() -> None:
+    """At 0.505 s 4.55 are done.
+
+    At 50 units/s² the stop would enter the second path at 7.4 units/s. So it slows down to 5 units/s as planned, and rests 0.1 s and 0.25 later.
+    """
+    c = plane(contour_mode=True, contour_angle=10.0)
+    slow_in_the_middle(c)
+    until(c, 0.505).stop(0)
+    assert path_speed(until(c, 0.6624), 0.6624) == pytest.approx(0.005)
+    assert until(c, 0.6626).is_idle(0)
+    assert positions(c) == pytest.approx([3.15, 4.2])
+    assert rows(c)[-2:] == [
+        (1, 0.0, pytest.approx(0.5625), pytest.approx(5.0), "stop"),
+        (2, pytest.approx(0.5625), pytest.approx(0.1), pytest.approx(0.25), "stop"),
+    ]
+
+
+def test_a_suspended_contour_says_where_it_rests() -> None:
+    c = contour()
+    until(c, 0.5125).suspend(1)
+    assert (c.path_speed(0), c.path_remaining(0)) == pytest.approx((10.0, 0.375))
+    until(c, 0.58)
+    assert (c.target(0), c.target(1)) == (600.0, 400.0)
+    assert (c.path_speed(0), c.path_remaining(1)) == pytest.approx((3.25, 4.875 + 0.0325**2 * 50.0))
+    until(c, 0.9)
+    assert (c.path_speed(0), c.path_remaining(0)) == (0.0, pytest.approx(4.875))
+    assert c.idle_time(0) == INFINITY
