@@ -7,7 +7,7 @@ from math import exp, inf, nan, pi
 
 import pytest
 
-from motionlang.planners import plan_sinusoidal, plan_trapezoid, plan_velocity
+from motionlang.planners import Profile, plan_sinusoidal, plan_trapezoid, plan_velocity
 from motionlang.planners.counts import linear_scale, rotary_scale
 from motionlang.planners.curve import from_curve, hold
 from motionlang.planners.dissect import (
@@ -604,3 +604,38 @@ def test_a_sum_of_formulas_adds_their_states() -> None:
     assert both.at(0.01).jerk > 0.0
     other_order = added(ahead, wave, "sum")
     assert other_order.at(0.01).jerk == pytest.approx(both.at(0.01).jerk)
+
+
+# Motor positions 10, 15 and 20, at which the nut is at 20, 24 and 30.
+NUT = Leadscrew(10.0, 5.0, [20.0, 24.0, 30.0])
+
+
+@pytest.mark.parametrize(
+    ("nut", "motor", "slope"),
+    [
+        (15.0, 5.0, 1.0), (20.0, 10.0, 5 / 4), (22.0, 12.5, 5 / 4), (24.0, 15.0, 5 / 6), (27.0, 17.5, 5 / 6),
+        (30.0, 20.0, 1.0), (33.0, 23.0, 1.0),
+    ],
+)  # fmt: skip
+def test_the_motor_of_a_leadscrew_beyond_its_table_too(nut: float, motor: float, slope: float) -> None:
+    assert (NUT.motor(nut), NUT.slope(nut)) == (pytest.approx(motor), pytest.approx(slope))
+
+
+def test_the_beginning_of_a_sequence_is_its_first_profile_alone() -> None:
+    first = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0)
+    second = plan_trapezoid(10.0, 15.0, 10.0, 100.0, 100.0)
+    both = ProfileSequence("trapezoid", [first, second])
+    assert both.duration == pytest.approx(1.1 + 0.6)
+    assert both.cut(0.5).knots == first.cut(0.5).knots
+    assert type(both.cut(0.5)) is type(both.after(1.2)) is Profile
+    assert both.after(1.25).knots == pytest.approx(second.after(0.15).knots)
+    for part in (both.cut(1.2), both.after(0.5)):
+        assert isinstance(part, ProfileSequence)
+        assert len(part.segments) == 2
+    assert both.cut(99.0) is both
+    assert both.after(-1.0) is both
+    over = both.after(99.0)
+    assert (over.duration, over.start, over.end) == (0.0, 15.0, 15.0)
+    named = ProfileSequence("trapezoid", [first, second], "gear")
+    assert [phase.name for phase in named.cut(0.5).phases] == ["gear"]
+    assert named.scaled(5.0, -2.0).end == -25.0

@@ -309,3 +309,16 @@ def test_a_velocity_that_is_decided_at_each_tick() -> None:
     wanted[0] = 1.0
     c.resume(0)
     assert until(c, 4.0).velocity(0) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(("rate", "time"), [(50.0, 0.2), (0.0, 0.1)])
+def test_an_error_stops_a_speed_reference_at_its_own_rate(rate: float, time: float) -> None:
+    """From 10 counts/s it takes 0.2 s at 50 counts/s², whatever stop follows."""
+    c = machine(error_decel=100.0)
+    slope = Slope(100.0, 0.0, 0.0)
+    c.refer_speed(0, 10.0, (slope, slope), rate, "SPEEDREF", 3)
+    until(c, 1.0).fault(0, 2, "error-stop")
+    until(c, 1.05).stop(0, hard=True)
+    assert c.idle_time(0) == pytest.approx(1.0 + time)
+    assert until(c, 2.0).position(0) == pytest.approx(9.5 + 5.0 * time)
+    assert (c.target(0), c.log.moves[0].ended) == (c.position(0), "fault")

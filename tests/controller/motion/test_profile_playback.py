@@ -173,3 +173,20 @@ def test_a_new_zero_shifts_the_points_that_are_left(name: str, begin: float) -> 
     assert points == [pytest.approx(axis.position(time) + 100.0), *[103.0, 105.0, 102.0][-count:]]
     assert velocities == [pytest.approx(axis.velocity(time)), *[10.0, 20.0, 0.0][-count:]]
     assert times == left
+
+
+def test_a_profile_played_on_a_suspended_axis_waits_at_its_beginning() -> None:
+    """The first segment takes the 0.2 s of suspending, the others 1.5 s."""
+    c = machine(suspend_time=0.2)
+    c.suspend(0)
+    c.play(0, table_curve(TIMES, [0.0, 3.0, 5.0, 2.0, 8.0], "cubic"), "SPLINE", 3, on_path=True)
+    assert until(c, 1.0).position(0) == 0.0
+    assert (c.idle_time(0), c.velocity(0), c.target(0)) == (float("inf"), 0.0, 8.0)
+    c.resume(0)
+    assert c.idle_time(0) == pytest.approx(1.0 + 0.2 + 1.5)
+    assert until(c, 1.2).position(0) == pytest.approx(3.0)
+    assert until(c, 9.0).position(0) == 8.0
+    (entry,) = c.log.moves
+    assert entry.profile is not None
+    assert (entry.command, entry.line, entry.start_time, entry.ended) == ("SPLINE", 3, 0.0, "")
+    assert entry.profile.duration == pytest.approx(2.7)

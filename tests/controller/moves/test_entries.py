@@ -250,3 +250,23 @@ def test_outputs_between_paths_do_not_hold_up_the_run() -> None:
     assert controller.is_idle(1)
     assert controller.position(1) == 50.0
     assert controller.log.moves[-1].start_time == pytest.approx(0.55)
+
+
+@pytest.mark.parametrize("cyclic", [False, True])
+def test_a_cam_behind_a_move_with_a_new_end_begins_there(cyclic: bool) -> None:
+    """The move ends at 12 instead of 10; the cam rises by 4 in 20 of its master."""
+    controller = ready()
+    controller.load_to(1, 10.0)
+    controller.load_cam(1, 0, lambda start: ([0.0, 20.0], [start, start + 4.0]), cyclic=cyclic)
+    controller.go([1])
+    controller.clock.advance(0.1)
+    controller.retarget_to(1, 12.0)
+    if not cyclic:
+        controller.load_by(1, 3.0)
+        assert controller.axes[1].buffer[-1].target == 19.0
+        controller.go([1])
+    controller.clock.advance(2.0)
+    assert controller.target(1) == (INFINITY if cyclic else 16.0)
+    controller.move_to(0, 20.0)
+    controller.clock.advance(5.0)
+    assert controller.position(1) == pytest.approx(16.0 if cyclic else 19.0)

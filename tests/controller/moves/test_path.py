@@ -615,7 +615,8 @@ def test_a_contour_and_its_log_after_a_change(name: str) -> None:
 def test_a_stop_is_delayed_to_a_path_that_must_not_be_entered_faster() -> None:
     """At 0.505 s 4.55 are done.
 
-    At 50 units/s² the stop would enter the second path at 7.4 units/s. So it slows down to 5 units/s as planned, and rests 0.1 s and 0.25 later.
+    At 50 units/s² the stop would enter the second path at 7.4 units/s. So it slows down to 5 units/s as planned, and
+    rests 0.1 s and 0.25 later.
     """
     c = plane(contour_mode=True, contour_angle=10.0)
     slow_in_the_middle(c)

@@ -116,3 +116,21 @@ def test_the_action_of_one_kind_of_limit() -> None:
     assert (soft.action, hard.action) == ("stop", "abort")
     c.set_limit_action(0, LIMIT_FORWARD, "off")
     assert (soft.action, hard.action) == ("stop", "off")
+
+
+def test_stops_and_aborts_of_a_program_are_events_and_faults_are_none() -> None:
+    """At 0.5 s and 16 counts/s² the axis has 8 counts/s."""
+    c = machine()
+    for stop in (lambda: c.stop(0), lambda: c.abort(0), lambda: c.abort(0, "fault")):
+        c.abort(0, "fault")
+        c.jog(0, 8.0, "JOG", 7)
+        c.clock.advance(c.clock.now + 1.0)
+        stop()
+        c.clock.advance(c.clock.now + 2.0)
+    found = [(event.kind, event.value, event.limit, event.ordered, event.text) for event in c.log.events]
+    assert found == [
+        ("stop", 8.0, None, 7, ""),
+        ("cancel", 8.0, None, 7, ""),
+        ("velocity jump", 8.0, 0.0, 7, "cancel, an infinite acceleration"),
+        ("velocity jump", 8.0, 0.0, 7, "fault, an infinite acceleration"),
+    ]
