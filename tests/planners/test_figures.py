@@ -634,6 +634,8 @@ def test_the_beginning_of_a_sequence_is_its_first_profile_alone() -> None:
         assert len(part.segments) == 2
     assert both.cut(99.0) is both
     assert both.after(-1.0) is both
+    over = ProfileSequence("trapezoid", [second, first.shifted(15.0), second.shifted(15.0)]).after(99.0)
+    assert (over.duration, over.start, over.end) == (0.0, 30.0, 30.0)
     over = both.after(99.0)
     assert (over.duration, over.start, over.end) == (0.0, 15.0, 15.0)
     named = ProfileSequence("trapezoid", [first, second], "gear")

@@ -285,6 +285,13 @@ def test_the_farthest_number_that_fits_is_found_to_the_last_bit(
     assert found == pytest.approx(2.5, rel=1e-15)
 
 
+@pytest.mark.parametrize("ramp", [0.0, -0.1, nextafter(0.5, 1.0), 1.5])
+def test_a_ramp_takes_at_most_half_of_the_time(ramp: float) -> None:
+    assert plan_ratio(0.0, 1.0, 1.0, 1.0, 1.0, 0.5).end == 1.0
+    with pytest.raises(ValueError, match=r"ramp must be greater than zero and at most 0\.5"):
+        plan_ratio(0.0, 1.0, 1.0, 1.0, 1.0, ramp)
+
+
 @pytest.mark.parametrize("fits", [0.0, -1.0])
 def test_the_farther_end_is_the_farthest_number_if_it_fits(fits: float) -> None:
     assert _farthest(1.0, 9.0, lambda x: fits if x == 9.0 else -2.0) == 9.0
@@ -435,3 +442,74 @@ def test_a_known_end_replaces_that_of_the_pieces() -> None:
     assert MOVE.ending_at(MOVE.end) is MOVE
     both = Superposed(MOVE, MOVE, "sum")
     assert both.ending_at(end) is both
+
+
+Phases = list[tuple[str, float, float]]
+BEHIND: Phases = [("accel", 0.7, 7.0), ("slew", inf, inf), ("decel", 0.894427, 8.944272)]
+# The velocity, the acceleration and the target of a move; then its phases.
+STARTS: dict[str, tuple[tuple[float, float, float], Phases]] = {
+    # The rest of a ramp from 4.75: 15.25/40 + 0.2 - 0.05 s.
+    "it speeds up": ((5.0, 10.0, 100.0), [("accel", 0.53125, 6.951302), *BEHIND[1:]]),
+    # In 0.1 s down to 4.5, and from there in 15.5/40 + 0.2 s up.
+    "it slows down": ((5.0, -10.0, 100.0), [("decel", 0.1, 0.466667), ("accel", 0.5875, 7.196875), *BEHIND[1:]]),
+    # In 0.05 s up to 5.25, and from there in 2 sqrt(0.0525) s to rest.
+    "away, and faster": (
+        (5.0, 10.0, -100.0), [("accel", 0.05, 0.258333), ("stop", 0.458258, 1.202926), *BEHIND],
+    ),
+    # The rest of a ramp from 5.5 to rest: 2 sqrt(0.055) - 0.1 s.
+    "away, and slower": ((5.0, -10.0, -100.0), [("stop", 0.369042, 0.756531), *BEHIND]),
+    # In 0.6 s to -8, in 2 sqrt(0.08) s to rest, and 4.462742 with a peak of 8.80556.
+    "through rest": (
+        (10.0, -60.0, 1.0),
+        [
+            ("decel", 0.6, -1.2), ("stop", 0.565685, -2.262742), ("accel", 0.420139, 1.849774),
+            ("decel", 0.593483, 2.612968),
+        ],
+    ),
+    # In 0.3 s to 19, in 2 sqrt(0.19) s to rest, and 12.081908 back with a peak of 16.7894.
+    "beyond the target": (
+        (10.0, 60.0, 1.0),
+        [
+            ("accel", 0.3, 4.8), ("stop", 0.87178, 8.281908), ("accel", 0.619735, -5.202482),
+            ("decel", 0.819497, -6.879426),
+        ],
+    ),
+    # From 30 to 20 in 2 sqrt(0.1) s.
+    "too fast": ((30.0, 0.0, 100.0), [("decel", 0.632456, 15.811388), *BEHIND[1:]]),
+    # In 0.5 s to -11.5, and in 2 sqrt(0.115) s to rest.
+    "into the other direction": (
+        (1.0, -50.0, 100.0), [("accel", 0.5, -3.666667), ("stop", 0.678233, -3.89984), *BEHIND],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize("name", STARTS)
+def test_a_move_that_begins_with_an_acceleration(name: str, sign: float) -> None:
+    """The speed is 20, the rates are 40 and 50, the jerks 200 and 100.
+
+    From rest to 20 it takes 20/40 + 0.2 s, and back to rest 2 sqrt(20/100) s. The slew covers what the ramps leave.
+    """
+    (v0, a0, target), wanted = STARTS[name]
+    made = plan_jerk(0.0, sign * target, 20.0, 40.0, 50.0, 200.0, 100.0, sign * v0, sign * a0)
+    assert (made.start, made.end, made.start_velocity, made.end_velocity) == (
+        0.0,
+        sign * target,
+        sign * v0,
+        0.0,
+    )
+    phases = made.phases
+    assert [phase.name for phase in phases] == [kind for kind, _, _ in wanted]
+    total_distance = 0.0
+    for phase, (_, duration, distance) in zip(phases, wanted, strict=True):
+        total_distance += phase.distance
+        if duration == inf:
+            assert phase.distance == pytest.approx(
+                20.0 * phase.duration * (1.0 if target > 0.0 else -1.0) * sign
+            )
+            continue
+        assert phase.duration == pytest.approx(duration, rel=1e-5)
+        assert abs(phase.distance) == pytest.approx(abs(distance), rel=1e-5)
+    assert total_distance == pytest.approx(sign * target)
+    assert made.duration == pytest.approx(sum(phase.duration for phase in phases))
+    assert made.at(0.0).acceleration == pytest.approx(sign * a0)

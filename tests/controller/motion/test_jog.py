@@ -5,7 +5,7 @@ The rates of the axis are 100 counts/s2, and its speed, which jogs do not use, i
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, pi
 
 import pytest
 
@@ -132,3 +132,22 @@ def test_a_suspended_jog_comes_to_rest_and_goes_on() -> None:
     c.resume(0)
     assert until(c, 3.1).velocity(0) == pytest.approx(10.0)
     assert until(c, 4.0).velocity(0) == 30.0
+
+
+def test_another_jog_at_its_beginning_replaces_one_without_an_acceleration_yet() -> None:
+    """A sinusoidal ramp to 20 at 100 takes 0.1 pi s, at 50 twice that."""
+    c = machine(1, shape="sinusoidal")
+    c.jog(0, 20.0, "JOG")
+    assert c.axes[0].profiles[-1].knots == pytest.approx((0.0, 0.1 * pi, inf))
+    c.jog(0, 20.0, "JOG", rates=(50.0, None))
+    assert c.axes[0].profiles[-1].knots == pytest.approx((0.0, 0.2 * pi, inf))
+    assert len(c.log.moves) == 2
+
+
+def test_a_jog_to_the_end_of_its_own_flank_needs_no_other_ramp() -> None:
+    """In the second half of the ramp the flank leads to 20 counts/s, at 0.1 pi s."""
+    c = machine(1, shape="sinusoidal")
+    c.jog(0, 20.0, "JOG")
+    until(c, 0.25).jog(0, 20.0, "JOG", rates=(50.0, None))
+    assert c.axes[0].profiles[-1].knots == pytest.approx((0.0, 0.1 * pi - 0.25, inf))
+    assert until(c, 1.0).velocity(0) == 20.0
