@@ -731,3 +731,22 @@ def test_the_shortest_segment_of_a_shear_is_one_count_of_its_master() -> None:
     c.go([1])
     c.jog(0, -10.0)
     assert until(c, 20.0).position(1) == pytest.approx(110.0)
+
+
+def test_a_slave_that_returns_to_where_it_is_does_not_rest() -> None:
+    """At 1 s the master has 10 counts/s at 9.5; its new target is there, too."""
+    c = machine()
+    c.gear(1, 0, 1.0)
+    a = c.axes[1]
+    assert a.is_at_standstill
+    c.move_to(0, 20.0)
+    assert not a.is_at_standstill
+    until(c, 1.0).move_to(0, c.position(0))
+    assert a.profiles[-1].start == pytest.approx(a.profiles[-1].end)
+    assert not a.is_at_standstill
+    assert until(c, 5.0).position(1) == pytest.approx(9.5)
+    assert a.is_at_standstill
+    c.move_to(0, 30.0)
+    assert not a.is_at_standstill
+    until(c, 9.0)
+    assert (a.is_at_standstill, c.is_idle(1)) == (True, False)
