@@ -60,6 +60,8 @@ def test_the_times_of_packed_profiles(monkeypatch: pytest.MonkeyPatch) -> None:
         assert a.in_force(begins[k] + 0.1)[0] == begins[k]
         assert begins[k] < a.next_start(begins[k]) <= begins[k + 1]
         assert a.next_start(begins[k] + 0.9) == begins[k + 1]
+    last = a.older.start(a.older.count - 1)
+    assert last < a.next_start(last) == a.starts[0]
 
 
 def test_a_stop_or_an_idle_axis_has_an_end() -> None:

@@ -326,3 +326,14 @@ def test_a_sensor_along_the_travel_in_user_units() -> None:
             c.clock.advance(c.clock.now + 20.0)
             found.append(c.analogue_inputs[1])
         assert found == pytest.approx([0.0, 2.5, 3.5, 0.0])
+
+
+def test_a_sensor_is_in_user_units_after_a_new_scale_within_its_region() -> None:
+    """At 7 it has 2.5 V; at 8, which is 4 counts on, 3 V."""
+    entry = {"channel": 1, "axis": 0, "between": [6.0, 10.0], "value": 2.0, "per_unit": 0.5}
+    c = machine(analogue=[entry], axis__0__start=7.0)
+    assert c.analogue_inputs[1] == pytest.approx(2.5)
+    c.set_scale(0, 4.0)
+    c.move_to(0, 4.0)
+    c.clock.advance(20.0)
+    assert c.analogue_inputs[1] == pytest.approx(3.0)

@@ -151,3 +151,11 @@ def test_a_jog_to_the_end_of_its_own_flank_needs_no_other_ramp() -> None:
     until(c, 0.25).jog(0, 20.0, "JOG", rates=(50.0, None))
     assert c.axes[0].profiles[-1].knots == pytest.approx((0.0, 0.1 * pi - 0.25, inf))
     assert until(c, 1.0).velocity(0) == 20.0
+
+
+def test_the_same_jog_again_at_its_velocity_changes_nothing_after_another_one() -> None:
+    c = machine(1)
+    c.jog(0, 15.0, "JOG", 1)
+    until(c, 1.0).jog(0, 20.0, "JOG", 2)
+    until(c, 2.0).jog(0, 20.0, "JOG", 3, rates=(50.0, None))
+    assert [move.line for move in c.log.moves] == [1, 2]

@@ -163,7 +163,11 @@ LEFT: dict[str, tuple[float, list[float]]] = {
 def test_a_new_zero_shifts_the_points_that_are_left(name: str, begin: float) -> None:
     """The points are at 0, 3, 5 and 2 counts; 100 counts are added to each."""
     time, left = begin + LEFT[name][0], LEFT[name][1]
-    c = until(machine(), begin)
+    c = machine()
+    if begin:  # after moves there and back
+        c.move_to(0, 1.0)
+        until(c, 4.0).move_to(0, 0.0)
+    until(c, begin)
     c.play(0, table_curve(UNEVEN, [0.0, 3.0, 5.0, 2.0], "cubic"), "SPLINE", 3, True)
     axis, playback = until(c, time).axes[0], Playback()
     playback.ordered = [0.0, 3.0, 5.0, 2.0], [0.0, 10.0, 20.0, 0.0], [0.5, 1.0, 0.25]

@@ -106,3 +106,28 @@ def test_without_backlash_nothing_is_taken_up() -> None:
     c.move_to(0, 8.0)
     until(c, 0.5)
     assert (play.advance(0.5, True), play.rate(), play.heading) == (0.0, 0.0, 1)
+
+
+@pytest.mark.parametrize("size", [10.0, -10.0])
+def test_the_rate_has_the_sign_of_the_change(size: float) -> None:
+    """Ten counts in 2 s: taken up after 2 s, and given back from 4 s on."""
+    c = machine(1)
+    play = Takeup(c.axes[0], 0.0)
+    play.size, play.ramp = size, 2.0
+    sign = 1.0 if size > 0.0 else -1.0
+    c.jog(0, sign * 10.0)
+    found = []
+    for time in (1.0, 3.0):
+        until(c, time)
+        found.append((play.advance(time, True), play.rate()))
+    until(c, 4.0).abort(0)
+    c.jog(0, -sign * 10.0)
+    for time in (5.0, 7.0):
+        until(c, time)
+        found.append((play.advance(time, True), play.rate()))
+    assert found == [
+        (pytest.approx(0.5 * size), 0.5 * size),
+        (size, 0.0),
+        (pytest.approx(0.5 * size), -0.5 * size),
+        (pytest.approx(0.0), 0.0),
+    ]

@@ -270,3 +270,21 @@ def test_a_cam_behind_a_move_with_a_new_end_begins_there(cyclic: bool) -> None:
     controller.move_to(0, 20.0)
     controller.clock.advance(5.0)
     assert controller.position(1) == pytest.approx(16.0 if cyclic else 19.0)
+
+
+def test_points_that_are_prolonged_in_a_suspension_have_the_end_of_the_next_ones() -> None:
+    """Suspended at 0.95 s of 1 s, the playback stops at 1.05 s, in the next points."""
+    controller = ready()
+    controller.configure(0, "suspend_time", 0.2)
+
+    def make(start: float) -> tuple[list[float], list[float], list[float]]:
+        return [start, start + 1.0, start + 2.0], [0.0, 0.0, 0.0], [0.5, 0.5]
+
+    controller.load_points(0, make, make)
+    controller.go([0])
+    assert controller.target(0) == 2.0
+    controller.clock.advance(0.95)
+    controller.suspend(0)
+    assert controller.target(0) == 4.0
+    controller.clock.advance(2.0)
+    assert 2.0 < controller.position(0) < 3.0
