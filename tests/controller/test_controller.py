@@ -262,3 +262,11 @@ def test_the_same_verbs_give_the_same_motion() -> None:
         return [c.axes[0].position(t / 100) for t in range(600)]
 
     assert once() == once()
+
+
+def test_a_recorder_answers_like_axes_at_rest() -> None:
+    r = Recorder()
+    found = [r.is_idle(0), r.is_at_standstill(0), r.master_of(0), r.is_enabled(0), r.room(0), r.moving()]
+    assert found == [True, True, None, True, 2, []]
+    assert [r.settling(), r.position(0), Recorder(answers={"room": 5}).room(0)] == [[], 0.0, 5]
+    assert r.calls[-2:] == [("settling",), ("position", 0)]

@@ -10,6 +10,7 @@ from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Action
 from motionlang.lang.machine.machine import Machine
+from motionlang.planners.curve import from_curve
 from tests.cases import cases
 
 
@@ -255,3 +256,15 @@ def test_past_positions_without_a_motor_are_the_commanded_ones() -> None:
     c.clock.advance(2.0)
     assert c.recall(0, "actual", [0.1, 0.2, 1.5]) == pytest.approx([0.5, 2.0, 30.0])
     assert c.recall(0, "output", [0.1, 0.2]) == [0.0, 0.0]
+
+
+def test_when_the_velocity_on_a_curve_may_change_its_trend() -> None:
+    """18 t² - 12 t³ has 36 t - 36 t² counts/s: 5.76 at 0.2 s and 0.8 s."""
+    c = controller()
+    curve = ((0.0, 1.0), ((0.0, 0.0, 18.0, -12.0, 0.0, 0.0, 0.0),), (("segment", 0),))
+    c.play(0, from_curve("table", 0.0, 6.0, curve, 0.0, 0.0))
+    for velocity, time in ((inf, 0.5), (-inf, 0.5), (5.76, 0.2), (100.0, 0.5)):
+        assert c.demand_velocity_crossing_time(0, velocity) == pytest.approx(time)
+    c.clock.advance(0.6)
+    for velocity, time in ((inf, 1.0), (5.76, 0.8), (100.0, 1.0)):
+        assert c.demand_velocity_crossing_time(0, velocity) == pytest.approx(time)

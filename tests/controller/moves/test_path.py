@@ -640,3 +640,19 @@ def test_a_suspended_contour_says_where_it_rests() -> None:
     until(c, 0.9)
     assert (c.path_speed(0), c.path_remaining(0)) == (0.0, pytest.approx(4.875))
     assert c.idle_time(0) == INFINITY
+
+
+def test_a_path_that_is_blended_into_runs_through_to_the_next_one() -> None:
+    """The blend begins at 4 of 5 units, at 0.45 s; from there 10 units up take 1.1 s."""
+    c = plane(contour_mode=True, contour_angle=10.0, blend_mode=True, blend_distance=1.0)
+    c.load_line_by([0, 1], [500.0, 0.0])
+    c.load_line_by([0, 1], [0.0, 250.0])
+    c.load_line_by([0, 1], [0.0, 250.0])
+    c.go([0])
+    assert path_speed(until(c, 1.0), 1.0) == pytest.approx(10.0)
+    assert positions(c) == pytest.approx([5.0, 5.0])
+    assert not until(c, 1.549).is_idle(0)
+    assert until(c, 1.551).is_idle(0)
+    assert positions(c) == [5.0, 10.0]
+    starts = [move.start_time for move in c.log.moves if move.axis == 1]
+    assert starts == pytest.approx([0.0, 0.45, 1.0])

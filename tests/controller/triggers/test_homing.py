@@ -296,6 +296,10 @@ def test_the_reason_why_a_homing_never_ends(
     homing = Homing(c, 0, direction, 8.0, 0.8, 0.8, switch=what, provided=provided)
     c.clock.advance(0.1)
     assert homing.endless_motion == reason
+    c.suspend(0)
+    assert homing.endless_motion == ""
+    c.resume(0)
+    assert homing.endless_motion == reason
     homing.cancel()
     assert homing.endless_motion == ""
 
