@@ -1367,4 +1367,67 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mint/keywords/captures.py: Capture: _report_progress: step: 100 -> 101 #2": (
         "one event more at the last point, where the capture ends"
     ),
+    "motionlang/planners/verify.py: _Span: _wave_extrema: b + 2 * math.pi * k -> b - 2 * math.pi * k": (
+        "k runs from -2 to 2"
+    ),
+    "motionlang/planners/root.py: bracketed_root: value < 0.0 -> value <= 0.0": (
+        "a value of 0 has been returned before"
+    ),
+    "motionlang/planners/packed.py: packed: 2 -> 3": ("a recipe has two numbers, or four and more"),
+    "motionlang/planners/curve.py: Profile: scaled: -1 -> 1": ("these recipes have two numbers"),
+    "motionlang/planners/direction.py: _spans: 2.0 -> 3.0": (
+        "only the sign of the velocity beyond an extremum counts"
+    ),
+    "motionlang/planners/feasibility.py: approach: v0 > 0.0 -> v0 >= 0.0": (
+        "no distance at no speed has no direction"
+    ),
+    "motionlang/planners/crossing.py: _stays_on_one_side: 1e-09 -> 1.000000001": (
+        "a larger margin only searches more pieces"
+    ),
+    "motionlang/planners/jerk_limited.py: _ahead: left > 0.0 -> left >= 0.0": (
+        "nothing left is a slew of no time"
+    ),
+    "motionlang/planners/sample.py: _multiply: SLICE // basis.shape[1] -> SLICE * basis.shape[1]": (
+        "the size of the slices only keeps the BLAS from starting threads"
+    ),
+    "motionlang/planners/segment_speed.py: _farthest: 0.25 * _NEAR * x -> 0.25 * _NEAR / x": (
+        "how soon the secants come near; bisection finds the last bit"
+    ),
+    "motionlang/planners/segment_speed.py: _farthest: stays < 0.0 -> stays <= 0.0": (
+        "how soon the secants come near; bisection finds the last bit"
+    ),
+    "motionlang/controller/moves/buffer.py: Dwell: __init__: 1e+300 -> 1e+300": (
+        "one more is the same number"
+    ),
+    "motionlang/controller/moves/buffer.py: Pulse: __init__: 1e+300 -> 1e+300": (
+        "one more is the same number"
+    ),
+    "motionlang/controller/moves/buffer.py: known_end: 1e+300 -> 1e+300": ("one more is the same number"),
+    "motionlang/controller/moves/path.py: load_arc: 1e+300 -> 1e+300": ("one more is the same number"),
+    "motionlang/controller/moves/path.py: _starts: 1e+300 -> 1e+300": ("one more is the same number"),
+    "motionlang/controller/moves/path.py: _put: 1e+300 -> 1e+300": ("one more is the same number"),
+    "motionlang/controller/moves/cam.py: CurveFollow: _at: along < 0.0 -> along <= 0.0": (
+        "at its beginning a curve is at its start either way"
+    ),
+    "motionlang/controller/moves/cam.py: Fly: follow: self.over > 0.0 -> self.over >= 0.0": (
+        "a segment is one count of its master or more, in either direction"
+    ),
+    "motionlang/controller/moves/course.py: Course: planned: 0.0 -> 1.0": (
+        "a path of no length has one position, whatever the distance along it"
+    ),
+    "motionlang/controller/motion/takeup.py: Takeup: rate: left > 0.0 -> left >= 0.0": (
+        "nothing left has been returned before"
+    ),
+    "motionlang/controller/io/wiring.py: World: _wire_limit: sign > 0 -> sign >= 0": ("a sign is 1 or -1"),
+    "motionlang/controller/io/wiring.py: World: _wire_fault: 0 -> 1 #2": (
+        "an error of the controller has no bit"
+    ),
+    "motionlang/controller/joined.py: Joined: _range: len(packed) > _MAX_UNPACKED -> len(packed) >= _MAX_UNPACKED": (
+        "how many unpacked profiles are stored for further readers"
+    ),
+    "motionlang/controller/watches.py: Watches: append: 1 -> 2": ("only the order of the numbers counts"),
+    "motionlang/controller/feedback.py: Feedback: _extend: 1 -> 2 #2": ("one past sample more is stored"),
+    "motionlang/controller/readers.py: _piece: now - begun -> now + begun": (
+        "a piece is used only within its own time; before, the velocity is computed"
+    ),
 }
