@@ -618,7 +618,7 @@ NUT = Leadscrew(10.0, 5.0, [20.0, 24.0, 30.0])
     ],
 )  # fmt: skip
 def test_the_motor_of_a_leadscrew_beyond_its_table_too(nut: float, motor: float, slope: float) -> None:
-    assert (NUT.motor(nut), NUT.slope(nut)) == (pytest.approx(motor), pytest.approx(slope))
+    assert (NUT.motor(nut), NUT.slope(nut)) == pytest.approx((motor, slope))
 
 
 def test_the_beginning_of_a_sequence_is_its_first_profile_alone() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import product
 from math import inf
+from typing import Any
 
 import numpy as np
 import pytest
@@ -37,7 +38,7 @@ def continued(profile: Profile, time: float) -> tuple[float, float]:
 def test_a_sum_has_the_positions_and_velocities_of_both(one: str, other: str) -> None:
     first, second = MOTIONS[one], MOTIONS[other]
 
-    def wanted(time: float) -> tuple[float, float]:
+    def wanted(time: float) -> tuple[Any, Any]:
         (p, v), (q, w) = continued(first, time), continued(second, time)
         return pytest.approx(p + q, abs=1e-9), pytest.approx(v + w, abs=1e-9)
 

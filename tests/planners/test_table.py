@@ -37,7 +37,7 @@ def one_by_one(starts: list[float], profiles: list[Profile]) -> list[tuple[float
 
     A profile that is over moves on at its last velocity until the next one begins.
     """
-    found = []
+    found: list[tuple[float, tuple[float, ...]]] = []
     for start, following, profile in zip(starts, [*starts[1:], inf], profiles, strict=False):
         made = [(start + knot, piece) for knot, piece in zip(profile.knots, profile.pieces, strict=False)]
         if profile.duration < inf:

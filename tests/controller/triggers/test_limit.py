@@ -121,11 +121,11 @@ def test_the_action_of_one_kind_of_limit() -> None:
 def test_stops_and_aborts_of_a_program_are_events_and_faults_are_none() -> None:
     """At 0.5 s and 16 counts/s² the axis has 8 counts/s."""
     c = machine()
-    for stop in (lambda: c.stop(0), lambda: c.abort(0), lambda: c.abort(0, "fault")):
+    for verb, *arguments in ((c.stop, 0), (c.abort, 0), (c.abort, 0, "fault")):
         c.abort(0, "fault")
         c.jog(0, 8.0, "JOG", 7)
         c.clock.advance(c.clock.now + 1.0)
-        stop()
+        verb(*arguments)
         c.clock.advance(c.clock.now + 2.0)
     found = [(event.kind, event.value, event.limit, event.ordered, event.text) for event in c.log.events]
     assert found == [
