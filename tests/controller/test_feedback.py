@@ -1,4 +1,4 @@
-"""What a simulated motor will do, compared with its readings sample by sample."""
+"""Predictions of a simulated motor, compared with its readings sample by sample."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def test_the_sample_at_which_a_following_error_is_too_large(readings: Readings, 
 
 
 def test_an_open_loop_that_is_closed_again_takes_over_the_position() -> None:
-    """The same output again is no other change of the loop."""
+    """Setting the same output again does not change the loop."""
     controller, feedback = moving(0.1)
     count = len(feedback.changes)
     feedback.open(0.0)
