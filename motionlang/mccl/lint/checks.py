@@ -121,10 +121,11 @@ def _unreached_commands(line: Line, reached: set[int], add: Add) -> None:
 
 
 def _reason(line: Line, k: int) -> str:
-    before = next((c for c in reversed(line.commands[:k]) if c.verb in _REPEATS | _LEAVES), None)
-    if before is not None and before.verb == "repeat":
+    # The first command runs, so there is one between that does not lead to the next.
+    before = next(command for command in reversed(line.commands[:k]) if command.verb in _REPEATS | _LEAVES)
+    if before.verb == "repeat":
         return f"{before.text} repeats the commands before it forever"
-    return f"{before.text} always jumps elsewhere" if before is not None else "the line skips it"
+    return f"{before.text} always jumps elsewhere"
 
 
 # ------------------------------------------------------------------------------------------------------ motors
