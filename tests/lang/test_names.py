@@ -170,10 +170,18 @@ REFUSED = (
         "Define twice contains the name, and its meaning depends on where the Define is used",
     ),
     ("mccl", "macro", "1", "2", "there is already a macro 2"),
+    ("mccl", "macro", "1", "1000", ""),
+    ("mccl", "macro", "1", "1001", "macros are numbered 0 to 1000, not 1001"),
+    ("mccl", "macro", "1", "10000", "10000 is not a number"),
+    ("mccl", "macro", "1", "1", ""),
     ("mccl", "macro", "1", "5000", "macros are numbered 0 to 1000, not 5000"),
     ("mccl", "macro", "1", "one", "one is not a number"),
     ("mccl", "register", "10", "11", "register 11 is already in use"),
     ("mccl", "register", "10", "3", "each task has its own registers below 10; the others are shared"),
+    ("mccl", "register", "10", "1", "each task has its own registers below 10; the others are shared"),
+    ("mccl", "register", "10", "0", "registers are numbered 1 to 255, not 0"),
+    ("mccl", "register", "10", "255", ""),
+    ("mccl", "register", "11", "10", "register 10 is already in use"),
     ("mccl", "register", "10", "256", "registers are numbered 1 to 255, not 256"),
 )  # fmt: skip
 
@@ -185,6 +193,23 @@ def test_a_name_that_would_change_the_program_is_refused(
     text = PROGRAM if language == "mint" else MACROS
     found = dialect(language).names(Source("a", text))
     assert found.problem(named(found, name, kind), new) == reason
+
+
+@cases(
+    "name, settings, last",
+    [
+        ("a.mcl", {}, 1000),
+        ("a.pc1", {}, 255),
+        ("a.mcl", {"controller.model": "dcx-pc100"}, 255),
+        ("a.pc1", {"controller.model": "multiflex"}, 1000),
+    ],
+)
+def test_the_last_macro_is_that_of_the_board(name: str, settings: dict[str, object], last: int) -> None:
+    """The model of the machine file counts before the suffix of the program."""
+    found = dialect("mccl").names(Source(name, MACROS), settings)
+    macro = named(found, "1", "macro")
+    assert found.problem(macro, str(last)) == ""
+    assert found.problem(macro, str(last + 1)) == f"macros are numbered 0 to {last}, not {last + 1}"
 
 
 def test_a_macro_that_a_register_may_call_keeps_its_number() -> None:

@@ -31,6 +31,8 @@ def found(text: str) -> Found:
         ("DN5,BK,AL1", [("unreachable", 1, 8)]),
         ("AL1,BK,AL2,AL3,AL4", [("unreachable", 1, 8)]),
         ("AL1,JP4,AL2,NO,AL3,BK,AL5", [("unreachable", 1, 9), ("unreachable", 1, 23)]),
+        ("AL1,BK,AL2,NO,AL3", [("unreachable", 1, 8)]),
+        ("AL1,JP4,AL2,AL6,AL3,BK,AL5", [("unreachable", 1, 9), ("unreachable", 1, 24)]),
         ("MD1,AL5,JP3,AL6,TR0", [("unreachable", 1, 13)]),
         ("MD1,WA1,JP0,TR0", [("unreachable", 1, 13)]),
         ("JP@5,AL1,AL2", []),
@@ -52,6 +54,23 @@ def test_commands_that_never_run_and_loops_that_never_end(text: str, expected: F
     NO is only padding.
     """
     assert found(text) == expected
+
+
+@cases(
+    "text, message",
+    [
+        ("AL1,WA1,RP0,AL2", "this command can never run: RP0 repeats the commands before it forever"),
+        ("AL1,WA1,RP,AL2", "this command can never run: RP repeats the commands before it forever"),
+        ("AL5,JP3,AL6,TR0", "this command can never run: JP3 always jumps elsewhere"),
+        ("IB5,RP1,NO,JR2,AL6,TR0", "this command can never run: JR2 always jumps elsewhere"),
+        ("MD1,WA1,MJ1,AL6", "this command can never run: MJ1 always jumps elsewhere"),
+        ("AL1,BK,AL2", "this command can never run: BK always jumps elsewhere"),
+        ("WA1,RP\nAL2", "this line can never run: the line before repeats forever"),
+    ],
+)
+def test_why_a_command_never_runs(text: str, message: str) -> None:
+    """The reason is the nearest command before it that jumps."""
+    assert [each.message for each in MCCL.check(Source("limits.mcl", text), {})] == [message]
 
 
 @cases(

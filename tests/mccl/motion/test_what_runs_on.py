@@ -45,7 +45,7 @@ def test_a_reversal_without_a_velocity_or_a_deceleration_is_a_parameter_error(
     "target, stalls",
     [
         # After 0.5 s the axis is at 450 and needs 50 counts to stop: at 500.
-        ("600", False), ("502", False), ("498", True), ("0", True), ("-600", True),
+        ("600", False), ("502", False), ("500", True), ("498", True), ("0", True), ("-600", True),
     ],
 )  # fmt: skip
 def test_a_target_that_needs_a_reversal_stalls_the_interpreter(

@@ -13,6 +13,7 @@ WATCHES = {
     "MD15,IN3,CN34,NO,WA0.001,RP": "polled channel 3",
     "MD15,IN3,CN34,NO,WA1,RP": "polled channel 3",
     "MD15,IN3,CN34,NO,RP": "polled channel 3",
+    'MD15,LU"STATUS",1RL@0,RP': "polled 1RL@0",
     "MD15,IF3,NO,NO,IN4,CN34,NO,WA0.01,RP": "polled channel 3 and channel 4",
     "MD15,IN3,CN34,NO,WA0.01,JR-4": "polled channel 3",
     "MD15,IN3,CN34,NO,WA0.01,MJ15": "polled channel 3",

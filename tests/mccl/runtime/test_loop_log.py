@@ -22,6 +22,12 @@ LOOPS: list[tuple[str, list[tuple[str, float, float, tuple[str, ...]]]]] = [
     # A jump by a register, to 2, to 1 and to 0, is the end of three loops.
     ("AL3,AR20\nNO,WA0.1,WA0.1,RA20,AS1,AR20,IG-1,JP@20,NO",
      [("JP@20", 0.2, 0.3, ()), ("JP@20", 0.3, 0.5, ()), ("JP@20", 0.0, 0.7, ())]),
+    # RP2 follows the last command of the inner loop: that loop ends there, and the one of RP2 continues.
+    ("NO,WA0.1,RA20,AA1,AR20,IS0,JP1,NO,RP2",
+     [("JP1", 0.1, 0.2, ()), ("JP1", 0.3, 0.4, ()), ("JP1", 0.5, 0.6, ()), ("RP2", 0.0, 0.6, ())]),
+    # A macro that calls itself within its loop has a loop for each call.
+    ("MD1,RA20,AA1,AR20,WA0.1,IE2,MC1,NO,RP1\nMC1\nWA0.5",
+     [("RP1", 0.2, 0.4, ("MC1\n", "MC1,")), ("RP1", 0.0, 0.4, ("MC1\n",))]),
     # Less than a hundred commands leave no record.
     ("NO,RP49", []),
     ("NO,RP60", [("RP60", 0.0, 0.00122, ())]),

@@ -42,6 +42,38 @@ def test_a_node_knows_its_offset() -> None:
     ]
 
 
+def test_nodes_are_equal_if_all_but_their_offsets_are() -> None:
+    command = Command(1, "MR", 5, 0)
+    assert command == Command(1, "MR", 5, 7)
+    for other in (
+        Command(2, "MR", 5),
+        Command(1, "MA", 5),
+        Command(1, "MR", None),
+        Line(1, [command]),
+        "1MR5",
+    ):
+        assert command != other
+
+
+@cases(
+    "word, forms",
+    [
+        ("SA", ("aSA", "aSAn")),
+        ("CN", ("CNn",)),
+        ("US", ("aUSn",)),
+        ("LU", ('LU"text"',)),
+        ("MN", ("aMN",)),
+        ("TP", ()),
+    ],
+)
+def test_the_forms_of_a_command(word: str, forms: tuple[str, ...]) -> None:
+    """A number that must not be 0 is not optional."""
+    mccl = dialect("mccl")
+    row = mccl.table().get(word)
+    assert row is not None
+    assert mccl.forms(row) == forms
+
+
 @cases("name", PROFILES)
 def test_the_profile_commands_have_the_forms_that_are_printed(name: str) -> None:
     forms, text, tree = PROFILES[name]
