@@ -54,6 +54,15 @@ def test_it_is_the_line_that_the_run_waited_for(
     assert [each for each in found if abs(each[2]) > 1e-3] == expected
 
 
+def test_a_line_of_one_program_has_no_time_in_the_other() -> None:
+    """The first line waits 30 ms in both programs, which is no time of the last line."""
+    old, new = ran("WAIT(30)\nWAIT(100)\n"), ran("WAIT(30)\n")
+    for pair, line, seconds in (((old, new), (2, None), -0.1), ((new, old), (None, 2), 0.1)):
+        (found,) = [each for each in charged(*pair) if abs(each.seconds) > 1e-3]
+        assert (found.old, found.new) == line
+        assert found.seconds == pytest.approx(seconds, abs=1e-3)
+
+
 def test_together_they_are_the_whole_difference() -> None:
     old, new = ran(PROGRAM), ran(PROGRAM.replace("100, 40", "90, 140").replace("WAIT(100)", "WAIT(150)"))
     found = charged(old, new)
