@@ -76,8 +76,22 @@ SIZES: dict[str, tuple[list[Group], list[float], list[tuple[int, int, float]]]] 
         [3.0, 5.5],
         [(0, 1, 2.0), (0, 2, 1.5), (1, 2, 1.0)],
     ),
+    # Axis 2 begins alone before each pair, at even and at uneven distances in the log.
+    "one axis before each pair": (
+        [[(2, 9, 0.5)], [(0, 9, 1.0), (1, 9, 3.0)], [(2, 9, 3.5)], [(0, 9, 5.0), (1, 9, 6.0)]],
+        [3.0, 6.0],
+        [(0, 1, 3.0)],
+    ),
+    "one or two axes before each pair": (
+        [
+            [(2, 9, 0.5)], [(0, 9, 1.0), (1, 9, 3.0)], [(2, 9, 3.5)], [(2, 9, 3.7)], [(0, 9, 5.0), (1, 9, 6.0)],
+            [(2, 9, 6.5)], [(0, 9, 7.0), (1, 9, 9.0)],
+        ],
+        [3.0, 6.0, 9.0],
+        [(0, 1, 5.0)],
+    ),
     "all alone": ([[(0, 9, 1.0)], [(1, 9, 3.0)]], [1.0, 3.0], []),
-}
+}  # fmt: skip
 
 
 def found(groups: list[Group], waits: list[float], cause: str, as_range: bool) -> list[Slack]:

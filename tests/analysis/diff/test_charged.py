@@ -63,6 +63,13 @@ def test_a_line_of_one_program_has_no_time_in_the_other() -> None:
         assert found.seconds == pytest.approx(seconds, abs=1e-3)
 
 
+def test_motion_after_the_end_of_the_program_is_time_of_its_line() -> None:
+    """At 100 uu/s, 100 uu more take 1 s more."""
+    old, new = (ran(f"SPEED = 100 : ACCEL = 1000\nMOVER(0) = {way} : GO(0)\n") for way in (100, 200))
+    for pair, seconds in (((old, new), 1.0), ((new, old), -1.0)):
+        assert [(each.old, each.new, round(each.seconds, 6)) for each in charged(*pair)] == [(2, 2, seconds)]
+
+
 def test_together_they_are_the_whole_difference() -> None:
     old, new = ran(PROGRAM), ran(PROGRAM.replace("100, 40", "90, 140").replace("WAIT(100)", "WAIT(150)"))
     found = charged(old, new)

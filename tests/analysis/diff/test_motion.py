@@ -77,3 +77,27 @@ def test_it_is_what_looking_everywhere_finds(
     )
     # The exact time is between the differing sample and the one before it.
     assert min(each.time for each in expected) >= difference.time
+
+
+def waiting(milliseconds: int, axis: int = 0) -> Run:
+    text = f"SPEED({axis}) = 100 : ACCEL({axis}) = 1000 : DECEL({axis}) = 1000\nWAIT({milliseconds})\n"
+    return run(Source("a.mnt", f"{text}MOVER({axis}) = 100 : GO({axis}) : PAUSE IDLE({axis})\n"), cache=False)
+
+
+@pytest.mark.parametrize("together", [1, 50_000])
+def test_the_divergence_of_a_later_start_by_hand(together: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """At 1000 uu/s², 0.5 uu take sqrt(2 * 0.5 / 1000) = 0.031623 s from the start at 0.1 s.
+
+    The later start is 0.1 s behind, which is 10 uu at 100 uu/s: from 0.3 s, when the second axis has its speed, to
+    1.1 s, when the first one slows down.
+    """
+    monkeypatch.setattr(motion, "TOGETHER", together)
+    old, new = waiting(100), waiting(200)
+    for one, other in ((old, new), (new, old)):
+        found = divergence(one, other, 0.5)
+        assert found is not None
+        assert (found.axis, found.time) == (0, pytest.approx(0.131623, abs=1e-4))
+        assert found.max_difference == pytest.approx(10.0, abs=1e-3)
+        assert 0.3 <= found.max_difference_at <= 1.1
+    assert divergence(old, waiting(100), 0.0) is None
+    assert divergence(old, new, 10.1) is None
