@@ -26,7 +26,7 @@ class Moves:
 
     def together(self) -> tuple[Sequence[int], list[float], list[int], list[int]]:
         axes, lines, ends = map(list, zip(*self._rows, strict=True))
-        return self._cuts, ends, axes, lines  # type: ignore[return-value]
+        return self._cuts, ends, axes, lines
 
 
 # The groups, the ends of the waits for axes, and the slacks: axis, the axis that ended last, seconds.
@@ -77,6 +77,12 @@ SIZES: dict[str, tuple[list[Group], list[float], list[tuple[int, int, float]]]] 
         [(0, 1, 2.0), (0, 2, 1.5), (1, 2, 1.0)],
     ),
     # Axis 2 begins alone before each pair, at even and at uneven distances in the log.
+    # The pairs begin at 0, 2 and 5 in the log, and the last one begins with the other axis.
+    "one axis before the last pair": (
+        [[(0, 9, 1.0), (1, 9, 3.0)], [(0, 9, 4.0), (1, 9, 4.5)], [(0, 9, 4.7)], [(1, 9, 5.0), (0, 9, 6.0)]],
+        [3.0, 4.5, 6.0],
+        [(0, 1, 2.5), (1, 0, 1.0)],
+    ),
     "one axis before each pair": (
         [[(2, 9, 0.5)], [(0, 9, 1.0), (1, 9, 3.0)], [(2, 9, 3.5)], [(0, 9, 5.0), (1, 9, 6.0)]],
         [3.0, 6.0],

@@ -86,17 +86,18 @@ def waiting(milliseconds: int, axis: int = 0) -> Run:
 
 @pytest.mark.parametrize("together", [1, 50_000])
 def test_the_divergence_of_a_later_start_by_hand(together: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """At 1000 uu/s², 0.5 uu take sqrt(2 * 0.5 / 1000) = 0.031623 s from the start at 0.1 s.
+    """The positions are 0.5 uu apart sqrt(2 * 0.5 / 1000) s after the first start.
 
-    The later start is 0.1 s behind, which is 10 uu at 100 uu/s: from 0.3 s, when the second axis has its speed, to
-    1.1 s, when the first one slows down.
+    That is 0.031623 s at 1000 uu/s², and the first start is at 0.1 s. The later start is 0.1 s behind, so 10 uu at
+    100 uu/s: from 0.3 s, when the second axis has its speed, to 1.1 s, when the first one slows down.
     """
     monkeypatch.setattr(motion, "TOGETHER", together)
     old, new = waiting(100), waiting(200)
     for one, other in ((old, new), (new, old)):
         found = divergence(one, other, 0.5)
         assert found is not None
-        assert (found.axis, found.time) == (0, pytest.approx(0.131623, abs=1e-4))
+        assert found.axis == 0
+        assert found.time == pytest.approx(0.131623, abs=1e-4)
         assert found.max_difference == pytest.approx(10.0, abs=1e-3)
         assert 0.3 <= found.max_difference_at <= 1.1
     assert divergence(old, waiting(100), 0.0) is None

@@ -1,4 +1,4 @@
-"""The file in which a sweep keeps its rows: what is written, and what is read again."""
+"""The file of a sweep: the rows that are written, and those that are read again."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The listing of an MCCL program: each command with the operation that executes it."""
+"""The listing of an MCCL program: commands with the operations they execute."""
 
 from __future__ import annotations
 
