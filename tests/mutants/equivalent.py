@@ -1430,4 +1430,61 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/readers.py: _piece: now - begun -> now + begun": (
         "a piece is used only within its own time; before, the velocity is computed"
     ),
+    "motionlang/analysis/cycle/slacks.py: _by_width: cuts.step > 1 -> cuts.step >= 1": (
+        "a motion that began alone has no slack"
+    ),
+    "motionlang/analysis/cycle/slacks.py: _columns: 1 -> 2 #2": (
+        "values at uneven distances are collected one by one, with the same result"
+    ),
+    "motionlang/analysis/cycle/slacks.py: _columns: firsts[1] - begin -> firsts[1] + begin": (
+        "values at uneven distances are collected one by one, with the same result"
+    ),
+    "motionlang/analysis/cycle/slacks.py: _columns: end + 1 -> end - 1": (
+        "values at uneven distances are collected one by one, with the same result"
+    ),
+    "motionlang/analysis/cycle/slacks.py: _columns: 1 -> 2 #4": (
+        "a group has two moves or more, so the next index begins none"
+    ),
+    "motionlang/analysis/cycle/slacks.py: _columns: firsts == each or (len(firsts) == len(each) and firsts == "
+    "list(each)) -> firsts == each and (len(firsts) == len(each) and firsts == list(each))": (
+        "values at uneven distances are collected one by one, with the same result"
+    ),
+    "motionlang/analysis/cycle/slacks.py: _columns: len(firsts) == len(each) -> len(firsts) != len(each)": (
+        "values at uneven distances are collected one by one, with the same result"
+    ),
+    "motionlang/analysis/cycle/slacks.py: _columns: end + k -> end - k": (
+        "columns of unequal lengths are replaced by groups of single moves, with the same result"
+    ),
+    "motionlang/analysis/cycle/slacks.py: _columns: 1 -> 2 #5": (
+        "a group has two moves or more, so the next index is not taken"
+    ),
+    "motionlang/analysis/proof/axes.py: check_profile: 1e+300 -> 1e+300": (
+        "the same number in floating point"
+    ),
+    "motionlang/analysis/proof/path_layout.py: PathLayout: _angles: 2.0 -> 3.0": (
+        "a second revolution has the directions of the first"
+    ),
+    "motionlang/analysis/proof/slowing.py: slowing: by.smooth and a0 -> by.smooth or a0": (
+        "without an acceleration or a jerk nothing is added but the allowance for rounding"
+    ),
+    "motionlang/analysis/proof/prove.py: _excuse: abs(jump - paths_jump) > SLACK * max(1.0, abs(jump)) -> "
+    "abs(jump - paths_jump) >= SLACK * max(1.0, abs(jump))": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/outputs.py: check_trace: min((abs(counts - counts_then) for counts_then in "
+    "expected)) > slack -> min((abs(counts - counts_then) for counts_then in expected)) >= slack": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/followers.py: check_points: abs(reached - points[n]) > SLACK * size -> "
+    "abs(reached - points[n]) >= SLACK * size": ("just at the size of rounding either is right"),
+    "motionlang/analysis/sweeps/job.py: worker_of: len(_WORKERS) >= MAX_WORKERS -> len(_WORKERS) > MAX_WORKERS": (
+        "how many workers a process caches"
+    ),
+    "motionlang/mccl/runtime/task.py: BackgroundTask: end: True -> False": (
+        "the line of the task has been abandoned, so it ends at its next time slice"
+    ),
+    "motionlang/mccl/motion/path.py: Path: _pace: 0.0 -> 1.0 #2": (
+        "no command sets a ramp ratio of 0: PS0 selects another shape"
+    ),
+    "motionlang/mccl/hosts/port.py: PortTask: __init__: False -> True #4": (
+        "each line sets it before it is read"
+    ),
 }
