@@ -131,6 +131,9 @@ TRAVELS: list[tuple[str, list[tuple[int, str]]]] = [
     ("HOME(0) = 0 : PAUSE IDLE(0)\nMOVER(0) = 101 : GO(0)", []),
     ("RESET(0)\nMOVER(0) = 101 : GO(0)", []),
 ]
+LOAD_THREE = (
+    "fill(0)\nSub fill(ByVal a As Integer)\n  MOVER(a) = 1\n  MOVER(a) = 1\n  MOVER(a) = 1\n  GO(a)\nEnd Sub"
+)
 # Moves that wait in the buffer, which has 2 entries, and settings that no move uses.
 WAITING: list[tuple[str, list[tuple[int, str]]]] = [
     ("MOVER(0) = 1\nMOVER(0) = 1\nMOVER(0) = 1\nGO(0)", [(3, "buffer-overfilled")]),
@@ -167,6 +170,19 @@ WAITING: list[tuple[str, list[tuple[int, str]]]] = [
     ("Dim n As Integer\nJOG(0) = 5\nFor n = 1 To 3\n  MOVER(0) = n\nNext\nGO(0)", []),
     ("VECTORR(0, 1) = 3, 4\nVECTORR(0, 1) = 3, 4\nVECTORR(0, 1) = 3, 4\nGO(0)", [(3, "buffer-overfilled")]),
     ("VECTORR(0, 1) = 3, 4\nMOVER(1) = 1\nMOVER(1) = 1\nGO(0, 1)", []),
+    ("MOVER(1) = 1\nMOVER(1) = 1\nVECTORR(0, 1) = 3, 4\nGO(0, 1)", []),
+    ("MOVER(1) = 1\nMOVER(1) = 1\nMOVER(0, 1) = 1, 1\nGO(0, 1)", [(3, "buffer-overfilled")]),
+    ("n = 3\nMOVEBUFFERSIZE(0) = n\nMOVER(0) = 1\nMOVER(0) = 1\nMOVER(0) = 1\nGO(0)", []),
+    ("n = 0\nMOVEBUFFERSIZE(n) = 3\nMOVER(0) = 1\nMOVER(0) = 1\nMOVER(0) = 1\nGO(0)", []),
+    (LOAD_THREE, [(5, "buffer-overfilled")]),
+    ("MOVEBUFFERSIZE(0) = 3\n" + LOAD_THREE, []),
+    (
+        "Dim n As Integer\nMOVER(0) = 1\nFor n = 1 To 2\n  MOVER(0) = n\n  MOVER(0) = 1\nNext\nGO(0)",
+        [(5, "buffer-overfilled")],
+    ),
+    ("MOVER(0) = 1\nSTOP(1)\nGO(0)", []),
+    ("MOVER(0) = 1\nMOVER(1) = 1\nSTOP(1)\nGO(0, 1)", [(2, "never-started")]),
+    ("n = 0\nMOVER(0) = 1\nGO(n)", []),
     ("MOVER(0) = 1", [(1, "never-started")]),
     ("MOVER(0) = 1\nGO(1)", [(1, "never-started"), (2, "nothing-loaded")]),
     ("MOVER(0, 1) = 1, 2\nGO(0)", []),

@@ -140,7 +140,7 @@ class Follower:
     `is_out_of_reach(key, axis)` is True if the axis cannot come to its target. `analyse` fills `before`, the
     states before the steps of a function, and `after`, the facts on return about the axes that the function changes.
     `recalled` may return the latter from an earlier check, so that the function need not be analysed.
-    `report_problems` passes findings to `report(code, step, act, key, axis)`.
+    `report_problems` passes findings to `report(problem, step, act, key, axis)`.
     """
 
     def __init__(
@@ -295,9 +295,9 @@ class Follower:
                 return ANYTHING
         return state
 
-    def _report_problem(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
+    def _report_problem(self, problem: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
         if self._report is not None:
-            self._report(code, step, act, key, axis)
+            self._report(problem, step, act, key, axis)
 
     # ------------------------------------------------------------------------------------ one axis, one word
 
@@ -360,10 +360,7 @@ class Follower:
     def _go(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         sure = axis.waiting > 0
         if sure and axis.motion == IDLE and axis.loaded is not None and axis.zeros:
-            speed = "speed" in axis.zeros
-            self._report_problem(
-                "zero-speed" if speed else "zero-acceleration", step, act, act.axes[number], axis
-            )
+            self._report_problem("zeros", step, act, act.axes[number], axis)
         if number == 0 and all(self.known(self.before_act, key).empty for key in act.axes):
             self._report_problem("nothing-loaded", step, act, act.axes[number], axis)
         return axis._replace(

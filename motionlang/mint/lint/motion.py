@@ -68,8 +68,8 @@ class Motion:
         """Run all checks of motion on a function."""
         self.follower.report_problems(function, self._on_problem)
 
-    def _on_problem(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
-        _REPORTS[code](self, step, act, key, axis)
+    def _on_problem(self, problem: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        _REPORTS[problem](self, step, act, key, axis)
 
     def _in_motion(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
         zeroed = act.role == "zero"
@@ -125,8 +125,7 @@ class Motion:
 _REPORTS: dict[str, Callable[..., None]] = {
     "beyond-travel": Motion._beyond,
     "nothing-loaded": Motion._nothing,
-    "zero-speed": Motion._no_motion,
-    "zero-acceleration": Motion._no_motion,
+    "zeros": Motion._no_motion,
     "in-motion": Motion._in_motion,
     "scale-in-motion": Motion._scale_in_motion,
     "scale-after-speed": Motion._scale_late,

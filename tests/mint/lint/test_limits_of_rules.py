@@ -209,6 +209,17 @@ NEXT = "PAUSE IDLE(0)\nMOVER(0) = 6\nGO(0)\n"
         (MOVE + "While POS(0) < 5\nWAIT = 1\nWend", []),
         (MOVE + "Repeat\nWAIT = 1\nUntil POS(0) > 10", [("endless-wait", 6, 7)]),
         (MOVE + "While POS(0) < 10\nSTOP(0)\nWend", []),
+        (MOVE + "While POS(0) < 10\nSPEED(0) = 5\nWend", [("endless-wait", 4, 7)]),
+        (MOVE + "While POS(0) < 10\nf()\nWend\nEnd\nSub f()\nPRINT 1\nEnd Sub", []),
+        ("POS(0) = 100\nMOVEA(0) = 105\nGO(0)\nPAUSE POS(0) > 105.26", [("endless-wait", 4, 1)]),
+        ("POS(0) = 100\nMOVEA(0) = 105\nGO(0)\nPAUSE POS(0) > 105.25", []),
+        ("JOG(0) = 0\nWhile POS(0) <> 5\nSTOP(0)\nWend", [("exact-position", 2, 7)]),
+        ("JOG(0) = 0\nWhile POS(0) = 5\nSTOP(0)\nWend", []),
+        ("JOG(0) = 0\nRepeat\nSTOP(0)\nUntil POS(0) = 5", [("exact-position", 4, 7)]),
+        ("JOG(0) = 0\nPAUSE POS(0) = 5", [("exact-position", 2, 7)]),
+        ("JOG(0) = 0\nPAUSE POS(0) <> 5", []),
+        ("JOG(0) = 0\nIf POS(0) = 5 Then PRINT 1", []),
+        ("End\nPAUSE INX(1)", [("unreachable", 2, 1)]),
         (MOVE + "While POS(0) < 10\nIf INX(1) Then Exit While\nWend", []),
         ("JOG(0) = 5\nPAUSE IDLE(0)", [("endless-wait", 2, 1)]),
         ("JOG(0) = 5\nPAUSE IDLE(0) = 1", [("endless-wait", 2, 1)]),
@@ -226,6 +237,61 @@ def test_waits_for_a_position_that_no_move_reaches(text: str, expected: Found) -
     A new scale keeps 0 alone.
     """
     assert found(text) == expected
+
+
+def test_of_two_conditions_that_never_hold_the_first_is_explained() -> None:
+    text = "MOVEA(0) = 5\nGO(0)\nJOG(1) = 5\nPAUSE POS(0) > 10 Or IDLE(1)"
+    (wait,) = MINT.check(Source("limits.mnt", text), {})
+    why = "this waits for a condition that cannot change: axis 0 moves between 0 and 5"
+    assert (wait.message, wait.hint) == (why, "compare POS(0) with a position that a move reaches")
+
+
+FUNCTION = "\nSub move({})\nMOVER(a) = 1\nGO(a)\n{}PRINT POS(a)\nEnd Sub"
+SUB = "move(0)\nSub move(ByVal a As Integer)\n{}\nEnd Sub"
+
+
+@cases(
+    "text, expected",
+    [
+        ("Define a = SPEED(0)\na = 5\na = 6\nMOVER(0) = 1 : GO(0)", [("unused-setting", 1, 12)]),
+        ("Define a = POS(0)\nMOVER(0) = 1 : GO(0)\na = 0", [("in-motion", 1, 12)]),
+        ("Define a = POS(0) + POS(1)\nMOVER(1) = 1 : GO(1)\nPRINT a", [("in-motion", 1, 21)]),
+        ("Dim n\nDefine m = n\nm = 5\nPRINT n", []),
+        ("Dim flag\nDefine f = flag\nRun t\nPAUSE flag = 1\nEnd\nTask t\nf = 1\nEnd Task", []),
+        ("SPEED(0, 1) = 0, 5\nMOVER(0, 1) = 5;\nGO(0, 1)", [("zero-speed", 2, 1)]),
+        ("move(0)" + FUNCTION.format("ByVal a As Integer", ""), [("in-motion", 5, 7)]),
+        ("move(0)" + FUNCTION.format("ByVal a As Integer", "a = 2\n"), []),
+        ("move(0)" + FUNCTION.format("ByVal a As Integer", "MOVER(1) = 1\nGO(1)\n"), []),
+        ("Dim n\nmove(n)" + FUNCTION.format("ByRef a", ""), []),
+        (SUB.format("JOG(a) = 5\nPAUSE IDLE(a)"), [("endless-wait", 4, 1)]),
+        (SUB.format("JOG(a) = 5\nJOG(1) = 5\nPAUSE IDLE(a)"), []),
+        (SUB.format("If Not IDLE(a) Then\nSCALE(a) = 2\nEnd If"), [("scale-in-motion", 4, 1)]),
+    ],
+)
+def test_the_axes_that_a_name_or_a_parameter_stands_for(text: str, expected: Found) -> None:
+    """A parameter is a known axis if nothing can change it.
+
+    It is passed by value, never assigned, and the only axis of its sub.
+    """
+    assert found(text) == expected
+
+
+@cases(
+    "text, line",
+    [
+        ("Dim n\nLoop\nn = n + 1\nEnd Loop", 2),
+        ("Dim n\nLoop\nLoop\nn = n + 1\nEnd Loop\nEnd Loop", 3),
+        ("Dim n\nLoop\nIf n > 3 Then Exit\nn = n + 1\nEnd Loop", 0),
+        ("Dim n\nLoop\nIf n > 3 Then End\nn = n + 1\nEnd Loop", 0),
+        ("Dim n\nLoop\nf()\nEnd Loop\nSub f()\nn = n + 1\nEnd Sub", 2),
+        ("Dim n\nLoop\nf()\nEnd Loop\nSub f()\nIf n > 3 Then End\nn = n + 1\nEnd Sub", 0),
+        ("Dim n\nLoop\nn = n + 1\nINPUT n\nEnd Loop", 0),
+        ("Dim n\nLoop\nn = n + 1\nPAUSE n\nEnd Loop", 0),
+    ],
+)
+def test_loops_that_compute_forever(text: str, line: int) -> None:
+    """A sub that may end the program may end the loop; 0 means no report."""
+    assert [each[1] for each in found(text) if each[0] == "busy-loop"] == ([line] if line else [])
 
 
 @cases(
@@ -256,6 +322,7 @@ def test_hints_for_a_moving_position_that_is_compared_for_equality(text: str, hi
         ("wait = Not IDLE(0)", "Pause", 6),
         ("WAIT=INX(1)", "PAUSE ", 5),
         ("WAIT(INX(1) And INX(2))", "PAUSE ", 4),
+        ("PRINT 1 : WAIT = INX(1)", "PAUSE", 6),
         ("WAIT POS(0) > 5", "PAUSE", 4),
         ("WAIT = 5", "", 0),
         ("WAIT = n\nn = 5", "", 0),
@@ -380,6 +447,8 @@ RUN = "\nMOVER(0) = 1\nGO(0)"
         ("SPEED(0) = 5\nIf INX(1) Then SPEED(0) = 6" + RUN, []),
         ("SPEED(n) = 5\nSPEED(n) = 6\nMOVER(n) = 1\nGO(n)\nn = 1", []),
         ("SPEED(0) = 5\nf()\nEnd\nSub f()\nSPEED(0) = 6" + RUN + "\nEnd Sub", []),
+        ("f()" + RUN + "\nEnd\nSub f()\nSPEED(0) = 5\nEnd Sub", []),
+        ("Run t\nf()" + TASK.format("f()") + "\nSub f()\nSPEED(0) = 5\nSPEED(0) = 6\nEnd Sub", []),
         ("f()" + RUN + "\nEnd\nSub f()\nSPEED(0) = 5\nSPEED(0) = 6\nEnd Sub", [("unused-setting", 6, 1)]),
         ("Loop" + RUN + "\nPAUSE IDLE(0)\nSPEED(0) = 6\nEnd Loop", []),
         ("POS(0) = 0\nSPEED(0) = 5\nSCALE(0) = 3", [("unused-setting", 2, 1)]),
