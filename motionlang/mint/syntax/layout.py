@@ -59,7 +59,7 @@ def _all_tokens(kinds: Sequence[str]) -> Iterator[BlockToken]:
             depth += {OPEN: 1, MIDDLE: 0, CLOSE: -token.count}[token.what]
         elif depth == 0 and _is_label(kinds, at):
             label = at
-        elif kind == "RETURN" and depth == 0 and label >= 0:
+        elif kind == "RETURN" and depth == 0 and label >= 0 and not _in_one_line_if(kinds, at):
             found += [BlockToken(label, OPEN, "SUB"), BlockToken(at, CLOSE, "SUB")]
             label = -1
     yield from sorted(found, key=lambda each: each.at)
@@ -70,3 +70,11 @@ def _is_label(kinds: Sequence[str], at: int) -> bool:
     if at > 0 and kinds[at - 1] != "_NL":
         return False
     return kinds[at] == "HASH" or (list(kinds[at : at + 3]) == ["NAME", "COLON", "_NL"])
+
+
+def _in_one_line_if(kinds: Sequence[str], at: int) -> bool:
+    """True for a token outside all blocks that follows an If on its line."""
+    begin = at
+    while begin and kinds[begin - 1] != "_NL":
+        begin -= 1
+    return "IF" in kinds[begin:at]
