@@ -6,7 +6,8 @@ from motionlang.mint.syntax.layout import layout
 from motionlang.mint.syntax.outline import blocks
 from motionlang.mint.syntax.tables import TABLES
 
-# The levels by which a line moves back, and by which the lines below it change; `c` continues a line, `u` is unreadable.
+# The levels by which a line moves back and by which the lines below it change. A line with `c` continues
+# another one, and one with `u` is unreadable.
 LINES = """\
 0 +1  |#first
 0 +0  |WAIT = 1
@@ -104,7 +105,7 @@ def rows() -> list[tuple[str, str]]:
 
 
 def test_the_layout_of_each_line() -> None:
-    """A `Return` ends the routine of a label, but not in a block or in an If of one line."""
+    """A `Return` ends the routine of a label, unless an If or a loop contains it."""
     found = []
     for line in layout("\n".join(text for _, text in rows())):
         mark = " c" if line.continues else " u" if line.unreadable else ""
