@@ -206,3 +206,115 @@ def test_a_wait_that_is_always_due_and_never_over_cannot_hold_time() -> None:
 
     assert Scheduler(c, task(program)).run(until=10.0) == "until"
     assert c.clock.now == 10.0
+
+
+def slices(steps: dict[str, int], prepare: Callable[[Scheduler], None] = lambda scheduler: None) -> list[str]:
+    """Run tasks that compute for some steps of 0.25 ms; return the begin of each time slice in ms.
+
+    The first task is the parent. `prepare` may change the tasks.
+    """
+    c, begun = controller(), list[str]()
+
+    def work(name: str, count: int) -> Callable[[float, float], Steps]:
+        def program(t: float, h: float) -> Steps:
+            begun.append(f"{name} {t * 1e3:g}")
+            for _ in range(count):
+                t += 0.25e-3
+                if t >= h:
+                    t, h = yield t
+                    begun.append(f"{name} {t * 1e3:g}")
+            return t
+
+        return program
+
+    made = [GeneratorTask(name, work(name, count), "<test>", (0,) * 500) for name, count in steps.items()]
+    scheduler = Scheduler(c, made[0])
+    for each in made[1:]:
+        scheduler.start(each)
+    prepare(scheduler)
+    assert scheduler.run() == "ended"
+    return begun
+
+
+def test_tasks_alternate_in_time_slices() -> None:
+    """A slice has a millisecond, and the others begin when a task ends within its slice."""
+    begun = slices({"parent": 9, "first": 6, "second": 3})
+    assert begun == ["parent 0", "first 1", "second 2", "parent 2.75", "first 3.75", "parent 4.25"]
+
+
+def test_the_highest_priority_runs_first() -> None:
+    def prepare(scheduler: Scheduler) -> None:
+        scheduler.tasks[1].priority = scheduler.tasks[2].priority = 5
+
+    begun = slices({"parent": 9, "first": 6, "second": 3}, prepare)
+    assert begun == ["first 0", "second 1", "first 1.75", "parent 2.25"]
+
+
+def test_a_task_may_have_shorter_slices() -> None:
+    def prepare(scheduler: Scheduler) -> None:
+        scheduler.tasks[0].max_slice = 0.5e-3
+
+    begun = slices({"parent": 5, "first": 6}, prepare)
+    assert begun == ["parent 0", "first 0.5", "parent 1.5", "first 2", "parent 2.5"]
+
+
+def test_a_handler_runs_to_its_end_before_any_task() -> None:
+    def prepare(scheduler: Scheduler) -> None:
+        scheduler.interrupt(scheduler.tasks.pop())
+
+    begun = slices({"parent": 5, "first": 2, "handler": 6}, prepare)
+    assert begun == ["handler 0", "handler 1", "parent 1.5", "first 2.5", "parent 3"]
+
+
+def test_motion_settles_after_the_program() -> None:
+    """The move ends at 2 s; a jog has no end."""
+    for until, settled, time in (
+        (1.5, False, 1.5),
+        (2.0, True, 2.0),
+        (9.0, True, 2.0),
+        (float("inf"), True, 2.0),
+    ):
+        c = controller()
+        c.load_by(0, 12.0)
+        c.go([0])
+        assert Scheduler(c, task(computing(1))).settle(until) is settled
+        assert c.clock.now == time
+    for until, time in ((1.5, 1.5), (float("inf"), 0.0)):
+        c = controller()
+        c.jog(0, 4.0)
+        assert Scheduler(c, task(computing(1))).settle(until) is False
+        assert c.clock.now == time
+
+
+def computing(steps: int) -> Callable[[float, float], Steps]:
+    def program(t: float, h: float) -> Steps:
+        for _ in range(steps):
+            t, h = yield t + 1e-5
+        return t
+
+    return program
+
+
+class RealTime:
+    """Collects the times at which a run is synchronised with real time."""
+
+    def __init__(self) -> None:
+        self.times: list[float] = []
+
+    def __call__(self, now: float) -> None:
+        self.times.append(round(now, 6))
+
+
+def test_a_run_in_real_time_is_paced_before_each_jump() -> None:
+    """The program waits until 0.5 s and 1 s, and its move ends at 3 s."""
+    c, real = controller(), RealTime()
+
+    def program(t: float, h: float) -> Steps:
+        t, h = yield wait_until(c, t, 0.5)
+        t, h = yield wait_until(c, t, 1.0)
+        c.load_by(0, 12.0)
+        c.go([0])
+        return t
+
+    assert Scheduler(c, task(program), real).run() == "ended"
+    assert real.times == [0.0, 0.5, 0.5, 1.0, 1.0, 3.0]
