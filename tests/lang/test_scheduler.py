@@ -209,9 +209,10 @@ def test_a_wait_that_is_always_due_and_never_over_cannot_hold_time() -> None:
 
 
 def slices(steps: dict[str, int], prepare: Callable[[Scheduler], None] = lambda scheduler: None) -> list[str]:
-    """Run tasks that compute for some steps of 0.25 ms; return the begin of each time slice in ms.
+    """Return when each time slice of some tasks starts, in ms.
 
-    The first task is the parent. `prepare` may change the tasks.
+    `steps` has the steps of 0.25 ms that each task computes; the first task is the parent. `prepare` may change
+    the tasks.
     """
     c, begun = controller(), list[str]()
 
@@ -237,7 +238,7 @@ def slices(steps: dict[str, int], prepare: Callable[[Scheduler], None] = lambda 
 
 
 def test_tasks_alternate_in_time_slices() -> None:
-    """A slice has a millisecond, and the others begin when a task ends within its slice."""
+    """A slice takes 1 ms, or less if the task ends within it."""
     begun = slices({"parent": 9, "first": 6, "second": 3})
     assert begun == ["parent 0", "first 1", "second 2", "parent 2.75", "first 3.75", "parent 4.25"]
 

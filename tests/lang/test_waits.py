@@ -1,0 +1,163 @@
+"""The kinds of waits: when they are over, and when they are checked."""
+
+from __future__ import annotations
+
+from math import inf
+
+import pytest
+
+from motionlang.controller.clock import Clock
+from motionlang.controller.controller import Controller
+from motionlang.lang.dependencies import CLOSE, MAX_NOTES, Dependencies
+from motionlang.lang.waits import TICK, Condition, Delay, next_tick, until_idle, wait_idle, wait_until
+
+
+def test_a_delay_ends_at_its_time() -> None:
+    """Times less than a nanosecond apart are equal."""
+    controller = Controller(1)
+    delay = wait_until(controller, 1.0, 3.5)
+    assert isinstance(delay, Delay)
+    assert (delay.since, delay.ends, delay.due(), delay.length, delay.why) == (
+        1.0,
+        3.5,
+        3.5,
+        2.5,
+        "for 2.5 s",
+    )
+    for now, ready in ((3.4, False), (3.5 - 2e-9, False), (3.5 - 0.5e-9, True), (3.5, True), (4.0, True)):
+        controller.clock.now = now
+        assert delay.ready() is ready
+    delay.move(5.0)
+    assert (delay.since, delay.ends, delay.length) == (2.5, 5.0, 2.5)
+
+
+def test_a_wait_for_standstill_of_several_axes() -> None:
+    """From rest to 8 at 16 per second squared and back takes 0.5 s and 2 each; 12 takes 2 s, 20 takes 3 s."""
+    controller = Controller(3)
+    for axis, distance in ((0, 12.0), (1, 20.0)):
+        for name, value in (("speed", 8.0), ("accel", 16.0), ("decel", 16.0)):
+            controller.configure(axis, name, value)
+        controller.load_by(axis, distance)
+    controller.go([0, 1])
+    wait = wait_idle(controller, 0.0, iter([0, 1, 2]))
+    assert (wait.ready(), wait.due(), wait.why) == (False, 3.0, "for axis 0, 1, 2 to be idle")
+    assert (wait.cause, wait.what, wait.expected()) == ("axis", (0, 1, 2), -1.0)
+    controller.clock.advance(2.5)
+    assert (wait.ready(), wait.due()) == (False, 3.0)
+    controller.clock.advance(3.0)
+    assert wait.ready()
+    assert wait_idle(controller, 1.25, []).due() == 1.25
+    assert until_idle((4,)) == "for axis 4 to be idle"
+
+
+@pytest.mark.parametrize(
+    ("now", "tick"), [(0.0, 0.001), (0.0004, 0.001), (0.001, 0.002), (0.0039999999999, 0.005), (2.0, 2.001)]
+)
+def test_the_next_tick_of_the_profiler(now: float, tick: float) -> None:
+    """The tick of the present millisecond is over, also if rounding puts it just after now."""
+    assert next_tick(now) == pytest.approx(tick, abs=1e-12)
+
+
+class Reading:
+    """A value that changes at some times; a condition that reads it records when."""
+
+    def __init__(self, *times: float) -> None:
+        self.clock, self.times = Clock(), times
+        self.dependencies = Dependencies(self.clock)
+
+    def count(self) -> int:
+        """Return how many of the times are over; a time itself is not."""
+        self.dependencies.note(self.next)
+        return sum(time < self.clock.now for time in self.times)
+
+    def next(self) -> float:
+        return min((time for time in self.times if time > self.clock.now), default=inf)
+
+
+def test_a_condition_is_checked_when_its_reading_changes() -> None:
+    """The reading changes at 1 s, which is not enough, and at 2 s."""
+    reading = Reading(1.0, 2.0)
+    wait = Condition(reading.dependencies, lambda: reading.count() > 1, 0.0, "until two")
+    checks = []
+    while not wait.ready():
+        reading.clock.now = wait.due()
+        checks.append(reading.clock.now)
+    assert checks == [1.0, 2.0]
+    assert (reading.clock.now, wait.solved, reading.dependencies.notes) == (2.0, 2.0, None)
+    assert not Condition(reading.dependencies, lambda: False, 0.0, "never").ready()
+
+
+def test_a_condition_without_readings_is_never_due() -> None:
+    reading = Reading()
+    assert Condition(reading.dependencies, lambda: False, 0.0, "never").due() == inf
+
+
+def test_a_condition_that_cannot_be_solved_is_checked_at_each_tick() -> None:
+    reading = Reading()
+    dependencies = reading.dependencies
+
+    def test() -> bool:
+        dependencies.note(dependencies.at_once)
+        return False
+
+    wait = Condition(dependencies, test, 0.0, "until then")
+    times = []
+    for _ in range(3):
+        reading.clock.now = wait.due()
+        times.append(reading.clock.now)
+    assert times == pytest.approx([TICK, 2 * TICK, 3 * TICK])
+
+
+def test_readings_are_relied_upon_until_just_before_they_change() -> None:
+    """Only those from an index on count, and only while the list is the present one."""
+    reading = Reading(1.0, 2.0)
+    dependencies = reading.dependencies
+    notes, first = dependencies.begin()
+    assert (notes, first) == ([], 0)
+    reading.count()
+    assert dependencies.begin() == (notes, 1)
+    assert dependencies.stable_until(notes, 0, 0.5) == 1.0 - CLOSE
+    assert dependencies.stable_until(notes, 0, 1.0) == 1.0 - CLOSE  # just before 1 s it may change at 1 s
+    assert dependencies.stable_until(notes, 0, 1.5) == 2.0 - CLOSE
+    assert dependencies.stable_until(notes, 1, 0.5) == inf
+    assert reading.clock.now == 0.0
+    assert dependencies.stable_until([], 0, 0.5) == -inf
+
+
+def test_a_list_of_too_many_readings_is_given_up() -> None:
+    reading = Reading(1.0)
+    dependencies = reading.dependencies
+    notes, _ = dependencies.begin()
+    for _ in range(MAX_NOTES):
+        reading.count()
+    assert dependencies.notes is notes
+    reading.count()
+    assert dependencies.notes is None
+
+
+def test_the_readings_of_all_tasks() -> None:
+    """A reading that is only stored, or of which the largest is kept, may change at once."""
+    dependencies = Reading().dependencies
+    dependencies.note(next_tick, 1.0)
+    assert dependencies.read is None
+    read = dependencies.begin_all()
+    for level in (5.0, inf, -inf):
+        dependencies.note(next_tick, 1.0, level)
+    assert read == {(next_tick, (1.0, 5.0)), (dependencies.at_once, ())}
+    dependencies.rest()
+    assert dependencies.notes == []
+    dependencies.end_all()
+    dependencies.rest()
+    assert (dependencies.read, dependencies.notes) == (None, None)
+
+
+def test_the_longest_collection_of_readings_is_shared() -> None:
+    dependencies = Reading().dependencies
+    longest = dependencies.begin_longest()
+    assert dependencies.begin_all() is longest
+    dependencies.end_all()
+    assert dependencies.read is longest
+    dependencies.end_longest(set())
+    assert dependencies.longest is longest
+    dependencies.end_longest(longest)
+    assert (dependencies.longest, dependencies.read) == (None, None)
