@@ -32,7 +32,10 @@ def test_a_delay_ends_at_its_time() -> None:
 
 
 def test_a_wait_for_standstill_of_several_axes() -> None:
-    """From rest to 8 at 16 per second squared and back takes 0.5 s and 2 each; 12 takes 2 s, 20 takes 3 s."""
+    """A ramp to 8 at 16 takes 0.5 s and covers 2.
+
+    The other 8 and 16 of the moves take 1 s and 2 s, so the moves take 2 s and 3 s.
+    """
     controller = Controller(3)
     for axis, distance in ((0, 12.0), (1, 20.0)):
         for name, value in (("speed", 8.0), ("accel", 16.0), ("decel", 16.0)):
@@ -54,7 +57,7 @@ def test_a_wait_for_standstill_of_several_axes() -> None:
     ("now", "tick"), [(0.0, 0.001), (0.0004, 0.001), (0.001, 0.002), (0.0039999999999, 0.005), (2.0, 2.001)]
 )
 def test_the_next_tick_of_the_profiler(now: float, tick: float) -> None:
-    """The tick of the present millisecond is over, also if rounding puts it just after now."""
+    """A tick that rounding puts just after now is over."""
     assert next_tick(now) == pytest.approx(tick, abs=1e-12)
 
 
@@ -136,7 +139,10 @@ def test_a_list_of_too_many_readings_is_given_up() -> None:
 
 
 def test_the_readings_of_all_tasks() -> None:
-    """A reading that is only stored, or of which the largest is kept, may change at once."""
+    """A reading without a comparison may change at once.
+
+    It has no level: -inf if it is only stored, and inf if the loop searches for the largest one.
+    """
     dependencies = Reading().dependencies
     dependencies.note(next_tick, 1.0)
     assert dependencies.read is None

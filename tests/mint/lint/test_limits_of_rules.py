@@ -30,6 +30,39 @@ def test_brackets_that_mint_v4_writes_with_a_dot(text: str, brackets: str, hint:
     assert found == [(3, f"{brackets} is MintMT: it does not compile on Mint v4", hint)]
 
 
+@cases(
+    "text, expected",
+    [
+        ("Dim a As Integer\nDim b As Float", [(1, "As"), (2, "As")]),
+        ("Dim a As Integer : Dim b As Float", [(1, "As"), (1, "As")]),
+        ("Const a As Float = 1 : Dim b As Float", [(1, "Const"), (1, "As")]),
+        ("If 1 Then\nPRINT 1\nEnd If", [(1, "Then at the end of a line"), (3, "End If")]),
+        ("While 1\nEnd While\nLoop\nEnd Loop", [(2, "End While"), (4, "End Loop")]),
+        ("If 1 Then PRINT 1\nIf 1 DO\nEnd\nENDIF", []),
+    ],
+)
+def test_tokens_that_mint_v4_lacks(text: str, expected: list[tuple[int, str]]) -> None:
+    """A declaration with a type is one finding, and so are the two words of a closer."""
+    end = " is MintMT: it does not compile on Mint v4"
+    assert [(line, what.removesuffix(end)) for line, what, _ in on("mint4", text)] == expected
+
+
+@cases(
+    "text, fixes",
+    [
+        ("IF a DO\nELSE IF b DO\nPRINT 1\nENDIF", ["Then", "Then", "End If"]),
+        ("IF a DO PRINT 1\nENDIF", ["Then\n ", "End If"]),
+        ("IF a DO\n  IF b DO PRINT 1\n  ENDIF\nENDIF", ["Then", "Then\n   ", "End If", "End If"]),
+        ("IF a DO\nELSE IF b DO PRINT 1\nENDIF", ["Then", "Then", "End If"]),
+        ("x = a%b", [" Mod "]),
+    ],
+)
+def test_the_fixes_of_a_program_for_mint_v4(text: str, fixes: list[str]) -> None:
+    """Then begins a block at the end of a line only; behind Else If it needs none."""
+    found = MINT.check(Source("limits.mnt", text), {"controller.model": "mintmt"})
+    assert [each.fix for each in found if each.code == "model"] == fixes
+
+
 EVENTS = ("COMMS0", "COMMS1", "COMMS5", "COMMS6", "COMMS10", "COMMS11", "NETDATA0", "NETDATA31", "NETDATA32")
 
 
@@ -125,6 +158,7 @@ def test_waits_for_a_condition_that_cannot_change(text: str, expected: Found) ->
     assert found(text) == expected
 
 
+TWICE = "Run t\nf()\nEnd\nTask t\nf()\nEnd Task\nSub f()\n{}\nEnd Sub"
 CALL = "f()\nEnd\nSub f()\n{}\nEnd Sub\nSub g()\n{}\nEnd Sub"
 
 
@@ -147,6 +181,7 @@ CALL = "f()\nEnd\nSub f()\n{}\nEnd Sub\nSub g()\n{}\nEnd Sub"
         (CALL.format("Dim flag\nWhile flag = 0\ng()\nWend", "PRINT 1"), [("endless-loop", 5, 1)]),
         ("Dim flag\nWhile flag = 0\nf()\nWend\nEnd\nSub f()\nPRINT 1\nEnd Sub", [("endless-loop", 2, 1)]),
         ("Dim flag\nWhile flag = 0\nf()\nWend\nEnd\nSub f()\nflag = 1\nEnd Sub", []),
+        (TWICE.format("Dim n\nWhile n = 0\nWAIT 1\nWend\nn = 1"), []),
     ],
 )
 def test_loops_whose_condition_cannot_change(text: str, expected: Found) -> None:
@@ -346,6 +381,9 @@ LIMITS = "SOFTLIMITFORWARD(0) = 100\nSOFTLIMITREVERSE(0) = -10\n"
         (LIMITS + "MOVEA(0) = -10\nGO(0)", []),
         (LIMITS + "MOVEA(0) = -11\nGO(0)", [("beyond-travel", 3, 1)]),
         (LIMITS + "MOVER(0) = 60\nMOVER(0) = 40\nGO(0)", []),
+        (LIMITS + "SOFTLIMITMODE(0) = 0\nMOVEA(0) = 101\nGO(0)", []),
+        (LIMITS + "n = 1\nSOFTLIMITMODE(n) = 0\nMOVEA(0) = 101\nGO(0)", []),
+        (LIMITS + "SOFTLIMITMODE(1) = 0\nMOVEA(0) = 101\nGO(0)", [("beyond-travel", 4, 1)]),
         (LIMITS + "MOVER(0) = 60\nMOVER(0) = 41\nGO(0)", [("beyond-travel", 4, 1)]),
         (LIMITS + "MOVER(0) = n\nMOVER(0) = 101\nGO(0)\nn = 1", []),
         ("SPEED(0) = 5\nSCALE(0) = 3\nMOVER(0) = 1\nGO(0)", [("scale-after-speed", 2, 1)]),
