@@ -259,6 +259,72 @@ def test_a_task_may_have_shorter_slices() -> None:
     assert begun == ["parent 0", "first 0.5", "parent 1.5", "first 2", "parent 2.5"]
 
 
+@pytest.mark.parametrize(
+    ("busy", "expected"),
+    [
+        ((5e-3, 3e-3), ["parent 0", "first 3", "parent 6", "first 7", "parent 8"]),
+        ((3e-3, 5e-3), ["parent 0", "first 3", "parent 6", "first 7", "parent 8"]),
+        ((2e-3, 2e-3), ["parent 0", "first 2", "parent 4", "first 5", "parent 6"]),
+        ((5e-3, 1.9e-3), ["parent 0", "first 1", "parent 2", "first 3", "parent 4"]),
+    ],
+)
+def test_tasks_that_compute_with_data_of_their_own_have_longer_slices(
+    busy: tuple[float, float], expected: list[str]
+) -> None:
+    """A round of slices takes the whole milliseconds for which both are busy.
+
+    Below two it takes one. A task states before each of its slices how long it is busy: here before the first.
+    """
+
+    def prepare(scheduler: Scheduler) -> None:
+        for each, seconds in zip(scheduler.tasks, busy, strict=True):
+            each.busy = seconds
+
+    assert slices({"parent": 30, "first": 20}, prepare)[: len(expected)] == expected
+
+
+def test_the_innermost_handler_is_stuck_first() -> None:
+    """While a handler waits, no task continues; of the tasks the parent is reported."""
+
+    def program(t: float, h: float) -> Steps:
+        yield Wait(t, lambda: False, lambda: float("inf"), "for input 3")
+        return t
+
+    for handlers, name in (((), "parent"), (("outer",), "outer"), (("outer", "inner"), "inner")):
+        parent, first, *others = (
+            GeneratorTask(each, program, "<test>", (0,) * 500) for each in ("parent", "first", *handlers)
+        )
+        scheduler = Scheduler(controller(), parent)
+        scheduler.start(first)
+        for each in others:
+            scheduler.interrupt(each)
+        with pytest.raises(Stuck) as caught:
+            scheduler.run()
+        assert caught.value.task.name == name
+
+
+def test_a_wait_passes_within_its_statement_only_if_the_task_is_alone() -> None:
+    """The wait ends at 0.5 s; an event at 0.25 s does not end it."""
+
+    def passes(until: float = 9.0, tasks: int = 1, ends: float = 0.5, pace: RealTime | None = None) -> bool:
+        c = controller()
+        c.clock.at(0.25, lambda: None)
+        scheduler = Scheduler(c, task(computing(1)), pace)
+        scheduler.until = until
+        for _ in range(tasks - 1):
+            scheduler.start(task(computing(1)))
+        wait = Wait(0.125, lambda: c.clock.now >= ends, lambda: ends, "for a time")
+        passed = scheduler.passes(wait)
+        assert c.clock.now == (ends if passed else c.clock.now)
+        return passed
+
+    assert passes()
+    assert not passes(until=0.5)
+    assert not passes(tasks=2)
+    assert not passes(ends=float("inf"))
+    assert not passes(pace=RealTime())
+
+
 def test_a_handler_runs_to_its_end_before_any_task() -> None:
     def prepare(scheduler: Scheduler) -> None:
         scheduler.interrupt(scheduler.tasks.pop())
