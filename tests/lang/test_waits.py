@@ -138,6 +138,11 @@ def test_a_list_of_too_many_readings_is_given_up() -> None:
     assert dependencies.notes is None
 
 
+def collected(dependencies: Dependencies) -> tuple[object, object]:
+    """Return the readings of all tasks and those of the running task."""
+    return dependencies.read, dependencies.notes
+
+
 def test_the_readings_of_all_tasks() -> None:
     """A reading without a comparison may change at once.
 
@@ -154,7 +159,7 @@ def test_the_readings_of_all_tasks() -> None:
     assert dependencies.notes == []
     dependencies.end_all()
     dependencies.rest()
-    assert (dependencies.read, dependencies.notes) == (None, None)
+    assert collected(dependencies) == (None, None)
 
 
 def test_the_longest_collection_of_readings_is_shared() -> None:
@@ -166,4 +171,5 @@ def test_the_longest_collection_of_readings_is_shared() -> None:
     dependencies.end_longest(set())
     assert dependencies.longest is longest
     dependencies.end_longest(longest)
-    assert (dependencies.longest, dependencies.read) == (None, None)
+    assert dependencies.longest is None
+    assert collected(dependencies) == (None, None)

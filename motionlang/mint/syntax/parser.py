@@ -45,10 +45,10 @@ def parse(source: Source) -> Module:
 def _short(offsets: SourceOffsets) -> bool:
     """True if all lines are too short for an expression to be nested too deeply.
 
-    A level takes at least two characters, as in `1+1+1…`.
+    A level takes at least one character, as in `---1`.
     """
     lines = offsets.source.text.split("\n")
-    return not offsets.continues and max(map(len, lines)) <= 2 * MAX_EXPRESSION_DEPTH
+    return not offsets.continues and max(map(len, lines)) <= MAX_EXPRESSION_DEPTH
 
 
 def is_complete(text: str) -> bool:
