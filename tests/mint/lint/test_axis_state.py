@@ -5,6 +5,8 @@ A test compares all facts: those that it does not list are the ones at power-up.
 
 from __future__ import annotations
 
+from typing import Any
+
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.keywords import table
 from motionlang.mint.lint.axis_state import ANY, IDLE, MOVES, UNKNOWN, Axis, Follower
@@ -155,7 +157,7 @@ CERTAIN = Axis(
         ("jogs", False, False),
     ],
 )
-def test_a_fact_on_which_two_paths_disagree(name: str, other: object, joined: object) -> None:
+def test_a_fact_on_which_two_paths_disagree(name: str, other: Any, joined: Any) -> None:
     """All other facts stay, and at the head of a loop time has passed in addition."""
     different = CERTAIN._replace(**{name: other})
     for one, two in ((CERTAIN, different), (different, CERTAIN)):
