@@ -1224,7 +1224,8 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/debug/debugger.py: Debugger: _forward: decide: point.number + STRIDE -> point.number - STRIDE": (
         "all statements are compared, not one in 4096"
     ),
-    "motionlang/debug/debugger.py: Debugger: _forward: self._after < self.stop.time -> self._after <= self.stop.time": (
+    "motionlang/debug/debugger.py: Debugger: _forward: nextafter(self._after, INFINITY) < self.stop.time -> "
+    "nextafter(self._after, INFINITY) <= self.stop.time": (
         "a search up to where the last one ended finds nothing"
     ),
     "motionlang/debug/debugger.py: Debugger: _to_moment: lowest + 1 -> lowest - 1": (

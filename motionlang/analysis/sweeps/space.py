@@ -53,11 +53,12 @@ class Dimension:
             return self.values[index]
         assert self.count is not None
         if index == 0 or self.count == 1:
-            return self.first
-        if index == self.count - 1:
-            return self.last
-        value = self.first + (self.last - self.first) * index / (self.count - 1)
-        return int(value) if self.is_whole and value == int(value) else value
+            value = self.first
+        elif index == self.count - 1:
+            value = self.last
+        else:
+            value = self.first + (self.last - self.first) * index / (self.count - 1)
+        return int(value) if self.is_whole and value == int(value) else float(value)
 
     @property
     def is_whole(self) -> bool:

@@ -34,6 +34,20 @@ def test_values_as_they_are_written(text: str, values: list[object]) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("n=1:4:4", ["1", "2", "3", "4"]),
+        ("n=1:2:3", ["1", "1.5", "2"]),
+        ("n=1:2.5:4", ["1.0", "1.5", "2.0", "2.5"]),
+        ("n=1.0:2:1", ["1.0"]),
+    ],
+)
+def test_values_are_integers_if_both_ends_are(text: str, values: list[str]) -> None:
+    grid = Grid([dimension(text)])
+    assert [repr(grid[n][0]) for n in range(len(grid))] == values
+
+
+@pytest.mark.parametrize(
     "text", ["n", "n=", "=1", "n=1:2:0", "n=1:2:2.5", "n=a:b:3", "n=1:inf:3", "n=1:2:-4"]
 )
 def test_what_is_no_range_is_refused(text: str) -> None:
