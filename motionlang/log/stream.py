@@ -83,16 +83,12 @@ class Store:
     `disk` bytes or cannot be written.
     """
 
-    __slots__ = ("_file", "_written", "disk", "in_memory", "memory")
+    __slots__ = ("__weakref__", "_file", "_written", "disk", "in_memory", "memory")
 
     def __init__(self, memory: int = MEMORY, disk: int = DISK) -> None:
         self.memory, self.disk = memory, disk
         self.in_memory = self._written = 0
         self._file: IO[bytes] | None = None
-
-    def __del__(self) -> None:
-        if self._file is not None:
-            self._file.close()
 
     @property
     def size(self) -> int:
@@ -121,9 +117,12 @@ class Store:
 
     def _append(self, chunk: bytes) -> None:
         if self._file is None:
+            from weakref import finalize
+
             from motionlang.files import scratch
 
             self._file = scratch()
+            finalize(self, self._file.close)  # before the file itself, if both are in a cycle
         self._file.seek(self._written)
         self._file.write(chunk)
 
