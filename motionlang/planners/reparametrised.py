@@ -270,16 +270,16 @@ def crossings(profile: Profile, position: float) -> list[float]:
             time <= after
             or (time - here < nearness and abs(profile.position(0.5 * (here + time)) - position) <= least)
         )
-        here = time
+        here = max(time, after)
         if not stays:
             found.append(time)
             after, pause = time + step, step
             continue
         # It rests, or is slow at an extremum: look further and further ahead, up to the next knot.
-        next_knot = bisect_right(profile.knots, time)
+        next_knot = bisect_right(profile.knots, here)
         if next_knot == len(profile.knots):
             break
-        after, pause = min((time + pause, 2.0 * pause), (profile.knots[next_knot], step))
+        after, pause = min((here + pause, 2.0 * pause), (profile.knots[next_knot], step))
     return found
 
 
