@@ -58,15 +58,6 @@ def test_no_more_than_a_hundred_errors_are_reported(wrong: int, reported: int) -
     assert len(shown("If a Then\n" + "PRINT )\n" * wrong).splitlines()) == reported
 
 
-def test_a_line_of_400_characters_is_not_too_deep() -> None:
-    """Only a longer one is checked for more than 200 levels.
-
-    A sign is a level of one character.
-    """
-    parse(Source("a.mnt", "x = " + "-" * 395 + "1"))
-    assert "the expression is nested more than 200 deep" in shown("x = " + "-" * 396 + "1")
-
-
 HOSTILE = {
     "brackets": "x = " + "(" * 10_000,
     "closed brackets": "x = " + "(" * 10_000 + "1" + ")" * 10_000,
