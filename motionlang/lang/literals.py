@@ -7,6 +7,7 @@
     MOVER[0]@9:2   the second number of an expression, or of several writes in one line
     POS[0]@10      the number with which a condition in line 10 compares POS of axis 0
     i@4:2          the second number of For i = 1 To 10 in line 4, its end
+    WAIT@5         the time of WAIT 7 or WAIT(7) in line 5
     line:12        the only number in line 12
 
 A value replaces the text of the number, so a run is that of the edited program. The tokens of the highlighter are
@@ -363,18 +364,14 @@ def _values(statement: list[Token], language: Dialect) -> Iterator[tuple[str, To
                     token,
                     whole and (len(values) <= max(1, len(indices))),
                 )
-    elif rest and not index:
+    elif bool(rest) is not bool(index):
         row = language.table().get(base)
-        if row is not None and row.index == "none" and row.kind == "setting":  # WAIT 7
-            for token, whole in _numbers(rest):
+        if row is None or row.index != "none" or row.kind not in ("setting", "statement", "command"):
+            return
+        values = _split(statement[2:-1])[0] if index else [rest] if row.kind == "setting" else []
+        for value in values:  # of WAIT(7) or WAIT 7
+            for token, whole in _numbers(value):
                 yield base, token, whole
-    elif index and not rest:
-        row = language.table().get(base)
-        if row is not None and row.index == "none" and row.kind in ("setting", "statement", "command"):
-            opening = next(n for n, each in enumerate(statement) if each[1] in ("(", "["))
-            for value in _split(statement[opening + 1 : -1])[0]:
-                for token, whole in _numbers(value):
-                    yield base, token, whole
 
 
 _COMPARISONS = frozenset(("=", "<>", "<", ">", "<=", ">="))

@@ -104,6 +104,8 @@ STATEMENTS: dict[str, dict[str, str]] = {
     "SPEED(n Mod 2) = 5 : WAIT(3) : SPEED(1) = 6": {"SPEED[nMod2]@1": "5", "WAIT@1": "3", "SPEED[1]@1": "6"},
     "x = f(1, (2 + 3), 4) : WAIT = 5": {"WAIT@1": "5"},
     "WAIT 7 : PRINT 5\nWAIT 2 + 1": {"WAIT@1": "7", "WAIT@2:1": "2", "WAIT@2:2": "1"},
+    # An index with a dot is none that WAIT has: it has no address.
+    "WAIT.7 : WAIT(8)": {"WAIT@1": "8"},
     "' a comment (\nSPEED(0) = 5 ' ) another\nWAIT = 2": {"SPEED[0]@2": "5", "WAIT@3": "2"},
     "SPEED(0)) = 5\nWAIT = 3": {"WAIT@2": "3"},
 }
