@@ -365,7 +365,8 @@ class Debugger:
         self.stop = Stop(point.number, point.time, point.task.name, line, column, reason, text)
         # What the statement itself causes has its time, too.
         self._after = nextafter(point.time, -INFINITY)
-        if self._moments(point.time):
+        found = self._replay.query(lambda: self._moments(point.time)) if self.searches else []
+        if found:
             self._after = point.time
         return self.stop
 

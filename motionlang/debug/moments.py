@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 # Samples of each profile in which a condition is looked for, and the resolution of its time, s.
 SAMPLES = 64
 RESOLUTION = 1e-9
-# A number that no program subtracts from a reading to divide by the difference.
+# A reading at which an expression such as `1 / (position(0) - 1)` does not divide by zero.
 READING = 0.7320508
 # Texts of moments at the same time in one message: an e-stop has one for each axis.
 MAX_TEXTS = 2
