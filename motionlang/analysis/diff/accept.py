@@ -82,7 +82,7 @@ def merged(old: Report, new: Report, found: Difference, accepted: Collection[Cha
 def _ends_like_new(found: Difference, keys: set[tuple[str, object]]) -> bool:
     """True if the merged run goes on after its last motion as long as the new run.
 
-    If both runs take the same time, their ends are no change: then it does so with all changes of motion.
+    If both runs take the same time, their ends are no change: then it does if all changes of motion are accepted.
     """
     if found.tail:
         return ("end", "") in keys
@@ -139,7 +139,7 @@ def _events(
 
 def _last(shifts: list[Shift], time: float) -> tuple[float, bool]:
     """Return the shift of the last begin or end up to a time, and whether it is taken."""
-    index = bisect_right(shifts, (time + 1e-9, inf, True))
+    index = bisect_right(shifts, (time + NEAR, inf, True))
     return shifts[index - 1][1:] if index else (0.0, True)
 
 
