@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from motionlang.planners.dissect import _divided
+from motionlang.planners.dissect import divided
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -115,13 +115,13 @@ class Listing:
     def _pid(self, error: int) -> int:
         s = self.settings
         self.error_sum += error
-        integral = _divided(s.ki * self.error_sum, 256)
+        integral = divided(s.ki * self.error_sum, 256)
         integral = max(-s.integral_limit, min(s.integral_limit, integral))
         self.derivative_wait += 1
         if self.derivative_wait >= s.derivative_every:
             self.derivative_value = s.kd * (error - self.last_error)
             self.derivative_wait, self.last_error = 0, error
-        return _divided(s.kp * error + integral + self.derivative_value, 1 << (16 - s.bits))
+        return divided(s.kp * error + integral + self.derivative_value, 1 << (16 - s.bits))
 
     def _overridden(self, dac: int, actual: int) -> int:
         s = self.settings

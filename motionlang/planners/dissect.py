@@ -215,11 +215,12 @@ def pid_dac(kp: int, ki: int, kd: int, error: int, total: int, last_error: int, 
     It is (Kp E + (Ki/256) E_T + Kd (E - E_L))/16 for 12 bits; in general the last divisor is 2 to the power of 16 less
     the DAC's bits. Divisions truncate towards zero, like those of C.
     """
-    value = _divided(kp * error + _divided(ki * total, 256) + kd * (error - last_error), 1 << (16 - bits))
+    value = divided(kp * error + divided(ki * total, 256) + kd * (error - last_error), 1 << (16 - bits))
     top = 1 << (bits - 1)
     return max(-top, min(top - 1, value))
 
 
-def _divided(value: int, divisor: int) -> int:
+def divided(value: int, divisor: int) -> int:
+    """Return a quotient that is truncated towards zero."""
     whole = abs(value) // divisor
     return whole if value >= 0 else -whole
