@@ -51,7 +51,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/triggers/next_watches.py: free_interval: at < here -> at <= here": (
         "on a watch neither side is free: the move is planned the long way"
     ),
-    "motionlang/mccl/keywords/registers.py: wrapped: value + 2147483648 -> value - 2147483648": (
+    "motionlang/controller/io/bits.py: signed: word + 2147483648 -> word - 2147483648": (
         "both are the same in 32 bits"
     ),
     "motionlang/analysis/cycle/motions.py: Motions: that_ended: found >= 0 -> found > 0": (

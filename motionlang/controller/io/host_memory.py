@@ -11,6 +11,7 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.controller.faults import Rejected
+from motionlang.controller.io.bits import signed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -93,7 +94,7 @@ class HostMemory:
         halves = self.registers(area, 2 * low, 2 * (high - low + 1))
         halves[first - 2 * low : first - 2 * low + len(values)] = values
         pairs = zip(halves[::2], halves[1::2], strict=True)
-        self.write(area, low, [_signed(half | other << 16) for half, other in pairs])
+        self.write(area, low, [signed(half | other << 16) for half, other in pairs])
 
     def has_registers(self, area: str, first: int, count: int) -> bool:
         """True if all registers of a range belong to existing elements."""
@@ -136,14 +137,10 @@ def _words(area: str, entry: Mapping[str, object]) -> list[int]:
     value: float = entry["value"]  # type: ignore[assignment]
     view = entry.get("as", "integer" if area != "comms" and isinstance(value, int) else "float")
     if view == "integer":
-        return [_signed(int(value) & 0xFFFFFFFF)]
+        return [signed(int(value))]
     scratch = HostMemory()
     scratch.set_real(area, 1, value)
     return [scratch.integer(area, 1)]
-
-
-def _signed(word: int) -> int:
-    return word - (1 << 32) if word & 0x80000000 else word
 
 
 def _checked(area: str, element: int) -> int:

@@ -5,6 +5,7 @@ They hold 32-bit integers that wrap, or real numbers.
 
 from __future__ import annotations
 
+from motionlang.controller.io.bits import signed
 from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import real
@@ -52,7 +53,7 @@ def tell_register(task: CommandTask, command: Command) -> None:
 def wrapped(value: float | int) -> float | int:
     """Wrap an integer to 32 bits, two's complement; return a real number unchanged."""
     if isinstance(value, int):
-        return (value + 0x80000000 & 0xFFFFFFFF) - 0x80000000
+        return signed(value)
     if not abs(value) <= LARGEST:
         raise Fault(codes.PARAMETER, "the result is too large for a register", kind="overflow")
     return value

@@ -8,7 +8,7 @@ from motionlang.controller.axis import Axis
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
+from motionlang.mint.keywords.following_auxiliary import AuxEncoders, checked_channel
 from motionlang.mint.keywords.latches import FastLatches, Latch
 from motionlang.mint.keywords.sensing import channel_of
 from motionlang.mint.runtime.binding import of, of_word, unchecked
@@ -38,7 +38,7 @@ class AuxLatches(FastLatches):
         self.encoders = environment.component(AuxEncoders)
 
     def checked(self, number: int) -> int:
-        return _channel(number)
+        return checked_channel(number)
 
     def default(self, axis: int) -> None:
         """Do nothing on DEFAULT, which resets axes only."""
@@ -139,7 +139,7 @@ class Indexes:
         return self._found[channel]
 
     def of_aux(self, channel: int) -> Index:
-        return self.of(AUXILIARY + _channel(channel))
+        return self.of(AUXILIARY + checked_channel(channel))
 
     def _on_event(self, what: str, axis: int) -> None:
         if what == "scale" and axis in self._found:

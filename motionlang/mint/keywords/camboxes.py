@@ -14,7 +14,7 @@ from motionlang.controller.faults import Rejected
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
+from motionlang.mint.keywords.following_auxiliary import AuxEncoders, checked_channel
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.mint.keywords.sensing import Encoders, channel_of
 from motionlang.mint.keywords.table_motion_cams import elements
@@ -189,7 +189,7 @@ def do_data(
     checked(kind, AUX_ENCODER, "source of a cam box")
     if not 0 <= time <= 32767:
         raise Rejected("range", f"CAMBOXDATA cannot switch {time} ms ahead", "it takes 0 to 32767")
-    validate = (axis_of, channel_of, lambda _, channel: _channel(channel))[kind]
+    validate = (axis_of, channel_of, lambda _, channel: checked_channel(channel))[kind]
     validate(boxes.environment, channel)
     enabled = box.enabled
     box.enable(False)

@@ -6,9 +6,10 @@ simulated again, and channels have a log of their changes.
 
 from __future__ import annotations
 
+from motionlang.controller.io.bits import signed
 from motionlang.controller.io.encoder import AUXILIARY
-from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
-from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, _signed, checked
+from motionlang.mint.keywords.following_auxiliary import AuxEncoders, checked_channel
+from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
 from motionlang.mint.keywords.sensing import Encoders, channel_of
 from motionlang.mint.runtime.binding import axis_of, scale_of
@@ -65,7 +66,7 @@ def check(environment: Environment, quantity: int, where: int) -> None:
     elif quantity == ENCODER:
         channel_of(environment, where)
     elif quantity == AUX_ENCODER:
-        _channel(where)
+        checked_channel(where)
     elif quantity in (ADC, DAC):
         checked(where, LAST_ANALOGUE, "analogue channel")
     elif quantity in (INPUTS, OUTPUTS):
@@ -162,7 +163,7 @@ def _bank(environment: Environment, quantity: int, bank: int, times: Sequence[fl
     low = 0
     if quantity == INPUTS:
         low = sum(1 << k for k in range(BANK) if first + k in channels.active_low)
-    return [float(_signed(int(value) ^ low)) for value in _stepped(steps, times)]
+    return [float(signed(int(value) ^ low)) for value in _stepped(steps, times)]
 
 
 def _stepped(steps: Sequence[tuple[float, float]], times: Sequence[float]) -> list[float]:

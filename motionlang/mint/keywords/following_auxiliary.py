@@ -35,7 +35,7 @@ class AuxEncoders(Encoders):
         self._speeds: dict[int, float] = {}
 
     def checked(self, channel: int) -> int:
-        return _channel(channel)
+        return checked_channel(channel)
 
     def track(self, channel: int) -> int:
         return AUXILIARY + channel
@@ -66,7 +66,8 @@ class AuxEncoders(Encoders):
             self._controller.drive_encoder(AUXILIARY + channel, 0.0)
 
 
-def _channel(channel: int) -> int:
+def checked_channel(channel: int) -> int:
+    """Return the number of an auxiliary encoder; raise Rejected if there is none."""
     return checked(channel, LAST_ENCODER, "auxiliary encoder")
 
 
@@ -78,7 +79,7 @@ def write_mode(encoders: AuxEncoders, row: Keyword, channel: int, mode: int) -> 
 
     Any other mode has no effect, which the report states.
     """
-    encoders.set_mode(_channel(channel), mode)
+    encoders.set_mode(checked_channel(channel), mode)
     if mode not in (0, VIRTUAL):
         encoders.machine.without_effect.setdefault(row.name, [])
 
@@ -86,11 +87,13 @@ def write_mode(encoders: AuxEncoders, row: Keyword, channel: int, mode: int) -> 
 # ------------------------------------------------------------------------------------------------- keywords
 
 _SPEED = Actions(
-    read=of(AuxEncoders, lambda encoders, channel: encoders.virtual_speed(_channel(channel))),
-    write=of(AuxEncoders, lambda encoders, channel, speed: encoders.set_speed(_channel(channel), speed)),
+    read=of(AuxEncoders, lambda encoders, channel: encoders.virtual_speed(checked_channel(channel))),
+    write=of(
+        AuxEncoders, lambda encoders, channel, speed: encoders.set_speed(checked_channel(channel), speed)
+    ),
 )
 _MODE = Actions(
-    read=of(AuxEncoders, lambda encoders, channel: encoders.modes.get(_channel(channel), 0)),
+    read=of(AuxEncoders, lambda encoders, channel: encoders.modes.get(checked_channel(channel), 0)),
     write=of_word(AuxEncoders, write_mode),
 )
 _SETTING = Actions(read=of_word(AuxEncoders, read_setting), write=of_word(AuxEncoders, write_setting))

@@ -11,6 +11,7 @@ from __future__ import annotations
 from math import ceil
 
 from motionlang.controller.faults import Rejected
+from motionlang.controller.io.bits import signed
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.defaults import PATTERNS
 from motionlang.mint.runtime.binding import of, of_word
@@ -91,7 +92,7 @@ class Inputs:
 
     def active_level(self, bank: int) -> int:
         low = self._controller.inputs.active_low
-        return _signed(sum(1 << k for k in range(BANK) if bank * BANK + k not in low))
+        return signed(sum(1 << k for k in range(BANK) if bank * BANK + k not in low))
 
     def set_active_level(self, bank: int, bits: int) -> None:
         inputs = self._controller.inputs
@@ -178,15 +179,11 @@ class Inputs:
             listener(channel, on)
 
 
-def _signed(bits: int) -> int:
-    return bits - (1 << BANK) if bits >> (BANK - 1) & 1 else bits
-
-
 def bits_of(bank: int, is_on: Callable[[int], object]) -> int:
     """Return the channels of a bank as an Integer."""
     checked(bank, LAST_CHANNEL // BANK, "bank")
     first = bank * BANK
-    return _signed(sum(1 << k for k in range(BANK) if is_on(first + k)))
+    return signed(sum(1 << k for k in range(BANK) if is_on(first + k)))
 
 
 def checked(number: int, last: int = LAST_CHANNEL, what: str = "input") -> int:

@@ -6,10 +6,10 @@ from functools import partial
 from math import inf
 
 from motionlang.controller.faults import ANALOGUE_LIMIT
+from motionlang.controller.io.bits import signed
 from motionlang.lang.keyword import Actions, Keyword, value
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import FATAL_ERROR, MODES
-from motionlang.mint.keywords.io_inputs import _signed
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.keywords.limits import ERROR_MODE, AxisErrors
 from motionlang.mint.runtime.binding import of, of_word
@@ -57,7 +57,7 @@ class Monitors:
     def beyond(self, axis: int) -> int:
         """Return the monitored inputs that are beyond their limits, as bits."""
         pattern = self.minded.get(axis, 0)
-        return _signed(sum(1 << k for k in range(MONITORED) if pattern >> k & 1 and self._is_beyond(k)))
+        return signed(sum(1 << k for k in range(MONITORED) if pattern >> k & 1 and self._is_beyond(k)))
 
     def default(self, axis: int) -> None:
         """Reset the axis to its defaults (DEFAULT)."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.controller.io.bits import signed
 from motionlang.lang.keyword import Actions
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.network import network_row, write_real
@@ -62,8 +63,9 @@ def _checked_key(bus: int, group: int, node: int) -> tuple[int, int, int]:
 def read_info(groups: Groups, bus: int, node: int) -> int:
     """GROUPINFO: return the groups that a node belongs to, as signed 32-bit bits."""
     members = groups.members
-    bits = sum(1 << group for where, group, each in members if (where, each) == (checked_bus(bus), node))
-    return bits - (1 << 32) if bits >> 31 else bits
+    return signed(
+        sum(1 << group for where, group, each in members if (where, each) == (checked_bus(bus), node))
+    )
 
 
 def read_master(groups: Groups, bus: int, group: int) -> int:

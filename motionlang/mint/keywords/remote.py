@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from motionlang.controller.faults import Rejected
+from motionlang.controller.io.bits import signed
 from motionlang.controller.io.channels import Channels
 from motionlang.controller.io.host_memory import HostMemory
 from motionlang.lang.keyword import Actions, Keyword
@@ -116,7 +117,7 @@ class Nodes:
         for entry in settings.get("pdo", ()):  # type: ignore[attr-defined]
             item = entry["cobid"], entry.get("bank", 0)
             put = self.bus(entry.get("bus", 1)).process_data.__setitem__
-            self._at(entry, partial(put, item, _signed(int(entry["value"]))))
+            self._at(entry, partial(put, item, signed(int(entry["value"]))))
         environment.machine.written.append(self.written)
 
     def bus(self, bus: int) -> Bus:
@@ -251,11 +252,6 @@ def checked_bus(bus: int) -> int:
     if not 1 <= bus <= LAST_BUS:
         raise Rejected("channel", f"there is no bus {bus}", f"they are numbered 1 to {LAST_BUS}")
     return bus
-
-
-def _signed(word: int) -> int:
-    word &= 0xFFFFFFFF
-    return word - (1 << 32) if word >> 31 else word
 
 
 # ----------------------------------------------------------------------------------------------- operations

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 
 from motionlang.controller.faults import Rejected
+from motionlang.controller.io.bits import signed
 from motionlang.mint.runtime.printing import show_float, show_integer, shows_float
 
 TYPE_CHECKING = False
@@ -70,8 +71,7 @@ def power(a: float, b: float) -> float:
 
 def shift_left(a: float, b: float) -> int:
     """Shift the bits of an Integer left; bits beyond 32 are lost."""
-    bits = (integer(a) << _shift_count(b)) & 0xFFFFFFFF
-    return bits - (1 << 32) if bits >> 31 else bits
+    return signed(integer(a) << _shift_count(b))
 
 
 def shift_right(a: float, b: float) -> int:
