@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
+from importlib.util import find_spec
 from pathlib import Path
 
 from packaging.requirements import Requirement
@@ -22,7 +23,7 @@ from tests.built import distributions
 from tests.installed import DRIVER, PROJECT, check_helps, check_uses, drive, helps, needed, write_files
 
 SUPPORTED = ("3.11", "3.12", "3.13", "3.14")
-PIP = ("install", "--quiet", "--disable-pip-version-check", "--only-binary", ":all:", "--no-compile")
+WHEELS = ("--quiet", "--only-binary", ":all:")
 VERSION = "import platform; print(platform.python_version())"
 
 
@@ -46,11 +47,10 @@ def run(python: str, wheel: Path, folder: Path) -> str:
     folder.mkdir()
     version = subprocess.check_output([python, "-c", VERSION], text=True).strip()
     versions = lowest(version)
-    # This Python's pip serves the environment, which saves the installation of another one.
+    # An installer of this Python serves the environment, which saves the installation of another one.
     subprocess.run([python, "-m", "venv", "--without-pip", str(folder / "env")], check=True)
     installed = str(folder / "env" / ("Scripts" if os.name == "nt" else "bin") / "python")
-    pip = [sys.executable, "-m", "pip", "--python", installed, *PIP]
-    subprocess.run([*pip, str(wheel), *versions], check=True)
+    subprocess.run([sys.executable, "-m", *installer(installed), *WHEELS, str(wheel), *versions], check=True)
     work = folder / "work"
     work.mkdir()
     write_files(work)
@@ -63,6 +63,13 @@ def run(python: str, wheel: Path, folder: Path) -> str:
     check_helps(ran)
     check_uses(ran, uses, set())
     return f"Python {version} with {', '.join(versions)}: {len(helps())} helps, {len(uses)} uses"
+
+
+def installer(python: str) -> list[str]:
+    """Return the module that installs packages for `python`, with its arguments: uv if present, or pip."""
+    if find_spec("uv") is not None:
+        return ["uv", "pip", "install", "--python", python]
+    return ["pip", "--python", python, "install", "--disable-pip-version-check", "--no-compile"]
 
 
 def interpreters() -> dict[str, str | None]:
