@@ -32,6 +32,8 @@ RECORDED = "time_s,axis0_position_uu\n" + "".join(
     f"{time / 100},{250 * (time / 100) ** 2 if time <= 10 else 5 - 250 * (0.2 - time / 100) ** 2}\n"
     for time in range(0, 21, 2)
 )
+# The options with which Python reports all that it warns of.
+STRICT = ("-X", "dev", "-W", "error")
 HELP = [*COMMANDS, *(f"pvt {name}" for name in ("plot", "refine", "export", "stream")), "servo step"]
 # Real uses of every command, and in brackets the extra that each needs.
 USES = """\

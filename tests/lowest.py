@@ -1,8 +1,9 @@
 """Test of the wheel with the lowest dependencies: `python -m tests.lowest`.
 
 For each Python, an environment in a temporary folder gets the wheel and the lowest versions that it declares.
-There the help and the real uses of every command run, with all warnings as errors. Without arguments, each
-Python from 3.11 to 3.14 on PATH or of pyenv is used; missing ones are skipped. A package index is needed.
+There the help and the real uses of every command run, with all warnings as errors; in the first environment, also
+without assertions and docstrings (-OO), since each compiles all modules anyway. Without arguments, each Python from
+3.11 to 3.14 on PATH or of pyenv is used; missing ones are skipped. A package index is needed.
 """
 
 from __future__ import annotations
@@ -20,7 +21,17 @@ from packaging.requirements import Requirement
 from packaging.version import Version
 
 from tests.built import distributions
-from tests.installed import DRIVER, PROJECT, check_helps, check_uses, drive, helps, needed, write_files
+from tests.installed import (
+    DRIVER,
+    PROJECT,
+    STRICT,
+    check_helps,
+    check_uses,
+    drive,
+    helps,
+    needed,
+    write_files,
+)
 
 SUPPORTED = ("3.11", "3.12", "3.13", "3.14")
 WHEELS = ("--quiet", "--only-binary", ":all:")
@@ -39,8 +50,8 @@ def lowest(python_version: str) -> list[str]:
     return found
 
 
-def run(python: str, wheel: Path, folder: Path) -> str:
-    """Run every command with `python` in an environment of its own.
+def run(python: str, wheel: Path, folder: Path, *flags: str) -> str:
+    """Run every command with `python` and its flags in an environment of its own.
 
     Return the packages in the environment, which is created below `folder`, a new folder.
     """
@@ -58,11 +69,11 @@ def run(python: str, wheel: Path, folder: Path) -> str:
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     environment |= {"MOTIONLANG_CACHE": str(folder / "cache"), "PYTHONUTF8": "1"}
     uses = {use: extra for use, extra in needed().items() if not extra}
-    command = [installed, "-X", "dev", "-W", "error", str(folder / "driver.py")]
+    command = [installed, *STRICT, *flags, str(folder / "driver.py")]
     ran = drive(command, [*helps(), *uses], work, environment)
     check_helps(ran)
     check_uses(ran, uses, set())
-    return f"Python {version} with {', '.join(versions)}: {len(helps())} helps, {len(uses)} uses"
+    return f"Python {' '.join((version, *flags))} with {', '.join(versions)}: {len(helps())} helps, {len(uses)} uses"
 
 
 def installer(python: str) -> list[str]:
@@ -103,7 +114,8 @@ def main() -> int:
         folder = Path(name)
         (wheel,) = distributions(folder, "wheel")
         for line in pool.map(
-            lambda number: run(present[number], wheel, folder / str(number)), range(len(present))
+            lambda number: run(present[number], wheel, folder / str(number), *([] if number else ["-OO"])),
+            range(len(present)),
         ):
             print(line, flush=True)
     for version, python in given.items():

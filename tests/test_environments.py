@@ -15,11 +15,10 @@ import pytest
 
 from motionlang import cache
 from tests.cli.programs import MAX_SECONDS
-from tests.installed import PROJECT, Install, closure, first_uses, needed
+from tests.installed import PROJECT, STRICT, Install, closure, first_uses, needed
 
 posix = pytest.mark.skipif(os.name == "nt", reason="POSIX descriptors, homes and locales")
 pytestmark = posix
-STRICT = ("-X", "dev", "-W", "error")
 
 
 @pytest.fixture
@@ -42,10 +41,9 @@ def works(install: Install, *flags: str, part: slice = slice(None), **changes: s
     assert given <= made <= given | {"move.golden.json", "rows.csv"}
 
 
-@pytest.mark.parametrize("flags", [("-OO",), STRICT], ids=" ".join)
-def test_every_command_under_an_option_of_python(flags: tuple[str, ...], install: Install) -> None:
-    """-O omits assertions; -OO omits docstrings, too."""
-    works(install, *flags)
+def test_every_command_with_warnings_as_errors(install: Install) -> None:
+    """`python -m tests.lowest` also runs them without assertions and docstrings (-OO)."""
+    works(install, *STRICT)
 
 
 def test_every_command_without_a_home(install: Install, tmp_path: Path) -> None:

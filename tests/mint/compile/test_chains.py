@@ -14,37 +14,38 @@ from motionlang.execution import dialect, run
 from motionlang.result import Run
 from motionlang.source import Source
 
-LENGTH = 3000
+# More operands than Python's stack has frames.
+LENGTH = 1500
 HEAD = "Dim a As Integer, f As Float\n"
 # A condition that is true by its last operand alone, and one that is false by it alone.
 ANY = " Or ".join([*(f"a = {n}" for n in range(1, LENGTH)), "a = 0"])
 ALL = " And ".join([*(f"a <> {n}" for n in range(1, LENGTH)), "a <> 0"])
 
 CHAINS = {
-    "constants": ("PRINT 1" + " + 1" * LENGTH, "3001"),
-    "integers": ("a = 1 : PRINT a" + " + a" * LENGTH, "3001"),
-    "floats": ("f = 0.5 : PRINT f" + " - f" * LENGTH, "-1499.5000"),
+    "constants": ("PRINT 1" + " + 1" * LENGTH, "1501"),
+    "integers": ("a = 1 : PRINT a" + " + a" * LENGTH, "1501"),
+    "floats": ("f = 0.5 : PRINT f" + " - f" * LENGTH, "-749.5000"),
     # 1 / 3 / 3 … * 3 * 3 …, which other brackets would not bring back to 1.
     "products": ("f = 3 : PRINT 1" + " / f" * 600 + " * f" * 600, "1.0000"),
-    "tight and loose": ("a = 3 : PRINT 1" + " + a * a - 8" * LENGTH, "3001"),
+    "tight and loose": ("a = 3 : PRINT 1" + " + a * a - 8" * LENGTH, "1501"),
     "bits": ("a = 7 : PRINT a" + " & a" * LENGTH + " | 8", "15"),
-    "texts": ('PRINT Len(""' + ' & "x"' * LENGTH + ")", "3000"),
+    "texts": ('PRINT Len(""' + ' & "x"' * LENGTH + ")", "1500"),
     "comparisons": ("a = 1 : PRINT 0" + " = a" * LENGTH, "0"),
     "powers": ("f = 1 : PRINT 2" + " ^ f" * LENGTH, "2.0000"),
     "Or": (f"If {ANY} Then PRINT 5", "5"),
     "And": (f"If {ALL} Then PRINT 5 Else PRINT 6", "6"),
     "Or of And": ("If " + " Or ".join(f"a = {n} And a < 9" for n in range(LENGTH, -1, -1)) + " Then PRINT 5", "5"),
-    # 3001 times true, an odd number of them.
+    # 1501 times true, an odd number of them.
     "Xor": ("PRINT 0" + " Xor a = 0" * (LENGTH + 1), "1"),
     "While": ("While a < 7 And " + " And ".join(["a <> 9"] * LENGTH) + "\na = a + 1\nEnd While\nPRINT a", "7"),
     "PAUSE": ("PAUSE " + " And ".join(["IDLE(0)"] * LENGTH) + "\nPRINT 5", "5"),
-    "Const": ("Const c = 1" + " + 1" * LENGTH + "\nPRINT c", "3001"),
-    "Define": ("Define d = 1" + " + a" * LENGTH + "\na = 2 : PRINT d", "6001"),
+    "Const": ("Const c = 1" + " + 1" * LENGTH + "\nPRINT c", "1501"),
+    "Define": ("Define d = 1" + " + a" * LENGTH + "\na = 2 : PRINT d", "3001"),
     "Case list": (f"Select Case a\nCase {', '.join(map(str, range(LENGTH, -1, -1)))}\nPRINT 5\nEnd Select", "5"),
     "Cases": ("a = 9\nSelect Case a\n" + "".join(f"Case {n}\nPRINT {n}\n" for n in range(LENGTH)) + "End Select", "9"),
     "PRINT": ("PRINT " + "; ".join(["a"] * LENGTH), "0" * LENGTH),
-    "one line": (": ".join(["a = a + 1"] * LENGTH) + ": PRINT a", "3000"),
-    "one-line If": ("If a = 0 Then " + ": ".join(["a = a + 1"] * LENGTH) + "\nPRINT a", "3000"),
+    "one line": (": ".join(["a = a + 1"] * LENGTH) + ": PRINT a", "1500"),
+    "one-line If": ("If a = 0 Then " + ": ".join(["a = a + 1"] * LENGTH) + "\nPRINT a", "1500"),
     "Dim": ("Dim " + ", ".join(f"v{n} As Integer" for n in range(LENGTH)) + "\nPRINT v7", "0"),
 }  # fmt: skip
 

@@ -71,13 +71,13 @@ def outcomes(program: str, words: list[Keyword]) -> dict[str, object]:
     return found
 
 
-@pytest.mark.parametrize("first", one_in(4, range(4)))
+@pytest.mark.parametrize("first", one_in(8, range(8)))
 @pytest.mark.parametrize("program", [STEADY, CHANGING], ids=["steady", "changing"])
 @pytest.mark.slow
 def test_keyword_that_is_written_in_every_iteration(
     program: str, first: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    words = WORDS[first::4]
+    words = WORDS[first::8]
     watched = outcomes(program, words)
     monkeypatch.setattr(polling, "watched", lambda *_: None)
     assert outcomes(program, words) == watched
