@@ -72,7 +72,7 @@ class Document:
         """Return the offset of a position in the text with its original line ends."""
         if position.line >= len(starts):
             return len(self.text)
-        start = starts[position.line]
+        start: int = starts[position.line]
         match = _LINE_END.search(self.text, start)
         line = self.text[start : match.start() if match is not None else len(self.text)]
         return start + characters(line, position.character)
@@ -84,7 +84,7 @@ class Document:
         starts = self._line_starts()
         if position.line >= len(starts):
             return len(self.source.text)
-        start = starts[position.line]
+        start: int = starts[position.line]
         end = self.source.text.find("\n", start)
         line = self.source.text[start : end if end >= 0 else len(self.source.text)]
         return start + characters(line, position.character)

@@ -43,7 +43,7 @@ def test_a_session_of_an_editor(editor: str, tmp_path: Path) -> None:
 
         hover = await server.text_document_hover_async(types.HoverParams(document, at(8, 1)))
         assert hover is not None
-        assert "Moves by a distance." in hover.contents.value  # type: ignore[union-attr]
+        assert "Moves by a distance." in hover.contents.value
 
         location = await server.text_document_definition_async(types.DefinitionParams(document, at(8, 1)))
         assert location == types.Location(client.uri, types.Range(at(3, 4), at(3, 10)))
