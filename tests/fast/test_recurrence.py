@@ -647,11 +647,16 @@ def test_the_states_that_are_stored_are_limited(
     )
 
 
+def is_eager(world: World, failures: int, tasks: int) -> bool:
+    world.recurrence._failures = failures
+    return world.recurrence.is_eager(tasks)
+
+
 def test_searches_that_fail_back_off() -> None:
-    """Two tasks may fail four times. Then a pause replaces every second search.
+    """Each of the tasks may fail twice. Then a pause replaces every second search.
 
     State 4 is the fifth failure, one too many. State 5 begins a pause of 2 more states, state 9 one of 4, state 15 one
-    of 8, and state 25 one of 16. After 8 failures, a search is likely to succeed for 4 tasks or more.
+    of 8, and state 25 one of 16.
     """
     world, searches = World(event=1.0), []
     for number in range(41):
@@ -662,7 +667,8 @@ def test_searches_that_fail_back_off() -> None:
         if world.dependencies.read is not None:
             searches.append(number)
     assert searches == [0, 1, 2, 3, 4, 5 + 2 + 1, 9 + 4 + 1, 15 + 8 + 1]
-    assert [world.recurrence.is_eager(count) for count in (1, 3, 4, 5)] == [False, False, True, True]
+    eager = [(4, 2), (5, 2), (6, 2), (5, 3), (7, 3)]
+    assert [is_eager(world, *each) for each in eager] == [True, False, False, True, False]
 
 
 def test_a_pause_has_at_most_2048_states() -> None:
