@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from math import inf
 from random import Random
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
 from motionlang import run
 from motionlang.fast.loop_switches import LoopSwitches
+from motionlang.lang.dependencies import Dependencies
+from motionlang.lang.statement_time import StatementTime
 from motionlang.source import Source
-from tests.cases import covering
+from tests.cases import cases, covering
 from tests.generated.handlers import document
 
 STEPS = (
@@ -74,12 +80,12 @@ def test_many_generated_loops_are_equal(batch: int) -> None:
 
 def test_pulses_of_a_loop_are_all_in_the_log() -> None:
     """An iteration has three statements of 10 µs; the output is on for one of them."""
-    text = "While TIME < 5000\n  OUTX(1) = 1\n  OUTX(1) = 0\nEnd While\nPRINT TIME\n"
+    text = "While TIME < 500\n  OUTX(1) = 1\n  OUTX(1) = 0\nEnd While\nPRINT TIME\n"
     found = run(Source("a.mnt", text), cache=False, fast=True)
     changes = found.machine.log.outputs
-    assert found.machine.terminal.lines == ["5000"]
-    assert len(changes) in (2 * 166_666, 2 * 166_667)
-    for number in (0, 1, 2, 3, 1000, 77_777, 249_998, 333_331):
+    assert found.machine.terminal.lines == ["500"]
+    assert len(changes) in (2 * 16_666, 2 * 16_667)
+    for number in (0, 1, 2, 3, 1000, 7777, 24_998, 33_331):
         iteration, off = divmod(number, 2)
         assert changes[number].time == pytest.approx(
             changes[0].time + 3e-5 * iteration + 1e-5 * off, abs=1e-11
@@ -104,8 +110,267 @@ def test_the_iterations_are_not_executed(monkeypatch: pytest.MonkeyPatch) -> Non
 
 def test_an_output_that_alternates_has_a_change_for_each_iteration() -> None:
     """An iteration has two statements of 10 µs."""
-    text = "While TIME < 5000\n  OUTX(1) = Not OUTX(1)\nEnd While\n"
+    text = "While TIME < 500\n  OUTX(1) = Not OUTX(1)\nEnd While\n"
     changes = run(Source("a.mnt", text), cache=False, fast=True).machine.log.outputs
-    assert len(changes) == 250_000
-    assert {changes[number].value for number in range(0, 250_000, 2)} == {1}
-    assert changes[249_999].time - changes[0].time == pytest.approx(249_999 * 2e-5, abs=1e-9)
+    assert len(changes) == 25_000
+    assert {changes[number].value for number in range(0, 25_000, 2)} == {1}
+    assert changes[24_999].time - changes[0].time == pytest.approx(24_999 * 2e-5, abs=1e-9)
+
+
+class Stream(list[Any]):
+    """A stream of a log; a template is stored as it is given."""
+
+    def repeat(self, shape: object, pace: object) -> None:
+        self.append((shape, pace))
+
+
+class Loop:
+    """A loop of two statements of 10 µs that toggles output 3, alone on its controller up to 1 ms."""
+
+    def __init__(self) -> None:
+        self.outputs, self.events = Stream(), Stream()
+        self.clock: Any = SimpleNamespace(now=0.0)
+        self.scheduler = SimpleNamespace(tasks=["main"], interrupts=list[str](), by_itself=True)
+        self.switched = SimpleNamespace(values=(), listeners=list[object]())
+        log = SimpleNamespace(outputs=self.outputs, streams=lambda: [self.events, self.outputs])
+        self.dependencies = Dependencies(self.clock)
+        self.environment: Any = SimpleNamespace(
+            acts=7,
+            switches=4,
+            resumed=2,
+            statements=StatementTime(1e-5),
+            controller=SimpleNamespace(outputs=self.switched),
+            machine=SimpleNamespace(log=log, scheduler=self.scheduler),
+            dependencies=self.dependencies,
+        )
+        self.environment.statements.until = 0.001
+        self.made = LoopSwitches(self.environment)
+        self.start: Any = None
+
+    def begin(self, t: float, *counters: float, follows: bool = True, variables: object = 5) -> None:
+        """Begin an iteration at a statement."""
+        environment, base = self.environment, self.environment.statements.base
+        state = environment.acts, variables
+        self.start = (
+            state,
+            counters,
+            t,
+            base,
+            base + t * 1e-5,
+            environment.resumed,
+            *self.dependencies.begin(),
+        )
+        self.made.begin(self.start, follows)
+
+    def toggle(self, t: float) -> None:
+        """Switch the output at a statement."""
+        value = 1 - len(self.switched.values)
+        self.switched.values = ((3, 1.0),) * value
+        self.environment.acts += 1
+        self.environment.switches += 1
+        self.outputs.append((t * 1e-5, 3, value))
+
+    def skip(
+        self, t: float, *counters: float, levels: Any = (), carries: bool = False, variables: object = 5
+    ) -> object:
+        """End an iteration at a statement; return the result, without counters if there are none."""
+        state = self.environment.acts, variables
+        found = self.made.skip(t, self.start, state, counters, levels, carries)
+        return found if found is None or counters else found[:2]
+
+    def two(self, *counters: float) -> None:
+        """Execute two iterations up to the end of the second one, which is not checked."""
+        self.begin(0.0, *counters)
+        self.toggle(0.0)
+        assert self.skip(2.0, *counters, variables=6) == (
+            (2.0, 100.0, counters) if counters else (2.0, 100.0)
+        )
+        self.begin(2.0, *counters, variables=6)
+        self.toggle(2.0)
+
+
+PERIOD = [(0, (4.0,), (3, 1)), (0, (6.0,), (3, 0))]
+
+
+@cases(
+    "until, level, carries, times",
+    (
+        (0.001, inf, False, 24),
+        (0.001, inf, True, 23),
+        (0.00099, inf, False, 23),
+        (1.0, inf, False, 24999),
+        (1.0, 0.0005, False, 11),
+        (0.00008, inf, False, 1),
+        (0.00008, inf, True, 0),
+        (0.00007, inf, False, 0),
+        (0.00004, inf, False, None),
+        (1.0, 0.00004, False, None),
+        (inf, inf, False, None),
+    ),
+)
+def test_a_period_of_two_iterations_is_repeated(
+    until: float, level: float, carries: bool, times: int | None
+) -> None:
+    """A period has 4 statements, and the first one ends with statement 4.
+
+    24 fit before statement 100. A reading changes at `level`. With `carries` the last iteration is executed.
+    """
+    loop = Loop()
+    loop.two()
+    loop.environment.statements.until = until
+    if level < inf:
+        assert loop.dependencies.notes is not None
+        loop.dependencies.notes.append((lambda: level, ()))
+    found = loop.skip(4.0, carries=carries)
+    if times is None:
+        assert found is None
+        return
+    assert found == (4.0 + 4 * times, round(until * 1e5))
+    template = ((PERIOD, times, 0, 4.0), (0.0, 0, 0.0, 1e-5))
+    assert loop.outputs == [(0.0, 3, 1), (2e-5, 3, 0), *[template] * (times > 0)]
+    assert loop.made._begun == []
+    assert loop.environment.statements.count == (4.0 + 4 * times if times else 0.0)
+
+
+@cases(
+    "counters, levels, times, after",
+    (
+        ((2.0, 5.0), ((9.0,), ()), 6, (2.0 + 6, 5.0)),
+        ((2.0, 5.0), ((3.0,), ()), 0, (2.0, 5.0)),
+        ((2.0, 5.0), ((), ()), 24, (26.0, 5.0)),
+        ((1.0, 4.0), ((0.0,), (3.0,)), 24, (1.0, 4.0)),
+    ),
+)
+def test_counters_advance_up_to_their_constants(
+    counters: tuple[float, ...], levels: object, times: int, after: tuple[float, ...]
+) -> None:
+    """They begin with 1 and 5, or with 1 and 4; from 2 on, six more steps by 1 stay below 9."""
+    loop = Loop()
+    loop.two(1.0, counters[1])
+    assert loop.skip(4.0, *counters, levels=levels) == (4.0 + 4 * times, 100.0, after)
+
+
+def other_start(loop: Loop) -> None:
+    loop.start = *loop.start[:-1], 77
+
+
+def listened(loop: Loop) -> None:
+    loop.switched.listeners.append("an input")
+
+
+def waited(loop: Loop) -> None:
+    loop.environment.statements.base = 0.5
+
+
+def resumed(loop: Loop) -> None:
+    loop.environment.resumed += 1
+
+
+def other_task(loop: Loop) -> None:
+    loop.scheduler.tasks.append("other")
+
+
+def handler(loop: Loop) -> None:
+    loop.scheduler.interrupts.append("timer")
+
+
+def paced(loop: Loop) -> None:
+    loop.scheduler.by_itself = False
+
+
+def acted(loop: Loop) -> None:
+    loop.environment.acts += 1
+
+
+def logged(loop: Loop) -> None:
+    loop.events.append("stop")
+
+
+def between_statements(loop: Loop) -> None:
+    loop.outputs[-1] = (2.5e-5, 3, 0)
+
+
+def not_logged(loop: Loop) -> None:
+    loop.outputs.clear()
+
+
+def forgotten(loop: Loop) -> None:
+    loop.made._begun.clear()
+
+
+def not_recorded(loop: Loop) -> None:
+    loop.dependencies.notes = []
+
+
+def switched_64_times(loop: Loop) -> None:
+    loop.outputs[:] = [(0.0, 3, 1)] * 64
+
+
+def switched_65_times(loop: Loop) -> None:
+    loop.outputs[:] = [(0.0, 3, 1)] * 65
+
+
+@cases(
+    "change",
+    (
+        *(
+            other_start,
+            listened,
+            waited,
+            resumed,
+            other_task,
+            handler,
+            paced,
+            acted,
+            logged,
+            between_statements,
+        ),
+        *(not_logged, forgotten, not_recorded, switched_65_times),
+    ),
+)
+def test_an_iteration_that_may_not_repeat_is_not_skipped(change: Callable[[Loop], None]) -> None:
+    loop = Loop()
+    loop.two()
+    change(loop)
+    outputs = [*loop.outputs]
+    assert loop.skip(4.0) is None
+    assert loop.outputs == outputs
+
+
+def test_a_period_has_at_most_64_switches() -> None:
+    loop = Loop()
+    loop.two()
+    switched_64_times(loop)
+    assert loop.skip(4.0) == (100.0, 100.0)
+
+
+def test_a_period_has_at_most_eight_iterations() -> None:
+    """The variables differ after each iteration; the ninth one begins a new search."""
+    loop = Loop()
+    for number in range(9):
+        loop.begin(2.0 * number, variables=number)
+        loop.toggle(2.0 * number)
+        assert len(loop.made._begun) == number % 8 + 1
+        found = loop.skip(2.0 * number + 2.0, variables=number + 1)
+        assert found == (None if number == 7 else (2.0 * number + 2.0, 100.0))
+
+
+@cases(
+    "follows, change, begun",
+    (
+        (True, None, 3),
+        (False, None, 1),
+        (True, other_task, 0),
+        (False, other_task, 0),
+    ),
+)
+def test_iterations_in_a_row_are_compared(
+    follows: bool, change: Callable[[Loop], None] | None, begun: int
+) -> None:
+    """The iterations before are dropped if one was not checked, or another task has been started."""
+    loop = Loop()
+    loop.two()
+    if change is not None:
+        change(loop)
+    loop.begin(4.0, follows=follows)
+    assert len(loop.made._begun) == begun
