@@ -664,15 +664,14 @@ class PolledTicks:
         good, ratio = count, float(round(period / cost))
         first = statements.first(own.dues[0][0]) - ratio
         for each in range(number, number + most):
-            # The same statement as that of `StatementTime.first`, mostly found without a division.
+            # The same statement as that of `StatementTime.first`, without a division: a tick is at most one statement
+            # off the whole number of them in a period.
             moment = started + each * period
             first += ratio
             if base + first * cost < moment:
                 first += 1.0
             elif base + (first - 1.0) * cost >= moment:
                 first -= 1.0
-            if not base + (first - 1.0) * cost < moment <= base + first * cost:
-                first = statements.first(moment)
             step = gaps.get(first - count)
             if step is None or not step.is_proved:
                 break

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf
 from random import Random
 from types import SimpleNamespace
@@ -773,3 +774,507 @@ def test_what_may_act_from_outside_ends_the_search(name: str) -> None:
         machine=parts["machine"], statements=statements, clock=parts["clock"], controller=controller
     )
     assert made._is_regular(scheduler) == (name == "nothing")
+
+
+class Search:
+    """A search whose steps are recorded instead of executed, and its scheduler."""
+
+    def __init__(self, **given: Any) -> None:
+        self.calls = list[object]()
+        self.made = made = polled(False)
+        read = {1}
+        self.environment: Any = SimpleNamespace(dependencies=SimpleNamespace(read=read))
+        made._environment = self.environment
+        made._left = made._observed = 0
+        made._since, made._read, made._numbers = (7,), read, {}  # type: ignore[assignment]
+        made._last, made._has_waits, made._back_off = checkpoint(NEXT), False, 4
+        self.is_regular, self.scheduler = True, SimpleNamespace(is_observed=True)
+        made._is_regular = lambda scheduler: self.is_regular  # type: ignore[method-assign]
+        made._marks = lambda scheduler: (7,)  # type: ignore[method-assign]
+        for name in ("forget", "begin", "observe", "skip"):
+            setattr(made, f"_{name}", lambda given, name=name: self.calls.append(name))
+        for name, value in given.items():
+            setattr(made, name, value)
+
+    def reach(self, by_tick: bool = True, polls: bool = True) -> list[object]:
+        self.made.reached(self.scheduler, by_tick, polls)
+        return self.calls
+
+
+def test_ticks_of_a_pause_are_executed() -> None:
+    """A WAIT that begins is no tick, and nothing is observed."""
+    search = Search(_left=2)
+    for by_tick, left in ((False, 2), (True, 1), (True, 0)):
+        assert search.reach(by_tick) == []
+        assert (search.made._left, search.made.is_searching) == (left, left == 0)
+        assert not search.scheduler.is_observed
+    assert search.reach() == ["observe", "skip"]
+
+
+def test_a_search_needs_tasks_that_poll_and_nothing_else() -> None:
+    assert Search().reach(polls=False) == ["forget"]
+    search = Search()
+    search.is_regular = False
+    assert search.reach() == ["forget"]
+    assert search.made._observed == 0
+
+
+@pytest.mark.parametrize(
+    ("given", "begins"),
+    [
+        ({}, False),
+        ({"_since": (8,)}, True),
+        ({"_read": {1}}, True),
+        ({"_numbers": dict.fromkeys(range(1000))}, False),
+        ({"_numbers": dict.fromkeys(range(1001))}, True),
+    ],
+)
+def test_what_else_has_changed_begins_another_search(given: dict[str, Any], begins: bool) -> None:
+    assert Search(**given).reach() == [*["begin"] * begins, "observe", "skip"]
+
+
+@cases(
+    "dues, has_waits, is_observed",
+    (
+        ((NEXT,), False, False),
+        ((NEXT, END), False, True),
+        ((NEXT,), True, True),
+        (None, True, True),
+    ),
+)
+def test_waits_are_observed_once_a_task_has_been_in_one(
+    dues: tuple[tuple[float, int, float], ...] | None, has_waits: bool, is_observed: bool
+) -> None:
+    """If a state cannot be compared, nothing changes."""
+    search = Search(_last=dues and checkpoint(*dues), _has_waits=has_waits)
+    assert search.reach() == (["observe"] if dues is None else ["observe", "skip"])
+    assert (search.scheduler.is_observed, search.made._has_waits) == (is_observed, is_observed)
+
+
+@cases("back_off, after", ((1, 2), (4, 8), (256, 512), (512, 512)))
+def test_after_48_checkpoints_without_a_skip_the_search_pauses(back_off: int, after: int) -> None:
+    search = Search(_observed=47, _back_off=back_off)
+    assert search.reach() == ["observe", "skip"]
+    assert search.reach() == ["observe", "skip", "forget"]
+    assert (search.made._observed, search.made._left, search.made._back_off) == (0, back_off, after)
+
+
+def test_states_are_forgotten_once() -> None:
+    made, ended = polled(False), list[object]()
+    made._environment.dependencies = SimpleNamespace(end_longest=ended.append)  # type: ignore[assignment]
+    made._read, made._since, made._last = {1}, (7,), checkpoint(NEXT)  # type: ignore[assignment]
+    scheduler = SimpleNamespace(is_observed=True)
+    for _ in range(2):
+        made._forget(scheduler)
+        assert (made._read, made._since, made._last, scheduler.is_observed) == (None, (), None, False)
+    assert ended == [{1}]
+
+
+class Program:
+    """Two tasks, of which main polls, and the states that are found."""
+
+    def __init__(self, *waits: Any) -> None:
+        self.made = made = polled()
+        made._alive, made._numbers = {}, {}
+        made._streams = [1, 2], [1], []  # type: ignore[assignment]
+        self.environment: Any = made._environment
+        self.environment.statements.base, self.environment.statements.count = 0.5, 12.0
+        self.outputs = SimpleNamespace(values=((1, 1.0),))
+        self.environment.controller = SimpleNamespace(outputs=self.outputs)
+        self.environment.state = lambda alive: b"shared"
+        self.hidden = list[object]()
+        made._counters = SimpleNamespace(hide=lambda: (5.0, 7.0), set=self.hidden.append)  # type: ignore[assignment]
+        made._events.ticks = 3
+        self.tasks = [self.task(f"T{k}", wait) for k, wait in enumerate(waits)]
+        self.scheduler = SimpleNamespace(tasks=self.tasks, current=self.tasks[0], next_index=1)
+
+    @staticmethod
+    def task(name: str, wait: Any) -> Any:
+        return SimpleNamespace(
+            name=name, wait=wait, delay=wait, priority=0, max_slice=0.5, state=lambda alive: b"own"
+        )
+
+    def state(self) -> int | None:
+        found = self.made._checkpoint(self.scheduler)
+        return None if found is None else found.state
+
+
+def delay(end: float, since: float) -> Any:
+    return SimpleNamespace(ends=end, since=since)
+
+
+def test_a_checkpoint_has_its_state_and_its_times() -> None:
+    """Tick 3 of 10 ms is the next one; the WAIT of task T1 ends before it."""
+    program = Program(None, delay(0.025, 0.005), None)
+    found = program.made._checkpoint(program.scheduler)
+    assert found is not None
+    assert (found.state, found.base, found.count, found.number) == (0, 0.5, 12.0, 3)
+    assert found.dues == [(0.025, 1, 0.005), (0.03, TICK, 0.0)]
+    assert (found.values, found.lengths, program.hidden) == ((5.0, 7.0), [2, 1, 0], [(5.0, 7.0)])
+    assert (program.made._are_idle, program.made._polling) == ([False], [""])
+
+
+@cases(
+    "waits, is_idle, polling",
+    (
+        ((None, delay(0.9, 0.1)), False, "T0"),
+        ((delay(0.9, 0.1), None), False, "T1"),
+        ((None, None), False, ""),
+        ((delay(0.9, 0.1), delay(0.8, 0.1)), True, ""),
+    ),
+)
+def test_a_state_knows_the_task_that_polls(waits: tuple[Any, ...], is_idle: bool, polling: str) -> None:
+    program = Program(*waits)
+    assert [program.state() for _ in range(3)] == [0, 0, 0]
+    assert (program.made._are_idle, program.made._polling) == ([is_idle], [polling])
+
+
+def no_state(program: Program) -> None:
+    program.tasks[1].state = lambda alive: None
+
+
+def other_current(program: Program) -> None:
+    program.scheduler.current = program.tasks[1]
+
+
+def handler_current(program: Program) -> None:
+    program.scheduler.current = "a handler"
+
+
+def other_next(program: Program) -> None:
+    program.scheduler.next_index = 0
+
+
+def switched(program: Program) -> None:
+    program.outputs.values = ((1, 0.0),)
+
+
+def assigned(program: Program) -> None:
+    program.environment.state = lambda alive: b"others"
+
+
+def moved(program: Program) -> None:
+    program.tasks[1].state = lambda alive: b"another line"
+
+
+def raised(program: Program) -> None:
+    program.tasks[1].priority = 1
+
+
+def shortened(program: Program) -> None:
+    program.tasks[0].max_slice = 0.25
+
+
+def waiting(program: Program) -> None:
+    program.tasks[0].wait = program.tasks[0].delay = delay(0.9, 0.1)
+
+
+def paused(program: Program) -> None:
+    program.tasks[1].delay = None
+
+
+def later(program: Program) -> None:
+    program.tasks[1].wait.ends, program.tasks[1].wait.since = 0.95, 0.15
+
+
+@cases(
+    "change, states",
+    (
+        (later, [0, 0]),
+        (no_state, [0, None]),
+        *(
+            (each, [0, 1])
+            for each in (
+                *(other_current, handler_current, other_next, switched, assigned, moved, raised, shortened),
+                *(waiting, paused),
+            )
+        ),
+    ),
+)
+def test_states_differ_in_all_that_decides_what_follows(
+    change: Callable[[Program], None], states: list[int | None]
+) -> None:
+    """The end of a WAIT is no part of the state."""
+    program = Program(None, delay(0.9, 0.1))
+    found = [program.state()]
+    change(program)
+    assert [*found, program.state()] == states
+
+
+def test_another_wait_is_part_of_the_state_with_its_end() -> None:
+    """The wait for a condition is the same object as long as it lasts."""
+    program = Program(None, SimpleNamespace(ends=None))
+    program.tasks[1].delay = None
+    assert [program.state(), program.state()] == [0, 0]
+    assert program.tasks[1].wait in program.made._alive.values()
+    program.tasks[1].wait.ends = 0.5
+    assert program.state() == 1
+    program.tasks[1].wait = SimpleNamespace(ends=0.5)
+    assert program.state() == 2
+
+
+class Observed:
+    """A search that observes given checkpoints and transitions."""
+
+    def __init__(self, *idle: bool, set_steps: Callable[[tuple[float, ...]], list[float]] = list) -> None:
+        self.made = made = polled(*idle)
+        made._last, made._advance = None, None
+        self.recorded, self.loops = list[object](), False
+        made._counters = SimpleNamespace(  # type: ignore[assignment]
+            steps_of_set=set_steps,
+            loops_count=lambda steps: self.loops,
+            record=self.recorded.append,
+        )
+
+    def observe(self, after: _Checkpoint | None, step: Transition | None) -> None:
+        made = self.made
+        made._checkpoint = lambda scheduler: after  # type: ignore[method-assign]
+        made._transition = lambda *given: step  # type: ignore[method-assign]
+        if after is not None:
+            made._environment.clock.now = after.base + after.count * 1e-5
+        made._observe(None)
+
+
+def at(
+    state: int, count: float, *dues: tuple[float, int, float], base: float = 0.0, number: int = 1
+) -> _Checkpoint:
+    return _Checkpoint(state, base, count, list(dues), number, ())
+
+
+def test_a_transition_between_ticks_is_known_by_its_state_and_gap() -> None:
+    """From statement 3 the tick at 10 ms comes after 997 statements; the task polls without a WAIT."""
+    search, step = Observed(False), transition(0, 1002.0)
+    made = search.made
+    search.observe(at(0, 3.0, (0.01, TICK, 0.0)), None)
+    assert (made._known, search.recorded) == ({}, [])
+    search.observe(at(0, 1005.0, NEXT, number=2), step)
+    assert made._gaps == {0: {997.0: step}}
+    assert made._known[0].transition is None
+    assert made._known[0].next[TICK, 997.0].transition is step
+    assert (made._alone, step.is_proved, search.recorded) == ({}, True, [()])
+
+
+def test_a_tick_while_all_tasks_wait_is_known_by_its_state_alone() -> None:
+    """It is not if the statements count from before it."""
+    for base, alone in ((0.01, True), (0.0, False)):
+        search, step = Observed(True), transition(0, 3.0)
+        search.observe(at(0, 3.0, (0.01, TICK, 0.0)), None)
+        if not alone:
+            search.made._origin = lambda *given: (0.0, 3.0)  # type: ignore[method-assign]
+        search.observe(at(0, 3.0 if alone else 1005.0, NEXT, base=base, number=2), step)
+        assert search.made._alone == ({(0, TICK): step} if alone else {})
+        assert search.made._gaps == {}
+
+
+def test_a_transition_with_a_wait_is_no_gap() -> None:
+    search, step = Observed(False), transition(0, 1002.0)
+    search.observe(at(0, 3.0, (0.01, TICK, 0.0)), None)
+    search.observe(at(0, 1005.0, NEXT, (0.5, 1, 0.1), number=2), step)
+    assert search.made._gaps == {}
+    search.observe(at(0, 2005.0, (0.03, TICK, 0.0), number=3), step)
+    assert search.made._gaps == {}
+    assert len(search.made._known[0].next) == 2
+
+
+def test_a_transition_that_cannot_be_recorded_is_left_out() -> None:
+    search, step = Observed(False), transition(0, 1002.0)
+    search.observe(at(0, 3.0, (0.01, TICK, 0.0)), step)
+    search.observe(None, step)  # a state that cannot be compared
+    search.observe(at(0, 3.0, (0.01, TICK, 0.0)), step)
+    search.observe(at(0, 1005.0, NEXT, base=0.5, number=2), step)
+    search.observe(at(0, 2005.0, NEXT, base=0.5, number=2), None)
+    assert (search.made._known, search.recorded) == ({}, [])
+
+
+def test_a_loop_that_counts_has_no_transition_from_its_last_iteration() -> None:
+    """Iterations of 7 statements begin with the checkpoint, so 994 statements are left out."""
+    for loops in (False, True):
+        search = Observed(False)
+        search.made._periods[0], search.loops = (0.0, 7.0), loops
+        search.observe(at(0, 3.0, (0.01, TICK, 0.0), (0.9, 1, 0.1)), None)
+        search.observe(at(0, 1005.0, NEXT, (0.9, 1, 0.1), number=2), transition(0, 8.0))
+        assert [*search.made._known] == [] if loops else [0]
+        if not loops:
+            assert [*search.made._known[0].next] == [(TICK, 3.0)]
+
+
+def seen_in_turn(*steps: Transition, gaps: tuple[float, ...], **given: Any) -> Observed:
+    """Observe transitions from state 0 to itself, with these gaps to the next tick, of 1000 statements."""
+    search = Observed(False, **given)
+    for number, (gap, step) in enumerate(zip(gaps, (None, *steps), strict=False)):
+        moment = (number + 1) * 0.01
+        count = 1000.0 * (number + 1) - gap
+        search.observe(at(0, count, (moment, TICK, 0.0), number=number + 1), step)
+    return search
+
+
+def test_a_counter_that_the_handler_sets_must_advance_equally() -> None:
+    """A transition is proved when it has been executed twice; at once if no such counter advances."""
+    one, again = (transition(0, 1000.0, steps=(1.0,)) for _ in range(2))
+    search = seen_in_turn(one, gaps=(997.0, 997.0))
+    assert (one.is_proved, search.made._advance) == (False, [1.0])
+    search = seen_in_turn(one, again, gaps=(997.0, 997.0, 997.0))
+    assert (one.is_proved, search.made._advance) == (True, [1.0])
+    assert (search.made._gaps, search.recorded) == ({0: {997.0: one}}, [()])
+    search = seen_in_turn(transition(0, 1000.0, steps=(0.0,)), gaps=(997.0, 997.0))
+    assert search.made._gaps[0][997.0].is_proved
+
+
+@cases(
+    "other, gap, is_known, advance",
+    (
+        (transition(0, 1001.0, steps=(1.0,)), 996.0, True, [1.0]),
+        (transition(0, 1001.0, steps=(2.0,)), 996.0, False, None),
+        (transition(0, 1001.0, steps=()), 996.0, False, None),
+        (transition(0, 1001.0, steps=(2.0,), handler=None), 996.0, True, [1.0]),
+        # Another effect of the same gap.
+        (transition(0, 999.0, steps=(1.0,)), 997.0, False, None),
+    ),
+)
+def test_ticks_that_advance_a_counter_differently_are_dropped(
+    other: Transition, gap: float, is_known: bool, advance: list[float] | None
+) -> None:
+    """The first tick adds 1 to a counter that the handler also sets."""
+    first = transition(0, 1000.0 + 997.0 - gap, steps=(1.0,))
+    search = seen_in_turn(
+        first, other, gaps=(997.0, gap, 997.0), set_steps=lambda steps: list(steps) or [0.0]
+    )
+    made = search.made
+    assert (bool(made._known), bool(made._gaps), made._advance) == (is_known, is_known, advance)
+    assert made._alone == {}
+
+
+class Skipping:
+    """A program of which the walks are given: main polls, T1 waits as given. It is 12 ms."""
+
+    def __init__(self, wait: Any = None, delay: Any = None, read: Any = (), level: float = inf) -> None:
+        self.made = made = polled(False, True)
+        self.walks, self.calls = list[Any](), list[object]()
+        self.since = list[float]()
+
+        def until(since: float, read: Any) -> float:
+            self.since.append(since)
+            return level
+
+        self.clock = SimpleNamespace(now=0.012, horizon=0.02, next_time=lambda: 0.02, second_time=lambda: 0.6)
+        environment: Any = made._environment
+        environment.clock, environment.dependencies = self.clock, SimpleNamespace(until=until)
+        made._events.tick_event = SimpleNamespace(time=0.02)  # type: ignore[assignment]
+        made._read, made._begun, made._since, made._observed = set(read), 0.001, (7,), 1
+        made._last = checkpoint((0.02, TICK, 0.0))
+        learn(made, 0, ONE, (TICK, 1997.0))
+        self.scheduler: Any = SimpleNamespace(
+            until=1.0,
+            tasks=[SimpleNamespace(wait=None, delay=None), SimpleNamespace(wait=wait, delay=delay)],
+        )
+        made._walk = lambda last, end: self.walk("walk", end)  # type: ignore[method-assign]
+        made._walk_ticks = lambda last, end: self.walk("ticks", end)  # type: ignore[method-assign]
+        made._pass = lambda walk, scheduler: self.calls.append("pass")  # type: ignore[method-assign]
+        made._begin = lambda since: self.calls.append(("begin", since))  # type: ignore[method-assign]
+
+    def walk(self, name: str, end: float) -> Any:
+        self.calls.append((name, round(end, 12)))
+        return self.walks.pop() if self.walks else None
+
+    def skip(self) -> list[object]:
+        self.made._skip(self.scheduler)
+        return self.calls
+
+
+# A walk ends 0.2 µs before anything else.
+MARGIN = 2e-7
+
+
+def test_walks_follow_one_another_while_there_are_any() -> None:
+    """The event after the tick comes at 0.6 s."""
+    program = Skipping()
+    program.walks = ["one", "other"]
+    end = ("ticks", round(0.6 - MARGIN, 12))
+    assert program.skip() == [end, "pass", end, "pass", end]
+    assert program.since == [0.001 - 1e-7]
+
+
+def test_a_walk_of_waits_is_that_of_a_state_with_one() -> None:
+    program = Skipping()
+    program.made._are_idle[0] = True
+    program.made._known[0].next[TICK, 0.0] = program.made._known[0].next[TICK, 1997.0]
+    assert program.skip() == [("walk", round(0.6 - MARGIN, 12))]
+    program = Skipping()
+    program.made._last = checkpoint((0.02, TICK, 0.0), (0.5, 1, 0.1))
+    assert program.skip() == [("walk", round(0.6 - MARGIN, 12))]
+
+
+def test_no_walk_begins_where_nothing_is_known() -> None:
+    program = Skipping()
+    program.made._known = {}
+    assert program.skip() == []
+
+
+@cases(
+    "level, calls, observed",
+    (
+        (0.3, [("ticks", round(0.3 - 1e-7 - MARGIN, 12))], 1),
+        (0.0120002, [("ticks", round(0.0120001 - MARGIN, 12))], 1),
+        (0.012, [("begin", (7,))], 13),
+        (0.01205 - 5e-5 + 1e-7, [("begin", (7,))], 13),
+    ),
+)
+def test_a_reading_that_changes_ends_the_walk(level: float, calls: list[object], observed: int) -> None:
+    """If it may have changed already, another search begins, at the cost of 12 checkpoints."""
+    program = Skipping(level=level)
+    assert program.skip() == calls
+    assert program.made._observed == observed
+
+
+@cases(
+    "event, horizon, second, until, end",
+    (
+        (0.02, 0.02, 0.6, 1.0, 0.6),
+        (0.02, 0.02, 0.6, 0.5, 0.5),
+        (0.02, 0.015, 0.6, 1.0, 0.015),
+        (0.02, 0.02, inf, 0.9, 0.9),
+    ),
+)
+def test_a_walk_ends_before_another_event(
+    event: float, horizon: float, second: float, until: float, end: float
+) -> None:
+    program = Skipping()
+    program.clock.horizon, program.clock.next_time = horizon, lambda: horizon
+    program.clock.second_time = lambda: second
+    program.scheduler.until = until
+    assert program.skip() == [("ticks", round(end - MARGIN, 12))]
+
+
+@cases(
+    "ends, ignores_data, is_over, due, end",
+    (
+        (None, True, False, 0.4, 0.4),
+        (0.3, False, True, 0.4, 0.3),  # its end is known, so nothing is called
+        (None, True, True, 0.4, None),
+        (None, False, False, 0.4, None),
+    ),
+)
+def test_a_walk_ends_before_a_wait_for_something_else(
+    ends: float | None, ignores_data: bool, is_over: bool, due: float, end: float | None
+) -> None:
+    """A condition of variables may be true within a walk."""
+    wait = SimpleNamespace(ends=ends, ignores_data=ignores_data, ready=lambda: is_over, due=lambda: due)
+    assert Skipping(wait).skip() == ([] if end is None else [("ticks", round(end - MARGIN, 12))])
+    own = SimpleNamespace(ends=0.3)
+    assert Skipping(own, own).skip() == [("ticks", round(0.6 - MARGIN, 12))]  # a WAIT is part of the walk
+
+
+def test_another_search_collects_all_readings_from_now_on() -> None:
+    made = polled(False)
+    begun, forgotten = {1}, list[str]()
+    made._environment.clock.now = 0.25
+    made._environment.dependencies = SimpleNamespace(begin_longest=lambda: begun)  # type: ignore[assignment]
+    made._counters = SimpleNamespace(forget=lambda: forgotten.append("forget"))  # type: ignore[assignment]
+    made._known, made._alone, made._periods = {0: _Node()}, {(0, 0): ONE}, {0: None}
+    made._gaps, made._alive, made._numbers = {0: {}}, {1: 1}, {b"": 0}
+    made._last, made._has_waits, made._advance = checkpoint(NEXT), True, [1.0]
+    made._begin((7,))
+    assert (made._since, made._begun, made._last, forgotten) == ((7,), 0.25, None, ["forget"])
+    assert made._read is begun
+    assert not any((made._known, made._alone, made._periods, made._gaps, made._alive, made._numbers))
+    assert (made._are_idle, made._polling, made._has_waits, made._advance) == ([], [], False, None)
