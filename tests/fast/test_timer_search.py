@@ -1,0 +1,503 @@
+"""The search for periods of a timer's ticks, and when a tick runs without the scheduler."""
+
+from __future__ import annotations
+
+from math import inf
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from motionlang.controller.clock import Clock
+from motionlang.fast.timer_ticks import ENTRY, TimerTicks, _is_short, _quiet_until, _Search
+from motionlang.lang.statement_time import StatementTime
+from motionlang.lang.waits import Condition, Delay, Wait
+from motionlang.mint.keywords.event_kinds import KINDS
+from motionlang.mint.runtime.events import EventTask
+from motionlang.mint.runtime.waits import Rest
+from tests.cases import cases
+
+CLOCK: Any = SimpleNamespace(now=0.0, fired=0)
+
+
+def waiting(wait: Any, is_delay: bool = True) -> Any:
+    return SimpleNamespace(wait=wait, delay=wait if is_delay else None)
+
+
+@cases(
+    "lengths, are_delays, is_short",
+    (
+        ((), True, False),
+        ((0.0599,), True, True),
+        ((0.0601,), True, False),
+        ((0.0625,), True, False),
+        ((0.5, 0.03), True, True),
+        ((0.03,), False, False),
+        ((None,), True, False),
+    ),
+)
+def test_a_wait_of_less_than_60_ms_is_short(
+    lengths: tuple[float | None, ...], are_delays: bool, is_short: bool
+) -> None:
+    """Waits other than WAITs do not count."""
+    tasks = [
+        waiting(each and SimpleNamespace(since=0.0, ends=each), are_delays) if each else waiting(None)
+        for each in lengths
+    ]
+    assert _is_short(SimpleNamespace(tasks=tasks)) == is_short
+
+
+def condition(solved: float, ignores_data: bool) -> Condition:
+    dependencies: Any = SimpleNamespace(clock=CLOCK)
+    made = Condition(dependencies, lambda: False, 0.0, "for a condition", ignores_data)
+    made.solved = solved
+    return made
+
+
+def rest(settled: object) -> Rest:
+    """Return a wait until axes are at rest; with `settled` it is also due at times."""
+    environment: Any = SimpleNamespace(settled=settled)
+    made = Rest(environment, 0.0, lambda: 5.0, lambda: False, "for axes to be idle", (0, ()))
+    made._built = Wait(0.0, lambda: False, lambda: 0.25, "for a condition")
+    return made
+
+
+@cases(
+    "wait, until",
+    (
+        (Delay(CLOCK, 0.0, 0.5), 0.5 - 1e-9),
+        (condition(inf, True), inf),
+        (condition(inf, False), -inf),
+        (condition(0.5, True), -inf),
+        (rest(None), inf),
+        (rest(1), -inf),
+        (Wait(0.0, lambda: False, lambda: inf, "for an axis"), -inf),
+    ),
+)
+def test_the_time_up_to_which_only_an_event_ends_a_wait(wait: Wait, until: float) -> None:
+    assert _quiet_until(wait) == until
+
+
+class Left:
+    """A timer whose handler or whose tasks have just stopped."""
+
+    def __init__(self) -> None:
+        event, self.reached = object(), list[tuple[object, ...]]()
+        self.events: Any = SimpleNamespace(
+            tick_event=event, environment=SimpleNamespace(machine=SimpleNamespace(log=None))
+        )
+        self.made = TimerTicks(self.events)
+        self.made._polled = SimpleNamespace(  # type: ignore[assignment]
+            reached=lambda scheduler, *given: self.reached.append(given)
+        )
+        self.scheduler: Any = SimpleNamespace(is_observed=True, tasks=[waiting(None)])
+
+    @staticmethod
+    def handler(name: str = "timer", done: bool = True, kind: type = EventTask) -> Any:
+        task = kind.__new__(kind)
+        task.name, task.done, task.wait = name, done, None
+        return task
+
+
+class Task(EventTask):
+    """A task that is no handler itself."""
+
+    __slots__ = ()
+
+
+@cases(
+    "task, reached",
+    (
+        (Left.handler(), [(True, True)]),
+        (Left.handler("in1"), []),
+        (Left.handler(done=False), []),
+        (Left.handler(kind=Task), []),
+    ),
+)
+def test_the_end_of_a_tick_is_a_checkpoint(task: Any, reached: list[object]) -> None:
+    left = Left()
+    left.made.left(left.scheduler, task)
+    assert left.reached == reached
+
+
+@cases(
+    "cause, is_observed, reached", (("time", True, [(False, True)]), ("time", False, []), ("axis", True, []))
+)
+def test_the_beginning_of_a_wait_is_a_checkpoint(
+    cause: str, is_observed: bool, reached: list[object]
+) -> None:
+    left = Left()
+    left.scheduler.is_observed = is_observed
+    task = Left.handler("main", False)
+    task.wait = SimpleNamespace(cause=cause)
+    left.made.left(left.scheduler, task)
+    assert left.reached == reached
+
+
+@cases(
+    "tasks, polls",
+    (
+        ([waiting(None)], True),
+        ([waiting(SimpleNamespace(since=0.0, ends=0.5))], False),
+        ([waiting(SimpleNamespace(since=0.0, ends=0.05))], True),
+        ([waiting(SimpleNamespace(since=0.0, ends=0.5)), waiting(None)], True),
+    ),
+)
+def test_a_short_wait_counts_as_polling(tasks: list[Any], polls: bool) -> None:
+    left = Left()
+    left.scheduler.tasks = tasks
+    left.made.left(left.scheduler, Left.handler())
+    assert left.reached == [(True, polls)]
+
+
+def test_a_timer_with_another_period_is_left_alone() -> None:
+    left = Left()
+    left.events.tick_event = object()
+    left.made.left(left.scheduler, Left.handler())
+    assert (left.reached, left.scheduler.is_observed) == ([], False)
+
+
+def test_a_search_that_fails_pauses_for_twice_as_many_ticks() -> None:
+    made, pauses = Left().made, []
+    for _ in range(15):
+        made._search = object()  # type: ignore[assignment]
+        made._fail()
+        assert made._search is None
+        pauses.append(made._left)
+    assert pauses == [0, 1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 4096]
+
+
+# The state of a program in which a tick may run at 0.5 s: each field that decides it, and another value.
+RUNS: dict[str, Any] = {
+    "events.active": [], "events.pending": [], "events.disabled": 0, "events.handles": lambda kind: kind == "timer",
+    "machine.hook": None, "machine.assumptions": {}, "event.time": 0.5,
+}  # fmt: skip
+RUNS_NOT: dict[str, Any] = {
+    "events.active": [1], "events.pending": [1], "events.disabled": 1 << ENTRY[0], "events.handles": lambda kind: False,
+    "machine.hook": print, "machine.assumptions": {"a": 1}, "event.time": 0.4,
+}  # fmt: skip
+
+
+class Ticking:
+    """A program whose tasks wait while the timer ticks every 10 ms; it is 0.495 s.
+
+    Each tick takes 30 µs. `ends` is what each tick returns: false if it has acted, or has not ended.
+    """
+
+    def __init__(self, *waits: Any, ends: tuple[bool, ...] = (), **given: Any) -> None:
+        self.clock, self.calls, self._ends = Clock(), list[object](), list(ends)
+        self.clock.now = 0.495
+        parts: dict[str, Any] = {"event": self.clock.at(0.5, lambda: None)}
+        for key, value in {**RUNS, **given}.items():
+            owner, _, field = key.partition(".")
+            setattr(parts.setdefault(owner, SimpleNamespace()), field, value)
+        self.event, self.events = parts["event"], parts["events"]
+        machine = parts["machine"]
+        machine.log = None
+        self.events.environment = SimpleNamespace(clock=self.clock, machine=machine)
+        self.events.tick_event = self.event
+        self.tasks = [SimpleNamespace(wait=each, delay=None, at=k) for k, each in enumerate(waits)]
+        self.scheduler: Any = SimpleNamespace(tasks=self.tasks, current=SimpleNamespace(at=77))
+        self.made = TimerTicks(self.events)
+        self.made._left = 10**6
+        self.made._tick = self.tick  # type: ignore[method-assign]
+
+    def tick(self, scheduler: Any, now: float, until: float, at: int) -> bool:
+        self.calls.append((round(now, 9), until, at))
+        self.clock.now = now + 3e-5
+        self.clock.again(self.event, now + 0.01)
+        return self._ends.pop(0) if self._ends else True
+
+    def run(self, due: float = 0.5, until: float = 1.0) -> bool:
+        return self.made.run(self.scheduler, due, until)
+
+    def ticks(self) -> int:
+        return len(self.calls)
+
+
+def pause(ends: float | None = None) -> Any:
+    """Return a WAIT up to `ends`, or a wait for axes at rest."""
+    return rest(None) if ends is None else Delay(CLOCK, 0.0, ends)
+
+
+@pytest.mark.parametrize("name", ["nothing", *RUNS_NOT])
+def test_a_tick_runs_without_the_scheduler_unless_something_else_may_act(name: str) -> None:
+    program = Ticking(pause(2.0), **({name: RUNS_NOT[name]} if name in RUNS_NOT else {}))
+    assert program.run(until=0.505) == (name == "nothing")
+    assert program.ticks() == (name == "nothing")
+
+
+def test_another_event_of_the_timer_runs_by_the_scheduler() -> None:
+    program = Ticking(pause(2.0))
+    program.events.tick_event = None
+    assert not program.run()
+    program.events.tick_event, program.made._event = program.event, None
+    assert not program.run()
+
+
+@cases(
+    "waits, due, until, ticks",
+    (
+        ((pause(2.0),), 0.5, 0.6, 10),
+        ((pause(2.0),), 0.5, 0.5, 0),
+        ((pause(2.0),), 0.5, 0.5 + 1e-6, 1),
+        ((pause(2.0),), 0.51, 0.6, 0),
+        ((pause(0.5),), 0.5, 0.6, 0),
+        ((pause(0.50001),), 0.5, 0.6, 1),
+        ((pause(0.55),), 0.5, 0.6, 5),
+        ((pause(2.0), pause(0.525)), 0.5, 0.6, 3),
+        ((pause(0.57 + 2e-9),), 0.5, 0.6, 8),
+        ((pause(0.57 + 0.5e-9),), 0.5, 0.6, 7),
+        ((pause(),), 0.5, 0.6, 10),
+        # Another kind of wait may be over after each tick, or may end at a solved time.
+        ((Wait(0.0, lambda: False, lambda: inf, "for an axis"),), 0.5, 0.6, 1),
+        ((condition(0.7, True),), 0.5, 0.6, 1),
+        ((condition(0.4, True),), 0.5, 0.6, 0),
+        ((condition(inf, True),), 0.5, 0.6, 10),
+    ),
+)
+def test_ticks_run_up_to_the_end_of_a_wait(
+    waits: tuple[Any, ...], due: float, until: float, ticks: int
+) -> None:
+    """They are at 0.50 s, 0.51 s and so on; a wait ends 1 ns early."""
+    program = Ticking(*waits)
+    assert program.run(due, until) == (ticks > 0)
+    assert program.ticks() == ticks
+
+
+def test_ticks_run_up_to_another_event_at_their_time() -> None:
+    program = Ticking(pause(2.0))
+    program.clock.at(0.52, lambda: None)
+    assert program.run(until=0.6)
+    assert program.ticks() == 2
+    program = Ticking(pause(2.0))
+    program.clock.at(0.5, lambda: None)
+    assert not program.run(until=0.6)
+
+
+def test_a_tick_that_acts_is_the_last_one() -> None:
+    program = Ticking(pause(2.0), ends=(True, True, False))
+    assert program.run(until=0.6)
+    assert program.ticks() == 3
+
+
+@cases(
+    "waits, at, current",
+    (
+        ((pause(2.0), pause(3.0)), [77, 77, 77], 77),
+        ((pause(2.0), pause(), pause(), pause(3.0)), [77, 2, 2], 2),
+    ),
+)
+def test_a_tick_is_located_at_the_task_that_was_checked_last(
+    waits: tuple[Any, ...], at: list[int], current: int
+) -> None:
+    """That is the last one whose end is not known; for the first tick, the one that the scheduler has checked."""
+    program = Ticking(*waits)
+    assert program.run(until=0.525)
+    assert [each[2] for each in program.calls] == at  # type: ignore[index]
+    assert program.scheduler.current.at == current
+
+
+@cases("polled, is_searching, runs", ((False, False, False), (True, True, False), (True, False, True)))
+def test_ticks_within_short_waits_are_left_to_the_search_of_polling_tasks(
+    polled: bool, is_searching: bool, runs: bool
+) -> None:
+    program = Ticking(pause(0.54))
+    program.tasks[0].delay = program.tasks[0].wait
+    program.tasks[0].wait.since = 0.49
+    if polled:
+        program.made._polled = SimpleNamespace(is_searching=is_searching)  # type: ignore[assignment]
+    assert program.run(until=0.525) == runs
+
+
+def test_a_search_begins_after_the_pause() -> None:
+    """Two ticks are left without one. The third one begins it, and each of the others asks for a period.
+
+    The third question fails, which begins a pause.
+    """
+    program, asked = Ticking(pause(2.0)), list[float]()
+    program.made._left = 2
+
+    def skipped(end: float) -> bool:
+        asked.append(round(end, 9))
+        return len(asked) < 3
+
+    program.made._skipped = skipped  # type: ignore[method-assign]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("motionlang.fast.timer_ticks._Search", lambda events: "search")
+        assert program.run(until=0.555)
+    assert (program.ticks(), asked) == (6, [0.555] * 3)
+    assert (program.made._search, program.made._left, program.made._back_off) == (None, 0, 1)
+
+
+def search(*values: tuple[float, ...], period: float = 10.0, ticks: int = 5) -> _Search:
+    """Return a search with the values of counters after each tick; the last one was tick `ticks` - 1."""
+    made = _Search.__new__(_Search)
+    clock: Any = SimpleNamespace(now=0.0, second_time=lambda: inf)
+    made._events = SimpleNamespace(  # type: ignore[assignment]
+        started=0.0, timer=period, ticks=ticks, tick_time=lambda number: number * period / 1000.0
+    )
+    made._environment = SimpleNamespace(clock=clock, statements=StatementTime(1e-5))  # type: ignore[assignment]
+    made.marks = [((), each) for each in values]
+    made.times = [k * 0.01 for k in range(len(values))]
+    made.ends = [each + 3e-5 for each in made.times]
+    made.notes, made._met = [], {}
+    return made
+
+
+@cases(
+    "values, period, steps",
+    (
+        (((1.0, 5.0), (1.0, 5.0)), 1, [0.0, 0.0]),
+        (((1.0, 5.0), (2.0, 5.0)), 1, None),
+        (((1.0, 5.0), (2.0, 5.0), (3.0, 5.0)), 1, [1.0, 0.0]),
+        (((1.0, 5.0), (2.0, 5.0), (4.0, 5.0)), 1, None),
+        (((1.0,), (1.5,), (3.0,), (3.5,), (5.0,)), 2, [2.0]),
+        (((9.0,), (1.5,), (3.0,), (3.5,), (5.0,)), 2, None),
+        (((1.0,), (3.0,), (4.0,), (3.0,)), 2, [0.0]),
+    ),
+)
+def test_a_counter_must_advance_equally_in_two_periods(
+    values: tuple[tuple[float, ...], ...], period: int, steps: list[float] | None
+) -> None:
+    assert search(*values)._advanced(len(values) - 1, period) == steps
+
+
+@cases(
+    "period, end, second, ticks, timer, most, fitting",
+    (
+        # Tick 4 was the last one; a handler takes 30 µs. Up to 1 s ticks 5 to 99 fit, and up to 1.00004 s tick 100.
+        (1, 1.0, inf, 5, 10.0, inf, 94),
+        (1, 1.00004, inf, 5, 10.0, inf, 95),
+        (1, 1.00003, inf, 5, 10.0, inf, 94),
+        (1, 1.000031 + 1e-9, inf, 5, 10.0, inf, 95),
+        (2, 1.0, inf, 5, 10.0, inf, 47),
+        (1, 1.0, 0.5, 5, 10.0, inf, 44),
+        (1, 1.0, inf, 5, 20.0, inf, 44),
+        (1, 1.0, inf, 5, 10.0, 7.0, 7),
+        (1, 0.03, inf, 5, 10.0, inf, -3),
+    ),
+)
+def test_the_periods_that_fit_before_a_change(
+    period: int, end: float, second: float, ticks: int, timer: float, most: float, fitting: int
+) -> None:
+    """The handler of the last tick ends 30 µs after it, and a µs before the change."""
+    made = search((1.0,), (1.0,), (1.0,), period=timer, ticks=ticks)
+    made._environment.clock.second_time = lambda: second  # type: ignore[method-assign]
+    made._counters = SimpleNamespace(most=lambda steps: most)  # type: ignore[assignment]
+    assert made.fitting(period, end) == fitting
+
+
+def test_the_longest_handler_of_a_period_must_fit() -> None:
+    """The last but one takes 2 ms, and the one before it, of another period, 9 ms."""
+    made = search((1.0,), (1.0,), (1.0,), (1.0,), (1.0,))
+    made.ends[-2], made.ends[-3] = made.times[-2] + 0.002, made.times[-3] + 0.009
+    made._counters = SimpleNamespace(most=lambda steps: inf)  # type: ignore[assignment]
+    assert [made.fitting(2, end) for end in (0.1019, 0.1021, 0.1119, 0.1121)] == [2, 2, 2, 3]
+    assert [made.fitting(1, end) for end in (0.10002, 0.10004)] == [4, 5]
+
+
+@cases(
+    "levels, is_solvable",
+    (((), True), ((5.0,), True), ((inf,), False), ((-inf,), False), ((0, inf), False), ((inf, 0), True)),
+)
+def test_readings_of_loops_end_the_search(levels: tuple[float, ...], is_solvable: bool) -> None:
+    """A loop executes its last iteration, so a value that it only stores, or its maximum, is no dependency."""
+    made = search()
+    made.notes = [(lambda *about: 0.0, ()), (lambda *about: 0.0, levels)]
+    assert made.is_solvable == is_solvable
+
+
+class Stream(list[Any]):
+    """A stream of a log; a template is stored as it is given."""
+
+    def repeat(self, shape: object, pace: object) -> None:
+        self.append((shape, pace))
+
+
+def recorded(period: int = 2) -> tuple[_Search, list[Stream]]:
+    """Return a search of a handler that toggles an output at 20 ms and 30 ms, ticks 2 and 3, and its streams."""
+    made = search(period=10.0, ticks=4)
+    streams = [Stream([(k * 0.01, "handler") for k in range(4)]), Stream(), Stream()]
+    streams[1] += [(0.0, 9, 9), (0.01, 9, 9), (0.02 + 1e-5, 3, 1), (0.03 + 1e-5, 3, 0)]
+    made._log = SimpleNamespace(events=streams[0], outputs=streams[1], slices=streams[2])  # type: ignore[assignment]
+    made._others, made._lengths = [[1]], [1]  # type: ignore[list-item]
+    made.marks = [((k + 1, k + 1, 0), (float(k), 2.0)) for k in range(4)]
+    made.times = [k * 0.01 for k in range(4)]
+    return made, streams
+
+
+ROWS = [
+    [(0, (0.0,), ("handler",)), (1, (0.0,), ("handler",))],
+    [(0, (1.0,), (3, 1)), (1, (1.0,), (3, 0))],
+    [],
+]
+
+
+def test_the_records_of_a_period() -> None:
+    made, _ = recorded()
+    assert made.rows(2) == ROWS
+    made._lengths = [0]  # another stream has a new record
+    assert made.rows(2) is None
+    made, streams = recorded()
+    streams[1][-1] = (0.030005, 3, 0)  # between two statements
+    assert made.rows(2) is None
+
+
+@cases("count, is_found", ((257, True), (258, False)))
+def test_a_period_has_at_most_256_records_before_its_last_tick(count: int, is_found: bool) -> None:
+    """The records of tick 2 are `count` less one, and tick 3 adds one."""
+    made, streams = recorded()
+    streams[1][:] = [(0.02, 3, 1)] * (count - 1) + [(0.03, 3, 1)]
+    past = [0, 0, count - 1, count]
+    made.marks = [((k + 1, past[k], 0), ()) for k in range(4)]
+    found = made.rows(2)
+    assert (found is not None) == is_found
+    if found is not None:
+        assert len(found[1]) == count
+
+
+def test_skipped_periods_have_all_their_effects() -> None:
+    """Ticks 4 to 9 pass: three periods of two. Tick 9 is at 90 ms, and its handler ends 3 statements later."""
+    made, streams = recorded()
+    scheduled, reached, advanced = list[int](), list[object](), list[object]()
+    events, environment = made._events, made._environment
+    events.tick_event, events.schedule_tick = "tick", scheduled.append  # type: ignore[assignment,method-assign]
+    environment.clock.reach, environment.clock.fired = reached.append, 42  # type: ignore[assignment,method-assign]
+    environment.statements.base, environment.statements.count = 0.03, 3.0
+    made._counters = SimpleNamespace(advance=lambda *given: advanced.append(given))  # type: ignore[assignment]
+    made.skip(2, 3, ROWS)  # type: ignore[arg-type]
+    pace = 0.0, 4, 0.01, 1e-5
+    assert [each[-1] for each in streams[:2]] == [((rows, 3, 2, 0.0), pace) for rows in ROWS[:2]]
+    assert streams[2] == [(([], 3, 2, 0.0), pace)]
+    assert (scheduled, reached, advanced) == ([10], ["tick"], [([2.0, 0.0], 3)])
+    assert (environment.clock.now, environment.statements.base) == (0.09 + 3 * 1e-5, 0.09)
+    assert environment.fired == 42
+
+
+def test_a_state_that_recurs_is_a_period() -> None:
+    """The outputs alternate, and a counter advances by 1, so a period is found when it has been met twice."""
+    made = search(ticks=1)
+    values, hidden = [0.0], list[object]()
+    made._counters = SimpleNamespace(  # type: ignore[assignment]
+        hide=lambda: "hidden", set=hidden.append, values=lambda: (values[0],)
+    )
+    made._log = SimpleNamespace(events=[1], outputs=[1, 2], slices=[])  # type: ignore[assignment]
+    outputs = SimpleNamespace(values=0)
+    made._environment.controller = SimpleNamespace(outputs=outputs)  # type: ignore[assignment]
+    made._environment.state = lambda alive: b"shared"  # type: ignore[method-assign]
+    made.marks, made.times, made.ends = [], [], []
+    found = []
+    for number in range(1, 6):
+        made._events.ticks, made._environment.clock.now = number, number * 0.01 + 0.002
+        outputs.values, values[0] = number % 2, float(number)
+        found.append(made.period())
+    assert found == [None, None, None, None, 2]
+    assert hidden == ["hidden"] * 5
+    assert made.marks == [((1, 2, 0), (float(number),)) for number in range(1, 6)]
+    assert made.times == [number * 10.0 / 1000.0 for number in range(5)]
+    assert made.ends == [number * 0.01 + 0.002 for number in range(1, 6)]
+
+
+def test_the_timer_is_event_kind_of_its_name() -> None:
+    assert (KINDS[ENTRY[0]], ENTRY[1]) == ("timer", 0)
