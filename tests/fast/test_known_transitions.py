@@ -90,6 +90,10 @@ def test_the_first_statement_after_a_tick_or_the_end_of_a_wait(
 
 def test_the_first_statement_after_a_tick_is_the_least_that_is_not_before_it() -> None:
     """Products of ticks and of statements round differently, in both directions."""
+    assert (
+        _first((3.0030300000000003, TICK, 0.0), 0.25003, 4e-5) == 68_826.0
+    )  # 68 825 * 40 µs are just before it
+    assert _first((0.539, TICK, 0.0), 0.5, 3e-6) == 13_000.0
     random = Random(1)
     for _ in range(400):
         base, cost = random.choice((0.0, 3e-5, 0.1)), random.choice((1e-5, 3e-6, 0.7310585e-5))
@@ -241,6 +245,12 @@ def test_the_next_transition_counts_from_the_last_iteration_of_a_poll() -> None:
     tick, end = (1.0 + 0.5 * (2 + 22), TICK, 0.0), (90.0, 1, 0.0)
     assert made._next(0, 1.0, 2.0, [tick, end, NO_DUE]) == (ONE, 1.0, 2.0 + 14, 1)
     assert made._next(0, 1.0, 2.0, [tick, NO_DUE]) == (TWO, 1.0, 2.0, 1)
+    direct = transition(0, 22.0)  # without a tick
+    learn(made, 0, direct)
+    assert made._next(0, 1.0, 2.0, [tick, end, NO_DUE]) == (ONE, 1.0, 2.0 + 14, 1)
+    assert made._next(0, 1.0, 2.0, [(tick[0] + 3e-9, *tick[1:]), end, NO_DUE]) == (direct, 1.0, 2.0, 0)
+    learn(made, 0, TWO, (TICK, 9.0))
+    assert made._next(0, 1.0, 2.0, [(tick[0] + 1e-9, *tick[1:]), end, NO_DUE]) == (TWO, 1.0, 2.0 + 14, 1)
 
 
 def walked(
@@ -377,6 +387,85 @@ def test_a_task_that_polls_adds_the_iterations_before_a_tick() -> None:
     polls = [(0, "main", 994.0), (1, "main", 994.0)]
     found = walked(made, 0.5, checkpoint((0.01, TICK, 0.0), end))
     assert found == ((0, 0), 2, reached, [(0, 0.0, 997.0)], polls)
+
+
+@cases(
+    "other, count, good",
+    (
+        ((0.02003 + 1e-9, 1, 0.0), 3.0, False),
+        ((0.02003 + 3e-9, 1, 0.0), 3.0, True),
+        (None, 1000.0 - 1e-4, False),
+        (None, 1000.0 - 3e-4, True),
+        (None, 1001.0, False),
+    ),
+)
+def test_a_tick_that_comes_next_but_not_alone_is_another_transition(
+    other: tuple[float, int, float] | None, count: float, good: bool
+) -> None:
+    """The tick is at 20 ms, and its handler takes 30 µs; statement 1000 from 10 ms on is at 20 ms, too.
+
+    Rounding might decide within 2 ns of the end of the handler, or of the present statement.
+    """
+    made = polled(True)
+    step = transition(0, 3.0)
+    made._alone[0, TICK] = step
+    learn(made, 0, step, (TICK, 0.0))
+    dues = ((0.02, TICK, 0.0), *((other,) if other is not None else ()))
+    found = walked(made, 0.025, checkpoint(*dues, base=0.01, count=count, number=2))
+    assert (found is not None) == good
+
+
+def test_ticks_that_lead_to_two_states_in_turn_are_not_repeated() -> None:
+    made = polled(True, True)
+    for state in (0, 1):
+        step = transition(1 - state, 3.0)
+        made._alone[state, TICK] = step
+        learn(made, state, step, (TICK, 0.0))
+    found = walked(made, 0.0755, checkpoint((0.02, TICK, 0.0), base=0.01, number=2))
+    reached = 0.07, 3.0, [(0.08, TICK, 0.0)], 8
+    assert found == ((1, 0, 1, 0, 1, 0), 6, reached, [], [])
+
+
+def test_a_tick_of_two_seconds_is_repeated() -> None:
+    made = polled(True, period=2000.0)
+    step = transition(0, 3.0)
+    made._alone[0, TICK] = step
+    learn(made, 0, step, (TICK, 0.0))
+    found = walked(made, 20.0, checkpoint((4.0, TICK, 0.0), base=2.0, number=2))
+    assert found == ((0,) * 8, 8, (18.0, 3.0, [(20.0, TICK, 0.0)], 10), [], [])
+
+
+def test_a_walk_has_at_most_as_many_transitions_as_counters_may_advance() -> None:
+    """The end of a WAIT that does not begin again precedes the ticks."""
+    made = polled(True, most=5)
+    for index, step in ((TICK, transition(0, 3.0)), (0, transition(0, 2.0, handler=None))):
+        made._alone[0, index] = step
+        learn(made, 0, step, (index, 0.0))
+    found = walked(made, 9.0, checkpoint((0.015, 0, 0.0), (0.02, TICK, 0.0), base=0.01, number=2))
+    assert found == ((0,) * 5, 5, (0.05, 3.0, [(0.06, TICK, 0.0)], 6), [], [])
+
+
+@cases("end, good", ((9.0, False), (9.5, True)))
+def test_a_walk_ends_before_a_time(end: float, good: bool) -> None:
+    """The tick at 8 s and two statements of 0.5 s end at 9 s."""
+    made = polled(True, period=8000.0, cost=0.5)
+    step = transition(0, 2.0)
+    made._alone[0, TICK] = step
+    learn(made, 0, step, (TICK, 0.0))
+    assert (walked(made, end, checkpoint((8.0, TICK, 0.0), count=0.0)) is not None) == good
+
+
+def test_a_wait_that_begins_while_another_task_polls() -> None:
+    """Statements count from the checkpoint, which is statement 3 from 0 s on.
+
+    The WAIT begins with statement 1005 and lasts 15 ms. No iteration is left out.
+    """
+    made = polled(False)
+    begins = transition(0, 1007.0, waits=((1, 1002.0, 1005_000_000 - 3_000_000 + 1_500_000_000),))
+    learn(made, 0, begins, (TICK, 997.0))
+    found = walked(made, 0.011, checkpoint((0.01, TICK, 0.0)))
+    dues = [(0.02, TICK, 0.0), (0.02505, 1, 1005 * 1e-5)]
+    assert found == ((0,), 1, (0.0, 1010.0, dues, 2), [], [])
 
 
 def ticks(*gaps: tuple[int, float, int, float], most: int = 10**9, period: float = 10.0) -> PolledTicks:
@@ -605,6 +694,19 @@ def test_the_effects_between_two_checkpoints(
     assert learned(**given) == effects
 
 
+def test_a_wait_after_a_tick_while_all_tasks_wait() -> None:
+    """The tick at 10 ms is the base. The WAIT of 15 ms begins 2 statements later."""
+    made = polled(True)
+    streams: Any = ([(0.01, *HANDLER)], [], [])
+    made._streams, made._environment.statements.base = streams, 0.01
+    tick, begun = (0.01, TICK, 0.0), (0.02502, 1, 0.01 + 2 * 1e-5)
+    before, after = checkpoint(tick), checkpoint(NEXT, begun, base=0.01, count=5.0, number=2)
+    before.lengths = [0, 0, 0]
+    step = made._transition(before, after, 0.0, [(tick, 0.0)], ())
+    assert step is not None
+    assert (step.waits, step.length) == (((1, 2.0, 1_502_000_000),), 5.0)
+
+
 def test_a_transition_without_counts_advances_no_counter() -> None:
     made = polled(False)
     streams: Any = ([(0.01, *HANDLER)], [], [])
@@ -675,7 +777,8 @@ def test_a_walk_passes_with_all_its_effects() -> None:
     """Two ticks, at 40 ms and 50 ms, and a WAIT pass; the third tick of the walk is not good.
 
     The first transition adds 2 to the first counter, and the third one, which is the same, too. It switches output 3
-    after 4 statements, and takes 10 µs of task T1. Task "main" polls for 900 statements before the second transition.
+    after 4 statements, and takes 10 µs of task T1. Task "other" polls for 900 statements before the second transition,
+    and "main" for 100 before the third one.
     """
     program = Passed()
     tick = transition(0, 9.0, switches=((4.0, (3, 1)),), steps=(2.0, 0.0), seconds={"T1": 1e-5, "main": 5e-5})
@@ -686,7 +789,7 @@ def test_a_walk_passes_with_all_its_effects() -> None:
         good=3,
         reached=(0.05, 12.0, dues, 6),
         switching=[(0, 0.04, 2.0), (2, 0.05, 1.0), (3, 0.06, 1.0)],
-        polling=[(1, "main", 900.0), (3, "main", 77.0)],
+        polling=[(1, "other", 900.0), (2, "main", 100.0), (3, "main", 77.0)],
     )
     program.made._pass(walk, program.scheduler)
     made, clock, log = program.made, program.made._environment.clock, program.log
@@ -698,8 +801,8 @@ def test_a_walk_passes_with_all_its_effects() -> None:
     assert log.events == [(4 * 0.01, *HANDLER), (5 * 0.01, *HANDLER)]
     assert log.outputs == [(0.04 + 6 * 1e-5, 3, 1), (0.05 + 5 * 1e-5, 3, 1)]
     ((since, until, tasks, seconds),) = log.slices
-    assert (since, until, tasks) == (0.0305, now, ("T1", "main"))
-    assert seconds == pytest.approx((2e-5, 2 * 5e-5 + 2e-5 + 900 * 1e-5), rel=1e-12)
+    assert (since, until, tasks) == (0.0305, now, ("T1", "main", "other"))
+    assert seconds == pytest.approx((2e-5, 2 * 5e-5 + 2e-5 + 100 * 1e-5, 900 * 1e-5), rel=1e-12)
     waiting = program.scheduler.tasks[1].wait
     assert (waiting.since, waiting.ends) == (0.047, 0.052)
     last = made._last
@@ -1066,6 +1169,37 @@ def test_a_tick_while_all_tasks_wait_is_known_by_its_state_alone() -> None:
         assert search.made._gaps == {}
 
 
+def test_a_wait_that_begins_before_the_tick_has_an_empty_path() -> None:
+    """Statement 500 is at 5 ms, the tick at 10 ms. So no iteration of 7 statements is left out."""
+    search, step = Observed(False), transition(0, 497.0, handler=None)
+    search.made._periods[0] = 0.0, 7.0
+    dues = (0.01, TICK, 0.0), (0.9, 1, 0.1)
+    search.observe(at(0, 3.0, *dues), None)
+    search.observe(at(0, 500.0, *dues), step)
+    assert search.made._known[0].transition is step
+    assert search.made._known[0].next == {}
+    assert (search.made._gaps, search.made._alone) == ({}, {})
+
+
+def test_a_tick_within_rounding_is_in_the_path() -> None:
+    """Statement 1000 is 1 ns before the tick. Iterations of 7 statements leave 4 up to statement 1001."""
+    search = Observed(False)
+    search.made._periods[0] = 0.0, 7.0
+    dues = (0.01 + 1e-9, TICK, 0.0), (0.9, 1, 0.1)
+    search.observe(at(0, 3.0, *dues), None)
+    search.observe(at(0, 1000.0, *dues), transition(0, 3.0))
+    assert [*search.made._known[0].next] == [(TICK, 4.0)]
+
+
+def test_the_steps_of_counters_are_recorded() -> None:
+    search = Observed(False)
+    before, after = at(0, 3.0, (0.01, TICK, 0.0)), at(0, 1005.0, NEXT, number=2)
+    before.values, after.values = (5.0, 7.0), (8.0, 7.0)
+    search.observe(before, None)
+    search.observe(after, transition(0, 1002.0))
+    assert search.recorded == [(3.0, 0.0)]
+
+
 def test_a_transition_with_a_wait_is_no_gap() -> None:
     search, step = Observed(False), transition(0, 1002.0)
     search.observe(at(0, 3.0, (0.01, TICK, 0.0)), None)
@@ -1278,3 +1412,28 @@ def test_another_search_collects_all_readings_from_now_on() -> None:
     assert made._read is begun
     assert not any((made._known, made._alone, made._periods, made._gaps, made._alive, made._numbers))
     assert (made._are_idle, made._polling, made._has_waits, made._advance) == ([], [], False, None)
+
+
+@cases(
+    "cost, cost_units",
+    (
+        (1e-5, 1_000_000),
+        (0.7310585e-5, 0),
+        (0.73106e-5, 731_060),
+        (1e-6 / 3, 0),
+    ),
+)
+def test_a_search_begins_empty(cost: float, cost_units: int) -> None:
+    """Only the waits and the records that a tick may make can have new records. Times are whole units of 10 ps."""
+    events, outputs, slices, waits, prints, moves = ([k] for k in range(6))
+    log: Any = SimpleNamespace(events=events, outputs=outputs, slices=slices, waits=waits)
+    log.streams = lambda: [events, prints, outputs, slices, waits, moves]
+    counted = SimpleNamespace(
+        statements=StatementTime(cost), machine=SimpleNamespace(log=log), blocks={}, handler_counters={}
+    )
+    given: Any = SimpleNamespace(environment=counted, handler=lambda kind: None)
+    made = PolledTicks(given, "timer")
+    assert made._cost_units == cost_units
+    assert (made._streams, made._others) == ((events, outputs, slices), [prints, moves])
+    assert (made._observed, made._left, made._back_off, made._begun) == (0, 0, 1, 0.0)
+    assert (made._has_waits, made._last, made._read, made.is_searching) == (False, None, None, True)

@@ -330,12 +330,12 @@ def test_a_search_begins_after_the_pause() -> None:
     assert (program.made._search, program.made._left, program.made._back_off) == (None, 0, 1)
 
 
-def search(*values: tuple[float, ...], period: float = 10.0, ticks: int = 5) -> _Search:
+def search(*values: tuple[float, ...], period: float = 10.0, ticks: int = 5, started: float = 0.0) -> _Search:
     """Return a search with the values of counters after each tick; the last one was tick `ticks` - 1."""
     made = _Search.__new__(_Search)
     clock: Any = SimpleNamespace(now=0.0, second_time=lambda: inf)
     made._events = SimpleNamespace(  # type: ignore[assignment]
-        started=0.0, timer=period, ticks=ticks, tick_time=lambda number: number * period / 1000.0
+        started=started, timer=period, ticks=ticks, tick_time=lambda number: number * period / 1000.0
     )
     made._environment = SimpleNamespace(clock=clock, statements=StatementTime(1e-5))  # type: ignore[assignment]
     made.marks = [((), each) for each in values]
@@ -386,6 +386,13 @@ def test_the_periods_that_fit_before_a_change(
     made._environment.clock.second_time = lambda: second  # type: ignore[method-assign]
     made._counters = SimpleNamespace(most=lambda steps: most)  # type: ignore[assignment]
     assert made.fitting(period, end) == fitting
+
+
+def test_ticks_count_from_the_start_of_the_timer() -> None:
+    """Since 0.5 s ticks 5 to 49 fit before 1 s."""
+    made = search((1.0,), (1.0,), (1.0,), started=0.5)
+    made._counters = SimpleNamespace(most=lambda steps: inf)  # type: ignore[assignment]
+    assert made.fitting(1, 1.0) == 45 - 1
 
 
 def test_the_longest_handler_of_a_period_must_fit() -> None:
@@ -497,6 +504,202 @@ def test_a_state_that_recurs_is_a_period() -> None:
     assert made.marks == [((1, 2, 0), (float(number),)) for number in range(1, 6)]
     assert made.times == [number * 10.0 / 1000.0 for number in range(5)]
     assert made.ends == [number * 0.01 + 0.002 for number in range(1, 6)]
+
+
+class Handler:
+    """A handler of a timer that has the given effects, and the state that a tick leaves.
+
+    It switches `switches` outputs, has `acts` effects in all, and `change` is called in it.
+    """
+
+    def __init__(self, acts: int = 0, switches: int = 0, ends: bool = True, change: str = "") -> None:
+        self.recorded, self.scheduled, self.ran = list[object](), list[int](), list[Any]()
+        self._effects, self._ends, self._change = (acts, switches), ends, change
+        self.clock = SimpleNamespace(fired=6)
+        self.outputs = SimpleNamespace(listeners=list[object]())
+        log = SimpleNamespace(events=SimpleNamespace(add=self.recorded.append))
+        self.environment: Any = SimpleNamespace(
+            clock=self.clock,
+            acts=50,
+            switches=20,
+            machine=SimpleNamespace(log=log),
+            controller=SimpleNamespace(outputs=self.outputs),
+        )
+        self.events: Any = SimpleNamespace(
+            environment=self.environment,
+            ticks=4,
+            tick_event="tick",
+            schedule_tick=self.scheduled.append,
+            handler=lambda kind: f"code of {kind}",
+            active=[],
+            pending=[],
+        )
+        self.made = TimerTicks(self.events)
+
+    def ran_handler(self, task: Any, until: float) -> bool:
+        self.ran.append((task, task.notes, until))
+        self.environment.acts += 1 + self._effects[0]  # its delivery, too
+        self.environment.switches += self._effects[1]
+        if self._change == "pending":
+            self.events.pending.append(1)
+        elif self._change == "fired":
+            self.clock.fired += 1
+        elif self._change == "timer":
+            self.events.tick_event = "another"
+        elif self._change == "notes":
+            task.notes = []
+        elif self._change == "listened":
+            self.outputs.listeners.append(1)
+        return self._ends
+
+    def tick(self) -> bool:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr("motionlang.fast.timer_ticks.EventTask", Made)
+            return self.made._tick(self, 0.5, 0.9, 33)
+
+
+class Made:
+    """A task that a tick has made."""
+
+    def __init__(self, *given: object) -> None:
+        self.given, self.done, self.notes = given, False, None
+        self._generator: object = "running"
+        self.axes, self.poll_check, self.in_vain = (1, 2), (1, True), 0.5
+
+
+@cases(
+    "given, goes_on",
+    (
+        ({}, True),
+        ({"acts": 1}, False),
+        ({"acts": 1, "switches": 1}, True),
+        ({"acts": 3, "switches": 3}, True),
+        ({"acts": 3, "switches": 2}, False),
+        ({"acts": 1, "switches": 1, "change": "listened"}, False),
+        ({"change": "listened"}, True),
+        ({"change": "pending"}, False),
+        ({"change": "fired"}, False),
+        ({"change": "timer"}, False),
+        ({"ends": False}, False),
+    ),
+)
+def test_a_tick_that_has_only_switched_outputs_goes_on(given: dict[str, Any], goes_on: bool) -> None:
+    """The record of tick 4 is at 0.5 s, at source position 33; tick 5 is scheduled."""
+    handler = Handler(**given)
+    assert handler.tick() == goes_on
+    assert (handler.scheduled, handler.events.active) == ([5], [ENTRY])
+    assert handler.recorded == [(0.5, "handler", None, None, None, 33, 0, "timer")]
+    assert handler.clock.fired == 7 + (given.get("change") == "fired")
+    ((task, notes, until),) = handler.ran
+    assert (task.given, notes, until) == (("timer", "code of timer", handler.environment), None, 0.9)
+    assert handler.made._task is (task if given.get("ends", True) else None)
+
+
+def test_the_task_of_a_handler_is_started_again() -> None:
+    handler = Handler()
+    handler.tick()
+    handler.ran[0][0].done = True
+    handler.tick()
+    (first, *_), (again, *_) = handler.ran
+    assert again is first
+    assert (first._generator, first.done, first.axes, first.poll_check, first.in_vain) == (
+        *(None, False, (0,), None, None),
+    )
+
+
+@cases("change, left", (("", 10), ("notes", 4)))
+def test_a_tick_that_records_no_readings_ends_the_search(change: str, left: int) -> None:
+    """The readings of a tick go to the list of the search, unless they are too many."""
+    handler = Handler(change=change)
+    search: Any = SimpleNamespace(notes=[1])
+    handler.made._search, handler.made._left, handler.made._back_off = search, 10, 4
+    assert handler.tick()
+    assert handler.ran[0][1] is search.notes
+    assert (handler.made._search is search, handler.made._left) == (change == "", left)
+
+
+class Skipping:
+    """A search at its period, whose answers are given."""
+
+    def __init__(
+        self,
+        period: int | None = 2,
+        marks: int = 5,
+        level: float = 0.7,
+        fitting: int = 9,
+        rows: object = "rows",
+    ) -> None:
+        self.calls, self.marks, self.times, self.notes = list[object](), [1] * marks, [0.3, 0.4], [1]
+        self._answers, self.is_solvable, self._rows = (period, level, fitting), True, rows
+        dependencies = SimpleNamespace(stable_until=self.stable_until)
+        environment = SimpleNamespace(
+            clock=SimpleNamespace(now=0.5), dependencies=dependencies, machine=SimpleNamespace(log=None)
+        )
+        events: Any = SimpleNamespace(environment=environment, tick_event="tick")
+        self.made = TimerTicks(events)
+        self.made._left = self.made._back_off = 8
+
+    def stable_until(self, *given: object) -> float:
+        self.calls.append(given)
+        return self._answers[1]
+
+    def period(self) -> int | None:
+        return self._answers[0]
+
+    def fitting(self, *given: object) -> int:
+        self.calls.append(given)
+        return self._answers[2]
+
+    def rows(self, period: int) -> object:
+        return self._rows
+
+    def skip(self, *given: object) -> None:
+        self.calls.append(given)
+
+    def skipped(self) -> bool:
+        self.made._search = self  # type: ignore[assignment]
+        return self.made._skipped(0.9)
+
+
+LEVEL = ([1], 0, 0.3)
+
+
+@cases(
+    "given, goes_on, calls, left",
+    (
+        ({}, True, [LEVEL, (2, 0.7), (2, 9, "rows")], 0),
+        ({"level": 2.0}, True, [LEVEL, (2, 0.9), (2, 9, "rows")], 0),
+        ({"level": 0.5}, False, [LEVEL], 8),
+        ({"level": 0.4}, False, [LEVEL], 8),
+        ({"level": 0.51}, True, [LEVEL, (2, 0.51), (2, 9, "rows")], 0),
+        ({"fitting": 1}, True, [LEVEL, (2, 0.7), (2, 1, "rows")], 0),
+        ({"fitting": 0}, True, [LEVEL, (2, 0.7)], 8),
+        ({"rows": None}, False, [LEVEL, (2, 0.7)], 8),
+    ),
+)
+def test_a_period_is_skipped_as_often_as_it_fits(
+    given: dict[str, Any], goes_on: bool, calls: list[object], left: int
+) -> None:
+    """It is 0.5 s. The readings since 0.3 s are the same up to a level, and the ticks end at 0.9 s."""
+    search = Skipping(**given)
+    assert search.skipped() == goes_on
+    assert search.calls == calls
+    assert (search.made._search, search.made._left, search.made._back_off) == (None, left, left)
+
+
+@cases("marks, goes_on", ((63, True), (64, True), (65, False)))
+def test_a_period_is_searched_for_in_64_ticks(marks: int, goes_on: bool) -> None:
+    search = Skipping(period=None, marks=marks)
+    assert search.skipped() == goes_on
+    assert search.made._search is search
+    assert search.calls == []
+
+
+def test_a_period_with_a_reading_of_a_loop_is_not_skipped() -> None:
+    search = Skipping()
+    search.is_solvable = False
+    assert not search.skipped()
+    assert search.calls == []
 
 
 def test_the_timer_is_event_kind_of_its_name() -> None:
