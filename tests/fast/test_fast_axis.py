@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import inf
 from types import SimpleNamespace
 from typing import Any
 
@@ -267,25 +266,46 @@ def test_an_axis_answers_from_its_rows() -> None:
     assert found.velocity(0.1) == pytest.approx(50.0)
 
 
-def test_a_move_that_is_read_becomes_an_object() -> None:
-    """Two rows, of which the second is in motion, are three profiles after that at power-up."""
+def test_a_position_of_zero_has_no_sign() -> None:
     found, controller = axis()
-    found.start_at_once(controller, 410.0, "MA", 9)
+    found.start_at_once(controller, -0.0, "MA", 9)
     controller.clock.advance(5.0)
-    found.start_at_once(controller, 10.0, "MA", 12)
+    assert str(found.position(5.0)) == "0.0"
+
+
+def test_a_move_that_is_read_becomes_an_object() -> None:
+    """Three rows, of which the third is in motion, are five profiles."""
+    found, controller = axis()
+    for time, target in ((0.0, 410.0), (5.0, 10.0), (10.0, 110.0)):
+        controller.clock.advance(time)
+        assert found.start_at_once(controller, target, "MA", 9 + round(time))
     event = found.arrival_event
     move = found.move
     assert move is not None
-    assert (move.command, move.line, move.target, move.start_time) == ("MA", 12, 10.0, 5.0)
+    assert (move.command, move.line, move.target, move.start_time) == ("MA", 19, 110.0, 10.0)
     assert (found.in_motion, found.rows, found.writing, found.arrival_event) == (False, [], None, None)
     assert found.arrival is event
-    assert found.starts[-3:] == [0.0, pytest.approx(4.15), 5.0]
-    assert [each.shape for each in found.profiles][-3:] == ["trapezoid", "hold", "trapezoid"]
+    assert found.starts[-5:] == pytest.approx([0.0, 4.15, 5.0, 9.15, 10.0])
+    shapes = ["trapezoid", "hold", "trapezoid", "hold", "trapezoid"]
+    assert [each.shape for each in found.profiles][-5:] == shapes
     assert move.profile is found.present is found.profiles[-1]
-    assert (found.moves, found.end_of_move()) == (True, pytest.approx(9.15))
-    assert [type(each).__name__ for each in controller.log.moves.as_stored()] == ["tuple", "Move"]
-    controller.clock.advance(10.0)
-    assert (found.moves, found.move, found.position(10.0)) == (False, None, 10.0)
+    assert (found.moves, found.end_of_move()) == (True, pytest.approx(11.15))
+    assert [type(each).__name__ for each in controller.log.moves.as_stored()] == ["tuple", "tuple", "Move"]
+    controller.clock.advance(20.0)
+    assert (found.moves, found.move, found.position(20.0)) == (False, None, 110.0)
+
+
+def test_a_move_that_was_read_ends_as_an_object() -> None:
+    """Its event wakes tasks, as that of any `Move`."""
+    found, controller = axis()
+    found.start_at_once(controller, 410.0, "MA", 9)
+    event, end = found.arrival_event, found.ends
+    assert event is not None
+    assert event.call is not None
+    assert found.move is not None
+    controller.clock.now = end
+    assert event.call() is False
+    assert found.move is None
 
 
 @cases("listens", (False, True))
@@ -331,24 +351,24 @@ def test_a_buffer_that_is_read_has_the_loaded_move() -> None:
 
 
 def test_an_interrupted_start_is_rolled_back() -> None:
-    """The row of 5 s is not in the log yet. Without it the axis is at rest since the end of the row before."""
+    """The row of 15 s is not in the log yet. Without it the axis is at rest since the end of the row before."""
     found, controller = axis()
-    found.start_at_once(controller, 410.0, "MA", 9)
-    controller.clock.advance(5.0)
-    end, logged = found.ends, found.rows[0]
+    for target in (410.0, 10.0, 210.0):
+        found.start_at_once(controller, target, "MA", 9)
+        controller.clock.advance(controller.clock.now + 5.0)
+    end, logged = found.ends, [*found.rows]
     entry: Any = (10.0, None, "MA", 12, None, 0)
-    row: Any = (0, 5.0, 410.0, 10.0, 4.15, (1.0,), 100.0, 4.0, 0.0, entry)
+    row: Any = (0, 15.0, 210.0, 10.0, 2.15, (1.0,), 100.0, 4.0, 0.0, entry)
     found.rows.append(row)
-    found.in_motion = True
-    found.finish_updates(4.9)
-    assert len(found.rows) == 2
-    found.finish_updates(5.0)
-    assert (found.rows, found.in_motion, found.loaded, found.ends) == ([logged], False, entry, end)
-    assert found.present is None
-    found.finish_updates(0.0)  # it is in the log
-    assert found.rows == [logged]
+    found.in_motion, found.ends = True, 17.15
+    found.finish_updates(14.9)
+    assert len(found.rows) == 4
+    found.finish_updates(15.0)
+    assert (found.rows, found.in_motion, found.loaded, found.ends) == (logged, False, entry, end)
+    assert (end, found.present) == (pytest.approx(10.0 + 2.15), None)
+    found.finish_updates(10.0)  # it is in the log
+    assert found.rows == logged
     found.rows[:] = [row]
-    found.finish_updates(5.0)
-    assert (found.rows, found.ends) == ([], 5.0)
+    found.finish_updates(15.0)
+    assert (found.rows, found.ends) == ([], 15.0)
     assert found.present is found.profiles[-1]
-    assert found.ends < inf

@@ -334,6 +334,7 @@ def test_waiting_tasks_resume_one_after_the_other() -> None:
     (
         (0.005, 0.007, 0.0, 1.0, None, True),
         (0.005, 0.005 + 0.9e-9, 0.0, 1.0, None, False),
+        (0.005, 0.005 + 1e-9, 0.0, 1.0, None, False),
         (0.005, 0.005 + 1.1e-9, 0.0, 1.0, None, True),
         (0.005, 0.007, 0.005 - 0.9e-9, 1.0, None, False),
         (0.005, 0.007, 0.005 - 1.1e-9, 1.0, None, True),
@@ -534,6 +535,33 @@ def test_a_wait_of_the_next_task_passes_within_its_statement(
         assert (made.began, made._resumed, made._alone, scripts.slices()) == (0.003, 4, False, [])
 
 
+def test_a_move_may_end_later_than_it_seems() -> None:
+    """Task A may run past 5.5 ms, where the move that C waits for seems to end; a cancelled event is none."""
+    scripts = Scripts(
+        Scripted("A", until(0.003)), Scripted("B", until(0.007)), Scripted("C", Arrival(0.0055))
+    )
+    made = scripts.made
+    assert made._list_waits()
+    made._known[0], made._ends[0], made._surely[0] = None, inf, inf
+    made.began = 0.003
+    scripts.clock.at(0.0049, lambda: None).cancel()
+    assert made.passes_among_others(0.004, 0.005, False) == 0.005 + FULL
+    assert made.next_slice == 0.0055
+
+
+@cases("resumed, within, idle_rounds", ((1, 0, 7), (2, 0, 0), (1, 1, 0), (2, 3, 0)))
+def test_a_round_in_which_several_waits_have_ended_is_not_idle(
+    resumed: int, within: int, idle_rounds: int
+) -> None:
+    """Each task that was resumed counts, and each wait that has passed within its statement."""
+    scripts, left = a_and_b(), list[object]()
+    made, first = scripts.made, scripts.tasks[0]
+    made._leave = lambda *given: left.append(given)  # type: ignore[method-assign]
+    made._resumed, made._event = within, 0.8
+    made._end_round(first, 0.25, resumed)
+    assert (made._idle_rounds, made._stalls, left) == (idle_rounds, 0, [(first, 0.8, 0.25, True)])
+
+
 @cases(
     "began, until_, interrupts, horizon",
     (
@@ -584,6 +612,7 @@ def handled(
     over = made.ran_handler(handler, 0.02)
     assert (made._known, made.next_slice, made._next_index, made._stalls) == ([], -inf, 0, 0)
     assert (made.current, made._alone, made.began, made.interrupts) == (handler, True, 0.005, [])
+    assert (made._statements.alone, made._statements.free) == (not several, -inf)
     ((now, horizon),) = handler.resumed
     assert now == 0.005
     return over, horizon, made._end, made.clock.now, left
@@ -676,6 +705,8 @@ def test_a_period_is_searched_for_after_a_slice_without_an_action(
 def test_the_first_search_begins_when_each_task_has_had_a_slice() -> None:
     first = Scripted("A", None)
     scripts = Scripts(first, Scripted("B", None))
+    made = TimeSlices(Controller(1), first)
+    assert (made._idle_rounds, made.next_slice) == (0, -inf)
     scripts.made.slice_over(first)
     assert scripts.made._idle_rounds == 0
     first.poll_check = 0, True
