@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf
 from random import Random
 from types import SimpleNamespace
@@ -10,10 +11,11 @@ from typing import Any
 import pytest
 
 from motionlang import execution
+from motionlang.fast.command_counters import Counter, TaskCounter
 from motionlang.fast.command_rounds import CommandRounds, advanced
 from motionlang.mccl.runtime.task import CommandTask
 from motionlang.source import Source
-from tests.cases import one_in
+from tests.cases import cases, one_in
 from tests.counted_calls import count_calls
 
 MOVES = "1MN,1SV1000,1SA20000,1DS20000"
@@ -164,3 +166,289 @@ def test_the_time_of_skipped_rounds_is_shared_by_the_running_tasks() -> None:
     assert seconds == pytest.approx({"a": 1.0 - 4.0, "b": 2.0, "c": 2.0 + 2.0})
     CommandRounds._share(rounds, running[1], 6.0, 3)
     assert seconds == pytest.approx({"a": -1.0, "b": -2.0, "c": 6.0})
+
+
+class Watch:
+    """A task that repeats a line of ten commands; its jump back is command 9."""
+
+    def __init__(self, name: str, read: Any) -> None:
+        self.name, self.wait, self.line = name, None, SimpleNamespace(commands=())
+        self.board = SimpleNamespace(assumptions={})
+        self.pc, self.here, self.paid, self.then, self.path_open = 0, 9, True, None, None
+        self.base, self.count, self.cost = 0.0, 0.0, 1e-5
+        self.poll = SimpleNamespace(dependencies=SimpleNamespace(read=read))
+        self.registers, self.memory = [7, 8, 9], {40: 100}
+        self.calls, self.repeats = list[Any](), dict[int, int]()
+        self.loop_log = SimpleNamespace(entered=1)
+
+    def register(self, number: int) -> float:
+        return self.registers[number] if number < 10 else self.memory[number]
+
+    def set_register(self, number: int, value: int) -> None:
+        if number < 10:
+            self.registers[number] = value
+        else:
+            self.memory[number] = value
+
+
+class Rounds:
+    """Two watches of a board, A and B, whose rounds take 200 µs; the next event is at 1 s."""
+
+    def __init__(self) -> None:
+        self.event, self.until = 1.0, inf
+        self.slices = dict[str, float]()
+        self.scheduler: Any = SimpleNamespace(until=inf, by_itself=True)
+        self.clock = SimpleNamespace(fired=3, made=8, next_time=lambda: self.event)
+        log = SimpleNamespace(slices=SimpleNamespace(seconds=self.slices))
+        self.board: Any = SimpleNamespace(
+            machine=SimpleNamespace(scheduler=self.scheduler, log=log),
+            controller=SimpleNamespace(clock=self.clock),
+            waited=2,
+            effects=5,
+            tasks=[Watch("A", None), Watch("B", None)],
+        )
+        self.made = CommandRounds(self.board)
+
+    def jump(self, name: str, count: float) -> None:
+        """Let a task jump back at a command, counted from 0 s."""
+        for task in self.board.tasks:
+            if task.name == name:
+                task.count = count
+                self.made.jumped(task)
+
+    def rounds(self, *counts: float) -> float:
+        """Let both tasks jump at these commands; return the time of A after them, s."""
+        for count in counts:
+            self.jump("B", count - 1)
+            self.jump("A", count)
+        first = self.board.tasks[0]
+        return float(first.base + first.count * first.cost)
+
+
+def test_rounds_up_to_an_event_are_skipped_when_a_state_recurs() -> None:
+    """The first jump of B begins the search, by the jumps of A. The states after 20 and 40 commands are the same.
+
+    After 0.4 ms 4998 rounds of 0.2 ms fit up to 1 s, less 0.1 µs: up to 1 s there are 4998 exactly.
+    """
+    rounds = Rounds()
+    found = rounds.rounds(20.0, 40.0)
+    assert found == advanced(40 * 1e-5, 1e-5, 4997 * 20)
+    first = rounds.board.tasks[0]
+    assert (first.base, first.count, rounds.made._met) == (found, 0, {})
+    lasts = found - 40 * 1e-5
+    assert rounds.slices == pytest.approx({"A": -lasts / 2, "B": lasts / 2})
+
+
+def leaves(rounds: Rounds) -> None:
+    """The task B leaves its line for another one."""
+    rounds.board.tasks[1].line = SimpleNamespace(commands=())
+
+
+def calls(rounds: Rounds) -> None:
+    rounds.board.tasks[1].calls = [(object(), 3, {})]
+
+
+def assigns(rounds: Rounds) -> None:
+    rounds.board.tasks[1].registers[2] = 10
+
+
+def becomes_a_float(rounds: Rounds) -> None:
+    rounds.board.tasks[1].registers[2] = 9.0
+
+
+def repeats(rounds: Rounds) -> None:
+    rounds.board.tasks[0].repeats = {3: 1}
+
+
+def acts(rounds: Rounds) -> None:
+    rounds.board.effects += 1
+
+
+def fires(rounds: Rounds) -> None:
+    rounds.clock.fired += 1
+
+
+def schedules(rounds: Rounds) -> None:
+    rounds.clock.made += 1
+
+
+def waits(rounds: Rounds) -> None:
+    rounds.board.waited += 1
+
+
+def starts(rounds: Rounds) -> None:
+    rounds.board.tasks.append(Watch("C", rounds.made._read))
+
+
+def is_paced(rounds: Rounds) -> None:
+    rounds.scheduler.by_itself = False
+
+
+def has_no_scheduler(rounds: Rounds) -> None:
+    rounds.board.machine.scheduler = None
+
+
+def takes_half_a_slice(rounds: Rounds) -> None:
+    for task in rounds.board.tasks:
+        task.cost = 5e-4
+
+
+def reads_too_much(rounds: Rounds) -> None:
+    rounds.board.tasks[1].poll.dependencies.read = set()
+
+
+def never_ends(rounds: Rounds) -> None:
+    rounds.event = inf
+
+
+def waits_for_what_is_over(rounds: Rounds) -> None:
+    rounds.board.tasks.append(Watch("C", None))
+    rounds.board.tasks[2].wait = SimpleNamespace(ready=lambda: True, due=lambda: 0.5)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        *(leaves, calls, assigns, becomes_a_float, repeats, acts, fires, schedules, waits, starts, is_paced),
+        *(has_no_scheduler, takes_half_a_slice, reads_too_much, never_ends),
+    ],
+)
+def test_rounds_are_executed_if_something_else_has_changed(change: Callable[[Rounds], None]) -> None:
+    """It changes between the first state and the second one."""
+    rounds = Rounds()
+    rounds.rounds(20.0)
+    change(rounds)
+    assert rounds.rounds(40.0) == 40 * rounds.board.tasks[0].cost
+    assert rounds.slices == {}
+
+
+def test_a_wait_that_is_over_ends_the_search() -> None:
+    rounds = Rounds()
+    waits_for_what_is_over(rounds)
+    assert rounds.rounds(20.0, 40.0) == 40 * 1e-5
+
+
+def test_a_short_command_fits_a_time_slice() -> None:
+    """Rounds of 20 commands of 0.4 ms take 8 ms, and 122 fit between 16 ms and 1 s."""
+    rounds = Rounds()
+    for task in rounds.board.tasks:
+        task.cost = 4e-4
+    found = rounds.rounds(20.0, 40.0)
+    assert found == advanced(0.016, 4e-4, 122 * 20)
+
+
+@cases(
+    "level, due, until, counts, rounds_",
+    (
+        # A reading changes before the event: the state must be met a third time.
+        (0.01, inf, inf, (20.0, 40.0), 0),
+        (0.01, inf, inf, (20.0, 40.0, 60.0), 46),
+        (inf, 0.01, inf, (20.0, 40.0, 60.0), 46),
+        (inf, inf, 0.01, (20.0, 40.0, 60.0), 46),
+        (0.01 + 1.5e-7, inf, inf, (20.0, 40.0, 60.0), 47),
+        (0.0008 + 1e-8, inf, inf, (20.0, 40.0, 60.0), 0),
+        (0.0006 + 5e-8, inf, inf, (20.0, 40.0, 60.0), 0),
+        (0.0006, inf, inf, (20.0, 40.0, 60.0), 0),
+    ),
+)
+def test_rounds_are_skipped_up_to_a_change(
+    level: float, due: float, until: float, counts: tuple[float, ...], rounds_: int
+) -> None:
+    """After 0.6 ms 46 rounds of 0.2 ms fit up to 10 ms, less 0.1 µs."""
+    rounds = Rounds()
+    rounds.scheduler.until = until
+    if due < inf:
+        waiting = Watch("C", None)
+        waiting.wait = SimpleNamespace(ready=lambda: False, due=lambda: due)  # type: ignore[assignment]
+        rounds.board.tasks.append(waiting)
+    rounds.jump("B", 19.0)
+    rounds.made._read.add((lambda: level, ()))
+    rounds.jump("A", 20.0)
+    found = rounds.rounds(*counts[1:])
+    assert found == advanced(counts[-1] * 1e-5, 1e-5, rounds_ * 20)
+
+
+def test_states_are_compared_by_the_jumps_of_one_task() -> None:
+    """If that task jumps no more for 2000 jumps of others, one of these takes its place."""
+    rounds = Rounds()
+    rounds.jump("B", 1.0)
+    for number in range(2, 4):
+        rounds.jump("A", float(number))
+    assert rounds.made._by is rounds.board.tasks[0]
+    rounds.made._met.clear()
+    rounds.board.machine.scheduler = None
+    for number in range(1999):
+        rounds.jump("B", 10.0 + number)
+        assert rounds.made._by is rounds.board.tasks[0]
+    rounds.jump("B", 10_000.0)
+    assert (rounds.made._by, rounds.made._others) == (rounds.board.tasks[1], 0)
+
+
+@pytest.mark.parametrize(("count", "begins"), [(2000, False), (2001, True)])
+def test_two_thousand_states_are_stored(count: int, begins: bool) -> None:
+    rounds = Rounds()
+    rounds.jump("B", 1.0)
+    rounds.made._met = dict.fromkeys(((k,) for k in range(count)), (1, 0.0, 0, []))
+    rounds.jump("A", 2.0)
+    assert len(rounds.made._met) == (0 if begins else count + 1)
+
+
+def counting(step: int = 2, levels: tuple[float, ...] = (1000.0,)) -> Rounds:
+    """Return two watches of which A counts register 40 in a loop."""
+    rounds = Rounds()
+    for name in "BA":
+        rounds.jump(name, 1.0)
+    rounds.made._met.clear()
+    counter = Counter(40, step, levels, True)
+    rounds.made._counters = [TaskCounter(rounds.board.tasks[0], counter, True)]  # type: ignore[arg-type]
+    rounds.made._running = [(each, rounds.made._loops.get(each.name)) for each in rounds.board.tasks]
+    return rounds
+
+
+def count_once(rounds: Rounds, by: int = 2) -> None:
+    first = rounds.board.tasks[0]
+    first.memory[40] += by
+    first.registers[0] = first.memory[40]
+    rounds.board.effects += 1
+
+
+@cases(
+    "by, entered, levels, count",
+    (
+        # 102 and 104 in the two states; 447 more steps by 2 stay below 1000.
+        (2, 1, (1000.0,), 104 + 2 * 447),
+        (2, 1, (), 104 + 2 * 4997),
+        (4, 1, (1000.0,), 106),
+        (2, 2, (1000.0,), 104),
+    ),
+)
+def test_counts_of_skipped_rounds(by: int, entered: int, levels: tuple[float, ...], count: int) -> None:
+    """A round counts once, from 100 on, and 4997 rounds fit before the event.
+
+    It does not repeat if one effect counts twice, or if the task has entered a line.
+    """
+    rounds = counting(levels=levels)
+    first = rounds.board.tasks[0]
+    count_once(rounds)
+    rounds.jump("A", 20.0)
+    count_once(rounds, by)
+    first.loop_log.entered = entered
+    rounds.jump("A", 40.0)
+    assert (first.memory[40], first.registers[0]) == (count, count)
+    assert rounds.made._effects == rounds.board.effects
+
+
+def test_counters_and_accumulators_advance_by_their_steps() -> None:
+    """The accumulator follows the counters; a step of 0 is no write."""
+    rounds = counting()
+    second = rounds.board.tasks[1]
+    second.registers[0], second.memory = 5, {41: 9}
+    rounds.made._counters += [
+        TaskCounter(second, Counter(41, 1, (), False), True),
+        TaskCounter(second, Counter(42, 1, (), False), False),
+    ]
+    rounds.made._effects, rounds.board.effects = 0, 9
+    rounds.made._count([2, 1, 0, 2, 0], 10)
+    assert (rounds.board.tasks[0].registers, rounds.board.tasks[0].memory) == ([27, 8, 9], {40: 120})
+    assert (second.registers, second.memory) == ([5, 8, 9], {41: 19})
+    assert rounds.made._effects == 9

@@ -489,6 +489,7 @@ def test_the_waits_of_all_tasks_are_listed(
         (0.0068, False, None, False, 0.007 - 0.5e-9),
         (0.007 - 1.1e-9, False, None, False, 0.007 - 0.5e-9),
         (0.007 - 0.9e-9, False, None, False, 0.0),
+        (0.007 - 1e-9, False, None, False, 0.0),
         (0.008, False, None, False, 0.0),
         (0.005, False, 0.005, False, 0.0),
         (0.005, False, 0.0049, False, 0.0),

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from motionlang.controller.clock import Clock
-from motionlang.fast.timer_ticks import ENTRY, TimerTicks, _is_short, _quiet_until, _Search
+from motionlang.fast.timer_ticks import TimerTicks, _is_short, _quiet_until, _Search
 from motionlang.lang.statement_time import StatementTime
 from motionlang.lang.waits import Condition, Delay, Wait
 from motionlang.mint.keywords.event_kinds import KINDS
@@ -17,6 +17,8 @@ from motionlang.mint.runtime.events import EventTask
 from motionlang.mint.runtime.waits import Rest
 from tests.cases import cases
 
+# The number of the timer among the kinds of events.
+TIMER = KINDS.index("timer")
 CLOCK: Any = SimpleNamespace(now=0.0, fired=0)
 
 
@@ -173,7 +175,7 @@ RUNS: dict[str, Any] = {
     "machine.hook": None, "machine.assumptions": {}, "event.time": 0.5,
 }  # fmt: skip
 RUNS_NOT: dict[str, Any] = {
-    "events.active": [1], "events.pending": [1], "events.disabled": 1 << ENTRY[0], "events.handles": lambda kind: False,
+    "events.active": [1], "events.pending": [1], "events.disabled": 1 << TIMER, "events.handles": lambda kind: False,
     "machine.hook": print, "machine.assumptions": {"a": 1}, "event.time": 0.4,
 }  # fmt: skip
 
@@ -240,6 +242,7 @@ def test_another_event_of_the_timer_runs_by_the_scheduler() -> None:
     (
         ((pause(2.0),), 0.5, 0.6, 10),
         ((pause(2.0),), 0.5, 0.5, 0),
+        ((pause(2.0),), 0.5, 0.51, 1),
         ((pause(2.0),), 0.5, 0.5 + 1e-6, 1),
         ((pause(2.0),), 0.51, 0.6, 0),
         ((pause(0.5),), 0.5, 0.6, 0),
@@ -248,6 +251,7 @@ def test_another_event_of_the_timer_runs_by_the_scheduler() -> None:
         ((pause(2.0), pause(0.525)), 0.5, 0.6, 3),
         ((pause(0.57 + 2e-9),), 0.5, 0.6, 8),
         ((pause(0.57 + 0.5e-9),), 0.5, 0.6, 7),
+        ((pause(0.51 + 1e-9),), 0.5, 0.6, 1),
         ((pause(),), 0.5, 0.6, 10),
         # Another kind of wait may be over after each tick, or may end at a solved time.
         ((Wait(0.0, lambda: False, lambda: inf, "for an axis"),), 0.5, 0.6, 1),
@@ -388,6 +392,14 @@ def test_the_periods_that_fit_before_a_change(
     assert made.fitting(period, end) == fitting
 
 
+def test_counters_advance_by_the_steps_of_the_last_period() -> None:
+    asked = list[object]()
+    made = search((5.0,), (6.0,), (6.0,))
+    made._counters = SimpleNamespace(most=lambda steps: asked.append(steps) or 3)  # type: ignore[assignment]
+    assert made.fitting(1, 1.0) == 3
+    assert asked == [[0.0]]
+
+
 def test_ticks_count_from_the_start_of_the_timer() -> None:
     """Since 0.5 s ticks 5 to 49 fit before 1 s."""
     made = search((1.0,), (1.0,), (1.0,), started=0.5)
@@ -429,7 +441,7 @@ def recorded(period: int = 2) -> tuple[_Search, list[Stream]]:
     streams[1] += [(0.0, 9, 9), (0.01, 9, 9), (0.02 + 1e-5, 3, 1), (0.03 + 1e-5, 3, 0)]
     made._log = SimpleNamespace(events=streams[0], outputs=streams[1], slices=streams[2])  # type: ignore[assignment]
     made._others, made._lengths = [[1]], [1]  # type: ignore[list-item]
-    made.marks = [((k + 1, k + 1, 0), (float(k), 2.0)) for k in range(4)]
+    made.marks = [((k + 1, k + 1, 0), (float(k * k), 2.0)) for k in range(4)]
     made.times = [k * 0.01 for k in range(4)]
     return made, streams
 
@@ -477,7 +489,7 @@ def test_skipped_periods_have_all_their_effects() -> None:
     pace = 0.0, 4, 0.01, 1e-5
     assert [each[-1] for each in streams[:2]] == [((rows, 3, 2, 0.0), pace) for rows in ROWS[:2]]
     assert streams[2] == [(([], 3, 2, 0.0), pace)]
-    assert (scheduled, reached, advanced) == ([10], ["tick"], [([2.0, 0.0], 3)])
+    assert (scheduled, reached, advanced) == ([10], ["tick"], [([9.0 - 1.0, 0.0], 3)])
     assert (environment.clock.now, environment.statements.base) == (0.09 + 3 * 1e-5, 0.09)
     assert environment.fired == 42
 
@@ -587,7 +599,7 @@ def test_a_tick_that_has_only_switched_outputs_goes_on(given: dict[str, Any], go
     """The record of tick 4 is at 0.5 s, at source position 33; tick 5 is scheduled."""
     handler = Handler(**given)
     assert handler.tick() == goes_on
-    assert (handler.scheduled, handler.events.active) == ([5], [ENTRY])
+    assert (handler.scheduled, handler.events.active) == ([5], [(TIMER, 0)])
     assert handler.recorded == [(0.5, "handler", None, None, None, 33, 0, "timer")]
     assert handler.clock.fired == 7 + (given.get("change") == "fired")
     ((task, notes, until),) = handler.ran
@@ -702,5 +714,21 @@ def test_a_period_with_a_reading_of_a_loop_is_not_skipped() -> None:
     assert search.calls == []
 
 
-def test_the_timer_is_event_kind_of_its_name() -> None:
-    assert (KINDS[ENTRY[0]], ENTRY[1]) == ("timer", 0)
+def test_a_search_begins_with_the_state_of_its_first_tick() -> None:
+    """Only handlers, outputs and time slices may have new records."""
+    events, outputs, slices, prints, moves = ([0] * k for k in range(5))
+    log: Any = SimpleNamespace(events=events, outputs=outputs, slices=slices)
+    log.streams = lambda: [events, prints, outputs, slices, moves]
+    environment = SimpleNamespace(
+        machine=SimpleNamespace(log=log),
+        clock=SimpleNamespace(now=0.031),
+        controller=SimpleNamespace(outputs=SimpleNamespace(values=())),
+        state=lambda alive: b"shared",
+        handler_counters={},
+    )
+    given: Any = SimpleNamespace(
+        environment=environment, handler=lambda kind: None, ticks=4, tick_time=lambda number: number * 0.01
+    )
+    made = _Search(given)
+    assert (made._others, made._lengths) == ([prints, moves], [3, 4])
+    assert (made.marks, made.times, made.ends) == ([((0, 1, 2), ())], [0.03], [0.031])
