@@ -426,6 +426,16 @@ def test_ticks_that_lead_to_two_states_in_turn_are_not_repeated() -> None:
     assert found == ((1, 0, 1, 0, 1, 0), 6, reached, [], [])
 
 
+def test_a_handler_of_more_than_half_a_period_is_repeated_up_to_the_end_of_a_wait() -> None:
+    """It takes 0.6 ms of 1 ms. The WAIT ends at 10.5 ms, in the handler of the tick at 10 ms."""
+    made = polled(True, period=1.0)
+    step, end = transition(0, 60.0), (0.0105, 0, 0.001)
+    made._alone[0, TICK] = step
+    learn(made, 0, step, (TICK, 0.0))
+    found = walked(made, 1.0, checkpoint((0.001, TICK, 0.0), end, count=0.0))
+    assert found == ((0,) * 9, 9, (9 * 0.001, 60.0, [(0.01, TICK, 0.0), end], 10), [], [])
+
+
 def test_a_tick_of_two_seconds_is_repeated() -> None:
     made = polled(True, period=2000.0)
     step = transition(0, 3.0)
