@@ -192,7 +192,10 @@ class Watch:
 
 
 class Rounds:
-    """Two watches of a board, A and B, whose rounds take 200 µs; the next event is at 1 s."""
+    """Two watches of a board, A and B, whose rounds take 200 µs.
+
+    The next event is at 1 s.
+    """
 
     def __init__(self) -> None:
         self.event, self.until = 1.0, inf
@@ -226,9 +229,10 @@ class Rounds:
 
 
 def test_rounds_up_to_an_event_are_skipped_when_a_state_recurs() -> None:
-    """The first jump of B begins the search, by the jumps of A. The states after 20 and 40 commands are the same.
+    """The first jump of B begins the search, by the jumps of A.
 
-    After 0.4 ms 4998 rounds of 0.2 ms fit up to 1 s, less 0.1 µs: up to 1 s there are 4998 exactly.
+    The states after 20 and 40 commands are the same. After 0.4 ms 4998 rounds of 0.2 ms fit up to 1 s, which
+    is too many for the last 0.1 µs.
     """
     rounds = Rounds()
     found = rounds.rounds(20.0, 40.0)
@@ -369,7 +373,7 @@ def test_rounds_are_skipped_up_to_a_change(
 
 
 def test_states_are_compared_by_the_jumps_of_one_task() -> None:
-    """If that task jumps no more for 2000 jumps of others, one of these takes its place."""
+    """After 2000 jumps of others, one of these takes the place of that task."""
     rounds = Rounds()
     rounds.jump("B", 1.0)
     for number in range(2, 4):
@@ -394,7 +398,7 @@ def test_two_thousand_states_are_stored(count: int, begins: bool) -> None:
 
 
 def counting(step: int = 2, levels: tuple[float, ...] = (1000.0,)) -> Rounds:
-    """Return two watches of which A counts register 40 in a loop."""
+    """Return two watches; A counts register 40 in a loop."""
     rounds = Rounds()
     for name in "BA":
         rounds.jump(name, 1.0)

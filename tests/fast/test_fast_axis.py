@@ -57,9 +57,9 @@ def axis(**given: Any) -> tuple[FastAxis, Controller]:
 def test_a_move_is_loaded_as_an_entry(
     value: float, relative: bool, given: dict[str, Any], entry: tuple[object, ...] | None
 ) -> None:
-    """It has target, base, command, line, speed and number; the speed is its own with FEEDRATEMODE 1.
+    """It has target, base, command, line, speed and number.
 
-    None if the axis needs a `Move`.
+    The speed is its own with FEEDRATEMODE 1. None if the axis needs a `Move`.
     """
     found, controller = axis(**given)
     before = found.loaded
@@ -78,7 +78,7 @@ def test_a_braked_axis_loads_no_move_and_starts_none() -> None:
 
 
 def test_a_loaded_move_starts_as_a_row() -> None:
-    """From 10 to 410 counts: 10 counts in 0.2 s, 385 counts at 100 counts/s, and 5 counts in 0.1 s."""
+    """The move has 10 counts in 0.2 s, 385 at 100 counts/s and 5 in 0.1 s."""
     found, controller = axis(move_id=5, last_id=2)
     controller.clock.advance(1.5)
     room, fired = controller.log.room, controller.clock.fired
@@ -123,7 +123,7 @@ def test_a_loaded_move_starts_as_a_row() -> None:
     ),
 )
 def test_a_move_with_anything_special_is_not_started_as_a_row(given: dict[str, Any], starts: bool) -> None:
-    """The ramps from 0 to 100 counts/s in 0.25 s and in 0.5 s are 400 and 200 counts/s²."""
+    """Ramps to 100 counts/s in 0.25 s and 0.5 s are 400 and 200 counts/s²."""
     found, controller = axis()
     found.loader(controller, False, "MOVE")(100.0, 7)
     for name, value in given.items():
@@ -145,7 +145,7 @@ def test_an_axis_that_is_homing_starts_no_move() -> None:
 
 
 def test_a_move_starts_where_the_last_one_ends() -> None:
-    """Each begins at the end of the one before, and a relative one also follows a target that has changed."""
+    """A relative one also follows a target that has changed."""
     found, controller = axis()
     load = found.loader(controller, True, "MOVE")
     for distance in (5.0, -20.0):
@@ -233,7 +233,7 @@ def test_a_plan_of_another_speed_or_rate_is_not_used(index: int) -> None:
     ),
 )
 def test_a_move_that_starts_at_once(given: dict[str, Any], target: float, starts: bool) -> None:
-    """The number of the last move of the buffer does not change, and nothing stays in the buffer."""
+    """The number of the buffer's last move stays, and the buffer is empty."""
     found, controller = axis(last_id=2, move_id=5, **given)
     loaded = found.loaded
     assert found.start_at_once(controller, target, "MA", 9) == starts
@@ -245,7 +245,10 @@ def test_a_move_that_starts_at_once(given: dict[str, Any], target: float, starts
 
 
 def test_an_axis_answers_from_its_rows() -> None:
-    """The move from 10 to 410 counts takes 4.15 s. After it no profile is made to answer."""
+    """The move from 10 to 410 counts takes 4.15 s.
+
+    After it no profile is made to answer.
+    """
     found, controller = axis()
     assert (found.moves, found.is_at_standstill, found.end_of_move()) == (False, True, -1.0)
     is_idle = found.idle_reader()
@@ -274,7 +277,7 @@ def test_a_position_of_zero_has_no_sign() -> None:
 
 
 def test_a_move_that_is_read_becomes_an_object() -> None:
-    """Three rows, of which the third is in motion, are five profiles."""
+    """Three rows are five profiles if the third one is in motion."""
     found, controller = axis()
     for time, target in ((0.0, 410.0), (5.0, 10.0), (10.0, 110.0)):
         controller.clock.advance(time)
@@ -310,7 +313,7 @@ def test_a_move_that_was_read_ends_as_an_object() -> None:
 
 @cases("listens", (False, True))
 def test_the_end_of_a_move_notifies_those_that_want_it(listens: bool) -> None:
-    """The event wakes no task if nobody waits for axes that come to rest."""
+    """The event wakes no task unless a listener wants axes that come to rest."""
     found, controller = axis()
     heard: list[tuple[str, int]] = []
     if listens:
@@ -351,7 +354,10 @@ def test_a_buffer_that_is_read_has_the_loaded_move() -> None:
 
 
 def test_an_interrupted_start_is_rolled_back() -> None:
-    """The row of 15 s is not in the log yet. Without it the axis is at rest since the end of the row before."""
+    """The row of 15 s is not in the log yet.
+
+    Without it the axis is at rest since the end of the row before.
+    """
     found, controller = axis()
     for target in (410.0, 10.0, 210.0):
         found.start_at_once(controller, target, "MA", 9)

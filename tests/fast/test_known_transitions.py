@@ -51,7 +51,10 @@ def polled(*idle: bool, period: float = 10.0, cost: float = 1e-5, most: int = 10
 
 
 def learn(made: PolledTicks, state: int, step: Transition, *path: tuple[int, float]) -> None:
-    """Make a transition known after the ticks and ends of its path: the index and the statement of each."""
+    """Make a transition known.
+
+    Its path has the index and the statement of each tick and end.
+    """
     node = made._known.setdefault(state, _Node())
     for each in path:
         node = node.next.setdefault(each, _Node())
@@ -205,7 +208,10 @@ def test_the_next_transition(
     dues: tuple[tuple[float, int, float], ...],
     found: tuple[Transition, float, float, int] | None,
 ) -> None:
-    """A task polls in state 0. The checkpoint is statement 2 of those of 0.5 s from 1 s on."""
+    """A task polls in state 0.
+
+    The checkpoint is statement 2 of those of 0.5 s from 1 s on.
+    """
     made = polled(False, cost=0.5)
     for state, step, path in known:
         learn(made, state, step, *path)
@@ -256,7 +262,10 @@ def test_the_next_transition_counts_from_the_last_iteration_of_a_poll() -> None:
 def walked(
     made: PolledTicks, end: float, own: _Checkpoint, by_tick: bool = False
 ) -> tuple[object, ...] | None:
-    """Return a walk: its states, how many transitions are good, what it has reached, and its switches and polls."""
+    """Return a walk as plain data.
+
+    It has its states, how many transitions are good, what it has reached, and its switches and polls.
+    """
     walk = (made._walk_ticks if by_tick else made._walk)(own, end)
     if walk is None:
         return None
@@ -286,9 +295,9 @@ def checkpoint(
     ),
 )
 def test_a_tick_that_returns_to_its_state_is_repeated(end: float, most: int, good: int) -> None:
-    """All tasks wait, and each handler takes 3 statements. Tick 2 is the first one, at 20 ms.
+    """All tasks wait, and each handler takes 3 statements.
 
-    The last good one ends before `end`, after 30 µs.
+    Tick 2 is the first one, at 20 ms. The last good one ends before `end`, after 30 µs.
     """
     made = polled(True, most=most)
     step = transition(0, 3.0)
@@ -320,9 +329,10 @@ def test_a_tick_that_switches_is_repeated_one_by_one(switches: Any, proved: bool
 
 
 def test_a_wait_that_begins_again_is_repeated_up_to_the_tick() -> None:
-    """A loop polls every millisecond, which is 100 units of 10 µs and 5 statements; the tick ends in another state.
+    """A loop polls every millisecond, and its iteration has 5 statements.
 
-    The WAIT that ends at 2 ms begins again 20 µs later, and ends 1 ms after that: 7 times before the tick at 10 ms.
+    The tick ends in another state. The WAIT that ends at 2 ms begins again 20 µs later, and ends 1 ms after that:
+    7 times before the tick at 10 ms.
     """
     made = polled(True, True)
     again = transition(0, 5.0, handler=None, waits=((0, 2.0, 102_000_000),))
@@ -355,9 +365,10 @@ def test_ticks_and_ends_of_waits_alternate() -> None:
 
 
 def test_an_end_that_falls_into_a_handler_begins_no_wait() -> None:
-    """The handler takes 30 µs. The WAIT that ends 20 µs after the tick is over only behind the handler.
+    """The handler takes 30 µs.
 
-    It stays open in a transition that has it in its path. The state after that is not known.
+    The WAIT that ends 20 µs after the tick is over only behind the handler. It stays open in a transition that
+    has it in its path. The state after that is not known.
     """
     made = polled(True, True)
     both = transition(1, 5.0, open=frozenset({0}))
@@ -373,11 +384,11 @@ def test_an_end_that_falls_into_a_handler_begins_no_wait() -> None:
 
 
 def test_a_task_that_polls_adds_the_iterations_before_a_tick() -> None:
-    """Iterations of 7 statements of 10 µs begin with the checkpoint; the WAIT ends at 0.9 s.
+    """Iterations of 7 statements of 10 µs begin with the checkpoint.
 
-    The tick at 10 ms comes 997 statements after statement 3, and 3 after 142 iterations. The next one comes 998 after
-    statement 997 + 5, and 4 after 142 iterations. The third one comes 996 after statement 1996 + 8, and 2 after 142
-    iterations, which is not known.
+    The WAIT ends at 0.9 s. The tick at 10 ms comes 997 statements after statement 3, and 3 after 142 iterations.
+    The next one comes 998 after statement 997 + 5, and 4 after 142 iterations. The third one comes 996 after
+    statement 1996 + 8, and 2 after 142 iterations, which is not known.
     """
     made, end = polled(False), (0.9, 1, 0.1)
     made._periods[0] = 0.0, 7.0
@@ -402,9 +413,10 @@ def test_a_task_that_polls_adds_the_iterations_before_a_tick() -> None:
 def test_a_tick_that_comes_next_but_not_alone_is_another_transition(
     other: tuple[float, int, float] | None, count: float, good: bool
 ) -> None:
-    """The tick is at 20 ms, and its handler takes 30 µs; statement 1000 from 10 ms on is at 20 ms, too.
+    """The tick is at 20 ms, and its handler takes 30 µs.
 
-    Rounding might decide within 2 ns of the end of the handler, or of the present statement.
+    Statement 1000 from 10 ms on is at 20 ms, too. Rounding might decide within 2 ns of the end of the handler, or
+    of the present statement.
     """
     made = polled(True)
     step = transition(0, 3.0)
@@ -427,7 +439,10 @@ def test_ticks_that_lead_to_two_states_in_turn_are_not_repeated() -> None:
 
 
 def test_a_handler_of_more_than_half_a_period_is_repeated_up_to_the_end_of_a_wait() -> None:
-    """It takes 0.6 ms of 1 ms. The WAIT ends at 10.5 ms, in the handler of the tick at 10 ms."""
+    """It takes 0.6 ms of 1 ms.
+
+    The WAIT ends at 10.5 ms, in the handler of the tick at 10 ms.
+    """
     made = polled(True, period=1.0)
     step, end = transition(0, 60.0), (0.0105, 0, 0.001)
     made._alone[0, TICK] = step
@@ -479,7 +494,7 @@ def test_a_wait_that_begins_while_another_task_polls() -> None:
 
 
 def ticks(*gaps: tuple[int, float, int, float], most: int = 10**9, period: float = 10.0) -> PolledTicks:
-    """Return transitions by state and statements up to the tick: the next state and the length."""
+    """Return transitions by state and gap: the next state and the length."""
     made = polled(*[False] * 3, most=most, period=period)
     for state, gap, after, length in gaps:
         switches = ((1.0, (3, 1)),) if after == 2 else ()
@@ -528,7 +543,7 @@ def test_a_walk_ends_before_a_transition_that_is_not_proved() -> None:
 
 @pytest.mark.parametrize(("cost", "period"), [(1e-5, 1.0), (0.7310585e-5, 1.0), (3e-6, 2.0), (4e-5, 33.0)])
 def test_a_walk_finds_the_statement_of_each_tick(cost: float, period: float) -> None:
-    """The gap to a tick is that to the least statement that is not before it, whatever the rounding.
+    """The gap to a tick ends with the least statement that is not before it.
 
     Each handler takes 2 statements, and each gap is known.
     """
@@ -572,7 +587,7 @@ def test_the_earliest_period_of_a_task_that_polls_is_stored(
     counts: bool,
     periods: dict[int, tuple[float, float] | None],
 ) -> None:
-    """It lies between statement 3, the checkpoint, and the tick at 10 ms, which is statement 1000.
+    """It lies between statement 3, the checkpoint, and statement 1000, the tick.
 
     Another task must be in a WAIT. A loop that counts has no period.
     """
@@ -605,7 +620,10 @@ def test_two_tasks_that_poll_have_no_period() -> None:
 def test_the_path_of_a_transition_has_the_ticks_and_ends_in_it(
     dues: tuple[float, ...], base: float, origin: float, path: list[float] | None
 ) -> None:
-    """The transition ends with statement 1010, at 10.1 ms. The first of `dues` is a tick, the others ends."""
+    """The transition ends with statement 1010, at 10.1 ms.
+
+    The first of `dues` is a tick, the others ends.
+    """
     given = [(moment, TICK if k == 0 else k, 0.0) for k, moment in enumerate(dues)]
     after = checkpoint((0.02, TICK, 0.0), count=1010.0, number=2)
     found = polled(False)._path(checkpoint(*given), after, base, origin)
@@ -623,7 +641,7 @@ def learned(
     cost_units: int = 1_000_000,
     path: int | None = None,
 ) -> tuple[object, ...] | None:
-    """Return the fields of the transition from statement 3 to statement 1010, which is at 10.1 ms.
+    """Return the fields of the transition from statement 3 to statement 1010.
 
     Each stream has a record from before it. `handlers` and `outputs` are the times of further ones.
     """
@@ -700,7 +718,10 @@ NEXT = (0.02, TICK, 0.0)
 def test_the_effects_between_two_checkpoints(
     given: dict[str, Any], effects: tuple[object, ...] | None
 ) -> None:
-    """None if they cannot be repeated: an inexact time, two ticks, too many switches or an unexpected end."""
+    """None if they cannot be repeated.
+
+    This may be an inexact time, two ticks, too many switches or an unexpected end.
+    """
     assert learned(**given) == effects
 
 
@@ -738,9 +759,10 @@ class Stream(list[Any]):
 
 
 class Passed:
-    """A program whose walk has passed: its state before, and everything that the walk has set.
+    """A program before a walk, and everything that the walk has set.
 
-    Task 0 polls. Task 1 has been in a WAIT of 5 ms since 4 ms. The timer has had 3 ticks, and has a period of 10 ms.
+    Task 0 polls. Task 1 has been in a WAIT of 5 ms since 4 ms. The timer has had 3 ticks, and has a period of 10
+    ms.
     """
 
     def __init__(self, names: tuple[str, ...] = ("main", "T1")) -> None:
@@ -784,11 +806,11 @@ def walk_of(*steps: Transition, good: int, reached: Any, switching: Any = (), po
 
 
 def test_a_walk_passes_with_all_its_effects() -> None:
-    """Two ticks, at 40 ms and 50 ms, and a WAIT pass; the third tick of the walk is not good.
+    """Two ticks, at 40 ms and 50 ms, and a WAIT pass.
 
-    The first transition adds 2 to the first counter, and the third one, which is the same, too. It switches output 3
-    after 4 statements, and takes 10 µs of task T1. Task "other" polls for 900 statements before the second transition,
-    and "main" for 100 before the third one.
+    The third tick of the walk is not good. The first transition adds 2 to the first counter, and the third one,
+    which is the same, too. It switches output 3 after 4 statements, and takes 10 µs of task T1. Task "other"
+    polls for 900 statements before the second transition, and "main" for 100 before the third one.
     """
     program = Passed()
     tick = transition(0, 9.0, switches=((4.0, (3, 1)),), steps=(2.0, 0.0), seconds={"T1": 1e-5, "main": 5e-5})
@@ -843,7 +865,10 @@ def test_tasks_that_have_not_computed_have_no_time_slices() -> None:
 
 @pytest.mark.parametrize("count", [1, 15, 16, 40])
 def test_sixteen_equal_handlers_in_a_row_are_a_template(count: int) -> None:
-    """One of another position precedes them, and two follow. The first one is that of tick 4."""
+    """One of another position precedes them, and two follow.
+
+    The first one is that of tick 4.
+    """
     program = Passed()
     one, other = (("handler", 1),), (("handler", 2),)
     program.made._log_handlers([other, *[one] * count, other, other])
@@ -984,7 +1009,7 @@ def test_states_are_forgotten_once() -> None:
 
 
 class Program:
-    """Two tasks, of which main polls, and the states that are found."""
+    """Two tasks, one with a WAIT, and the states that are found."""
 
     def __init__(self, *waits: Any) -> None:
         self.made = made = polled()
@@ -1155,7 +1180,10 @@ def at(
 
 
 def test_a_transition_between_ticks_is_known_by_its_state_and_gap() -> None:
-    """From statement 3 the tick at 10 ms comes after 997 statements; the task polls without a WAIT."""
+    """From statement 3 the tick at 10 ms comes after 997 statements.
+
+    The task polls without a WAIT.
+    """
     search, step = Observed(False), transition(0, 1002.0)
     made = search.made
     search.observe(at(0, 3.0, (0.01, TICK, 0.0)), None)
@@ -1180,7 +1208,10 @@ def test_a_tick_while_all_tasks_wait_is_known_by_its_state_alone() -> None:
 
 
 def test_a_wait_that_begins_before_the_tick_has_an_empty_path() -> None:
-    """Statement 500 is at 5 ms, the tick at 10 ms. So no iteration of 7 statements is left out."""
+    """Statement 500 is at 5 ms, the tick at 10 ms.
+
+    So no iteration of 7 statements is left out.
+    """
     search, step = Observed(False), transition(0, 497.0, handler=None)
     search.made._periods[0] = 0.0, 7.0
     dues = (0.01, TICK, 0.0), (0.9, 1, 0.1)
@@ -1192,7 +1223,10 @@ def test_a_wait_that_begins_before_the_tick_has_an_empty_path() -> None:
 
 
 def test_a_tick_within_rounding_is_in_the_path() -> None:
-    """Statement 1000 is 1 ns before the tick. Iterations of 7 statements leave 4 up to statement 1001."""
+    """Statement 1000 is 1 ns before the tick.
+
+    Iterations of 7 statements leave 4 up to statement 1001.
+    """
     search = Observed(False)
     search.made._periods[0] = 0.0, 7.0
     dues = (0.01 + 1e-9, TICK, 0.0), (0.9, 1, 0.1)
@@ -1231,7 +1265,7 @@ def test_a_transition_that_cannot_be_recorded_is_left_out() -> None:
 
 
 def test_a_loop_that_counts_has_no_transition_from_its_last_iteration() -> None:
-    """Iterations of 7 statements begin with the checkpoint, so 994 statements are left out."""
+    """142 iterations of 7 statements, which are 994, are left out."""
     for loops in (False, True):
         search = Observed(False)
         search.made._periods[0], search.loops = (0.0, 7.0), loops
@@ -1248,7 +1282,10 @@ def test_a_loop_that_counts_has_no_transition_from_its_last_iteration() -> None:
 
 
 def seen_in_turn(*steps: Transition, gaps: tuple[float, ...], **given: Any) -> Observed:
-    """Observe transitions from state 0 to itself, with these gaps to the next tick, of 1000 statements."""
+    """Observe transitions from state 0 to itself.
+
+    `gaps` are the statements up to the next tick; a period has 1000.
+    """
     search = Observed(False, **given)
     for number, (gap, step) in enumerate(zip(gaps, (None, *steps), strict=False)):
         moment = (number + 1) * 0.01
@@ -1258,7 +1295,10 @@ def seen_in_turn(*steps: Transition, gaps: tuple[float, ...], **given: Any) -> O
 
 
 def test_a_counter_that_the_handler_sets_must_advance_equally() -> None:
-    """A transition is proved when it has been executed twice; at once if no such counter advances."""
+    """A transition is proved when it has been executed twice.
+
+    If no such counter advances, it is proved at once.
+    """
     one, again = (transition(0, 1000.0, steps=(1.0,)) for _ in range(2))
     search = seen_in_turn(one, gaps=(997.0, 997.0))
     assert (one.is_proved, search.made._advance) == (False, [1.0])
@@ -1294,7 +1334,10 @@ def test_ticks_that_advance_a_counter_differently_are_dropped(
 
 
 class Skipping:
-    """A program of which the walks are given: main polls, T1 waits as given. It is 12 ms."""
+    """A program whose walks are given.
+
+    It is 12 ms. Task main polls, and T1 waits as given.
+    """
 
     def __init__(self, wait: Any = None, delay: Any = None, read: Any = (), level: float = inf) -> None:
         self.made = made = polled(False, True)
@@ -1369,7 +1412,7 @@ def test_no_walk_begins_where_nothing_is_known() -> None:
     ),
 )
 def test_a_reading_that_changes_ends_the_walk(level: float, calls: list[object], observed: int) -> None:
-    """If it may have changed already, another search begins, at the cost of 12 checkpoints."""
+    """If it may have changed already, another search begins after 12 checkpoints."""
     program = Skipping(level=level)
     assert program.skip() == calls
     assert program.made._observed == observed
@@ -1439,7 +1482,10 @@ def test_another_search_collects_all_readings_from_now_on() -> None:
     ),
 )
 def test_a_search_begins_empty(cost: float, cost_units: int) -> None:
-    """Only the waits and the records that a tick may make can have new records. Times are whole units of 10 ps."""
+    """Only streams in which a tick may write, and WAITs, can have new records.
+
+    Times are whole units of 10 ps.
+    """
     events, outputs, slices, waits, prints, moves = ([k] for k in range(6))
     log: Any = SimpleNamespace(events=events, outputs=outputs, slices=slices, waits=waits)
     log.streams = lambda: [events, prints, outputs, slices, waits, moves]

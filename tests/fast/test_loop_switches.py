@@ -125,7 +125,10 @@ class Stream(list[Any]):
 
 
 class Loop:
-    """A loop of two statements of 10 µs that toggles output 3, alone on its controller up to 1 ms."""
+    """A loop of two statements of 10 µs that toggles output 3.
+
+    It runs alone on its controller, up to 1 ms.
+    """
 
     def __init__(self) -> None:
         self.outputs, self.events = Stream(), Stream()
@@ -173,7 +176,10 @@ class Loop:
     def skip(
         self, t: float, *counters: float, levels: Any = (), carries: bool = False, variables: object = 5
     ) -> object:
-        """End an iteration at a statement; return the result, without counters if there are none."""
+        """End an iteration at a statement.
+
+        Return the result, without counters if there are none.
+        """
         state = self.environment.acts, variables
         found = self.made.skip(t, self.start, state, counters, levels, carries)
         return found if found is None or counters else found[:2]
@@ -244,7 +250,10 @@ def test_a_period_of_two_iterations_is_repeated(
 def test_counters_advance_up_to_their_constants(
     counters: tuple[float, ...], levels: object, times: int, after: tuple[float, ...]
 ) -> None:
-    """They begin with 1 and 5, or with 1 and 4; from 2 on, six more steps by 1 stay below 9."""
+    """They begin with 1 and 5, or with 1 and 4.
+
+    From 2 on, six more steps by 1 stay below 9.
+    """
     loop = Loop()
     loop.two(1.0, counters[1])
     assert loop.skip(4.0, *counters, levels=levels) == (4.0 + 4 * times, 100.0, after)
@@ -367,7 +376,7 @@ def test_a_period_has_at_most_eight_iterations() -> None:
 def test_iterations_in_a_row_are_compared(
     follows: bool, change: Callable[[Loop], None] | None, begun: int
 ) -> None:
-    """The iterations before are dropped if one was not checked, or another task has been started."""
+    """They are dropped if one was not checked, or another task was started."""
     loop = Loop()
     loop.two()
     if change is not None:

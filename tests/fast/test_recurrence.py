@@ -276,7 +276,10 @@ class World:
         until: float = inf,
         without_waits: bool = False,
     ) -> float:
-        """End a time slice at a statement, and the WAITs at `ends`; return the statement after that."""
+        """End a time slice at a statement, and the WAITs at `ends`.
+
+        Return the statement after that.
+        """
         self.statements.base = base
         self.clock.now = self.statements.leave(count)
         for task, end in zip(self.tasks, ends, strict=False):
@@ -345,9 +348,9 @@ def changing_at(world: World, moment: float, level: float = inf) -> Note:
 def test_periods_are_repeated_up_to_a_change_of_a_reading(
     moment: float, level: float, count: float, states: int
 ) -> None:
-    """A reading that has changed since the first state, up to 0.1 µs before it, ends the search.
+    """A reading that may have changed since the first state ends the search.
 
-    The last period ends more than 0.2 µs before the change.
+    It is relied on only up to 0.1 µs before its change. The last period ends more than 0.2 µs before the change.
     """
     world = World(event=1.0)
     world.slice(100.0)
@@ -379,7 +382,10 @@ def test_tasks_of_which_none_is_ever_woken_are_stuck() -> None:
 def test_tasks_that_poll_in_vain_until_the_end_are_remembered(
     waits: tuple[tuple[float, float] | None, ...], reads: tuple[bool, bool], since: list[float | None]
 ) -> None:
-    """No event follows. A task that reads nothing, or waits for more than 30 ms, is not in a futile poll."""
+    """No event follows.
+
+    A task that reads nothing, or waits for more than 30 ms, is not in a futile poll.
+    """
     world = World(*waits)
     for task, each in zip(world.tasks, reads, strict=True):
         task.poll_check = 0, each
@@ -418,7 +424,7 @@ def test_waits_of_a_period_end_later_by_the_skipped_time(
 
 @cases("before, base, leaps", ((0.0, 0.007, 1), (0.0, 0.007 + 1e-6 / 3, 0), (1e-6 / 3, 0.007, 0)))
 def test_waits_of_a_period_begin_at_whole_units(before: float, base: float, leaps: int) -> None:
-    """A third of a µs is no whole number of 10 ps, so a repeated time would differ in its last bits."""
+    """A third of a µs is no whole number of 10 ps, so its multiples are rounded."""
     world = World(None, (0.005, before + 0.004), event=1.0)
     world.slice(100.0, base=before)
     world.slice(100.0, None, base + 0.004, base=base)
@@ -437,7 +443,10 @@ def test_waits_of_a_period_begin_at_whole_units(before: float, base: float, leap
 def test_a_statement_of_no_whole_number_of_units_has_no_period_with_a_wait(
     waits: tuple[tuple[float, float] | None, ...], end: float, leaps: int
 ) -> None:
-    """A statement takes 1 / 3 µs, which is 33 333.3 units of 10 ps; 15 000 statements lie between the states."""
+    """A statement takes 1 / 3 µs, which is 33 333.3 units of 10 ps.
+
+    15 000 statements lie between the states.
+    """
     world = World(*waits, cost=1e-6 / 3, event=1.0)
     world.slice(3000.0)
     world.slice(3000.0 + 15_000.0, None, end)
@@ -446,7 +455,7 @@ def test_a_statement_of_no_whole_number_of_units_has_no_period_with_a_wait(
 
 @cases("event, left", ((1.0, 0.006 + 198 * 0.005), (0.0105, 0.008)))
 def test_the_longest_period_that_fits_is_repeated(event: float, left: float) -> None:
-    """The state at 6 ms is that at 1 ms, 5 ms before, and that at 5 ms, except for the WAIT.
+    """The state at 6 ms is that at 1 ms, and but for the WAIT that at 5 ms.
 
     If a period of 5 ms does not fit before an event, two of 1 ms fit before the end of the WAIT at 9 ms.
     """
@@ -463,7 +472,7 @@ def test_a_task_alone_may_have_a_period() -> None:
 
 
 def leaps_after(world: World, *counts: float, **given: Any) -> int:
-    """Return how many times periods were skipped, with the states after some statements."""
+    """Return how often periods are skipped, with states after some statements."""
     for count in counts:
         world.slice(count, **given)
     return int(world.clock.leaps)
@@ -567,7 +576,10 @@ def test_tasks_of_a_program_that_cannot_be_compared_are_executed() -> None:
 
 
 def test_alternating_tasks_are_compared_at_one_task_alone() -> None:
-    """Only the first and the last state have the same next task; between them no state is stored."""
+    """Only the first and the last state have the same next task.
+
+    Between them no state is stored.
+    """
     world = World(event=1.0)
     world.slice(100.0)
     stored = len(world.recurrence._met)
@@ -591,7 +603,7 @@ def test_alternating_tasks_are_compared_at_one_task_alone() -> None:
         (((0.005, 0.004), (0.0199, 0.1)), (0.009, 0.1), False, 0, 0.006),
         (((0.005, 0.004), (0.02, 0.1)), (0.009, 0.1), False, 0, 0.006),
         (((0.005, 0.004), (0.0201, 0.1)), (0.009, 0.1), False, 1, 0.006 + 18 * 0.005),
-        # Beside a task without a WAIT, any WAIT may also end a period of that task alone.
+        # Next to a task without a WAIT, any WAIT may also end a period of that task alone.
         ((None, (0.005, 0.1)), (None, 0.1), False, 1, 0.006 + 18 * 0.005),
         ((None, (0.005, 0.1)), (None, 0.1), True, 1, 0.006 + 18 * 0.005),
         ((None, (0.005, 0.004)), (None, 0.009), True, 0, 0.006),

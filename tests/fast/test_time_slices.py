@@ -255,9 +255,10 @@ class Arrival(Wait):
 
 
 class Scripted(Task):
-    """A task whose time slices are given: how long each lasts, s, and how long the WAIT after it.
+    """A task whose time slices are given.
 
-    A slice without a WAIT ends at the horizon or earlier. It records when it is resumed, and its horizons.
+    Each has its duration and that of the WAIT after it, s. A slice without a WAIT ends at the horizon or earlier.
+    It records when it is resumed, and its horizons.
     """
 
     def __init__(self, name: str, wait: Wait | None, *slices: tuple[float, float | None]) -> None:
@@ -306,7 +307,10 @@ class Scripts:
 
 
 def a_and_b(a: float = 0.005, b: float = 0.007) -> Scripts:
-    """Return two tasks in WAITs up to 5 ms and 7 ms; a slice of A lasts 10 µs, and one of B 20 µs."""
+    """Return two tasks in WAITs up to 5 ms and 7 ms.
+
+    A slice of A lasts 10 µs, and one of B 20 µs.
+    """
     return Scripts(
         Scripted("A", until(a), (1e-5, 0.004), (1e-5, 0.004), (1e-5, 0.004)),
         Scripted("B", until(b), (2e-5, 0.01), (2e-5, 0.01)),
@@ -314,7 +318,10 @@ def a_and_b(a: float = 0.005, b: float = 0.007) -> Scripts:
 
 
 def test_waiting_tasks_resume_one_after_the_other() -> None:
-    """A waits for 4 ms and B for 10 ms after each slice. The third wait ends at 9.01 ms, which is too late."""
+    """A waits for 4 ms and B for 10 ms after each slice.
+
+    The third wait ends at 9.01 ms, which is too late.
+    """
     scripts = a_and_b()
     assert scripts.round(0.00901)
     assert scripts.resumed() == [[(0.005, 0.005 + FULL)], [(0.007, 0.007 + FULL)]]
@@ -348,7 +355,10 @@ def test_waiting_tasks_resume_one_after_the_other() -> None:
 def test_a_wait_that_does_not_end_first_and_alone_is_left_to_the_scheduler(
     a: float, b: float, now: float, end: float, event: float | None, resumes: bool
 ) -> None:
-    """Times within 1 ns are one time. An event comes before a wait that ends at its time."""
+    """Times within 1 ns are one time.
+
+    An event comes before a wait that ends at its time.
+    """
     scripts = a_and_b(a, b)
     scripts.clock.now = now
     if event is not None:
@@ -367,7 +377,10 @@ def test_a_cancelled_event_is_none() -> None:
 
 
 def left_by(scripts: Scripts) -> list[tuple[object, ...]]:
-    """Run a round; return what it leaves to the scheduler: the task, the next event, and its end."""
+    """Run a round.
+
+    Return what it leaves to the scheduler: the task, the next event, and its end.
+    """
     left: list[tuple[object, ...]] = []
 
     def leave(task: Task, event: float, time: float, several: bool) -> None:
@@ -417,9 +430,9 @@ def test_a_second_task_that_continues_ends_the_idle_rounds() -> None:
 
 @cases("wakes, resumes", ((False, True), (True, False)))
 def test_a_task_resumes_with_the_event_that_ends_its_move(wakes: bool, resumes: bool) -> None:
-    """The event at 5 ms ends the move that A waits for. If it `wakes` another task, the scheduler decides.
+    """The event at 5 ms ends the move that A waits for.
 
-    B is the last one whose wait would be checked.
+    If it `wakes` another task, the scheduler decides. B is the last one whose wait would be checked.
     """
     scripts = Scripts(Scripted("A", Arrival(0.005), (1e-5, 0.004)), Scripted("B", Arrival(0.007)))
     located: list[str] = []
@@ -472,7 +485,10 @@ def test_a_time_slice_ends_before_another_wait_may_end(
 def test_the_waits_of_all_tasks_are_listed(
     waits: tuple[Wait | None, ...], is_listed: bool, ends: list[float], resting: set[int]
 ) -> None:
-    """There must be two tasks or more, of which all wait. The end of a move is not certain."""
+    """There must be two tasks or more, and all must wait.
+
+    The end of a move is not certain.
+    """
     tasks = [Scripted(f"T{k}", wait) for k, wait in enumerate(waits)]
     made = Scripts(*tasks).made
     assert made._list_waits() == is_listed
@@ -505,9 +521,10 @@ def test_the_waits_of_all_tasks_are_listed(
 def test_a_wait_of_the_next_task_passes_within_its_statement(
     end: float, by_arrival: bool, event: float | None, wakes: bool, horizon: float
 ) -> None:
-    """Task A runs from 3 ms on, and waits from 4 ms on. B is in a WAIT up to 7 ms, C waits for a move up to 7.5 ms.
+    """Task A runs from 3 ms on, and waits from 4 ms on.
 
-    The slice after the wait ends before the next wait, at an event or after 1 ms.
+    B is in a WAIT up to 7 ms, C waits for a move up to 7.5 ms. The slice after the wait ends before the next
+    wait, at an event or after 1 ms.
     """
     scripts = Scripts(Scripted("A", None), Scripted("B", until(0.007)), Scripted("C", Arrival(0.0075)))
     made, clock, located = scripts.made, scripts.clock, list[str]()
@@ -537,7 +554,10 @@ def test_a_wait_of_the_next_task_passes_within_its_statement(
 
 
 def test_a_move_may_end_later_than_it_seems() -> None:
-    """Task A may run past 5.5 ms, where the move that C waits for seems to end; a cancelled event is none."""
+    """Task A may run past 5.5 ms, where the move that C waits for seems to end.
+
+    A cancelled event is none.
+    """
     scripts = Scripts(
         Scripted("A", until(0.003)), Scripted("B", until(0.007)), Scripted("C", Arrival(0.0055))
     )
@@ -554,7 +574,7 @@ def test_a_move_may_end_later_than_it_seems() -> None:
 def test_a_round_in_which_several_waits_have_ended_is_not_idle(
     resumed: int, within: int, idle_rounds: int
 ) -> None:
-    """Each task that was resumed counts, and each wait that has passed within its statement."""
+    """Resumed tasks count, and so do waits that have passed within statements."""
     scripts, left = a_and_b(), list[object]()
     made, first = scripts.made, scripts.tasks[0]
     made._leave = lambda *given: left.append(given)  # type: ignore[method-assign]
@@ -588,9 +608,10 @@ def test_a_wait_does_not_pass_beyond_the_run_or_in_a_handler(
 def handled(
     several: bool, lasts: float, event: float | None = None, longest: float = inf, ends: bool = True
 ) -> tuple[object, ...]:
-    """Run a handler from 5 ms on, up to 20 ms; return if it has ended, its horizon, and what is left.
+    """Run a handler from 5 ms on, up to 20 ms.
 
-    Another task may be in a WAIT. A handler that does not end stops in a wait.
+    Return if it has ended, its horizon, and what is left. Another task may be in a WAIT. A handler that does not
+    end stops in a wait.
     """
     tasks = [Scripted("A", until(0.5)), Scripted("B", until(0.7))][: 1 + several]
     scripts, handler = Scripts(*tasks), Scripted("timer", None, (lasts, None if ends else 0.1))
@@ -641,7 +662,7 @@ def test_a_handler_interrupts_waiting_tasks(
     ends: bool,
     result: tuple[object, ...],
 ) -> None:
-    """Next to several tasks a time slice of it lasts at most 1 ms, and the scheduler ends it."""
+    """Next to several tasks its time slice lasts at most 1 ms."""
     assert handled(several, lasts, event, longest, ends) == result
 
 
@@ -685,7 +706,7 @@ LEAP = (2, 1, 1.0, False)
 def test_a_period_is_searched_for_after_a_slice_without_an_action(
     rounds: int, is_eager: bool, change: str | None, calls: list[object], after: int
 ) -> None:
-    """Unless the search is eager, each of the two tasks must have had such a slice before."""
+    """Unless the search is eager, both tasks must have had such a slice."""
     first = Scripted("A", None)
     first.poll_check = 0, True
     scripts = Scripts(first, Scripted("B", None))

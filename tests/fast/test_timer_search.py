@@ -1,4 +1,4 @@
-"""The search for periods of a timer's ticks, and when a tick runs without the scheduler."""
+"""Periods of a timer's ticks, and ticks that run without the scheduler."""
 
 from __future__ import annotations
 
@@ -295,7 +295,10 @@ def test_a_tick_that_acts_is_the_last_one() -> None:
 def test_a_tick_is_located_at_the_task_that_was_checked_last(
     waits: tuple[Any, ...], at: list[int], current: int
 ) -> None:
-    """That is the last one whose end is not known; for the first tick, the one that the scheduler has checked."""
+    """That is the last one whose end is not known.
+
+    For the first tick, the one that the scheduler has checked.
+    """
     program = Ticking(*waits)
     assert program.run(until=0.525)
     assert [each[2] for each in program.calls] == at  # type: ignore[index]
@@ -315,9 +318,10 @@ def test_ticks_within_short_waits_are_left_to_the_search_of_polling_tasks(
 
 
 def test_a_search_begins_after_the_pause() -> None:
-    """Two ticks are left without one. The third one begins it, and each of the others asks for a period.
+    """Two ticks are left without one.
 
-    The third question fails, which begins a pause.
+    The third one begins it, and each of the others asks for a period. The third question fails, which begins a
+    pause.
     """
     program, asked = Ticking(pause(2.0)), list[float]()
     program.made._left = 2
@@ -335,7 +339,10 @@ def test_a_search_begins_after_the_pause() -> None:
 
 
 def search(*values: tuple[float, ...], period: float = 10.0, ticks: int = 5, started: float = 0.0) -> _Search:
-    """Return a search with the values of counters after each tick; the last one was tick `ticks` - 1."""
+    """Return a search with the values of counters after each tick.
+
+    The last one was tick `ticks` - 1.
+    """
     made = _Search.__new__(_Search)
     clock: Any = SimpleNamespace(now=0.0, second_time=lambda: inf)
     made._events = SimpleNamespace(  # type: ignore[assignment]
@@ -421,7 +428,10 @@ def test_the_longest_handler_of_a_period_must_fit() -> None:
     (((), True), ((5.0,), True), ((inf,), False), ((-inf,), False), ((0, inf), False), ((inf, 0), True)),
 )
 def test_readings_of_loops_end_the_search(levels: tuple[float, ...], is_solvable: bool) -> None:
-    """A loop executes its last iteration, so a value that it only stores, or its maximum, is no dependency."""
+    """A value that a loop only stores, or its maximum, is no dependency.
+
+    The loop executes its last iteration.
+    """
     made = search()
     made.notes = [(lambda *about: 0.0, ()), (lambda *about: 0.0, levels)]
     assert made.is_solvable == is_solvable
@@ -435,7 +445,10 @@ class Stream(list[Any]):
 
 
 def recorded(period: int = 2) -> tuple[_Search, list[Stream]]:
-    """Return a search of a handler that toggles an output at 20 ms and 30 ms, ticks 2 and 3, and its streams."""
+    """Return a search and its streams.
+
+    The handler toggles an output at ticks 2 and 3, which are at 20 ms and 30 ms.
+    """
     made = search(period=10.0, ticks=4)
     streams = [Stream([(k * 0.01, "handler") for k in range(4)]), Stream(), Stream()]
     streams[1] += [(0.0, 9, 9), (0.01, 9, 9), (0.02 + 1e-5, 3, 1), (0.03 + 1e-5, 3, 0)]
@@ -477,7 +490,10 @@ def test_a_period_has_at_most_256_records_before_its_last_tick(count: int, is_fo
 
 
 def test_skipped_periods_have_all_their_effects() -> None:
-    """Ticks 4 to 9 pass: three periods of two. Tick 9 is at 90 ms, and its handler ends 3 statements later."""
+    """Ticks 4 to 9 pass: three periods of two.
+
+    Tick 9 is at 90 ms, and its handler ends 3 statements later.
+    """
     made, streams = recorded()
     scheduled, reached, advanced = list[int](), list[object](), list[object]()
     events, environment = made._events, made._environment
@@ -495,7 +511,10 @@ def test_skipped_periods_have_all_their_effects() -> None:
 
 
 def test_a_state_that_recurs_is_a_period() -> None:
-    """The outputs alternate, and a counter advances by 1, so a period is found when it has been met twice."""
+    """The outputs alternate, and a counter advances by 1.
+
+    So a period is found when it has been met twice.
+    """
     made = search(ticks=1)
     values, hidden = [0.0], list[object]()
     made._counters = SimpleNamespace(  # type: ignore[assignment]
@@ -519,7 +538,7 @@ def test_a_state_that_recurs_is_a_period() -> None:
 
 
 class Handler:
-    """A handler of a timer that has the given effects, and the state that a tick leaves.
+    """A handler of a timer with given effects, and the state after its tick.
 
     It switches `switches` outputs, has `acts` effects in all, and `change` is called in it.
     """
@@ -692,7 +711,10 @@ LEVEL = ([1], 0, 0.3)
 def test_a_period_is_skipped_as_often_as_it_fits(
     given: dict[str, Any], goes_on: bool, calls: list[object], left: int
 ) -> None:
-    """It is 0.5 s. The readings since 0.3 s are the same up to a level, and the ticks end at 0.9 s."""
+    """It is 0.5 s.
+
+    The readings since 0.3 s are the same up to a level, and the ticks end at 0.9 s.
+    """
     search = Skipping(**given)
     assert search.skipped() == goes_on
     assert search.calls == calls
