@@ -350,6 +350,7 @@ def test_a_short_command_fits_a_time_slice() -> None:
         (inf, 0.01, inf, (20.0, 40.0, 60.0), 46),
         (inf, inf, 0.01, (20.0, 40.0, 60.0), 46),
         (0.01 + 1.5e-7, inf, inf, (20.0, 40.0, 60.0), 47),
+        (0.0008 + 3e-7, inf, inf, (20.0, 40.0, 60.0), 1),
         (0.0008 + 1e-8, inf, inf, (20.0, 40.0, 60.0), 0),
         (0.0006 + 5e-8, inf, inf, (20.0, 40.0, 60.0), 0),
         (0.0006, inf, inf, (20.0, 40.0, 60.0), 0),
@@ -370,6 +371,20 @@ def test_rounds_are_skipped_up_to_a_change(
     rounds.jump("A", 20.0)
     found = rounds.rounds(*counts[1:])
     assert found == advanced(counts[-1] * 1e-5, 1e-5, rounds_ * 20)
+    assert (bool(rounds.slices), bool(rounds.made._met)) == (rounds_ > 0, rounds_ == 0)
+
+
+def test_rounds_whose_times_add_up_to_more_are_not_skipped() -> None:
+    """The sums of 18 million rounds are later than the product by several µs.
+
+    So one round less ends 0.1 µs before the event, which comes 50 ns after the end of that number of rounds.
+    """
+    many = 18_000_000
+    end = advanced(0.0004, 1e-5, many * 20)
+    assert 1e-6 < end - (0.0004 + many * 0.0002) < 1e-4
+    rounds = Rounds()
+    rounds.event = end + 5e-8
+    assert rounds.rounds(20.0, 40.0) == advanced(0.0004, 1e-5, (many - 1) * 20)
 
 
 def test_states_are_compared_by_the_jumps_of_one_task() -> None:
