@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from math import exp
-from typing import TYPE_CHECKING
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang import run
-from motionlang.fast.closed_form import ClosedFormServo, closed_form
+from motionlang.fast.closed_form import ClosedForm, ClosedFormServo, closed_form
 from motionlang.planners import hold, plan_ratio, plan_sinusoidal, plan_trapezoid
 from motionlang.servo import Drive, Loop, Motor, Track, speculative
 from motionlang.servo.speculative import SEEN, SpeculativeServo
@@ -285,3 +286,105 @@ def test_new_gains_have_a_closed_form_from_the_257th_sample_on(count: int, block
     if count:
         servo.run_block(count)
     assert servo.first_blocks == blocks
+
+
+@pytest.mark.parametrize(
+    ("values", "good"),
+    [
+        ([[0.5, -0.5, 0.9], [1.5, -1.5, 0.0]], 3),
+        ([[1.0, -1.0, 1.5], [0.0, 0.0, 0.0]], 2),
+        ([[1.0, -1.0, -1.5], [2.0, -2.0, 9.0]], 2),
+        ([[0.0, 0.0, 0.0], [2.0, -2.0, 2.5]], 2),
+        ([[0.0, 0.0, 9.0], [0.0, -2.5, 0.0]], 1),
+        ([[1.5, 0.0, 0.0], [9.0, 0.0, 0.0]], 0),
+        ([[0.0, float("nan"), 0.0], [0.0, 0.0, 0.0]], 1),
+    ],
+)
+def test_the_samples_within_the_limits(values: list[list[float]], good: int) -> None:
+    """The first quantity may have 1 and the second one 2; a limit itself is within."""
+    form = ClosedForm.__new__(ClosedForm)
+    form._bounds = [(0, 1.0), (1, 2.0)]
+    assert form._inside(np.array(values)) == good
+
+
+@cases(
+    "cycles, every, sample, until, found",
+    (
+        # A rest of 10 cycles is too short; the ramp begins with the cycle after it.
+        (10, 1, 0, 400, (True, 44, 572)),
+        (11, 1, 0, 400, (True, 0, 48)),
+        (10, 1, 0, 44, (False, 44, 44)),
+        (10, 1, 0, 40, (False, 44, 44)),
+        (11, 1, 2, 400, (True, 48, 576)),
+        (14, 1, 2, 400, (True, 4, 60)),
+        # The derivative is sampled every 3 samples from sample 4 on, or from 5 on: 43 and 44 are such samples.
+        (10, 3, 4, 400, (False, 44, 572)),
+        (10, 3, 5, 400, (True, 44, 572)),
+    ),
+)
+def test_the_next_cubic_of_48_samples_or_more(
+    cycles: int, every: int, sample: int, until: int, found: tuple[bool, int, int]
+) -> None:
+    """A cycle has 4 samples. After a rest the axis accelerates for 133 cycles, up to sample 572."""
+    loop, motor = Loop(0.004, 0.0, 0.02, derivative_every=every), Motor()
+    ramp = plan_trapezoid(0.0, 9e4, 12_000.0, 90_000.0, 90_000.0)
+    servo = ClosedFormServo(loop, motor, Track([0.0, cycles / loop.trajectory_rate], [hold(0.0), ramp]))
+    form = closed_form(loop, motor)
+    assert form is not None
+    servo._sample = sample
+    cubic, first, past = servo._next_cubic(form, until)
+    assert (cubic is not None, first, past) == found
+
+
+def test_a_glide_goes_on_behind_the_samples_beyond_a_limit() -> None:
+    """The command is 10 counts at sample 8, and 2 more in each cycle of 4 samples.
+
+    The closed form gives 16 samples, then 3, and none behind the plain steps. These take 32 samples and more up to a
+    multiple of 8 samples, and 64 the second time. The points before sample 8 are a count off.
+    """
+    answers, calls, steps, notified = [16, 3, 0], list[object](), list[object](), list[float]()
+    cubic, state = (10.0, 2.0, 0.0, 0.0), (1.0,)
+
+    def run(given: object, here: object, off: object, out: Array) -> tuple[int, object]:
+        calls.append((here, off, out.shape[1]))
+        return answers.pop(0), state
+
+    def step(until: int, out: Array) -> None:
+        steps.append((servo._sample, until, out.shape[1], servo._points))
+        servo._sample = until
+
+    form: Any = SimpleNamespace(unit=4, longest=16, run=run)
+    servo: Any = SimpleNamespace(
+        loop=SimpleNamespace(ratio=4), _sample=8, _points=[7.0, 9.0, 99.0], _state=state, _step=step
+    )
+    servo._notify = lambda column: notified.append(float(column[0]))
+    ClosedFormServo._glide(servo, form, cubic, 100, np.arange(92.0)[None, :])
+    assert calls == [
+        ((10.0, 2.0, 0.0, 0.0), (-1.0, -1.0), 16),
+        ((18.0, 2.0, 0.0, 0.0), (0.0, 0.0), 16),
+        ((38.0, 2.0, 0.0, 0.0), (0.0, 0.0), 16),
+    ]
+    behind = [16.0, 18.0, 20.0]
+    assert steps == [(8 + 19, 8 + 56, 92 - 19, behind), (64, 100, 92 - 56, behind)]
+    assert (notified, servo._sample) == ([15.0, 18.0], 100)
+
+
+@pytest.mark.parametrize(
+    ("good", "points"),
+    [
+        (2, [7.0, 9.0, 12.0]),
+        (4, [9.0, 12.0, 12.0]),
+        (5, [9.0, 12.0, 14.0]),
+        (8, [12.0, 14.0, 14.0]),
+        (9, [12.0, 14.0, 16.0]),
+    ],
+)
+def test_the_points_of_the_command_behind_a_glide(good: int, points: list[float]) -> None:
+    """The points before and at the beginning, 7 and 9, are those that were given."""
+    form: Any = SimpleNamespace(unit=4, longest=16, run=lambda *given: (good, (1.0,)))
+    servo: Any = SimpleNamespace(
+        loop=SimpleNamespace(ratio=4), _sample=8, _points=[7.0, 9.0, 99.0], _state=(1.0,)
+    )
+    servo._notify = lambda column: None
+    ClosedFormServo._glide(servo, form, (10.0, 2.0, 0.0, 0.0), 8 + good, np.zeros((1, good)))
+    assert (servo._points, servo._sample) == (points, 8 + good)
