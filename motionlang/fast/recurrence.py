@@ -178,7 +178,10 @@ class Recurrence:
         return number
 
     def _skips(self, tasks: list[Task], others: list[Wait], state: tuple[float, ...], until: float) -> bool:
-        """Skip periods of `tasks` during which `others` wait; True if there were any."""
+        """Skip periods of `tasks` during which `others` wait.
+
+        True if there were any, or if all states are dropped: then the numbers in `state` are invalid.
+        """
         clock, statements = self._clock, self._statements
         now, base, count = clock.now, statements.base, statements.count
         waits = [task.wait for task in tasks if isinstance(task.wait, Delay)]
@@ -199,7 +202,7 @@ class Recurrence:
         level = shared.dependencies.until(before[0] - CLOSE, self._read) - CLOSE
         if level <= now:  # a reading has changed, and the next period may differ
             self._begin(self._since, shared)
-            return False
+            return True
         if any(wait.ready() for wait in others):
             return False
         limit = min(level, clock.next_time(), *dues)

@@ -466,6 +466,24 @@ def test_the_longest_period_that_fits_is_repeated(event: float, left: float) -> 
     assert world.clock.now == pytest.approx(left, rel=1e-12)
 
 
+def test_no_state_is_compared_with_one_that_was_dropped() -> None:
+    """A reading changes by the third state, so all states are dropped.
+
+    The variables are new in the last three states. The numbers of contents begin again, so they must not be compared with earlier ones.
+    """
+    world = World(None, (0.005, 0.1), event=1.0)
+    for count, end, variables in (
+        *((100.0, 0.1, b"a"), (600.0, 0.1, b"b"), (1100.0, 0.105, b"b")),
+        *((1200.0, 0.105, b"c"), (1300.0, 0.105, b"d"), (1400.0, 0.105, b"e")),
+    ):
+        world.variables = variables
+        world.slice(count, None, end)
+        if count == 100.0:
+            assert world.dependencies.read is not None
+            world.dependencies.read.add(changing_at(world, 0.002, 0.0065))
+    assert world.clock.leaps == 0
+
+
 def test_a_task_alone_may_have_a_period() -> None:
     world = World(None, event=1.0)
     assert leaps_after(world, 100.0, 300.0) == 1
