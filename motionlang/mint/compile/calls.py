@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.body import Body, Value
-from motionlang.mint.compile.conversions import converted
+from motionlang.mint.compile.conversions import NOTHING, converted
 from motionlang.mint.compile.expressions import counted, member, reference, unknown, value
 from motionlang.mint.compile.lines import DEPTH
-from motionlang.mint.resolve.symbols import FLOAT, INTEGER, RECORD, Function, Symbol, Type
+from motionlang.mint.resolve.symbols import INTEGER, RECORD, Function, Symbol, Type
 from motionlang.mint.syntax import nodes
-
-_NOTHING = Value("0", FLOAT, intervals.ANY)
 
 
 def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
@@ -18,12 +16,12 @@ def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
     callee = symbol.home
     if wanted and callee.result is None:
         b.problem("type", f"{symbol.name} is a sub and has no value", node, "a Function has a value")
-        return _NOTHING
+        return NOTHING
     args = node.args or []
     if len(args) != len(callee.parameters):
         count = len(callee.parameters)
         b.problem("values", f"{symbol.name} takes {count} value{'s' * (count != 1)}, {len(args)} given", node)
-        return _NOTHING
+        return NOTHING
     texts = [_argument(b, arg, parameter) for arg, parameter in zip(args, callee.parameters, strict=True)]
     if callee.counted:
         texts.append(depth_below(b))

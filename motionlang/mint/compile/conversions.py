@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
     from motionlang.mint.syntax import nodes
 
-# Replaces a wrong value, so that further errors are reported.
+# Replaces a wrong value, which has been reported, so that other errors are found. Its type is no error.
 NOTHING = Value("0", FLOAT, intervals.ANY)
 
 
@@ -65,6 +65,8 @@ def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool =
         return f"{b.whole.use('fn', 'fit')}({found.text}, {size})"
     if type.name == TIME and found.is_number:
         return f"{b.whole.use('env', 'since')}({found.text})"
+    if found is NOTHING:
+        return "0"
     hint = ""
     if type.name == STRING and found.is_number:
         hint = "convert the number with Str"

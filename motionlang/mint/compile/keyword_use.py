@@ -11,7 +11,7 @@ from math import isnan
 from motionlang.errors import as_hint
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.body import Reading, Value
-from motionlang.mint.compile.conversions import as_float, as_integer, literal
+from motionlang.mint.compile.conversions import NOTHING, article, as_float, as_integer, literal
 from motionlang.mint.compile.expressions import condition, number, value
 from motionlang.mint.compile.lines import LOOP
 from motionlang.mint.compile.terminal_use import line
@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
     from motionlang.mint.resolve.symbols import Symbol
 
-_NOTHING = Value("0", FLOAT, intervals.ANY)
 # The text of an omitted value. No other value has this text.
 OMITTED = "None"
 
@@ -51,9 +50,9 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
         return _function(b, node, row)
     if row.kind == "statement":
         b.problem("type", f"{row.name} is a statement and has no value", node)
-        return _NOTHING
+        return NOTHING
     if not can_be_read(b, node, row):
-        return _NOTHING
+        return NOTHING
     if row.every and node.args and len(node.args) > 1:
         return value(b, _each_of(node, node.args))
     b.observes = True
@@ -120,7 +119,7 @@ def _function(b: Body, node: nodes.Name, row: Keyword) -> Value:
     if len(args) != len(wanted):
         b.problem("values", f"{row.name} takes {_many(len(wanted), 'value')}, {len(args)} given", node,
                   f"{row.name}({row.index})")  # fmt: skip
-        return _NOTHING
+        return NOTHING
     if row.verb == "choice":
         return _immediate_if(b, node, args)
     found = [_argument(b, arg, kind, row) for arg, kind in zip(args, wanted, strict=True)]
@@ -147,7 +146,7 @@ def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> Value:
     if kind != "text":
         return number(b, node)
     found = value(b, node)
-    if found.type != STRING:
+    if found.type != STRING and found is not NOTHING:
         b.problem("type", f"{row.name} needs a text, not a number", node, "convert the number with Str")
     return found
 
@@ -166,9 +165,11 @@ def _same_range(verb: str, found: list[intervals.Range]) -> intervals.Range:
 def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> Value:
     test = condition(b, args[0])
     yes, no = value(b, args[1]), value(b, args[2])
+    if NOTHING in (yes, no):
+        return NOTHING
     if (yes.type == STRING) is not (no.type == STRING):
         b.problem("type", "the two values of IIf must both be numbers or both be texts", node)
-        return _NOTHING
+        return NOTHING
     kind = yes.type if yes.type == no.type else FLOAT
     return Value(f"({yes.text} if {test} else {no.text})", kind, intervals.join(yes.range, no.range))
 
@@ -194,8 +195,9 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
 
         return with_arrays(b, node, row, names)
     if args is None or not args:
-        if len(names) > 1:
-            b.problem("values", f"{row.name} needs {row.index} in brackets", node)
+        if len(names) > 1 or kind == "task":
+            needed = row.index if len(names) > 1 else article(kind)
+            b.problem("values", f"{row.name} needs {needed} in brackets", node)
         bank = b.whole.names.default_bank
         if kind == "bank" and row.group == "io" and bank is not None:
             return [as_integer(b, value(b, nodes.Name(node.at, bank.name).resolve(None, bank)))]
@@ -214,16 +216,17 @@ _ONE = frozenset(("axis", "axes", "channel"))
 
 
 def _index(b: Body, node: nodes.Expr, kind: str) -> str:
-    if node.__class__ is nodes.Number and node.value in b.whole.axis_texts:
-        return b.whole.axis_texts[node.value]
     if kind == "task":
         return _name_of_task(b, node)
+    if node.__class__ is nodes.Number and node.value in b.whole.axis_texts:
+        return b.whole.axis_texts[node.value]
     if kind == "distance":
         return as_float(number(b, node, "a distance"))
-    found = number(b, node, f"the number of an {kind}" if kind[0] in "aeiou" else f"the number of a {kind}")
+    what = f"the number of {article('axis' if kind == 'axes' else kind)}"
+    found = number(b, node, what)
     if found.const is not None:
         if found.const != int(found.const):
-            b.problem("range", f"{found.const} is not the number of an {kind}", node)
+            b.problem("range", f"{found.const} is not {what}", node)
         elif kind in ("axis", "axes") and found.const not in b.whole.axes:
             last = b.whole.axes[-1]
             b.problem(
@@ -379,7 +382,7 @@ def _value(b: Body, node: nodes.Expr, row: Keyword) -> str:
     if found.type == FLOAT and found.const is None and found.range[2] == "f" and type_of(row) == FLOAT:
         return found.bare
     if row.unit == "text":
-        if found.type != STRING:
+        if found.type != STRING and found is not NOTHING:
             b.problem("type", f"{row.name} takes a text, not a number", node)
         return found.text
     if not found.is_number:

@@ -87,6 +87,8 @@ def _remainder(b: Body, left: Value, right: Value) -> Value:
 
 def text(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
     """Return `left op right` for two strings; report an error if one is not a string."""
+    if left is NOTHING or right is NOTHING:
+        return NOTHING
     if left.type != STRING or right.type != STRING:
         hint = "convert the number with Str" if node.op in ("+", "&") else ""
         b.problem("type", f"{node.op} cannot take {article(left.type)} and {article(right.type)}", node, hint)

@@ -38,7 +38,7 @@ def _check(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword, axes: 
         b.problem("values", f"{row.name} needs {needed} in brackets, {axes} given", target, _form(row))
         return
     count = len(units) if wanted else axes
-    if len(node.values) != count or node.repeat:
+    if len(node.values) != count:
         b.problem(
             "values", f"{row.name} needs {count} values here, {len(node.values)} given", node, _form(row)
         )

@@ -16,7 +16,7 @@ from motionlang.mint.compile import (
 )
 from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.calls import call
-from motionlang.mint.compile.conversions import article, converted
+from motionlang.mint.compile.conversions import NOTHING, article, converted
 from motionlang.mint.compile.expressions import condition, reference, unknown, value
 from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP, NONE, Line
 from motionlang.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
@@ -157,9 +157,6 @@ def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | N
     if node.repeat:
         b.problem("values", "a ; after the value is only for keywords with axes", node)
         return
-    if kind.name == RECORD and symbol is not None and symbol.is_array:
-        b.problem("type", "an array cannot be assigned to as a whole", node)
-        return
     found = value(b, node.values[0])
     if kind.name == SEMAPHORE:
         _take_or_give(b, text, converted(b, found, Type(INTEGER), node.values[0]))
@@ -176,7 +173,7 @@ def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | N
 
 
 def _give_record(b: Body, node: nodes.Assign, text: str, kind: Type, found: Value) -> None:
-    if found.type != str(kind):
+    if found.type != str(kind) and found is not NOTHING:
         b.problem("type", f"cannot assign {article(found.type)} to {article(str(kind))}", node)
         return
     b.act(f"{text}[:] = {b.whole.use('env', 'copy')}({found.text})")
@@ -430,7 +427,7 @@ def _case_test(b: Body, case: nodes.Case, subject: Value, name: str) -> str:
 def _one_test(b: Body, test: nodes.CaseTest, subject: Value, name: str) -> str:
     sides = [value(b, side) for side in (test.value, test.high) if side is not None]
     for side in sides:
-        if (side.type == STRING) is not (subject.type == STRING):
+        if NOTHING not in (side, subject) and (side.type == STRING) is not (subject.type == STRING):
             b.problem(
                 "type", f"{article(side.type)} cannot be compared with the {subject.type} of the Select", test
             )
