@@ -77,7 +77,7 @@ def _array(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
     if found is None or len(found[2]) != wanted:
         many = "one subscript" if wanted == 1 else f"{wanted} subscripts"
         b.problem("type", f"{parameter.name} must be given an array with {many}", node)
-        return ", ".join(["[0]", *["1"] * (wanted - 1 and wanted)])
+        return "[0]"
     text, kind, sizes = found
     if str(kind) != str(parameter.type):
         given = node.field if type(node) is nodes.Member else getattr(node, "name", "")

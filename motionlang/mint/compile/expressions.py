@@ -325,7 +325,7 @@ def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | N
 
 def _unary(b: Body, node: nodes.Unary) -> Value:
     if node.op == "Not":
-        return Answer(condition(b, node), True)
+        return Answer(condition(b, node))
     found = number(b, node.operand)
     if found.const is not None:
         known = fold_unary(node.op, found.const)

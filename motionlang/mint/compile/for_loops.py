@@ -98,7 +98,6 @@ def _stored(b: Body, found: Value) -> Value:
 
 
 def _plain(b: Body, node: nodes.For, counter: Counter, body: list[Line]) -> None:
-    b.noted = True
     b.emit(f"while {_continues(counter)}:", LOOP)
     b.lines += body
     b.indent += 1
@@ -177,7 +176,6 @@ def _chunks(b: Body, counter: Counter, body: list[Line]) -> None:
     worst = each + sum([line.cost for line in body])
     text, stop, step = counter.text, counter.stop.text, counter.step.const
     n, w, c = b.temp(SCRATCH), b.temp(SCRATCH), b.temp(SCRATCH)
-    b.noted = True
     b.emit(f"while {_continues(counter)}:", LOOP)
     b.indent += 1
     b.emit(f"{n} = {f'{stop} - {text} + 1' if step == 1 else f'({stop} - {text}) // {step} + 1'}")

@@ -60,7 +60,6 @@ def _opened(b: Body, kind: str, body: list[nodes.Stmt], *conditions: nodes.Expr)
     """Write the code before a loop; return the flag of an Exit and any polling watch."""
     b.flush()
     flag = flag_for(b, kind, body)
-    b.noted = True
     loop_times.begin(b)
     return flag, polling.watched(b, body, *conditions)
 

@@ -33,7 +33,6 @@ def pause(b: Body, node: nodes.Pause) -> None:
             arguments += f", {(*axes,)}" + ("" if axes else ", True")
         pause = f"{b.whole.use('env', 'pause')}({arguments})"
         b.emit(f"if not ({test}): t, H = {pause} or (yield E.wait)")
-    b.noted = True
     b.pending += 1
 
 

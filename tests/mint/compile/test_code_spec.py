@@ -153,3 +153,15 @@ def test_a_typed_line_declares_its_new_names_alone() -> None:
         "k5_2": ("wait", 29, 5.0, False),
         "k6_2": ("write", "OUTX"),
     }
+
+
+def test_a_typed_line_without_a_task_reads_its_variables_late() -> None:
+    """Another line may run at the same time, so `a` is read after what is due before."""
+    scope = Scope(Function("main", "main", "main", [], None), None)
+    line = compile_line(parse(Source("1", "Dim a As Float\nSPEED(0) = a")), {}, scope, "", "1")
+    assert line.unit.text.split("\n")[1:] == [
+        "  nonlocal H, t",
+        "  if t >= H: yield",
+        "  if k0(0.0, v_a): yield",
+        "  t += 1.0",
+    ]
