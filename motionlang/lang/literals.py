@@ -20,6 +20,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from math import isfinite
 
 from motionlang.errors import Diagnostic, ProgramError, nearest
 from motionlang.record import record
@@ -273,6 +274,10 @@ def _chosen(found: Sequence[Literal], address: str, source: Source) -> list[Lite
         raise _wrong(f"{address} is one of {len(here)} literals", here)
     line = int(line_text.partition(":")[0])
     in_line = [each for each in found if each.line == line]
+    here = [each for each in same if each.line == line]
+    if here:
+        count = "1 literal" if len(here) == 1 else f"{len(here)} literals"
+        raise _wrong(f"line {line} has {count} of {base.upper()}", here)
     if not in_line and re.search(r"\b\d", source.line(line)):
         raise _wrong(_in_line(in_line, line, source), same or found, address)
     raise _wrong(f"line {line} writes no literal to {base.upper()}", same or found, address)
@@ -300,7 +305,7 @@ def _wrong(message: str, others: Sequence[Literal], address: str = "") -> Progra
 
 def _text(address: str, value: float | str) -> str:
     """Return a value in the notation of the program."""
-    if isinstance(value, str):
+    if isinstance(value, str) or not isfinite(value):
         raise ProgramError([Diagnostic("option", f"{address} is a number, not {value!r}")])
     return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(float(value))
 
@@ -441,10 +446,20 @@ def _target(statement: list[Token], language: Dialect) -> tuple[str, str, list[T
     if dotted is not None:
         word, index = dotted[1], dotted[2][1:].replace(".", ",")
     elif len(statement) > 1 and statement[1][1] in ("(", "["):
-        end = next((n for n, each in enumerate(statement) if each[1] in (")", "]")), len(statement) - 1) + 1
+        end = _closing(statement) + 1
         index = "".join(text for _, text, _ in statement[2 : end - 1])
     row = language.table().get(word)
     return row.name if row is not None else word, index, statement[end:]
+
+
+def _closing(statement: list[Token]) -> int:
+    """Return the index of the bracket that closes the first one, or of the last token."""
+    depth = 0
+    for number, (_, text, _) in enumerate(statement):
+        depth += (text in ("(", "[")) - (text in (")", "]"))
+        if depth == 0 and number:
+            return number
+    return len(statement) - 1
 
 
 def _split(tokens: list[Token]) -> tuple[list[list[Token]], bool]:

@@ -12,9 +12,10 @@ from motionlang.analysis.sweeps import Sweep
 from motionlang.analysis.sweeps.job import Worker
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect
-from motionlang.lang.literals import canonical, edited, literals
+from motionlang.lang.literals import bound, canonical, edited, has_address, literals
 from motionlang.report import text
 from motionlang.source import Source
+from tests.cases import cases
 
 DRILL = """\
 SPEED(0, 1) = 100, 50 : ACCEL(0, 1) = 1000; : DECEL.0 = 1000
@@ -108,6 +109,34 @@ STATEMENTS: dict[str, dict[str, str]] = {
     "WAIT.7 : WAIT(8)": {"WAIT@1": "8"},
     "' a comment (\nSPEED(0) = 5 ' ) another\nWAIT = 2": {"SPEED[0]@2": "5", "WAIT@3": "2"},
     "SPEED(0)) = 5\nWAIT = 3": {"WAIT@2": "3"},
+    # Values of several axes, and a list that does not match them.
+    "SPEED(0, 1) = 5;": {"SPEED[0,1]@1": "5"},
+    "SPEED(0,1,2) = 5, 6;": {"SPEED[0]@1": "5", "SPEED[1,2]@1": "6"},
+    "SPEED(0,1) = 5, 6, 7": {"SPEED[0,1]@1:1": "5", "SPEED[0,1]@1:2": "6", "SPEED[0,1]@1:3": "7"},
+    "SPEED = 5, 6": {"SPEED@1:1": "5", "SPEED@1:2": "6"},
+    "SPEED.0 = 5 : SPEED.1.2 = 6": {"SPEED[0]@1": "5", "SPEED[1,2]@1": "6"},
+    # A sign is part of a number on its own; the numbers of an index or an argument are none.
+    "x = -5 : y = - 6": {"x@1": "-5", "y@1": "- 6"},
+    "x = 5 - 3 : y = (6)": {"x@1:1": "5", "x@1:2": "3", "y@1:1": "6"},
+    "x = 5 * (3 + f(2, a(4)))": {"x@1:1": "5", "x@1:2": "3"},
+    "SPEED(a(1)) = 5 : If a(b(2)) = 4 Then": {"SPEED[a(1)]@1": "5", "a[b(2)]@1": "4"},
+    # Settings and commands without an index take their value in brackets, or after a blank.
+    "TIME(5) : WAIT(1, 2) : OUT 5 : GO(5)": {"TIME@1": "5", "WAIT@1:1": "1", "WAIT@1:2": "2"},
+    "WAIT(5) 7 : SPEED(0) 5 : SPEED 5 : x 5 : 5 = x : (5) = x": {},
+    # Declarations have none, apart from Define.
+    "Const c = 5 : Dim x = 5, y = 6 : Define k = 5": {"k@1": "5"},
+    "If x Then WAIT = 5 Else WAIT = 6": {"WAIT@1:1": "5", "WAIT@1:2": "6"},
+    "If x = 1 Then y = 2 : z = 3": {"x@1": "1", "y@1": "2", "z@1": "3"},
+    # The operators of bits join comparisons, unless one side has none.
+    "If x = 1 & y = 2": {"x@1": "1", "y@1": "2"},
+    "If x & 3 = 1": {"x@1:1": "3", "x@1:2": "1"},
+    "If (x & 3) = 1 Then": {"x@1:1": "3", "x@1:2": "1"},
+    "If (a(3) = 4) Then": {"a[3]@1": "4"},
+    "If x & 3 : PAUSE 5 : If 5 Then : Loop 5 : Case 5": {},
+    "While x = 5 : Until 3 = x": {"x@1:1": "5", "x@1:2": "3"},
+    # The numbers of a For belong to its variable.
+    "For i = -1 To a(3) Step - 2": {"i@1:1": "-1", "i@1:2": "- 2"},
+    "For i = 1 To 5 : Next : To 5 : For": {"i@1:1": "1", "i@1:2": "5"},
 }
 
 
@@ -152,6 +181,15 @@ def test_the_literals_of_mccl() -> None:
         ("1SV", "1SV"),
         ("line:12.value", "line:12"),
         ("speed", None),
+        ("line: 07", "line:7"),
+        ("x@007:02", "x@7:2"),
+        ("SPEED.0.1", "SPEED[0,1]"),
+        ("SPEED()", "SPEED[]"),
+        ("x:2", None),
+        ("1SV:2", "1SV:2"),
+        ("a b@2", "ab@2"),
+        ("line:x", None),
+        ("x[1", None),
         ("axis.0.travel", None),
         ("run.until", None),
     ],
@@ -197,40 +235,79 @@ def test_a_keyword_is_a_name_only_if_the_program_declares_it() -> None:
     assert motionlang.run(Source("a.mnt", own), overrides={"step": 3}).output == ["3.0000"]
 
 
-@pytest.mark.parametrize(
-    ("address", "message", "hint"),
+ALL = "write SPEED[0]@1, SPEED[1]@1, ACCEL[0,1]@1, DECEL[0]@1 …; check --literals lists all"
+NO_ADDRESS = "the numbers of line 10 have no address: those of CASE, PRINT and brackets have none"
+
+
+@cases(
+    "address, message, hint",
     [
-        (
-            "SPEED[0]@2",
-            "line 2 writes no literal to SPEED[0]",
-            "write SPEED[0]@1; check --literals lists all",
-        ),
-        ("MOVEA[0]@6", "MOVEA[0]@6 is one of 2 literals", "write MOVEA[0]@6:1, MOVEA[0]@6:2; check"),
-        ("line:4:1", None, ""),
-        ("line:1", "line 1 has 4 literals", "write SPEED[0]@1, SPEED[1]@1, ACCEL[0,1]@1, DECEL[0]@1; check"),
-        ("line:9", "line 9 has no literals", "write "),
-        (
-            "line:10",
-            "the numbers of line 10 have no address: those of CASE, PRINT and brackets have none",
-            "write ",
-        ),
-        (
-            "x@10",
-            "the numbers of line 10 have no address: those of CASE, PRINT and brackets have none",
-            "write ",
-        ),
-        ("SPEED", "the program writes no literal to SPEED", "write SPEED[0]@1, SPEED[1]@1; check"),
-        ("SPED[0]@1", "line 1 writes no literal to SPED[0]", "write SPEED[0]@1; check"),
+        ("SPEED[0]@2", "line 2 writes no literal to SPEED[0]", "write SPEED[0]@1"),
+        ("MOVEA[0]@6", "MOVEA[0]@6 is one of 2 literals", "write MOVEA[0]@6:1, MOVEA[0]@6:2"),
+        ("MOVEA[0]@6:9", "line 6 has 2 literals of MOVEA[0]", "write MOVEA[0]@6:1, MOVEA[0]@6:2"),
+        ("WAIT@4:2", "line 4 has 1 literal of WAIT", "write WAIT@4"),
+        ("d@7", "line 7 writes no literal to D", "write d@3, d@6"),
+        ("line:1", "line 1 has 4 literals", "write SPEED[0]@1, SPEED[1]@1, ACCEL[0,1]@1, DECEL[0]@1"),
+        ("line:6", "line 6 has 3 literals", "write d@6, MOVEA[0]@6:1, MOVEA[0]@6:2"),
+        ("line:9", "line 9 has no literals", ALL),
+        ("line:99", "line 99 has no literals", ALL),
+        ("line:10", NO_ADDRESS, ALL),
+        ("x@10", NO_ADDRESS, ALL),
+        ("x@9", "line 9 writes no literal to X", ALL),
+        ("SPEED", "the program writes no literal to SPEED", "write SPEED[0]@1, SPEED[1]@1"),
+        ("SPEED[7]", "the program writes no literal to SPEED[7]", "write SPEED[1]@1"),
+        ("decel", "the program writes no literal to DECEL", "write DECEL[0]@1"),
+        ("IDLE[0]", "the program writes no literal to IDLE[0]", "write IDLE[0]@7"),
+        ("IDLE", "the program writes no literal to IDLE", "write IDLE[0]@7"),
+        ("SPED[0]@1", "line 1 writes no literal to SPED[0]", "write SPEED[0]@1"),
     ],
 )
-def test_what_is_wrong_names_the_addresses(address: str, message: str | None, hint: str) -> None:
-    if message is None:
-        assert canonical(address) is None
-        return
+def test_what_is_wrong_names_the_addresses(address: str, message: str, hint: str) -> None:
     with pytest.raises(ProgramError) as wrong:
         edited(Source("a", DRILL), dialect("mint"), {address: 1.0})
     (found,) = wrong.value.diagnostics
-    assert (found.message, found.hint[: len(hint)]) == (message, hint)
+    shown = hint if hint == ALL else f"{hint}; check --literals lists all"
+    assert (found.code, found.message, found.hint) == ("option", message, shown)
+
+
+def test_all_wrong_addresses_are_reported() -> None:
+    with pytest.raises(ProgramError) as wrong:
+        edited(Source("a", DRILL), dialect("mint"), {"SPEED[0]@2": 1.0, "other": 3.0, "line:9": 2.0})
+    assert [each.message for each in wrong.value.diagnostics] == [
+        "line 2 writes no literal to SPEED[0]",
+        "line 9 has no literals",
+    ]
+
+
+def test_a_program_without_literals_has_no_hint() -> None:
+    with pytest.raises(ProgramError) as wrong:
+        edited(Source("a", "PRINT x"), dialect("mint"), {"line:1": 1.0})
+    assert [(each.message, each.hint) for each in wrong.value.diagnostics] == [("line 1 has no literals", "")]
+
+
+@cases(
+    "value, text",
+    [
+        (5.0, "5"),
+        (0.25, "0.25"),
+        (-3, "-3"),
+        (999999999999999.0, "999999999999999"),
+        (1e15, "1000000000000000.0"),
+        (-1e15, "-1000000000000000.0"),
+        (1e300, "1e+300"),
+    ],
+)
+def test_the_notation_of_a_value(value: float, text: str) -> None:
+    """Whole numbers below 1e15 have no decimal point."""
+    assert edited(Source("a", "WAIT = 7"), dialect("mint"), {"WAIT@1": value})[0].text == f"WAIT = {text}"
+
+
+@cases("value", ["a", float("inf"), float("-inf"), float("nan")])
+def test_a_literal_is_a_finite_number(value: float | str) -> None:
+    """An infinite value once ended in an internal error."""
+    with pytest.raises(ProgramError) as wrong:
+        edited(Source("a", "WAIT = 7"), dialect("mint"), {"WAIT@1": value})
+    assert [each.message for each in wrong.value.diagnostics] == [f"WAIT@1 is a number, not {value!r}"]
 
 
 STROKE = (
@@ -281,3 +358,54 @@ def test_a_sweep_compiles_once(monkeypatch: pytest.MonkeyPatch) -> None:
         assert worker.result((number, (50 + number, 5.0)))[2] is None
     constants = "Const literal_1 = 50 : Const literal_2 = 5 : "
     assert compiled == [constants + STROKE.replace("= 100 ", "= literal_1 ").replace("= 20", "= literal_2")]
+
+
+@cases(
+    "text, values, written",
+    [
+        (
+            "SPEED(0) = 3 : WAIT = 4\n",
+            {"SPEED[0]@1": 50.0, "Wait": 6.5},
+            "Const literal_1 = 50 : Const literal_2 = 6.5 : SPEED(0) = literal_1 : WAIT = literal_2\n",
+        ),
+        (
+            "WAIT = 6\nWAIT = 7\n",
+            {"WAIT": 5.0, "WAIT@2": 6.0},
+            "Const literal_1 = 5 : Const literal_2 = 6 : WAIT = literal_1\nWAIT = literal_2\n",
+        ),
+        # Not a number, no address, an expression, a condition, a variable, and a program with such a name.
+        ("WAIT = 6\n", {"WAIT": "a"}, None),
+        ("WAIT = 6\n", {"other": 5.0}, None),
+        ("WAIT = 6\n", {}, None),
+        ("WAIT = 6 + x\n", {"WAIT@1:1": 5.0}, None),
+        ("PAUSE POS(0) > 4\n", {"POS[0]@1": 5.0}, None),
+        ("d = 4\n", {"d@1": 5.0}, None),
+        ("WAIT = 6 : Literal_9 = 3\n", {"WAIT": 5.0}, None),
+    ],
+)
+def test_constants_replace_literals(text: str, values: dict[str, float | str], written: str | None) -> None:
+    source, language = Source("a", text), dialect("mint")
+    found = bound(source, language, values, literals(source, language))
+    assert (found and found[0].text) == written
+    if found is not None:
+        assert found[1] == {name: f"literal_{number}" for number, name in enumerate(values, 1)}
+
+
+def test_mccl_has_no_constants() -> None:
+    source, language = Source("a", FEED), dialect("mccl")
+    assert bound(source, language, {"1SV@1": 5.0}, literals(source, language)) is None
+
+
+def test_names_that_may_be_addresses() -> None:
+    """SPEED is a keyword of Mint alone."""
+    found = {
+        name: (has_address({name: 1.0}, dialect("mint")), has_address({name: 1.0}, dialect("mccl")))
+        for name in ("SPEED", "speed[0]", "n", "line:3", "1SV")
+    }
+    assert found == {
+        "SPEED": (True, False),
+        "speed[0]": (True, True),
+        "n": (False, False),
+        "line:3": (True, True),
+        "1SV": (True, True),
+    }

@@ -1,4 +1,4 @@
-"""Values of names that are replaced before a program is compiled: `--set NAME=VALUE`."""
+"""Values of names that are replaced before compilation: `--set NAME=VALUE`."""
 
 from __future__ import annotations
 
