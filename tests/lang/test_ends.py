@@ -56,3 +56,22 @@ def test_the_option_that_ends_a_wait(
     assert found == hint
     prompt = what_ends(DIALECT, Source("a.mnt", ""), machine, task, wait, at_prompt=True)
     assert prompt == hint.replace("--", ".").replace("@0.6", "@0.5")
+
+
+@cases(
+    "text, hint",
+    [
+        ("PAUSE ADC(2) > 5", "--analog 2=25@0.5 ends it, as does [[analogue]] of the machine file"),
+        (
+            "PAUSE INX(3) And ADC(2) > 5",
+            "--input 3=1@0.5 --analog 2=25@0.5 end it, as do [[input]] or [[analogue]] of the machine file",
+        ),
+        (
+            'INPUT "How many?", n',
+            '--answer "How many=1" ends it, as does [[answer]] of the machine file',
+        ),
+    ],
+)
+def test_the_hint_names_what_the_condition_reads(text: str, hint: str) -> None:
+    (found,) = run(Source("a.mnt", f"Dim n\n{text}"), cache=False).diagnostics
+    assert (found.code, found.line, found.hint) == ("never", 2, hint)
