@@ -120,8 +120,9 @@ def _assign(b: Body, node: nodes.Assign) -> None:
             _assign_keyword(b, node, target)
             return
         if symbol.kind not in ("variable", "parameter"):
-            what = "a constant" if symbol.kind == "const" else f"a {symbol.kind}"
-            b.problem("read-only", f"{symbol.name} is {what} and cannot be assigned to", target)
+            is_function = symbol.kind == "sub" and symbol.home.result is not None
+            what = {"const": "constant"}.get(symbol.kind, "function" if is_function else symbol.kind)
+            b.problem("read-only", f"{symbol.name} is a {what} and cannot be assigned to", target)
             return
     elif target is not node.target:
         named = node.target.symbol.name  # type: ignore[union-attr]
