@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.mint.lint.effects import COMMANDS, Act, Facts, Key
 from motionlang.mint.resolve.flowgraph import TEST, Step
+from motionlang.mint.resolve.folding import binary
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.record import record
@@ -452,15 +453,30 @@ class Follower:
 
     # --------------------------------------------------------------------------------- conclusions from a condition
 
+    def _at_level(self, node: nodes.Expr, results: list[object], truth: bool, state: State) -> State:
+        """Return the state after a comparison with a number was `truth`.
+
+        `results` are those of the comparison if `node` is 0 and if it is 1.
+        """
+        if sorted(map(repr, results)) != ["0", "1"]:
+            return state
+        return self._refined(node, results[1] == truth, state)
+
     def _refined(self, node: nodes.Expr, truth: bool, state: State) -> State:
         if type(node) is nodes.Unary and node.op == "Not":
             return self._refined(node.operand, not truth, state)
         if type(node) is nodes.Binary:
             if node.op == ("And" if truth else "Or"):
                 return self._refined(node.right, truth, self._refined(node.left, truth, state))
-            number = self.facts.number(node.right)
-            if number in (0, 1) and node.op in ("=", "<>"):
-                return self._refined(node.left, truth is ((node.op == "=") == (number == 1)), state)
+            left, right = self.facts.number(node.left), self.facts.number(node.right)
+            if right is not None:
+                return self._at_level(
+                    node.left, [binary(node.op, each, right) for each in (0, 1)], truth, state
+                )
+            if left is not None:
+                return self._at_level(
+                    node.right, [binary(node.op, left, each) for each in (0, 1)], truth, state
+                )
             return state
         if type(node) is not nodes.Name:
             return state

@@ -114,6 +114,8 @@ INPUTS: list[tuple[str, list[tuple[str, int | None, int | None, int, int]]]] = [
     ("PAUSE INX(3) > 0", [("wait", 3, None, 1, 1)]),
     ("PAUSE INX(3) = 2", [("wait", 3, None, 1, 1)]),
     ("PAUSE INX(3) & 1", [("wait", 3, None, 1, 1)]),
+    ("PAUSE -INX(3)", [("test", 3, None, 1, 1)]),
+    ("While 1\nPRINT INX(2)\nWend", [("test", 2, None, 2, 2)]),
     ("PAUSE INX(3) And Not INX(4) Or IDLE(0)", [("wait", 3, 1, 1, 1), ("wait", 4, 0, 1, 1)]),
     ("Const DOOR = 7\nPAUSE INX(DOOR)", [("wait", 7, 1, 2, 2)]),
     ("Dim n\nn = 4\nPAUSE INX(n)", [("wait", None, 1, 3, 3)]),
