@@ -1488,4 +1488,62 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mccl/hosts/port.py: PortTask: __init__: False -> True #4": (
         "each line sets it before it is read"
     ),
+    "motionlang/mint/compile/intervals.py: remainder: 0 -> 1 #3": (
+        "a dividend of 0 has the remainder 0 either way"
+    ),
+    "motionlang/mint/compile/loops.py: is_long: 0 -> 1": (
+        "from how many ElseIfs on they are written as a loop, with the same result"
+    ),
+    "motionlang/mint/compile/loops.py: is_long: 1 -> 2 #2": (
+        "from how many ElseIfs on they are written as a loop, with the same result"
+    ),
+    "motionlang/mint/compile/loops.py: is_long: count > MANY_CASES -> count >= MANY_CASES": (
+        "from how many ElseIfs on they are written as a loop, with the same result"
+    ),
+    "motionlang/mint/compile/loop_times.py: Region: __init__: -1 -> 1": (
+        "both are set by the jump that makes the region"
+    ),
+    "motionlang/mint/compile/loop_times.py: Region: __init__: 1 -> 2": (
+        "both are set by the jump that makes the region"
+    ),
+    "motionlang/mint/compile/operators.py: arithmetic: "
+    "left.range[2] == 'f' or right.range[2] == 'f' -> left.range[2] == 'f' and right.range[2] == 'f'": (
+        "a short way to what follows for one float as well"
+    ),
+    "motionlang/mint/compile/statements.py: _assign_variable: "
+    "type(target) is nodes.Name -> type(target) is not nodes.Name": (
+        "whether the text of a target is cached"
+    ),
+    "motionlang/mint/compile/statements.py: _assign_variable: "
+    "type(target) is nodes.Name and target.args is None -> "
+    "type(target) is nodes.Name or target.args is None": ("a single variable is a name without an index"),
+    "motionlang/mint/compile/expressions.py: _number: 0 -> 1": (
+        "`literal` gives 0.0 and small fractions the same text"
+    ),
+    "motionlang/mint/compile/expressions.py: _number: 0 -> 1 #2": ("`literal` gives 0 the same text"),
+    "motionlang/mint/compile/expressions.py: _number: known.__class__ is int -> known.__class__ is not int": (
+        "`literal` gives each integer the same text, which is then not cached"
+    ),
+    "motionlang/mint/compile/conversions.py: as_float: 0 -> 1": ("`literal` gives 0.0 the same text"),
+    "motionlang/mint/compile/keyword_use.py: _values: len(texts) < count -> len(texts) <= count": (
+        "the numbers differ here"
+    ),
+    "motionlang/mint/compile/body.py: SharedData: __init__: False -> True": (
+        "each statement sets it before it is read"
+    ),
+    "motionlang/mint/compile/body.py: Body: __init__: False -> True": (
+        "each statement sets it before it is read"
+    ),
+    "motionlang/mint/compile/splitting.py: cut: "
+    "sum(map(len, statements)) > most -> sum(map(len, statements)) >= most": (
+        "how long a block is before it is split, with the same result"
+    ),
+    "motionlang/mint/resolve/definitions.py: _collide: "
+    "one.scope[0] <= other.scope[1] -> one.scope[0] < other.scope[1]": (
+        "no block begins with the last token of another one"
+    ),
+    "motionlang/mint/resolve/definitions.py: _collide: "
+    "other.scope[0] <= one.scope[1] -> other.scope[0] < one.scope[1]": (
+        "no block begins with the last token of another one"
+    ),
 }
