@@ -300,6 +300,9 @@ COMMANDED: dict[str, tuple[Given, list[str]]] = {
         ([0.0, 10.0, 5.0], VELOCITIES, TIMES),
         ["it ends at 4, commanded 5", "point 2 is 5 at 0 counts/s, it is at 4 at 0 counts/s"],
     ),
+    "another end by less than a millionth of its farthest point": (
+        ([0.0, 10.0, 4.000005], VELOCITIES, TIMES), ["it ends at 4, commanded 4"],
+    ),
     "another point": (
         ([0.0, 10.00002, 4.0], VELOCITIES, TIMES), ["point 1 is 10 at 5 counts/s, it is at 10 at 5 counts/s"],
     ),

@@ -54,6 +54,9 @@ RATIOS: list[tuple[float, float, list[str]]] = [
     # At 3.8 s it is at 22, and 36 counts of the master are a millionth of that.
     (0.500_000_6, 4.0, []),
     (0.500_000_63, 4.0, ["from 0.000000 s: at 3.800000 s it is at 22, its master requires 22"]),
+    # At 0.095 s it is at 3.475, and 0.9 counts of the master are a millionth of that.
+    (0.500_003_7, 0.1, []),
+    (0.500_004, 0.1, ["from 0.000000 s: at 0.095000 s it is at 3.475, its master requires 3.475"]),
 ]
 
 
@@ -74,6 +77,13 @@ def test_a_position_late_in_a_run_is_as_exact_as_its_time() -> None:
         slave = track([1e9], [from_curve("jog", 0.0, 20000.0, curve, 5000.0, 5000.0)])
         found = tied(Tie(MASTER, 500.0, locked=1e9), slave, master, end=1e9 + 3.0)
         assert len(found) == count, jump
+
+
+def test_a_position_near_zero_is_exact_to_a_millionth_of_a_count() -> None:
+    """Over 0.18 s the master covers 0.018 counts; a ratio of 0.5 is 0.009 of them."""
+    slave, master = track([0.0], [jog(0.0, 0.05, 0.05)]), track([0.0], [jog(0.0, 0.1, 0.1)])
+    assert tied(Tie(MASTER, 0.500_05, locked=0.0), slave, master, end=0.2) == []
+    assert len(tied(Tie(MASTER, 0.500_06, locked=0.0), slave, master, end=0.2)) == 1
 
 
 def test_an_offset_does_not_count() -> None:
@@ -101,6 +111,7 @@ RATES: list[tuple[Any, tuple[float, float], list[str]]] = [
     (EASING, (9.0, 20.0), []),
     (EASING, (9.0, 25.0), [SLOW.format(25)]),
     (EASING, (9.0, 15.0), [HARD.format(15)]),
+    (HALF, (20.0, 25.0), ["at 0.012500 s: its rate while ramping to its ratio is 0 counts/s², commanded 25"]),
 ]
 
 
@@ -210,6 +221,12 @@ TABLES: list[tuple[tuple[tuple[float, ...], tuple[float, ...]], Profile, list[st
         RISE, line(10.0, 2.0, 0.5, begin_slope=0.4),
         ["its curve has a slope of 0.5 at one end, and is run on at 0.4"],
     ),
+    # A millionth of a value less than 1 is a millionth of 1.
+    (((0.0, 1.0), (0.0, 0.5)), line(1.0, 0.0, 0.500_000_9), []),
+    (
+        ((0.0, 1.0), (0.0, 0.5)), line(1.0, 0.0, 0.500_001_1),
+        ["its curve has 0.500001 at 1 of its master, commanded 0.5"],
+    ),
     # Straight between its points: 0.01 x + 0.0049 x³ is 0.6625 in the middle of 10, not 2.5.
     (RISE, line(10.0, 2.0, 0.01, bend=0.0049), ["its curve is not straight from 0 to 10 of its master"]),
 ]  # fmt: skip
@@ -219,6 +236,16 @@ TABLES: list[tuple[tuple[tuple[float, ...], tuple[float, ...]], Profile, list[st
 def test_a_curve_passes_through_its_table(given: Any, curve: Profile, expected: list[str]) -> None:
     positions, values = given
     assert table("linear", positions, values, curve) == expected
+
+
+def test_a_cubic_curve_is_smooth_and_level_at_its_ends() -> None:
+    """Its three segments have different widths, and its slopes at 5 and 8 are not 0."""
+    positions, values = (0.0, 5.0, 8.0, 10.0), (2.0, 4.0, 9.0, 7.0)
+    curve = table_curve(positions, values, "cubic")
+    assert table("cubic", positions, values, curve) == []
+    assert table("cubic", positions, values, table_curve(positions, values)) == [
+        "the slope of its curve jumps by 1.26667"
+    ]
 
 
 # A flying shear: 5 of the slave over 10 of the master from rest, and on from a ratio of 1 over 10 to 2.
