@@ -100,6 +100,7 @@ DRAFTS: dict[str, tuple[str, dict[str, object], dict[str, object], int, int]] = 
     # A person's switch is out of reach, so neither guess lets the homing end.
     "a switch out of reach": ("HOME.0 = 0\nPAUSE IDLE.0\n", {"axis.0.home_switch": FAR},
                               {"axis.0.home_switch": FAR, "axis.0.index_every": 800.0}, 1, 3),
+    "an axis that never comes to rest": ("JOG.1 = 5\nPAUSE IDLE.1\n", {}, {}, 0, 1),
     "a guard": (f"{GUARD}? 1\n{FAULT}", {}, {"input": [on(2, 0.0)]}, 1, 1),
     "a guard of an input that has to be off": (f"{GUARD}PAUSE INX.2 = 0\n? 1\n{FAULT}", {}, {}, 0, 1),
     "a guard, and another input that has to be off": (f"{GUARD}PAUSE INX.3 = 0\nPAUSE INX.2\n? 1\n{FAULT}", {},

@@ -192,6 +192,114 @@ def test_what_cannot_be_compared_is_answered(
     assert hint in diagnostic.hint
 
 
+def slow() -> Run:
+    """Return a run that moves 8 uu at 4 uu/s in 2.5 s, and then waits 2 s."""
+    text = "SPEED(0) = 4 : ACCEL(0) = 8 : DECEL(0) = 8\nMOVER(0) = 8 : GO(0) : PAUSE IDLE(0)\nWAIT = 2000\n"
+    return run(Source("a.mnt", text), machine={"controller.instruction_time": 1e-9}, cache=False)
+
+
+def rounded(value: object) -> object:
+    if isinstance(value, dict):
+        return {name: rounded(each) for name, each in value.items()}
+    if isinstance(value, list):
+        return list(map(rounded, value))
+    return round(value, 6) if isinstance(value, float) else value
+
+
+# The position every 0.5 s.
+POSITIONS = (0.0, 1.0, 3.0, 5.0, 7.0, 8.0, 8.0, 8.0, 8.0, 8.0)
+
+
+def test_a_whole_report() -> None:
+    """The recording is 0.25 uu ahead of the run, and 0.5 uu at 3 s: it overshoots.
+
+    Its lag is to first order -4 * 0.25 * 4 / (4 * 4²) s. The RMS of ten residuals is √(9 * 0.0625 + 0.25) / 10.
+    """
+    ahead = [0.5 if k == 6 else 0.25 for k in range(10)]
+    text = "\n".join(f"{k / 2},{x + e}" for k, (x, e) in enumerate(zip(POSITIONS, ahead, strict=True)))
+    made = compare(slow(), Source("b.csv", "t,x\n" + text), (X,), delay=0.0, tolerances={"position": 0.3})
+    report = made.report()
+    fit = {name: report["signals"][0].pop(name) for name in ("scale", "offset")}
+    assert (fit["scale"], fit["offset"]) == pytest.approx((1.0, 0.25), abs=0.03)
+    within = {"rms": 0.25, "within": True}
+    assert rounded(report) == {
+        "schema": "motionlang.compare/1", "program": "a.mnt", "delay": 0.0, "within": False,
+        "signals": [
+            {"signal": "position.0", "column": "x", "points": 10, "moves": True, "lag": -0.0625,
+             "peak": 0.5, "peak_time": 3.0, "rms": round((0.8125 / 10.0) ** 0.5, 6), "within": False},
+        ],
+        "moves": [
+            {"signal": "position.0", "axis": 0, "command": "MOVER", "line": 2, "start_time": 0.0, "duration": 2.5,
+             "peak": 0.25, "peak_time": 1.0, **within, "lag": -0.0625, "overshoot": 0.5,
+             "phases": [{"name": "accel", "peak": 0.25, "peak_time": 0.5, **within},
+                        {"name": "slew", "peak": 0.25, "peak_time": 1.0, **within},
+                        {"name": "decel", "peak": 0.25, "peak_time": 2.5, **within}]},
+        ],
+        "diagnostics": [],
+    }  # fmt: skip
+
+
+def test_a_recording_of_another_time_has_no_figures() -> None:
+    text = "\n".join(f"{k / 2},{x}" for k, x in enumerate(POSITIONS))
+    made = compare(slow(), Source("b.csv", "t,x\n" + text), (X,), delay=-9.0, tolerances={"position": 0.3})
+    nothing = {"peak": None, "peak_time": None, "rms": None, "within": None}
+    assert made.signals == [
+        {
+            "signal": "position.0",
+            "column": "x",
+            "points": 0,
+            "scale": 1.0,
+            "offset": 0.0,
+            "moves": False,
+            "lag": None,
+        }
+        | nothing
+    ]
+    (move,) = made.moves
+    assert move["phases"] == [{"name": name, **nothing} for name in ("accel", "slew", "decel")]
+    assert {name: move[name] for name in (*nothing, "lag", "overshoot")} == {
+        **nothing,
+        "lag": None,
+        "overshoot": None,
+    }
+    assert made.is_within is None
+    assert [each.message for each in made.remarks] == ["position.0: no time of x lies within the run"]
+
+
+@pytest.mark.parametrize(("tolerance", "within"), [(0.25, True), (0.2499, False), (None, None)])
+def test_a_residual_of_just_the_tolerance_is_within_it(tolerance: float | None, within: bool | None) -> None:
+    """The axis is at rest in the recording, 0.25 uu too low."""
+    given = {} if tolerance is None else {"position.0": tolerance, "position": 0.0}
+    made = compare(
+        slow(), Source("b.csv", "t,x\n3,7.75\n3.5,7.75\n4,7.75"), (X,), delay=0.0, tolerances=given
+    )
+    assert made.is_within is within
+    assert [each["moves"] for each in made.signals] == [False]
+
+
+@pytest.mark.parametrize(
+    ("times", "message"),
+    [
+        ((0.0, 1.0, 2.0, 3.0, 6.5, 7.5), None),
+        ((0.0, 1.0, 2.0, 3.0, 7.0, 8.0), "x: 1 gap, the longest 4 s from 3 s on"),
+        ((0.0, 1.0, 2.0, 6.0, 7.0, 8.0, 13.0, 14.0, 15.0), "x: 2 gaps, the longest 5 s from 8 s on"),
+    ],
+)
+def test_a_time_step_of_more_than_three_and_a_half_usual_ones_is_a_gap(
+    times: tuple[float, ...], message: str | None
+) -> None:
+    text = "\n".join(f"{time / 10},1" for time in times)
+    made = compare(simulated(), Source("b.csv", "t,x\n" + text), (X,), delay=0.0)
+    found = [each.message for each in made.remarks if "gap" in each.message]
+    ten = [] if message is None else [message.replace("4 s", "0.4 s").replace("5 s", "0.5 s")]
+    assert found == [each.replace("3 s", "0.3 s").replace("8 s", "0.8 s") for each in ten]
+
+
+def test_a_single_column_may_end_with_a_separator() -> None:
+    assert list(read_table(Source("b.csv", "t;x;\n0;1;\n1;2;\n")).columns) == ["t", "x"]
+    assert list(read_table(Source("b.csv", "x;\n1;\n2;\n")).columns) == ["x"]
+
+
 # ------------------------------------------------------------------------------------------ the command
 
 

@@ -214,6 +214,8 @@ def test_events_and_errors_that_only_one_run_has() -> None:
     )
     assert [(was is None, is_ is None) for was, is_, _ in found.events] == [(False, True)]
     assert found.errors == [("added", "error[never]: stopped in line")]
+    # The indices of each diagnostic in both runs, and that of the difference.
+    assert found.reported == [(0, 0, None), (None, 1, 0)]
     assert difference(report(diagnostics=[wrong]), report()).errors == [
         ("removed", "error[limit]: stopped in line"),
     ]  # fmt: skip

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.analysis.sweeps.description import read_description
+from motionlang.analysis.sweeps.description import Description, read_description
+from motionlang.analysis.sweeps.space import Dimension, Drawn, Grid
 from motionlang.errors import ProgramError
 
 
@@ -79,3 +80,35 @@ def test_folders_are_next_to_the_description_and_a_condition_is_none(tmp_path: P
     assert found.machines == str(tmp_path / "m")
     assert found.scenarios == str(tmp_path / "s")
     assert found.where == "time < 5"
+
+
+ONE, TWO = Dimension("n", [1, 2, 3]), Dimension("m", [4.0, 5.0])
+
+
+@pytest.mark.parametrize(
+    ("given", "kind", "count"),
+    [
+        ({}, Grid, 6),
+        ({"random": 4}, Drawn, 4),
+        ({"latin": 5}, Drawn, 5),
+        ({"random": 4, "seed": 9}, Drawn, 4),
+    ],
+)
+def test_the_variants_of_a_description(given: dict[str, int], kind: type, count: int) -> None:
+    description = Description()
+    description.dimensions = [ONE, TWO]
+    for name, value in given.items():
+        setattr(description, name, value)
+    found = description.space({})
+    assert (type(found), len(found)) == (kind, count)
+    assert len(description.space({"machine": {"a": {}, "b": {}}})) == (2 * count if kind is Grid else count)
+
+
+def test_a_description_needs_something_to_vary_and_one_kind_of_sample() -> None:
+    description = Description()
+    with pytest.raises(ValueError, match="nothing to vary: give --vary NAME=FIRST:LAST:COUNT"):
+        description.space({})
+    assert len(description.space({"scenario": {"a": {}, "b": {}, "c": {}}})) == 3
+    description.dimensions, description.random, description.latin = [ONE], 3, 3
+    with pytest.raises(ValueError, match="use either a random or a Latin hypercube sample, not both"):
+        description.space({})
