@@ -16,7 +16,7 @@ from motionlang.controller.clock import INFINITY
 from motionlang.lang.dependencies import CLOSE, Dependencies
 from motionlang.lang.waits import Wait
 from motionlang.mccl.axis.variables import changes_by_event, crossing_time, read_until
-from motionlang.mccl.resolve.command import NUMBER
+from motionlang.mccl.resolve.command import NUMBER, REGISTER
 from motionlang.mccl.runtime.loop_tests import BIT_TESTS, CHANNELS, COMPARES, JUMPS, tests_of
 
 TYPE_CHECKING = False
@@ -43,7 +43,25 @@ _READS_NOTHING = (
         "look_up",
         "channel_on",
         "channel_off",
+        "store",
     }
+)
+# Commands that compute with their parameter: they read something only if it is a register.
+_COMPUTES = frozenset(
+    (
+        "load",
+        "add",
+        "subtract",
+        "multiply",
+        "divide",
+        "bit_and",
+        "bit_or",
+        "bit_xor",
+        "bit_not",
+        "shift_left",
+        "shift_right",
+        "evaluate",
+    )
 )
 
 _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
@@ -174,7 +192,11 @@ class Poll:
                     bodies.append(macros.pop(command.value).commands)  # type: ignore[arg-type]
                 elif verb in CHANNELS:
                     found[f"channel {command.text.lstrip(_LETTERS)}"] = None
-                elif command.pure and verb not in _READS_NOTHING:
+                elif (
+                    command.pure
+                    and verb not in _READS_NOTHING
+                    and (verb not in _COMPUTES or command.kind == REGISTER)
+                ):
                     found[command.text] = None
         return list(found)
 

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any
+
 import pytest
 
+from motionlang.controller.clock import INFINITY
+from motionlang.mccl.runtime.program import FileTask
 from tests.mccl.conftest import Runner
 
 # 1 000 counts take 0.2 s, with ramps of 0.1 s; the foreground ends then.
@@ -19,6 +24,12 @@ WATCHES = {
     "MD15,IN3,CN34,NO,WA0.01,MJ15": "polled channel 3",
     'MD15,LU"STATUS",1RL@0,IC11,JR-3,NO,CN34,RP': "polled 1RL@0",
     "MD14,IN3,CN34,NO\nMD15,MC14,WA0.01,RP": "polled channel 3",
+    # Storing the present value is a no-op, in a register of the task and in a shared one.
+    "MD15,IN3,CN34,NO,AL7,AR5,WA0.01,RP": "polled channel 3",
+    "MD15,IN3,CN34,NO,AL7,AR25,WA0.01,RP": "polled channel 3",
+    # A computation is not polled, a register is.
+    'MD15,LU"POSITION",1RL@0,AN255,AM2,SR1,AV1,AR5,IE300,CN34,NO,RP': "polled 1RL@0",
+    "MD15,RA20,AA@21,AS1,IE300,CN34,NO,RP": "polled RA20 and AA@21",
     "MD15,WN3,CN34,RP": "waited for channel 3 to be on",
     "MD15,WN3,CN34,WA1,RP": "waited for channel 3 to be on",
 }
@@ -83,3 +94,33 @@ def test_a_background_task_that_switches_an_output_without_a_wait_is_no_watch(mc
 def test_a_background_task_that_waits_for_a_position_in_vain_is_a_mistake(mccl: Runner) -> None:
     result = mccl("MD15,1WP5000\n" + FOREGROUND)
     assert [each.code for each in result.diagnostics] == ["never"]
+
+
+@pytest.mark.parametrize(
+    ("fields", "expected"),
+    [
+        ({}, True),
+        ({"hopeless": False}, False),
+        ({"cause": "input"}, True),
+        ({"cause": "input", "due": 5.0}, False),
+        ({"cause": "task"}, False),
+        ({"next": 5.0}, False),
+        ({"outside": SimpleNamespace()}, False),  # a host may switch an input
+        ({"scheduler": None}, False),
+        ({"outside": SimpleNamespace(), "tasks": False}, True),
+    ],
+)
+def test_the_foreground_ends_if_no_background_task_can_do_anything(
+    fields: dict[str, Any], expected: bool
+) -> None:
+    wait = SimpleNamespace(cause=fields.get("cause"), due=lambda: fields.get("due", INFINITY))
+    poll = SimpleNamespace(is_hopeless=lambda: fields.get("hopeless", "cause" not in fields))
+    task = SimpleNamespace(poll=poll, wait=wait if "cause" in fields else None)
+    scheduler = fields.get("scheduler", SimpleNamespace(outside=fields.get("outside")))
+    board = SimpleNamespace(
+        background={1: task} if fields.get("tasks", True) else {},
+        machine=SimpleNamespace(scheduler=scheduler),
+        controller=SimpleNamespace(clock=SimpleNamespace(next_time=lambda: fields.get("next", INFINITY))),
+    )
+    foreground: Any = SimpleNamespace(board=board)
+    assert FileTask._nothing_left(foreground) is expected
