@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang.mccl.keywords.motion_auxiliary import _passed
 from tests.mccl.conftest import Runner
 
 TURNING = {
@@ -81,3 +82,15 @@ def test_an_encoder_may_have_a_mark_at_each_count(mccl: Runner) -> None:
     (switched,) = result.controller.log.outputs
     assert result.output == ["01 5"]
     assert switched.time == pytest.approx(1.1, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("start", "here", "expected"),
+    [
+        (0.0, 400.0 - 2e-6, False), (0.0, 400.0 - 0.5e-6, True), (0.0, 400.0, True), (0.0, 401.0, True),
+        (900.0, 400.0 + 2e-6, False), (900.0, 400.0 + 0.5e-6, True), (900.0, 400.0, True), (900.0, 399.0, True),
+    ],
+)  # fmt: skip
+def test_a_mark_is_passed_from_either_side(start: float, here: float, expected: bool) -> None:
+    """The mark is at 400 counts; a millionth of a count is rounding."""
+    assert _passed(start, 400.0, here) is expected

@@ -171,6 +171,7 @@ def test_numbers_out_of_range(text: str, expected: Found) -> None:
         ("1MN,1VM,1GO,ST,1WS", []),
         ("1MN,1VM,1PM,1GO,1WS", []),
         ("1MN,1PS,1VM,1GO,1PM,1MA5", [("still-running", 1, 21)]),
+        ("1MN,1PS,1VM,1GO,1PM,1MA5,1MA6,1WS", [("still-running", 1, 21)]),  # once for an axis
     ],
 )  # fmt: skip
 def test_axes_that_run_and_moves_that_are_too_short(text: str, expected: Found) -> None:
