@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 
 # Kinds that are planned from the settings of the axis, and so observe its rates.
 PLANNED = frozenset({"move", "step", "jog", "stop"})
-# Fractions of a segment at which two motions are compared: two cubics that agree at four of them are equal.
-FOUR = (0.05, 0.35, 0.65, 0.95)
 
 
 def rounded_positions(a: WholeTrack, i: int, shifted: bool, earlier: float) -> float:
