@@ -217,3 +217,19 @@ def test_the_distance_to_the_target_counts_from_where_the_axis_is(
     result = mccl(f"{RATES}1MA1000,1WS,WA0.85\n{commands}\n1WT\nCN33")
     (switched,) = result.controller.log.outputs
     assert switched.time == pytest.approx(2.0 + since, abs=3e-4)
+
+
+@pytest.mark.parametrize(("search", "bits"), [("1FI0", 1 << 8), ("1FE0", 1 << 9)])
+def test_an_axis_that_searches_shows_it(search: str, bits: int, mccl: Runner) -> None:
+    """Neither the mark nor the switch ever comes."""
+    text = f"MD1,{search}\n1MN,GT1\nWA0.1,1TS,2TS"
+    assert words(mccl, text, until=1.0) == [ON | 1 << 2 | 1 << 3 | bits, 12]
+
+
+def test_each_limit_has_a_bit_while_it_is_enabled(mccl: Runner) -> None:
+    """LN and LF enable and disable 1 hard +, 2 hard -, 4 soft high, 8 soft low."""
+    shown = {1: 1 << 14, 2: 1 << 16, 4: 1 << 18, 8: 1 << 20}
+    for which in range(1, 16):
+        enabled = sum(bit for limit, bit in shown.items() if which & limit)
+        text = f"1MN,1HL50,1LL-50,1LN{which},1TS,1LF{which},1TS,1LN15,1LF{which},1TS"
+        assert words(mccl, text) == [AT_REST | enabled, AT_REST, AT_REST | sum(shown.values()) - enabled]

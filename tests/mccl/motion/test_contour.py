@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from itertools import pairwise
 from math import hypot, pi
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
 from motionlang import Run
+from motionlang.mccl.motion.contour import Contour
 from tests.cases import cases
 from tests.mccl.conftest import Runner
 
@@ -322,3 +325,24 @@ def test_segments_are_counted_and_paths_of_no_length_are(mccl: Runner) -> None:
     """A path that leads nowhere takes no time; a path that is stopped does not count."""
     result = mccl(f"{HEAD}1CP1,1MR0,2MR0\n1CP1,1MR10,2MR0\n1WS,1TX,1CP1,1MR9999,2MR0\n1ST,1WS,1TX")
     assert result.output == ["01 2", "01 2"]
+
+
+# The axes of the current paths, if they stop, the shape of one in progress; the axes, length and shape of the next.
+FOLLOWS: list[tuple[bool, str | None, tuple[int, ...], float, str, bool]] = [
+    (False, None, (1, 2), 5.0, "trapezoid", True),
+    (False, None, (1, 2), 5.0, "scurve", True),
+    (False, "trapezoid", (1, 2), 5.0, "trapezoid", True),
+    (False, "trapezoid", (1, 2), 5.0, "scurve", False),
+    (True, None, (1, 2), 5.0, "trapezoid", False),
+    (False, None, (2, 1), 5.0, "trapezoid", False),
+    (False, None, (1, 2), 0.0, "trapezoid", False),
+]
+
+
+@pytest.mark.parametrize(("stopping", "shape", "axes", "length", "next_shape", "expected"), FOLLOWS)
+def test_a_path_may_follow_those_of_the_same_axes(
+    stopping: bool, shape: str | None, axes: tuple[int, ...], length: float, next_shape: str, expected: bool
+) -> None:
+    contour: Any = SimpleNamespace(_stopping=stopping, _members=(1, 2), _in_progress=shape)
+    vector: Any = SimpleNamespace(length=length, shape=next_shape)
+    assert Contour._may_follow(contour, axes, vector) is expected

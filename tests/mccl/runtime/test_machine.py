@@ -157,6 +157,22 @@ def test_a_joystick(mccl: Runner) -> None:
     assert result.output == ["01 400", "01 1"]
 
 
+def test_a_joystick_that_is_not_enabled_moves_nothing(mccl: Runner) -> None:
+    """5 percent are 0.5 V: 5 counts/s from JN on. Axis 8 has no joystick."""
+    levels: list[dict[str, object]] = [{"channel": n, "value": 5.0, "at": 0.1 * n} for n in (1, 8)]
+    text = "1MN,1JA1000000,1JG10,WA1,1TP,1JN,WA0.2,1TV"
+    assert mccl(text, machine={"analogue": levels}).output == ["01 0", "01 5"]
+
+
+def test_an_output_applies_to_a_motor_that_is_on(mccl: Runner) -> None:
+    """In torque mode SQ is the output in volts. A motor that is off coasts."""
+    machine = {"axis.1.plant.inertia": 2e-4}
+    text = "1QM,1SQ2,WA0.1,1TP\n1MN,WA0.05,1MF,1SQ{},WA1,1TP"
+    (first, coasts), (_, also) = (mccl(text.format(volts), machine=machine).output for volts in (2, 5))
+    assert first == "01 0"
+    assert coasts == also != first
+
+
 def test_a_program_with_waits_on_inputs(mccl: Runner) -> None:
     result = mccl("WN7,TC7,WF7,TC7", machine={"input": [{"channel": 7, "at": 1.0, "for": 0.5}]})
     assert result.output == ["07 1", "07 0"]
