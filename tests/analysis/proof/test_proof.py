@@ -249,6 +249,15 @@ FLY = (
     "GO(1) : JOG(0) = 20\nWAIT 2000\nSTOP(0)\nPAUSE IDLE(0)\n"
 )
 REFERENCE = "SPEEDREF(0) = 20\nWAIT 9000\nSPEEDREF(0) = 0\nWAIT 9000\n"
+BLENDED = (
+    "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 2\n"
+    "VECTORR(0, 1) = 20, 0\nVECTORR(0, 1) = 0, 20\nGO(0)\nPAUSE IDLE(0)\n"
+)
+CONTOUR = "CONTOURMODE(0) = 1\nVECTORR(0, 1) = 30, 0\nVECTORR(0, 1) = 20, 0\nGO(0)\nPAUSE IDLE(0)\n"
+SUSPENDED = (
+    "VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 1000\nSUSPEND(0) = 1\nWAIT = 500\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n"
+)
+SLOWED = "VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 1000\nSPEED(0) = 10\nPAUSE IDLE(0)\n"
 SLOWER = "FEEDRATEMODE(0) = 0\nMOVER(0) = 100 : GO(0)\nWAIT 1000\nSPEED(0) = 10\nPAUSE IDLE(0)\n"
 RATES = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n"
 Forge = Callable[[Order], Order]
@@ -260,6 +269,10 @@ def path_of(order: Order, **other: object) -> Order:
 
 def tie_of(order: Order, **other: object) -> Order:
     return order if order.tie is None else order._replace(tie=order.tie._replace(**other))  # type: ignore[arg-type]
+
+
+def stops(order: Order) -> bool:
+    return order.path is not None and order.path.comes_to_rest
 
 
 def off(order: Order, position: float, value: float, kind: str) -> Order:
@@ -467,6 +480,124 @@ BROKEN: dict[str, tuple[str, Forge, list[str]]] = {
         [
             "5: axis 1 from 0.000000 s: at 0.625000 s it is at 5.45, its master requires 5.25",
         ],
+    ),
+    "a smooth path that dawdles": (
+        JERKS + LINE,
+        lambda o: o._replace(speed=21.0),
+        ["3: path from 0.000000 s: it takes 2.94721 s, expected at most 2.83921 s"],
+    ),
+    # 20 counts/s at a jerk of 400 need an acceleration of (20 * 400) ** 0.5 = 89.4.
+    "a smooth path that brakes too hard": (
+        JERKS + LINE,
+        lambda o: o._replace(rates=(90.0, 80.0)),
+        ["3: path from 0.000000 s: the path deceleration reaches 89.4427, above 80"],
+    ),
+    "a path with an S-ramp that dawdles": (
+        "SRAMP(0) = 100\n" + LINE,
+        lambda o: o._replace(speed=21.0),
+        ["3: path from 0.000000 s: it takes 2.9 s, expected at most 2.79095 s"],
+    ),
+    "a path with an S-ramp that is too hard": (
+        "SRAMP(0) = 100\n" + LINE,
+        lambda o: o._replace(rates=(90.0, 80.0)),
+        [
+            "3: path from 0.000000 s: the path acceleration reaches 100, above 90",
+            "3: path from 0.000000 s: the path deceleration reaches 100, above 80",
+        ],
+    ),
+    # The second path begins at 1 s, 2 units before the end of the first one.
+    "blended paths too fast": (
+        BLENDED,
+        lambda o: o._replace(speed=19.0),
+        [
+            "3: path from 0.000000 s: the path speed reaches 20, above 19",
+            "3: path from 0.000000 s: it does not slow down: 20 after 1 s, expected 19",
+            "4: path from 1.000000 s: the path speed reaches 20, above 19",
+        ],
+    ),
+    "blended paths too hard": (
+        BLENDED,
+        lambda o: o._replace(rates=(90.0, 80.0)),
+        [
+            "3: path from 0.000000 s: the path acceleration reaches 100, above 90",
+            "4: path from 1.000000 s: the path acceleration reaches 100, above 90",
+            "4: path from 1.000000 s: the path deceleration reaches 100, above 80",
+        ],
+    ),
+    # The line to (20, 1) is 20.025 long; at 18 of its 20 along axis 0 a tenth of that is left.
+    "a blended path that goes elsewhere": (
+        BLENDED,
+        lambda o: path_of(o, line=(20.0, 1.0)) if o.path and o.path.line == (20.0, 0.0) else o,
+        [
+            "3: path from 0.000000 s: it is 0.199501 off the commanded path",
+            "4: path from 1.000000 s: it begins 2.0025 before the end of the previous one, commanded at most 2",
+            "3: axis 1 from 0.000000 s: its path ends at 0, commanded 1",
+        ],
+    ),
+    "a path that is blended too late": (
+        BLENDED,
+        lambda o: path_of(o, blend=3.0) if o.path and o.path.blend else o,
+        ["4: path from 1.000000 s: it begins 2 before the end of the previous one, commanded 3"],
+    ),
+    "the second path of a contour too fast": (
+        CONTOUR,
+        lambda o: o._replace(speed=19.0) if o.path and o.path.line == (20.0, 0.0) else o,
+        ["4: path from 1.600000 s: the path speed reaches 20, above 19"],
+    ),
+    # From 20 to 30 over 2.5 in 0.1 s, from 30 to rest over 4.5 in 0.3 s, and 13 in 0.433 s.
+    "the second path of a contour that dawdles": (
+        CONTOUR,
+        lambda o: o._replace(speed=30.0) if o.path and o.path.line == (20.0, 0.0) else o,
+        ["4: path from 1.600000 s: it takes 1.1 s, expected at most 0.833333 s"],
+    ),
+    # After 20 / 150 s the speed should be 0; it is 20 - 13.33.
+    "a stop of a path too soft": (
+        "VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 1000\nSTOP(0)\nPAUSE IDLE(0)\n",
+        lambda o: o._replace(rates=(100.0, 150.0)) if stops(o) else o,
+        ["2: path from 1.000000 s: the path speed reaches 6.66665, above 0"],
+    ),
+    "a stop of a path too hard": (
+        "VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 1000\nSTOP(0)\nPAUSE IDLE(0)\n",
+        lambda o: o._replace(rates=(100.0, 50.0)) if stops(o) else o,
+        ["2: path from 1.000000 s: the path deceleration reaches 100, above 50"],
+    ),
+    "a suspension too soft": (
+        SUSPENDED,
+        lambda o: o._replace(rates=(100.0, 150.0)) if stops(o) else o,
+        ["2: path from 1.000000 s: the path speed reaches 6.66665, above 0"],
+    ),
+    "a resumed path too fast": (
+        SUSPENDED,
+        lambda o: o if stops(o) else o._replace(speed=19.0),
+        [
+            "2: path from 0.000000 s: the path speed reaches 20, above 19",
+            "2: path from 0.000000 s: it does not slow down: 20 after 1 s, expected 19",
+            "2: path from 1.500000 s: the path speed reaches 20, above 19",
+        ],
+    ),
+    # 50 units take 50 / 25 + 0.25 s at 25 units/s, and the 30 that are left 30 / 25 + 0.25 s.
+    "a resumed path that dawdles": (
+        SUSPENDED,
+        lambda o: o if stops(o) else o._replace(speed=25.0),
+        [
+            "2: path from 0.000000 s: it takes 2.7 s, expected at most 2.25 s",
+            "2: path from 1.500000 s: it takes 1.7 s, expected at most 1.45 s",
+        ],
+    ),
+    "a path that is made slower, too fast": (
+        SLOWED,
+        lambda o: o._replace(speed=9.0) if o.speed == 10.0 else o,
+        ["2: path from 1.000000 s: the path speed reaches 10, above 9"],
+    ),
+    "a path that is made slower, and dawdles": (
+        SLOWED,
+        lambda o: o._replace(speed=11.0) if o.speed == 10.0 else o,
+        ["2: path from 1.000000 s: it takes 3.2 s, expected at most 2.92727 s"],
+    ),
+    "a path that is made slower too hard": (
+        SLOWED,
+        lambda o: o._replace(rates=(100.0, 50.0)) if o.speed == 10.0 else o,
+        ["2: path from 1.000000 s: the path deceleration reaches 100, above 50"],
     ),
 }
 
