@@ -212,6 +212,48 @@ def test_other_programs_read_it() -> None:
     )
 
 
+def test_all_trace_events_of_a_run_that_is_cut_short() -> None:
+    """A statement takes 1 ms, the move 0.5 s. At 0.4 s it is at speed."""
+    text = (
+        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+        "MOVER(0) = 40 : GO(0)\nPAUSE POS(0) >= 5\nWAIT(100)\nPAUSE IDLE(0)\n"
+    )
+    made = profiled(text, machine={"controller.instruction_time": 0.001}, until=0.4)
+    name, *events = trace_events(made)
+    assert name == {"name": "process_name", "ph": "M", "pid": 1, "args": {"name": "cycle.mnt"}}
+    lanes = {event["tid"]: event["args"]["name"] for event in events if event["ph"] == "M"}
+    assert lanes == {1: "critical path", 2: "task ParentTask", 3: "axis 0"}
+    assert [
+        (event["tid"], event["cat"], event["name"], round(event["ts"]), round(event["dur"]), event["args"])
+        for event in events
+        if event["ph"] == "X"
+    ] == [
+        (1, "critical path", "computing, line 1", 0, 4000, {"line": 1, "axes": (), "task": "ParentTask"}),
+        (
+            1,
+            "critical path",
+            "accelerating, line 2",
+            4000,
+            100_000,
+            {"line": 2, "axes": (0,), "task": "ParentTask"},
+        ),
+        (
+            1,
+            "critical path",
+            "at speed, line 2",
+            104_000,
+            296_000,
+            {"line": 2, "axes": (0,), "task": "ParentTask"},
+        ),
+        (2, "task", "until POS(0) >= 5", 5000, 99_000, {"line": 3, "cause": "condition"}),
+        (2, "task", "for 0.1 s", 105_000, 100_000, {"line": 4, "cause": "time"}),
+        (2, "task", "until IDLE(0)", 206_000, 194_000, {"line": 5, "cause": "condition"}),
+        (3, "axis", "MOVER", 4000, 396_000, {"line": 2}),
+        (3, "axis", "accel", 4000, 100_000, {}),
+        (3, "axis", "slew", 104_000, 296_000, {}),
+    ]
+
+
 @pytest.mark.parametrize("text", ["", PROGRAM])
 def test_the_trace_is_one_document_with_a_line_for_each_event(text: str, tmp_path: Path) -> None:
     made, path = profiled(text, machine=WORLD), tmp_path / "cycle.trace.json"
