@@ -82,6 +82,16 @@ def violations(
 
 
 FIRST, SECOND = entry(0.0, SHORT, 1), entry(2.0, SHORT.shifted(10.0), 2)
+MASTER: Any = None
+
+
+def at_rest(time: float) -> float:
+    """Return the position at a time within a profile of 1 s."""
+    assert 0.0 <= time <= 1.0
+    return 10.0
+
+
+WITHIN: Any = SimpleNamespace(position=at_rest, duration=1.0)
 # The entries, what differs in the run, and the violations.
 CASES: dict[str, tuple[list[Any], dict[str, Any], list[str]]] = {
     "as commanded": ([FIRST, SECOND], {}, []),
@@ -188,6 +198,57 @@ CASES: dict[str, tuple[list[Any], dict[str, Any], list[str]]] = {
         [FIRST, SECOND], {"until": 2.25, "a": track(
             [0.0, 1.0, 2.0], [SHORT, hold(10.0), SLOW], move=SECOND), "orders": (ONE, REST, TWO)},
         ["2.000000 s: its entries run at 10 counts/s at the end of the run, the axis at 5"],
+    ),
+    # The stop is the end of the first entry, and the start of the second one.
+    "a stop between two entries": (
+        [entry(0.0, SHORT, 1, ended="stop"), entry(1.0, SHORT.shifted(10.0), 2)],
+        {"a": track([0.0, 1.0, 2.0], [SHORT, SHORT.shifted(10.0), hold(20.0)]), "orders": (ONE, TWO, REST),
+         "begun": {0.0, 1.0}, "stops": [(1.0, "stop")]},
+        [],
+    ),
+    "a stop between two entries that none states": (
+        [entry(0.0, SHORT, 1), entry(1.0, SHORT.shifted(10.0), 2)],
+        {"a": track([0.0, 1.0, 2.0], [SHORT, SHORT.shifted(10.0), hold(20.0)]), "orders": (ONE, TWO, REST),
+         "begun": {0.0, 1.0}, "stops": [(1.0, "stop")]},
+        ["1.000000 s: a stop was commanded at 1.000000 s, but is not logged"],
+    ),
+    "a stop with a profile of its own": (
+        [FIRST],
+        {"a": track([0.0, 0.5, 1.0], [SHORT, SHORT, hold(10.0)]), "orders": (ONE, Order("stop", 1), REST),
+         "begun": {0.0}, "stops": [(0.5, "stop")]},
+        ["0.000000 s: a stop was commanded at 0.500000 s, but is not logged"],
+    ),
+    "a stop of one that stops": (
+        [FIRST],
+        {"a": track([0.0, 0.5, 1.0], [SHORT, SHORT, hold(10.0)]), "orders": (ONE, Order("stop", 1), REST),
+         "begun": {0.0}, "stops": [(0.6, "stop")]},
+        [],
+    ),
+    # What follows a master ends by a stop, even at the end of its entry.
+    "a stop at the end of a slave": (
+        [FIRST],
+        {"a": track([0.0, 1.0], [SHORT, hold(10.0)]), "orders": (Order("Gear", 1, tie=Tie(MASTER)), REST),
+         "begun": {0.0}, "stops": [(1.0, "stop")]},
+        ["0.000000 s: a stop was commanded at 1.000000 s, but is not logged"],
+    ),
+    # A slave at rest from 1 s to 2 s needs no entry.
+    "a slave whose master rests": (
+        [FIRST, SECOND],
+        {"a": track([0.0, 1.0, 2.0, 3.0], [SHORT, WITHIN, SHORT.shifted(10.0), hold(20.0)]),
+         "orders": (ONE, Order("Gear", 1), TWO, REST)},
+        [],
+    ),
+    "a zero that is set as the last entry begins": (
+        [FIRST, SECOND],
+        {"a": track(
+            [0.0, 1.0, 2.0, 2.0, 3.0], [SHORT, hold(10.0), SHORT.shifted(10.0), SHORT.shifted(15.0), hold(25.0)]),
+         "orders": (ONE, REST, TWO, TWO, REST), "data": [0.0, 0.0, 0.0, 5.0, 5.0]},
+        [],
+    ),
+    "a zero that was set after the only entry": (
+        [FIRST],
+        {"a": track([0.0, 1.0], [SHORT, hold(10.0)]), "orders": (ONE, REST), "begun": {0.0}, "data": [0.0, 5.0]},
+        ["0.000000 s: the last entry ends at 15, the axis is at 10"],
     ),
     "a jog that is logged as complete": (
         [FIRST, entry(2.0, JOG.cut(1.0).shifted(10.0), 2)],

@@ -42,7 +42,11 @@ def result(
             starts=[0.0, time],
             profiles=[
                 SimpleNamespace(
-                    at=lambda _, state=state: state, shape="", duration=inf, end=0.0, pieced=False
+                    at=lambda _, state=state: state,
+                    shape=fields.get("shape", ""),
+                    duration=inf,
+                    end=0.0,
+                    pieced=False,
                 )
                 for state in states
             ],
@@ -54,7 +58,7 @@ def result(
     expected = SimpleNamespace(
         of={0: orders}, data={0: data}, standstills=fields.get("standstills", frozenset())
     )
-    run: Any = SimpleNamespace(axes=tracks, expected_motion=expected)
+    run: Any = SimpleNamespace(axes=tracks, expected_motion=expected, members=fields.get("members"))
     proof, a = Proof(), tracks[0]
     _check_join(proof, run, a, 1)  # type: ignore[arg-type]
     assert proof.counts["joins"] == 1
@@ -264,3 +268,62 @@ def test_the_acceleration_along_a_path_continues(
         [f"7: the acceleration along the path jumps by {each}" for each in expected],
         [],
     )
+
+
+class Blended:
+    """Two paths from 0 s and from 2 s on, and a third one that is blended with both."""
+
+    def __init__(self, angle: float, end: float = 2.0, begun: float = 2.0, other: float = 1.0) -> None:
+        """Let the paths meet at an angle, where the third one changes its velocity."""
+        first, second = path(30.0, 1.0, 4.0), path(30.0, 1.0, 4.0)._replace(begun=begun, nth=1)
+        old, new = turned(0.0), turned(angle)
+        self.orders = Order("path", 6, path=first), Order("path", 7, path=second)
+        self.entries = {
+            0: [self.entry(each, end) for each in old],
+            1: [self.entry(each, 9.0) for each in new],
+        }
+        third = turned(90.0, 5.0)[1].velocity
+        self.axes = [
+            (old[0], new[0]),
+            (state(0.0, old[1].velocity + third), state(0.0, new[1].velocity + third * other)),
+        ]
+
+    def entry(self, moving: State, duration: float) -> Any:
+        """Return the entry of an axis, which is at rest at its end itself."""
+        profile = SimpleNamespace(at=lambda time: moving if time < duration else STILL, duration=duration)
+        return SimpleNamespace(profile=profile)
+
+    def result(self, **fields: Any) -> tuple[list[str], list[str]]:
+        given = {"shape": "blend", "members": lambda path: self.entries[path.nth], **fields}
+        return result(self.orders, self.axes, 2.0, **given)
+
+
+KINK = ["a kink within CONTOURANGLE"]
+
+
+def test_paths_that_are_blended_with_a_third_one_meet_at_their_own_angle() -> None:
+    """They meet at 30°. The sum with the third path has another angle.
+
+    Axis 0 is at 10 counts/s before, and at 10 cos 30° = 8.66 after.
+    """
+    jump = ["7: the velocity jumps by 1.33975 counts/s"]
+    assert Blended(30.0).result() == ([], KINK)
+    assert Blended(30.1).result() == (["7: the velocity jumps by 1.34849 counts/s"], [])
+    # Not if nothing is blended, or the first path did not end there.
+    assert Blended(30.0).result(shape="") == (jump, [])
+    assert Blended(30.0, end=1.9).result() == (jump, [])
+    assert Blended(30.0, begun=2.1).result() == (jump, [])
+    assert Blended(30.0).result(members=lambda path: []) == (jump, [])
+    # Just at its end, by rounding.
+    assert Blended(30.0, begun=2.0 + 8e-16).result() == ([], KINK)
+
+
+def test_a_third_path_that_jumps_is_no_kink() -> None:
+    """Both the paths and the third one add 5 units/s of 4 counts."""
+    made = Blended(30.0, other=2.0)
+    made.axes.reverse()
+    for k in (0, 1):
+        made.entries[k].reverse()
+    first, second = (path(30.0, 4.0, 1.0)._replace(begun=2.0 * nth, nth=nth) for nth in (0, 1))
+    made.orders = made.orders[0]._replace(path=first), made.orders[1]._replace(path=second)
+    assert made.result() == (["7: the velocity jumps by 40 counts/s"], [])

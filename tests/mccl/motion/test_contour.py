@@ -346,3 +346,30 @@ def test_a_path_may_follow_those_of_the_same_axes(
     contour: Any = SimpleNamespace(_stopping=stopping, _members=(1, 2), _in_progress=shape)
     vector: Any = SimpleNamespace(length=length, shape=next_shape)
     assert Contour._may_follow(contour, axes, vector) is expected
+
+
+@pytest.mark.parametrize(
+    ("number", "in_progress", "idle", "queued", "goes_on"),
+    [
+        (1, False, (1, 2), True, True),
+        (1, False, (1, 2), False, True),
+        (1, False, (1,), True, False),  # the other axis still moves
+        (1, True, (1, 2), True, False),
+        (3, False, (1, 2), True, False),
+    ],
+)
+def test_the_next_paths_begin_when_all_axes_are_at_rest(
+    number: int, in_progress: bool, idle: tuple[int, ...], queued: bool, goes_on: bool
+) -> None:
+    gone: list[bool] = []
+    contour: Any = SimpleNamespace(
+        _members=(1, 2), _handed=3, _stopping=True, _queue=["a path"] * queued, _ends={1: 5.0},
+        _in_progress="a path" if in_progress else None, go=lambda: gone.append(True),
+        _board=SimpleNamespace(controller=SimpleNamespace(is_idle=lambda each: each in idle)),
+    )  # fmt: skip
+    Contour.rested(contour, number)
+    assert gone == [True] * goes_on
+    assert (contour._members, contour._handed, contour._stopping) == (
+        ((), 0, False) if goes_on else ((1, 2), 3, True)
+    )
+    assert contour._ends == ({} if goes_on and not queued else {1: 5.0})
