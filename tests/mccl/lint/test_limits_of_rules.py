@@ -212,3 +212,44 @@ def test_channels(text: str, expected: Found) -> None:
 def test_positions_compared_for_equality(text: str, expected: Found) -> None:
     """The name comes from LU and moves with AR; a loop is needed."""
     assert found(text) == expected
+
+
+# The text, and severity, message and hint of its only diagnostic. A warning has no code of the controller.
+TEXTS: list[tuple[str, str, str, str]] = [
+    ("1MN,1VM,1GO,1WS", "warning", "1WS never ends: axis 1 runs in velocity mode until it is stopped", "1ST first"),
+    (
+        "1MN,1PS,1VM,1GO,1PM,1MA5", "warning", "1MA5 is rejected: axis 1 still runs in velocity mode",
+        "with S-curve, a move starts at rest: 1ST,1WS first, or 1PT for a trapezoid",
+    ),
+    (
+        "2MN,2MR0.5,2WR1", "warning", "2WR1 never ends: axis 2 moves only 0.5",
+        "wait for less, or for the end of the move with 2WS",
+    ),
+    (
+        "AL1,RP", "warning", "RP repeats the line forever, without a wait or an exit",
+        "add WA0.1 before it, or end after ten repetitions with RP10",
+    ),
+    ("JP0", "warning", "JP0 jumps to itself forever", "jump to another command"),
+    ("MD1,1MN,1MR5,MJ1", "warning", "MJ repeats 1MR5 without waiting for its end", "add 1WS after it"),
+    ("AL5,BK,TR0", "warning", "this command can never run: BK always jumps elsewhere", ""),
+    (
+        "CN32", "warning", "channel 32 is an input on this board: CN32 is rejected",
+        "CT32 makes it an output; 33 to 48 are outputs at power-up",
+    ),
+    ("MC5", "warning", "no line of this file defines macro 5", "MD5,... defines it"),
+    ("MD1001,NO", "error", "macros are numbered 0 to 1000, not 1001 (?-5: macro number out of range)", ""),
+    ("AL1,JP9", "error", "there is no command 9 here (?-1: command parameter error)", "they are numbered 0 to 1"),
+    ("WP5", "error", "WP needs an axis number in front (?-14: no axis specified)", "such as 1WP5"),
+    ("99TP", "error", "there is no axis 99 (?-15: axis not assigned)", "the axes are 1 to 8"),
+    (
+        "1TP,MD1", "error",
+        "MD must be the first command of its line (?-4: macro define command not first)",
+        "put it on a line of its own",
+    ),
+]  # fmt: skip
+
+
+@cases("text, severity, message, hint", TEXTS)
+def test_the_text_of_a_diagnostic(text: str, severity: str, message: str, hint: str) -> None:
+    (found,) = MCCL.check(Source("limits.mcl", text), {})
+    assert (found.severity, found.message, found.hint) == (severity, message, hint)
