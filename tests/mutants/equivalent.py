@@ -1546,4 +1546,57 @@ EQUIVALENT: dict[str, str] = {
     "other.scope[0] <= one.scope[1] -> other.scope[0] < one.scope[1]": (
         "no block begins with the last token of another one"
     ),
+    "motionlang/analysis/proof/prove.py: _check_join: bend > size + 4.0 * late * jerk -> "
+    "bend >= size + 4.0 * late * jerk": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/prove.py: _check_join: bend > size + 4.0 * late * jerk -> "
+    "bend >= size + 4.0 * late * jerk #2": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/prove.py: _step: abs(a.profiles[i - 1].end - end) <= SLACK * max(1.0, abs(end)) "
+    "-> "
+    "abs(a.profiles[i - 1].end - end) < SLACK * max(1.0, abs(end))": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/prove.py: _check_move: abs(profile.distance) > SLACK * size -> "
+    "abs(profile.distance) >= SLACK * size": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/prove.py: _zero: 0.0 -> 1.0": (
+        "the zeros of one axis are only compared with each other"
+    ),
+    "motionlang/analysis/proof/followers.py: _slope_time: 2.0 * change >= rate * edges -> "
+    "2.0 * change > rate * edges": ("both formulas give the time of the edges there"),
+    "motionlang/analysis/proof/followers.py: check_points: abs(speed - velocities[n]) > SLACK * fast -> "
+    "abs(speed - velocities[n]) >= SLACK * fast": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/followers.py: check_tie: abs(done - wanted) > SLACK * size + 8e-16 * (1.0 + time) "
+    "* speed -> "
+    "abs(done - wanted) >= SLACK * size + 8e-16 * (1.0 + time) * speed": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/analysis/proof/entries.py: _check_gap: a.starts[found.next_index] < until -> "
+    "a.starts[found.next_index] <= until": ("a profile that begins then has no time before it"),
+    "motionlang/analysis/proof/axes.py: _check_knots: abs(after[1]) > SLACK * sizes[1] -> "
+    "abs(after[1]) >= SLACK * sizes[1]": ("just at the size of rounding either is right"),
+    "motionlang/analysis/proof/axes.py: check_profile: power > 0.0 -> power >= 0.0": (
+        "a stretch without power is at rest or has no acceleration, and uses nothing of either bound"
+    ),
+    "motionlang/analysis/proof/paths.py: _check_path_time: took > limit * (1.0 + SLACK) + 1e-09 -> "
+    "took >= limit * (1.0 + SLACK) + 1e-09": ("just at the size of rounding either is right"),
+    "motionlang/analysis/cycle/critical_path.py: Strip: by_phase: (high := (low + seconds)) < end -> "
+    "(high := (low + seconds)) <= end": ("both are the end of the link"),
+    "motionlang/analysis/cycle/critical_path.py: CriticalPath: _follow: time > over -> time >= over": (
+        "a program that ends with its run has no motion after it"
+    ),
+    "motionlang/analysis/cycle/polls.py: _innermost: around[-1][1] <= span[0] + ROUNDING -> "
+    "around[-1][1] < span[0] + ROUNDING": ("just at the size of rounding either is right"),
+    "motionlang/mccl/runtime/task.py: CommandTask: comes_to_rest: scheduler is None -> scheduler is not None": (
+        "the task then yields, and its wait passes with the same result, but slower"
+    ),
+    "motionlang/mccl/runtime/task.py: CommandTask: _pass: left is not None -> left is None": (
+        "the task then yields, and its wait passes with the same result, but slower"
+    ),
+    "motionlang/mccl/runtime/task.py: CommandTask: __init__: 0 -> 1 #2": (
+        "each line sets the index of its first command before it runs"
+    ),
+    "motionlang/mccl/resolve/line.py: Lines: __missing__: len(text) > MAX_LINE -> len(text) >= MAX_LINE": (
+        "a text of just that length is no longer without its comment"
+    ),
+    "motionlang/mccl/axis/status.py: _auxiliary: 0 -> 1": ("a direction is 1 or -1"),
+    "motionlang/mccl/runtime/poll.py: Poll: __init__: -1 -> 1": ("the first position differs from any other"),
 }
