@@ -199,5 +199,7 @@ def test_the_least_margin_takes_a_position_relative_to_its_limit() -> None:
     speed = Limit(0, "speed", "", 10.0, Extreme(3.0, 0.0), 0)
     torque = Limit(0, "torque", "", 1.0, None, 0)
     assert (torque.verdict, torque.reached, torque.time) == ("unknown", None, None)
-    cases = [[high, low, speed, torque], [low, speed], [low, torque], [torque], []]
-    assert [least_margin(lines) for lines in cases] == [0.6, 0.7, 0.75, None, None]
+    # Relative to a limit of 0 any distance is large.
+    zero = Limit(0, "lowest position", "", 0.0, Extreme(0.5, 0.0), 0)
+    cases = [[high, low, speed, torque], [low, speed], [low, torque], [torque], [], [zero, speed]]
+    assert [least_margin(lines) for lines in cases] == [0.6, 0.7, 0.75, None, None, 0.7]

@@ -288,6 +288,9 @@ def test_the_file_is_what_json_would_write(text: str, tmp_path: Path) -> None:
     made, path = profiled(text, machine=WORLD), tmp_path / "cycle.json"
     write_profile(made, str(path))
     assert path.read_text(encoding="utf-8") == json.dumps(made.report(), indent=1) + "\n"
+    write_profile(made, str(tmp_path / "Cycle.SpeedScope.json"))
+    written = (tmp_path / "Cycle.SpeedScope.json").read_text(encoding="utf-8")
+    assert written == json.dumps(speedscope(made), indent=1) + "\n"
 
 
 def test_the_listing_has_the_seconds_of_each_line() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.analysis.cycle.critical_path import Strip, _behind
 from motionlang.analysis.cycle.motions import Motions, _cuts, _moves
-from motionlang.analysis.cycle.polls import _by_channel, _innermost, _iterates, _up_to
+from motionlang.analysis.cycle.polls import Polls, _by_channel, _innermost, _iterates, _up_to
 from motionlang.lang.waits import ROUNDING
 from motionlang.planners import hold, plan_trapezoid
 
@@ -245,3 +245,32 @@ def test_changes_by_channel_and_rows_by_time() -> None:
         _up_to(rows, index, time, float) for index, time in ((0, 2.0), (2, 2.0), (1, 2.5), (0, 9.0), (3, 0.0))
     ]
     assert found == [1, 2, 3, 4, 3]
+
+
+def test_motion_that_a_loop_starts_begins_within_it() -> None:
+    """Motion that begins with the loop, or as it ends, was not started by it."""
+    polls: Any = SimpleNamespace(_started=[(1.0, 5), (2.0, 5), (2.5, 6), (3.0, 5)])
+    lines = frozenset((5, 7))
+    times = [(1.0, 3.0), (0.9, 3.1), (1.0 - 2 * ROUNDING, 3.0), (2.0, 2.9), (3.1, 9.0)]
+    found = [Polls._starts(polls, lines, begin, end) for begin, end in times]
+    assert found == [[2.0], [1.0, 2.0, 3.0], [1.0, 2.0], [], []]
+
+
+def test_the_last_change_of_an_input_within_a_wait() -> None:
+    """A change with the start of the wait came before it; one at its end counts."""
+    log = SimpleNamespace(
+        inputs=[SimpleNamespace(time=time, channel=n) for time, n in ((1.0, 4), (2.0, 5), (3.0, 4))],
+        analogue_inputs=[SimpleNamespace(time=2.5, channel=4)],
+    )
+    polls: Any = SimpleNamespace(
+        _changes=None,
+        _run=SimpleNamespace(controller=SimpleNamespace(log=log)),
+        _motions=SimpleNamespace(last_end=lambda number, begin, end: (number, begin, end)),
+    )
+    asked = [
+        ("input", 4, 0.0, 3.0), ("input", 4, 1.0, 2.9), ("input", 4, 0.9, 2.9), ("input", None, 0.0, 2.5),
+        ("input", 9, 0.0, 9.0), ("analogue", 4, 0.0, 9.0), ("analogue", 5, 0.0, 9.0), ("axis", 2, 0.5, 0.7),
+        ("position", 2, 0.5, 0.7), ("time", None, 0.0, 9.0),
+    ]  # fmt: skip
+    found = [Polls._changed(polls, *each) for each in asked]
+    assert found == [3.0, None, 1.0, 2.0, None, 2.5, None, (2, 0.5, 0.7), (2, 0.5, 0.7), None]

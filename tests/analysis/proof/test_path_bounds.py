@@ -352,7 +352,8 @@ def test_a_path_that_sped_up_was_not_slowing_down_for_the_next(name: str) -> Non
 
 
 @pytest.mark.parametrize(
-    ("scales", "speeds_up"), [((1.0, 1.0), True), ((1.0, 10.0), True), ((1.0, 0.1), False)]
+    ("scales", "speeds_up"),
+    [((1.0, 1.0), True), ((1.0, 10.0), True), ((1.0, 0.1), False), ((0.1, 1.0), True)],
 )
 def test_a_path_speeds_up_by_the_sum_of_its_axes(scales: tuple[float, float], speeds_up: bool) -> None:
     """Axis 0 speeds up from 0.2 to 0.7 counts/s, axis 1 slows down from 0.4 to 0.3.
