@@ -1599,4 +1599,12 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/mccl/axis/status.py: _auxiliary: 0 -> 1": ("a direction is 1 or -1"),
     "motionlang/mccl/runtime/poll.py: Poll: __init__: -1 -> 1": ("the first position differs from any other"),
+    "motionlang/analysis/cycle/motions.py: Motions: that_ended: 0.0 -> 1.0": (
+        "the first motion found replaces it"
+    ),
+    "motionlang/analysis/cycle/motions.py: Motions: that_ended: 0.0 -> 1.0 #2": (
+        "the first motion found replaces it"
+    ),
+    "motionlang/analysis/proof/prove.py: _excuse: abs(before - after) > SLACK * max(1.0, before) -> "
+    "abs(before - after) >= SLACK * max(1.0, before)": ("just at the size of rounding either is right"),
 }
