@@ -1,4 +1,4 @@
-"""What follows from the row of a keyword."""
+"""The texts and properties that follow from the row of a keyword."""
 
 from __future__ import annotations
 

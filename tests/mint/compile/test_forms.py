@@ -119,6 +119,8 @@ def test_the_value_of_an_integer(expression: str, text: str) -> None:
         ("a + 1.5", "v_a + 1.5"),
         ("a / b", "v_a / v_b"),
         ("a / 2 * 3", "v_a / 2 * 3"),
+        ("(y + 1) / 2", "(v_y + 1) / 2"),
+        ("y * 2 / 3", "v_y * 2 / 3"),
         ("a / (2 * y)", "v_a / (2 * v_y)"),
         ("y - (y - 1)", "v_y - (v_y - 1)"),
         ("(y - y) - 1", "v_y - v_y - 1"),

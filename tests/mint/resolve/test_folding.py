@@ -20,7 +20,7 @@ def value_of(text: str) -> nodes.Expr:
 
 
 def constants(name: nodes.Name) -> tuple[Symbol | None, None]:
-    """Return what a name refers to: `a` is given at the start, `c` is 5, `v` is a variable."""
+    """Return a symbol: `a` is given at the start, `c` is 5, `v` is a variable."""
     if name.name not in ("a", "c", "v"):
         return None, None
     found = Symbol(name.name, "variable" if name.name == "v" else "const", Type(INTEGER), "", 0, MAIN)

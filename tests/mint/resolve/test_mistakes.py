@@ -38,6 +38,12 @@ CONST = "a Const can use numbers, texts and other constants"
             "CANCELALL3 is neither a keyword nor a sub of this program",
             "did you mean CANCELALL?",
         ),
+        (
+            "IDL = 1",
+            (2, 1, 3),
+            "IDL is assigned but never read",
+            "did you mean IDLE? If it is a variable, declare it with Dim",
+        ),
         # Events.
         ("Event FOO\nEnd Event", (2, 1, 5), "there is no event FOO", EVENTS),
         ("Event TIMR\nEnd Event", (2, 1, 5), "there is no event TIMR", "did you mean TIMER?"),
@@ -118,10 +124,15 @@ def test_an_event_that_never_occurs_is_a_warning() -> None:
 
 @cases(
     "text",
-    ["Dim n2 As Integer, n3 As Float", f"Dim c(9) As Integer, d({10**7}) As Integer", "Dim e As Float"],
+    [
+        "Dim n2 As Integer, n3 As Float",
+        f"Dim c(9) As Integer, d({10**7}) As Integer",
+        "Dim e As Float",
+        "PO = 1",
+    ],
 )
 def test_a_declaration_that_is_accepted(text: str) -> None:
-    """E is a short form, which a declaration may use, and ten million elements are the most."""
+    """E is a short form, and PO is too short to be a misspelt POS."""
     assert [each for each in DIALECT.check(Source("a.mnt", text)) if each.severity == "error"] == []
 
 
