@@ -1,0 +1,47 @@
+"""The replacements that an editor offers for each diagnostic: `fixes.txt`.
+
+Each line has the program, the line, the marked text and the code; `fix` is certain, a candidate is a choice.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from motionlang.errors import ProgramError
+from motionlang.execution import dialect_of
+from motionlang.source import Source
+
+TESTS = Path(__file__).parents[1]
+GOLDEN = TESTS / "lint" / "fixes.txt"
+# The programs of these folders that have such diagnostics.
+LINTED = ("conditions", "host", "values")
+PROGRAMS = [
+    *(TESTS / "lint" / "mint" / f"{name}.mnt" for name in LINTED),
+    *(TESTS / "errors" / "mint" / f"{name}.mnt" for name in ("unreadable", "words")),
+]
+
+
+def offered(path: Path) -> list[str]:
+    """Return a line for each diagnostic of a program that has a replacement."""
+    language, source = dialect_of(path.name), Source.read(path)
+    assert language is not None
+    try:
+        found = language.check(source, {})
+    except ProgramError as error:
+        found = list(error.diagnostics)
+    lines = []
+    for each in found:
+        marked = source.line(each.line)[each.column - 1 : each.column - 1 + each.length] if each.line else ""
+        offers = [f"fix {each.fix!r}"] * bool(each.fix) + [f"candidate {one!r}" for one in each.candidates]
+        if offers:
+            lines.append(f"{path.name}:{each.line} {marked!r} {each.code}: {', '.join(offers)}")
+    return lines
+
+
+def test_the_replacements_of_diagnostics(request: pytest.FixtureRequest) -> None:
+    text = "".join(f"{line}\n" for path in PROGRAMS for line in offered(path))
+    if request.config.getoption("--update"):
+        GOLDEN.write_text(text, encoding="utf-8")
+    assert text == GOLDEN.read_text(encoding="utf-8")
