@@ -218,6 +218,12 @@ def test_a_value_is_written_into_the_text(address: str, old: str, new: str) -> N
     assert (named, notes) == ({"other": 1.0}, [])
 
 
+def test_the_only_write_of_a_line_is_meant_next_to_a_loop() -> None:
+    text = "For i = 1 To n : WAIT = 5 : Next"
+    source, _, _ = edited(Source("a", text), dialect("mint"), {"line:1": 7.0})
+    assert source.text == "For i = 1 To n : WAIT = 7 : Next"
+
+
 def test_an_address_without_a_line_is_every_write() -> None:
     source, _, notes = edited(Source("a", DRILL), dialect("mint"), {"Wait": 7.5})
     assert re.findall("WAIT.*", source.text) == ["WAIT = 7.5", "WAIT(7.5)"]

@@ -6,10 +6,12 @@ from math import inf
 
 import pytest
 
+from motionlang import run
 from motionlang.controller.clock import Clock
 from motionlang.controller.controller import Controller
 from motionlang.lang.dependencies import CLOSE, MAX_NOTES, Dependencies
 from motionlang.lang.waits import TICK, Condition, Delay, next_tick, until_idle, wait_idle, wait_until
+from motionlang.source import Source
 
 
 def test_a_delay_ends_at_its_time() -> None:
@@ -173,3 +175,14 @@ def test_the_longest_collection_of_readings_is_shared() -> None:
     dependencies.end_longest(longest)
     assert dependencies.longest is None
     assert collected(dependencies) == (None, None)
+
+
+def test_the_record_of_a_wait() -> None:
+    """A wait for a time needs no description: its line and its length say all."""
+    driven: dict[str, object] = {"input": [{"channel": 2, "at": 1.0}]}
+    found = run(Source("a.mcl", "WA0.005,1MN,1MR10,1WS,WN2"), machine=driven, cache=False)
+    assert [(each.cause, each.what, each.why) for each in found.machine.log.waits] == [
+        ("time", (), ""),
+        ("axis", (1,), "for axis 1 to be idle"),
+        ("input", (2,), "for channel 2 to be on"),
+    ]

@@ -45,6 +45,15 @@ def test_a_pulse_of_0_is_on_before_and_after_it() -> None:
     ]
 
 
+def test_the_shortest_period() -> None:
+    """It is 10 ms; the default number of repetitions has no end."""
+    (entry,) = entries({}, inputs="2=1@1..1.005 every 0.01")["input"]  # type: ignore[attr-defined]
+    assert entry["every"] == 0.01
+    with pytest.raises(WrongEntry) as wrong:
+        entries({}, inputs="2=1@1..1.005 every 0.009")
+    assert str(wrong.value).startswith("a period is at least 0.01 s, not 0.009 s")
+
+
 def test_the_other_tables() -> None:
     found = entries(NAMES, analog="force=25@1..3", answers=[5.5, "Turns=200", "=a=b"], keys=["R@0.5", "S"])
     assert found == {

@@ -34,6 +34,7 @@ INDICES = {
     "channel": "(0)",
     "bus, node": "(1, 2)",
     "bank": "(0)",
+    "task": "(Later)",
     "axis, channel": "(0, 0)",
     "preset, parameter": "(0, 0)",
     "count, array": "(0, 0)",
@@ -49,6 +50,7 @@ def test_a_word_reads_its_default_at_power_up() -> None:
     ]
     indices = [INDICES.get(row.index, f"({', '.join('1' for _ in row.index.split(', '))})") for row in read]
     text = "".join(f"PRINT {row.name}{index} USING 1, 3\n" for row, index in zip(read, indices, strict=True))
+    text += "Task Later\nEnd Task\n"
     assert len(read) > 350
     printed = run(Source("power-up.mnt", text), cache=False).output
     # A reading of its own statement's time is 0 before the first one.
