@@ -77,7 +77,7 @@ def run(python: str, wheel: Path, folder: Path, *flags: str) -> str:
 
 
 def installer(python: str) -> list[str]:
-    """Return the module that installs packages for `python`, with its arguments: uv if present, or pip."""
+    """Return the installer for `python`, uv if present or pip, with its arguments."""
     if find_spec("uv") is not None:
         return ["uv", "pip", "install", "--python", python]
     return ["pip", "--python", python, "install", "--disable-pip-version-check", "--no-compile"]
