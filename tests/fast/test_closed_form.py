@@ -325,7 +325,10 @@ def test_the_samples_within_the_limits(values: list[list[float]], good: int) -> 
 def test_the_next_cubic_of_48_samples_or_more(
     cycles: int, every: int, sample: int, until: int, found: tuple[bool, int, int]
 ) -> None:
-    """A cycle has 4 samples. After a rest the axis accelerates for 133 cycles, up to sample 572."""
+    """A cycle has 4 samples.
+
+    After a rest of 10 cycles the axis accelerates for 133 cycles, up to sample 572.
+    """
     loop, motor = Loop(0.004, 0.0, 0.02, derivative_every=every), Motor()
     ramp = plan_trapezoid(0.0, 9e4, 12_000.0, 90_000.0, 90_000.0)
     servo = ClosedFormServo(loop, motor, Track([0.0, cycles / loop.trajectory_rate], [hold(0.0), ramp]))

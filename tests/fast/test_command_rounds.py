@@ -203,14 +203,15 @@ class Rounds:
         self.scheduler: Any = SimpleNamespace(until=inf, by_itself=True)
         self.clock = SimpleNamespace(fired=3, made=8, next_time=lambda: self.event)
         log = SimpleNamespace(slices=SimpleNamespace(seconds=self.slices))
-        self.board: Any = SimpleNamespace(
+        board: Any = SimpleNamespace(
             machine=SimpleNamespace(scheduler=self.scheduler, log=log),
             controller=SimpleNamespace(clock=self.clock),
             waited=2,
             effects=5,
             tasks=[Watch("A", None), Watch("B", None)],
         )
-        self.made = CommandRounds(self.board)
+        self.board = board
+        self.made = CommandRounds(board)
 
     def jump(self, name: str, count: float) -> None:
         """Let a task jump back at a command, counted from 0 s."""
@@ -419,7 +420,7 @@ def counting(step: int = 2, levels: tuple[float, ...] = (1000.0,)) -> Rounds:
         rounds.jump(name, 1.0)
     rounds.made._met.clear()
     counter = Counter(40, step, levels, True)
-    rounds.made._counters = [TaskCounter(rounds.board.tasks[0], counter, True)]  # type: ignore[arg-type]
+    rounds.made._counters = [TaskCounter(rounds.board.tasks[0], counter, True)]
     rounds.made._running = [(each, rounds.made._loops.get(each.name)) for each in rounds.board.tasks]
     return rounds
 

@@ -257,3 +257,12 @@ def test_a_command_of_no_keyword_is_no_count() -> None:
     task: Any = Counting(ONE)
     task.line.commands[-3].row = None
     assert counters_of([(task, task.loop)]) == []
+
+
+def test_a_condition_governs_two_commands_unless_assumed_otherwise() -> None:
+    """With three, the count after two other commands would be governed, too."""
+    loop = f"on 5, nothing, nothing, {COUNT}, repeat"
+    task: Any = Counting(loop)
+    assert len(CountedRegisters(task)._counters()) == 1
+    task.board.assumptions["mccl.skipped"] = 3
+    assert CountedRegisters(task)._counters() == ()

@@ -32,13 +32,13 @@ def transition(state: int, length: float, proved: bool = True, **given: Any) -> 
     return made
 
 
-def polled(*idle: bool, period: float = 10.0, cost: float = 1e-5, most: int = 10**9) -> PolledTicks:
+def polled(*idle: bool, period: float = 10.0, cost: float = 1e-5, most: int = 10**9) -> Any:
     """Return the search of a program with a tick every `period` ms since 0 s.
 
     `idle` are its states: true if all tasks wait. In the others the task "main" polls. The counters may advance `most`
     times.
     """
-    made = PolledTicks.__new__(PolledTicks)
+    made: Any = PolledTicks.__new__(PolledTicks)
     environment: Any = SimpleNamespace(statements=StatementTime(cost), clock=SimpleNamespace(now=0.0))
     events: Any = SimpleNamespace(started=0.0, timer=period, tick_time=lambda number: number * period / 1000)
     counters: Any = SimpleNamespace(most_recorded=lambda values: most)
@@ -50,7 +50,7 @@ def polled(*idle: bool, period: float = 10.0, cost: float = 1e-5, most: int = 10
     return made
 
 
-def learn(made: PolledTicks, state: int, step: Transition, *path: tuple[int, float]) -> None:
+def learn(made: Any, state: int, step: Transition, *path: tuple[int, float]) -> None:
     """Make a transition known.
 
     Its path has the index and the statement of each tick and end.
@@ -259,9 +259,7 @@ def test_the_next_transition_counts_from_the_last_iteration_of_a_poll() -> None:
     assert made._next(0, 1.0, 2.0, [(tick[0] + 1e-9, *tick[1:]), end, NO_DUE]) == (TWO, 1.0, 2.0 + 14, 1)
 
 
-def walked(
-    made: PolledTicks, end: float, own: _Checkpoint, by_tick: bool = False
-) -> tuple[object, ...] | None:
+def walked(made: Any, end: float, own: _Checkpoint, by_tick: bool = False) -> tuple[object, ...] | None:
     """Return a walk as plain data.
 
     It has its states, how many transitions are good, what it has reached, and its switches and polls.
@@ -493,7 +491,7 @@ def test_a_wait_that_begins_while_another_task_polls() -> None:
     assert found == ((0,), 1, (0.0, 1010.0, dues, 2), [], [])
 
 
-def ticks(*gaps: tuple[int, float, int, float], most: int = 10**9, period: float = 10.0) -> PolledTicks:
+def ticks(*gaps: tuple[int, float, int, float], most: int = 10**9, period: float = 10.0) -> Any:
     """Return transitions by state and gap: the next state and the length."""
     made = polled(*[False] * 3, most=most, period=period)
     for state, gap, after, length in gaps:
@@ -593,7 +591,7 @@ def test_the_earliest_period_of_a_task_that_polls_is_stored(
     """
     made = polled(False)
     made._periods.update(enumerate(known))
-    made._counters.loops_count = lambda steps: counts  # type: ignore[method-assign]
+    made._counters.loops_count = lambda steps: counts
     before = checkpoint(*((0.01, TICK, 0.0), (0.9, 1, 0.1))[:dues])
     made._learn_period(before, (), base, first, last)
     assert made._periods == periods
@@ -770,7 +768,7 @@ class Passed:
         self.made = made = polled(False)
         environment, events, counters = self.parts()
         made._environment, made._events, made._counters = environment, events, counters
-        made._log = self.log = SimpleNamespace(events=Stream(), outputs=Stream(), slices=Stream())  # type: ignore[assignment]
+        made._log = self.log = SimpleNamespace(events=Stream(), outputs=Stream(), slices=Stream())
         made._streams = self.log.events, self.log.outputs, self.log.slices
         made._others = []
         made._observed, made._back_off = 20, 8
@@ -908,7 +906,7 @@ def test_what_may_act_from_outside_ends_the_search(name: str) -> None:
     statements: Any = SimpleNamespace(reached=1.0)
     controller = SimpleNamespace(outputs=parts["outputs"])
     made._events = parts["events"]
-    made._environment = SimpleNamespace(  # type: ignore[assignment]
+    made._environment = SimpleNamespace(
         machine=parts["machine"], statements=statements, clock=parts["clock"], controller=controller
     )
     assert made._is_regular(scheduler) == (name == "nothing")
@@ -924,11 +922,11 @@ class Search:
         self.environment: Any = SimpleNamespace(dependencies=SimpleNamespace(read=read))
         made._environment = self.environment
         made._left = made._observed = 0
-        made._since, made._read, made._numbers = (7,), read, {}  # type: ignore[assignment]
+        made._since, made._read, made._numbers = (7,), read, {}
         made._last, made._has_waits, made._back_off = checkpoint(NEXT), False, 4
         self.is_regular, self.scheduler = True, SimpleNamespace(is_observed=True)
-        made._is_regular = lambda scheduler: self.is_regular  # type: ignore[method-assign]
-        made._marks = lambda scheduler: (7,)  # type: ignore[method-assign]
+        made._is_regular = lambda scheduler: self.is_regular
+        made._marks = lambda scheduler: (7,)
         for name in ("forget", "begin", "observe", "skip"):
             setattr(made, f"_{name}", lambda given, name=name: self.calls.append(name))
         for name, value in given.items():
@@ -999,8 +997,8 @@ def test_after_48_checkpoints_without_a_skip_the_search_pauses(back_off: int, af
 
 def test_states_are_forgotten_once() -> None:
     made, ended = polled(False), list[object]()
-    made._environment.dependencies = SimpleNamespace(end_longest=ended.append)  # type: ignore[assignment]
-    made._read, made._since, made._last = {1}, (7,), checkpoint(NEXT)  # type: ignore[assignment]
+    made._environment.dependencies = SimpleNamespace(end_longest=ended.append)
+    made._read, made._since, made._last = {1}, (7,), checkpoint(NEXT)
     scheduler = SimpleNamespace(is_observed=True)
     for _ in range(2):
         made._forget(scheduler)
@@ -1014,14 +1012,14 @@ class Program:
     def __init__(self, *waits: Any) -> None:
         self.made = made = polled()
         made._alive, made._numbers = {}, {}
-        made._streams = [1, 2], [1], []  # type: ignore[assignment]
+        made._streams = [1, 2], [1], []
         self.environment: Any = made._environment
         self.environment.statements.base, self.environment.statements.count = 0.5, 12.0
         self.outputs = SimpleNamespace(values=((1, 1.0),))
         self.environment.controller = SimpleNamespace(outputs=self.outputs)
         self.environment.state = lambda alive: b"shared"
         self.hidden = list[object]()
-        made._counters = SimpleNamespace(hide=lambda: (5.0, 7.0), set=self.hidden.append)  # type: ignore[assignment]
+        made._counters = SimpleNamespace(hide=lambda: (5.0, 7.0), set=self.hidden.append)
         made._events.ticks = 3
         self.tasks = [self.task(f"T{k}", wait) for k, wait in enumerate(waits)]
         self.scheduler = SimpleNamespace(tasks=self.tasks, current=self.tasks[0], next_index=1)
@@ -1158,7 +1156,7 @@ class Observed:
         self.made = made = polled(*idle)
         made._last, made._advance = None, None
         self.recorded, self.loops = list[object](), False
-        made._counters = SimpleNamespace(  # type: ignore[assignment]
+        made._counters = SimpleNamespace(
             steps_of_set=set_steps,
             loops_count=lambda steps: self.loops,
             record=self.recorded.append,
@@ -1166,8 +1164,8 @@ class Observed:
 
     def observe(self, after: _Checkpoint | None, step: Transition | None) -> None:
         made = self.made
-        made._checkpoint = lambda scheduler: after  # type: ignore[method-assign]
-        made._transition = lambda *given: step  # type: ignore[method-assign]
+        made._checkpoint = lambda scheduler: after
+        made._transition = lambda *given: step
         if after is not None:
             made._environment.clock.now = after.base + after.count * 1e-5
         made._observe(None)
@@ -1201,7 +1199,7 @@ def test_a_tick_while_all_tasks_wait_is_known_by_its_state_alone() -> None:
         search, step = Observed(True), transition(0, 3.0)
         search.observe(at(0, 3.0, (0.01, TICK, 0.0)), None)
         if not alone:
-            search.made._origin = lambda *given: (0.0, 3.0)  # type: ignore[method-assign]
+            search.made._origin = lambda *given: (0.0, 3.0)
         search.observe(at(0, 3.0 if alone else 1005.0, NEXT, base=base, number=2), step)
         assert search.made._alone == ({(0, TICK): step} if alone else {})
         assert search.made._gaps == {}
@@ -1351,7 +1349,7 @@ class Skipping:
         self.clock = SimpleNamespace(now=0.012, horizon=0.02, next_time=lambda: 0.02, second_time=lambda: 0.6)
         environment: Any = made._environment
         environment.clock, environment.dependencies = self.clock, SimpleNamespace(until=until)
-        made._events.tick_event = SimpleNamespace(time=0.02)  # type: ignore[assignment]
+        made._events.tick_event = SimpleNamespace(time=0.02)
         made._read, made._begun, made._since, made._observed = set(read), 0.001, (7,), 1
         made._last = checkpoint((0.02, TICK, 0.0))
         learn(made, 0, ONE, (TICK, 1997.0))
@@ -1359,10 +1357,10 @@ class Skipping:
             until=1.0,
             tasks=[SimpleNamespace(wait=None, delay=None), SimpleNamespace(wait=wait, delay=delay)],
         )
-        made._walk = lambda last, end: self.walk("walk", end)  # type: ignore[method-assign]
-        made._walk_ticks = lambda last, end: self.walk("ticks", end)  # type: ignore[method-assign]
-        made._pass = lambda walk, scheduler: self.calls.append("pass")  # type: ignore[method-assign]
-        made._begin = lambda since: self.calls.append(("begin", since))  # type: ignore[method-assign]
+        made._walk = lambda last, end: self.walk("walk", end)
+        made._walk_ticks = lambda last, end: self.walk("ticks", end)
+        made._pass = lambda walk, scheduler: self.calls.append("pass")
+        made._begin = lambda since: self.calls.append(("begin", since))
 
     def walk(self, name: str, end: float) -> Any:
         self.calls.append((name, round(end, 12)))
@@ -1460,8 +1458,8 @@ def test_another_search_collects_all_readings_from_now_on() -> None:
     made = polled(False)
     begun, forgotten = {1}, list[str]()
     made._environment.clock.now = 0.25
-    made._environment.dependencies = SimpleNamespace(begin_longest=lambda: begun)  # type: ignore[assignment]
-    made._counters = SimpleNamespace(forget=lambda: forgotten.append("forget"))  # type: ignore[assignment]
+    made._environment.dependencies = SimpleNamespace(begin_longest=lambda: begun)
+    made._counters = SimpleNamespace(forget=lambda: forgotten.append("forget"))
     made._known, made._alone, made._periods = {0: _Node()}, {(0, 0): ONE}, {0: None}
     made._gaps, made._alive, made._numbers = {0: {}}, {1: 1}, {b"": 0}
     made._last, made._has_waits, made._advance = checkpoint(NEXT), True, [1.0]
@@ -1493,7 +1491,7 @@ def test_a_search_begins_empty(cost: float, cost_units: int) -> None:
         statements=StatementTime(cost), machine=SimpleNamespace(log=log), blocks={}, handler_counters={}
     )
     given: Any = SimpleNamespace(environment=counted, handler=lambda kind: None)
-    made = PolledTicks(given, "timer")
+    made: Any = PolledTicks(given, "timer")
     assert made._cost_units == cost_units
     assert (made._streams, made._others) == ((events, outputs, slices), [prints, moves])
     assert (made._observed, made._left, made._back_off, made._begun) == (0, 0, 1, 0.0)

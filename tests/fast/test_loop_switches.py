@@ -132,12 +132,12 @@ class Loop:
 
     def __init__(self) -> None:
         self.outputs, self.events = Stream(), Stream()
-        self.clock: Any = SimpleNamespace(now=0.0)
+        clock: Any = SimpleNamespace(now=0.0)
         self.scheduler = SimpleNamespace(tasks=["main"], interrupts=list[str](), by_itself=True)
         self.switched = SimpleNamespace(values=(), listeners=list[object]())
         log = SimpleNamespace(outputs=self.outputs, streams=lambda: [self.events, self.outputs])
-        self.dependencies = Dependencies(self.clock)
-        self.environment: Any = SimpleNamespace(
+        self.dependencies = Dependencies(clock)
+        environment: Any = SimpleNamespace(
             acts=7,
             switches=4,
             resumed=2,
@@ -146,8 +146,9 @@ class Loop:
             machine=SimpleNamespace(log=log, scheduler=self.scheduler),
             dependencies=self.dependencies,
         )
-        self.environment.statements.until = 0.001
-        self.made = LoopSwitches(self.environment)
+        environment.statements.until = 0.001
+        self.environment = environment
+        self.made = LoopSwitches(environment)
         self.start: Any = None
 
     def begin(self, t: float, *counters: float, follows: bool = True, variables: object = 5) -> None:

@@ -226,7 +226,8 @@ class Poller(Task):
 
     def __init__(self, world: World, wait: Delay | None = None) -> None:
         super().__init__("poller")
-        self._world, self.contents, self.wait = world, b"at the loop", wait
+        self._world, self.wait = world, wait
+        self.contents: bytes | None = b"at the loop"
         self.poll_check = 0, True
 
     @property
@@ -245,14 +246,15 @@ class World:
     """
 
     def __init__(self, *waits: tuple[float, float] | None, cost: float = 1e-5, event: float = inf) -> None:
+        self.event, self.acts, self.variables = event, 0, b"variables"
         clock: Any = SimpleNamespace(now=0.0, fired=0, leaps=0, next_time=lambda: self.event)
-        self.clock, self.event, self.acts, self.variables = clock, event, 0, b"variables"
+        self.clock = clock
         self.statements, self.dependencies, self.paced = (
             StatementTime(cost),
             Dependencies(clock),
             list[float](),
         )
-        self.shared = SimpleNamespace(
+        self.shared: Any = SimpleNamespace(
             dependencies=self.dependencies,
             acted=lambda: (self.acts, 0),
             state=lambda alive: self.variables,
@@ -284,6 +286,7 @@ class World:
         self.clock.now = self.statements.leave(count)
         for task, end in zip(self.tasks, ends, strict=False):
             if end is not None and task.wait is not None:
+                assert isinstance(task.wait, Delay)
                 task.wait.move(end)
         for task in self.tasks:
             self.recurrence.has_run(task)
@@ -416,7 +419,7 @@ def test_waits_of_a_period_end_later_by_the_skipped_time(
     world.slice(100.0)
     world.slice(count, *ends, base=base)
     wait = world.tasks[1].wait
-    assert wait is not None
+    assert isinstance(wait, Delay)
     assert world.times() == pytest.approx(times or (base + 0.001, base, ends[1]), rel=1e-15)
     assert wait.ends - wait.since == pytest.approx(0.005, rel=1e-12)
     assert world.clock.leaps == (world.clock.now > 0.5)
@@ -469,7 +472,8 @@ def test_the_longest_period_that_fits_is_repeated(event: float, left: float) -> 
 def test_no_state_is_compared_with_one_that_was_dropped() -> None:
     """A reading changes by the third state, so all states are dropped.
 
-    The variables are new in the last three states. The numbers of contents begin again, so they must not be compared with earlier ones.
+    The variables are new in the last three states. The numbers of contents begin again, so they must not be compared
+    with earlier ones.
     """
     world = World(None, (0.005, 0.1), event=1.0)
     for count, end, variables in (
@@ -647,14 +651,13 @@ def test_a_longer_wait_may_end_the_periods_of_shorter_ones(
     assert world.clock.now == pytest.approx(left, rel=1e-12)
 
 
-def test_a_wait_outside_the_period_that_is_over_ends_the_search() -> None:
+@pytest.mark.parametrize("is_over", [False, True])
+def test_a_wait_outside_the_period_that_is_over_ends_the_search(is_over: bool) -> None:
     """The condition of another task holds, although it is not due before 0.1 s."""
-    for is_over in (False, True):
-        world = World(None, None, event=1.0)
-        world.tasks[1].poll_check = None
-        wait: Any = Wait(0.0, lambda is_over=is_over: is_over, lambda: 0.1, "for a condition")
-        world.tasks[1].wait = wait
-        assert leaps_after(world, 100.0, 600.0) == (not is_over)
+    world = World(None, None, event=1.0)
+    world.tasks[1].poll_check = None
+    world.tasks[1].wait = Wait(0.0, lambda: is_over, lambda: 0.1, "for a condition")
+    assert leaps_after(world, 100.0, 600.0) == (not is_over)
 
 
 @pytest.mark.parametrize(("limit", "most"), [("MAX_STATES", 1), ("MAX_BYTES", 24)])

@@ -325,6 +325,7 @@ def test_waiting_tasks_resume_one_after_the_other() -> None:
     scripts = a_and_b()
     assert scripts.round(0.00901)
     assert scripts.resumed() == [[(0.005, 0.005 + FULL)], [(0.007, 0.007 + FULL)]]
+    assert scripts.made._alone
     assert scripts.slices() == [(("A",), 0.005, 0.00501), (("B",), 0.007, 0.00702)]
     assert scripts.waits() == [("A", 0.0, 0.005), ("B", 0.0, 0.007)]
     made, ends = scripts.made, [task.wait.ends for task in scripts.tasks if task.wait is not None]
@@ -367,6 +368,14 @@ def test_a_wait_that_does_not_end_first_and_alone_is_left_to_the_scheduler(
     assert bool(scripts.resumed()[0]) == resumes
     if not resumes:
         assert (scripts.clock.now, scripts.made._end, scripts.made._idle_rounds) == (now, 0.5, 7)
+
+
+@pytest.mark.parametrize(("field", "value"), [("_left", 1), ("is_observed", True)])
+def test_no_round_begins_within_long_slices_or_while_waits_are_observed(field: str, value: object) -> None:
+    scripts = a_and_b()
+    setattr(scripts.made, field, value)
+    assert not scripts.round()
+    assert scripts.resumed() == [[], []]
 
 
 def test_a_cancelled_event_is_none() -> None:
@@ -534,8 +543,13 @@ def test_a_wait_of_the_next_task_passes_within_its_statement(
     made._known[0], made._ends[0], made._surely[0] = None, inf, inf
     made.began, made.current, made._index, made._resumed, made._alone = 0.003, scripts.tasks[0], 0, 4, False
     clock.now = 0.003
+
+    def rings() -> bool:
+        located.append(made.current.name)
+        return not wakes
+
     if event is not None:
-        clock.at(event, lambda: located.append(made.current.name) or not wakes)
+        clock.at(event, rings)
     assert made.passes_among_others(0.004, end, by_arrival) == horizon
     assert made.next_slice == 0.007
     assert made.current.name == "A"
@@ -717,7 +731,7 @@ def test_a_period_is_searched_for_after_a_slice_without_an_action(
     elif change == "interrupted":
         made.interrupts.append(first)
     elif change == "outside":
-        made.outside = SimpleNamespace()  # type: ignore[assignment]
+        made.outside = SimpleNamespace()
     elif change is not None:
         setattr(first, change, 1)
     made.slice_over(first)

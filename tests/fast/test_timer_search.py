@@ -85,18 +85,17 @@ class Left:
 
     def __init__(self) -> None:
         event, self.reached = object(), list[tuple[object, ...]]()
-        self.events: Any = SimpleNamespace(
-            tick_event=event, environment=SimpleNamespace(machine=SimpleNamespace(log=None))
-        )
-        self.made = TimerTicks(self.events)
-        self.made._polled = SimpleNamespace(  # type: ignore[assignment]
-            reached=lambda scheduler, *given: self.reached.append(given)
-        )
+        environment = SimpleNamespace(machine=SimpleNamespace(log=None))
+        events: Any = SimpleNamespace(tick_event=event, environment=environment)
+        self.events = events
+        made: Any = TimerTicks(events)
+        self.made = made
+        made._polled = SimpleNamespace(reached=lambda scheduler, *given: self.reached.append(given))
         self.scheduler: Any = SimpleNamespace(is_observed=True, tasks=[waiting(None)])
 
     @staticmethod
-    def handler(name: str = "timer", done: bool = True, kind: type = EventTask) -> Any:
-        task = kind.__new__(kind)
+    def handler(name: str = "timer", done: bool = True, kind: type[EventTask] = EventTask) -> Any:
+        task: Any = kind.__new__(kind)
         task.name, task.done, task.wait = name, done, None
         return task
 
@@ -162,7 +161,7 @@ def test_a_timer_with_another_period_is_left_alone() -> None:
 def test_a_search_that_fails_pauses_for_twice_as_many_ticks() -> None:
     made, pauses = Left().made, []
     for _ in range(15):
-        made._search = object()  # type: ignore[assignment]
+        made._search = object()
         made._fail()
         assert made._search is None
         pauses.append(made._left)
@@ -187,7 +186,7 @@ class Ticking:
     """
 
     def __init__(self, *waits: Any, ends: tuple[bool, ...] = (), **given: Any) -> None:
-        self.clock, self.calls, self._ends = Clock(), list[object](), list(ends)
+        self.clock, self.calls, self._ends = Clock(), list[tuple[float, float, int]](), list(ends)
         self.clock.now = 0.495
         parts: dict[str, Any] = {"event": self.clock.at(0.5, lambda: None)}
         for key, value in {**RUNS, **given}.items():
@@ -200,9 +199,9 @@ class Ticking:
         self.events.tick_event = self.event
         self.tasks = [SimpleNamespace(wait=each, delay=None, at=k) for k, each in enumerate(waits)]
         self.scheduler: Any = SimpleNamespace(tasks=self.tasks, current=SimpleNamespace(at=77))
-        self.made = TimerTicks(self.events)
-        self.made._left = 10**6
-        self.made._tick = self.tick  # type: ignore[method-assign]
+        made: Any = TimerTicks(self.events)
+        self.made = made
+        made._left, made._tick = 10**6, self.tick
 
     def tick(self, scheduler: Any, now: float, until: float, at: int) -> bool:
         self.calls.append((round(now, 9), until, at))
@@ -211,7 +210,7 @@ class Ticking:
         return self._ends.pop(0) if self._ends else True
 
     def run(self, due: float = 0.5, until: float = 1.0) -> bool:
-        return self.made.run(self.scheduler, due, until)
+        return bool(self.made.run(self.scheduler, due, until))
 
     def ticks(self) -> int:
         return len(self.calls)
@@ -301,7 +300,7 @@ def test_a_tick_is_located_at_the_task_that_was_checked_last(
     """
     program = Ticking(*waits)
     assert program.run(until=0.525)
-    assert [each[2] for each in program.calls] == at  # type: ignore[index]
+    assert [each[2] for each in program.calls] == at
     assert program.scheduler.current.at == current
 
 
@@ -313,7 +312,7 @@ def test_ticks_within_short_waits_are_left_to_the_search_of_polling_tasks(
     program.tasks[0].delay = program.tasks[0].wait
     program.tasks[0].wait.since = 0.49
     if polled:
-        program.made._polled = SimpleNamespace(is_searching=is_searching)  # type: ignore[assignment]
+        program.made._polled = SimpleNamespace(is_searching=is_searching)
     assert program.run(until=0.525) == runs
 
 
@@ -330,7 +329,7 @@ def test_a_search_begins_after_the_pause() -> None:
         asked.append(round(end, 9))
         return len(asked) < 3
 
-    program.made._skipped = skipped  # type: ignore[method-assign]
+    program.made._skipped = skipped
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("motionlang.fast.timer_ticks._Search", lambda events: "search")
         assert program.run(until=0.555)
@@ -338,17 +337,17 @@ def test_a_search_begins_after_the_pause() -> None:
     assert (program.made._search, program.made._left, program.made._back_off) == (None, 0, 1)
 
 
-def search(*values: tuple[float, ...], period: float = 10.0, ticks: int = 5, started: float = 0.0) -> _Search:
+def search(*values: tuple[float, ...], period: float = 10.0, ticks: int = 5, started: float = 0.0) -> Any:
     """Return a search with the values of counters after each tick.
 
     The last one was tick `ticks` - 1.
     """
-    made = _Search.__new__(_Search)
+    made: Any = _Search.__new__(_Search)
     clock: Any = SimpleNamespace(now=0.0, second_time=lambda: inf)
-    made._events = SimpleNamespace(  # type: ignore[assignment]
+    made._events = SimpleNamespace(
         started=started, timer=period, ticks=ticks, tick_time=lambda number: number * period / 1000.0
     )
-    made._environment = SimpleNamespace(clock=clock, statements=StatementTime(1e-5))  # type: ignore[assignment]
+    made._environment = SimpleNamespace(clock=clock, statements=StatementTime(1e-5))
     made.marks = [((), each) for each in values]
     made.times = [k * 0.01 for k in range(len(values))]
     made.ends = [each + 3e-5 for each in made.times]
@@ -394,15 +393,20 @@ def test_the_periods_that_fit_before_a_change(
 ) -> None:
     """The handler of the last tick ends 30 µs after it, and a µs before the change."""
     made = search((1.0,), (1.0,), (1.0,), period=timer, ticks=ticks)
-    made._environment.clock.second_time = lambda: second  # type: ignore[method-assign]
-    made._counters = SimpleNamespace(most=lambda steps: most)  # type: ignore[assignment]
+    made._environment.clock.second_time = lambda: second
+    made._counters = SimpleNamespace(most=lambda steps: most)
     assert made.fitting(period, end) == fitting
 
 
 def test_counters_advance_by_the_steps_of_the_last_period() -> None:
     asked = list[object]()
     made = search((5.0,), (6.0,), (6.0,))
-    made._counters = SimpleNamespace(most=lambda steps: asked.append(steps) or 3)  # type: ignore[assignment]
+
+    def most(steps: object) -> float:
+        asked.append(steps)
+        return 3.0
+
+    made._counters = SimpleNamespace(most=most)
     assert made.fitting(1, 1.0) == 3
     assert asked == [[0.0]]
 
@@ -410,7 +414,7 @@ def test_counters_advance_by_the_steps_of_the_last_period() -> None:
 def test_ticks_count_from_the_start_of_the_timer() -> None:
     """Since 0.5 s ticks 5 to 49 fit before 1 s."""
     made = search((1.0,), (1.0,), (1.0,), started=0.5)
-    made._counters = SimpleNamespace(most=lambda steps: inf)  # type: ignore[assignment]
+    made._counters = SimpleNamespace(most=lambda steps: inf)
     assert made.fitting(1, 1.0) == 45 - 1
 
 
@@ -418,7 +422,7 @@ def test_the_longest_handler_of_a_period_must_fit() -> None:
     """The last but one takes 2 ms, and the one before it, of another period, 9 ms."""
     made = search((1.0,), (1.0,), (1.0,), (1.0,), (1.0,))
     made.ends[-2], made.ends[-3] = made.times[-2] + 0.002, made.times[-3] + 0.009
-    made._counters = SimpleNamespace(most=lambda steps: inf)  # type: ignore[assignment]
+    made._counters = SimpleNamespace(most=lambda steps: inf)
     assert [made.fitting(2, end) for end in (0.1019, 0.1021, 0.1119, 0.1121)] == [2, 2, 2, 3]
     assert [made.fitting(1, end) for end in (0.10002, 0.10004)] == [4, 5]
 
@@ -444,7 +448,7 @@ class Stream(list[Any]):
         self.append((shape, pace))
 
 
-def recorded(period: int = 2) -> tuple[_Search, list[Stream]]:
+def recorded(period: int = 2) -> tuple[Any, list[Stream]]:
     """Return a search and its streams.
 
     The handler toggles an output at ticks 2 and 3, which are at 20 ms and 30 ms.
@@ -452,8 +456,8 @@ def recorded(period: int = 2) -> tuple[_Search, list[Stream]]:
     made = search(period=10.0, ticks=4)
     streams = [Stream([(k * 0.01, "handler") for k in range(4)]), Stream(), Stream()]
     streams[1] += [(0.0, 9, 9), (0.01, 9, 9), (0.02 + 1e-5, 3, 1), (0.03 + 1e-5, 3, 0)]
-    made._log = SimpleNamespace(events=streams[0], outputs=streams[1], slices=streams[2])  # type: ignore[assignment]
-    made._others, made._lengths = [[1]], [1]  # type: ignore[list-item]
+    made._log = SimpleNamespace(events=streams[0], outputs=streams[1], slices=streams[2])
+    made._others, made._lengths = [[1]], [1]
     made.marks = [((k + 1, k + 1, 0), (float(k * k), 2.0)) for k in range(4)]
     made.times = [k * 0.01 for k in range(4)]
     return made, streams
@@ -497,11 +501,11 @@ def test_skipped_periods_have_all_their_effects() -> None:
     made, streams = recorded()
     scheduled, reached, advanced = list[int](), list[object](), list[object]()
     events, environment = made._events, made._environment
-    events.tick_event, events.schedule_tick = "tick", scheduled.append  # type: ignore[assignment,method-assign]
-    environment.clock.reach, environment.clock.fired = reached.append, 42  # type: ignore[assignment,method-assign]
+    events.tick_event, events.schedule_tick = "tick", scheduled.append
+    environment.clock.reach, environment.clock.fired = reached.append, 42
     environment.statements.base, environment.statements.count = 0.03, 3.0
-    made._counters = SimpleNamespace(advance=lambda *given: advanced.append(given))  # type: ignore[assignment]
-    made.skip(2, 3, ROWS)  # type: ignore[arg-type]
+    made._counters = SimpleNamespace(advance=lambda *given: advanced.append(given))
+    made.skip(2, 3, ROWS)
     pace = 0.0, 4, 0.01, 1e-5
     assert [each[-1] for each in streams[:2]] == [((rows, 3, 2, 0.0), pace) for rows in ROWS[:2]]
     assert streams[2] == [(([], 3, 2, 0.0), pace)]
@@ -517,13 +521,11 @@ def test_a_state_that_recurs_is_a_period() -> None:
     """
     made = search(ticks=1)
     values, hidden = [0.0], list[object]()
-    made._counters = SimpleNamespace(  # type: ignore[assignment]
-        hide=lambda: "hidden", set=hidden.append, values=lambda: (values[0],)
-    )
-    made._log = SimpleNamespace(events=[1], outputs=[1, 2], slices=[])  # type: ignore[assignment]
+    made._counters = SimpleNamespace(hide=lambda: "hidden", set=hidden.append, values=lambda: (values[0],))
+    made._log = SimpleNamespace(events=[1], outputs=[1, 2], slices=[])
     outputs = SimpleNamespace(values=0)
-    made._environment.controller = SimpleNamespace(outputs=outputs)  # type: ignore[assignment]
-    made._environment.state = lambda alive: b"shared"  # type: ignore[method-assign]
+    made._environment.controller = SimpleNamespace(outputs=outputs)
+    made._environment.state = lambda alive: b"shared"
     made.marks, made.times, made.ends = [], [], []
     found = []
     for number in range(1, 6):
@@ -556,7 +558,7 @@ class Handler:
             machine=SimpleNamespace(log=log),
             controller=SimpleNamespace(outputs=self.outputs),
         )
-        self.events: Any = SimpleNamespace(
+        events: Any = SimpleNamespace(
             environment=self.environment,
             ticks=4,
             tick_event="tick",
@@ -565,7 +567,9 @@ class Handler:
             active=[],
             pending=[],
         )
-        self.made = TimerTicks(self.events)
+        self.events = events
+        made: Any = TimerTicks(events)
+        self.made = made
 
     def ran_handler(self, task: Any, until: float) -> bool:
         self.ran.append((task, task.notes, until))
@@ -586,7 +590,7 @@ class Handler:
     def tick(self) -> bool:
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr("motionlang.fast.timer_ticks.EventTask", Made)
-            return self.made._tick(self, 0.5, 0.9, 33)
+            return bool(self.made._tick(self, 0.5, 0.9, 33))
 
 
 class Made:
@@ -667,8 +671,9 @@ class Skipping:
             clock=SimpleNamespace(now=0.5), dependencies=dependencies, machine=SimpleNamespace(log=None)
         )
         events: Any = SimpleNamespace(environment=environment, tick_event="tick")
-        self.made = TimerTicks(events)
-        self.made._left = self.made._back_off = 8
+        made: Any = TimerTicks(events)
+        self.made = made
+        made._left = made._back_off = 8
 
     def stable_until(self, *given: object) -> float:
         self.calls.append(given)
@@ -688,8 +693,8 @@ class Skipping:
         self.calls.append(given)
 
     def skipped(self) -> bool:
-        self.made._search = self  # type: ignore[assignment]
-        return self.made._skipped(0.9)
+        self.made._search = self
+        return bool(self.made._skipped(0.9))
 
 
 LEVEL = ([1], 0, 0.3)
@@ -751,6 +756,6 @@ def test_a_search_begins_with_the_state_of_its_first_tick() -> None:
     given: Any = SimpleNamespace(
         environment=environment, handler=lambda kind: None, ticks=4, tick_time=lambda number: number * 0.01
     )
-    made = _Search(given)
+    made: Any = _Search(given)
     assert (made._others, made._lengths) == ([prints, moves], [3, 4])
     assert (made.marks, made.times, made.ends) == ([((0, 1, 2), ())], [0.03], [0.031])
