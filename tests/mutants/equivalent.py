@@ -1607,4 +1607,195 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/analysis/proof/prove.py: _excuse: abs(before - after) > SLACK * max(1.0, before) -> "
     "abs(before - after) >= SLACK * max(1.0, before)": ("just at the size of rounding either is right"),
+    "motionlang/fast/recurrence.py: Recurrence: __init__: 0 -> 1 #3": ("the first search sets it"),
+    "motionlang/fast/recurrence.py: Recurrence: __init__: False -> True": ("the first search sets it"),
+    "motionlang/fast/recurrence.py: Recurrence: __init__: 0.0 -> 1.0": (
+        "a machine whose statements take no time is never compared"
+    ),
+    "motionlang/fast/recurrence.py: Recurrence: _begin: False -> True": (
+        "only speed: whether states with another next task are stored until the first is compared"
+    ),
+    "motionlang/fast/recurrence.py: Recurrence: _skips: False -> True #2": (
+        "only speed: shorter periods are not looked for"
+    ),
+    "motionlang/fast/recurrence.py: Recurrence: _skips: False -> True #3": (
+        "a wait outside a period is outside of shorter ones, too"
+    ),
+    "motionlang/fast/recurrence.py: Recurrence: _skips: True -> False #2": (
+        "only speed: shorter periods are looked for, too"
+    ),
+    "motionlang/fast/recurrence.py: Recurrence: _backs_off: 30 -> 31": ("a pause has at most 2048 slices"),
+    "motionlang/fast/recurrence.py: Recurrence: leap: task.wait is None -> task.wait is not None #3": (
+        "a period of no task never recurs, since the waits end at other times"
+    ),
+    "motionlang/fast/recurrence.py: Recurrence: leap: 0.0 -> 1.0 #2": (
+        "without a WAIT the longest is 0, too"
+    ),
+    "motionlang/fast/recurrence.py: 10000000 -> 10000001": ("one byte more of ten million"),
+    "motionlang/fast/recurrence.py: 20000 -> 20001": ("one state more of twenty thousand"),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: 0 -> 1": (
+        "only speed: the same transition is looked up"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: count * cost -> count / cost": (
+        "only speed: the same transition is looked up"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: step.length * cost -> step.length / cost": (
+        "only speed: the same transition is looked up"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: step.length * cost -> step.length / cost #2": (
+        "only speed: how many repetitions are found at once"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: min(dues[0][0], end) - step.length * cost - "
+    "APART -> min(dues[0][0], end) - step.length * cost + APART": (
+        "only speed: how many repetitions are found at once"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: step.waits[0][2] / UNITS -> step.waits[0][2] * "
+    "UNITS": ("only speed: how many repetitions are found at once"),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: 0 -> 1 #6": (
+        "only speed: how many repetitions are found at once"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: 0 -> 1 #7": (
+        "only speed: how many repetitions are found at once"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: 1 -> 2 #2": (
+        "only speed: how many repetitions are found at once"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: 1 -> 2 #3": (
+        "only speed: how many repetitions are found at once"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: times > 0 -> times >= 0": (
+        "no repetition leaves the time as it is"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: moment > base + count * cost + APART -> moment "
+    ">= base + count * cost + APART": ("just at the size of rounding either is right"),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: dues[1][0] > moment + step.length * cost + "
+    "APART -> dues[1][0] >= moment + step.length * cost + APART": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _next: dues[depth][0] <= base + (origin + "
+    "step.length) * cost + APART -> dues[depth][0] < base + (origin + step.length) * cost + APART": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _next: dues[0][0] <= base + (count + step.length) * "
+    "cost + APART -> dues[0][0] < base + (count + step.length) * cost + APART": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _origin: due[0] > now + APART -> due[0] >= now + APART": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _path: due[0] > end -> due[0] >= end": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _observe: due[0] <= self._environment.clock.now + "
+    "APART -> due[0] < self._environment.clock.now + APART": ("just at the size of rounding either is right"),
+    "motionlang/fast/polled_ticks.py: PolledTicks: __init__: abs(cost_units - round(cost_units)) < 1e-06 "
+    "-> abs(cost_units - round(cost_units)) <= 1e-06": ("just at the size of rounding either is right"),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _learn_period: 0.0 -> 1.0": (
+        "only the beginning of a known period is compared"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _checkpoint: 0.0 -> 1.0 #2": (
+        "a wait whose end is not known gets none later"
+    ),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _checkpoint: True -> False": ("either marks a WAIT"),
+    "motionlang/fast/polled_ticks.py: _Walk: __init__: 0.0 -> 1.0": ("the first good transition sets it"),
+    "motionlang/fast/polled_ticks.py: _Walk: __init__: 0.0 -> 1.0 #2": ("the first good transition sets it"),
+    "motionlang/fast/polled_ticks.py: _Walk: __init__: 0 -> 1 #2": ("the first good transition sets it"),
+    "motionlang/fast/polled_ticks.py: PolledTicks: _transition: 0 -> 1": (
+        "the ticks of these rows are not used"
+    ),
+    "motionlang/fast/polled_ticks.py: _first: distance > 0.0 -> distance >= 0.0": (
+        "a distance of 0 has returned in the lines before"
+    ),
+    "motionlang/fast/polled_ticks.py: 1 -> 2": ("either is the index of no task"),
+    "motionlang/fast/polled_ticks.py: 0.0 -> 1.0": ("nothing reads the beginning of what is never due"),
+    "motionlang/fast/moves.py: FastAxis: velocity: time > self.ends -> time >= self.ends": (
+        "at its end the profile has the same velocity"
+    ),
+    "motionlang/fast/moves.py: FastAxis: position: time > self.ends -> time >= self.ends": (
+        "at its end the profile has the same position"
+    ),
+    "motionlang/fast/moves.py: FastAxis: __init__: 0.0 -> 1.0": ("the start of a move sets it"),
+    "motionlang/fast/moves.py: 0.0 -> 1.0": ("the distance before it matches no move"),
+    "motionlang/fast/moves.py: 0.0 -> 1.0 #2": ("the distance before it matches no move"),
+    "motionlang/fast/moves.py: 0.0 -> 1.0 #3": ("the distance before it matches no move"),
+    "motionlang/fast/moves.py: 0.0 -> 1.0 #4": ("the distance before it matches no move"),
+    "motionlang/fast/command_rounds.py: CommandRounds: __init__: 0 -> 1": ("the first jump sets it"),
+    "motionlang/fast/command_rounds.py: CommandRounds: __init__: 0 -> 1 #2": ("the first jump sets it"),
+    "motionlang/fast/command_rounds.py: CommandRounds: jumped: 0 -> 1 #3": (
+        "the effects up to a state that is new are not used"
+    ),
+    "motionlang/fast/command_rounds.py: CommandRounds: jumped: until - CLOSE -> until + CLOSE #2": (
+        "a round too many is taken off in the loop behind it"
+    ),
+    "motionlang/fast/command_rounds.py: CommandRounds: jumped: until - CLOSE <= now -> until - CLOSE < now": (
+        "in no time no round fits"
+    ),
+    "motionlang/fast/command_rounds.py: CommandRounds: jumped: (time := advanced(now, task.cost, rounds "
+    "* commands)) > until - CLOSE -> (time := advanced(now, task.cost, rounds * commands)) >= until - "
+    "CLOSE": ("just at the size of rounding either is right"),
+    "motionlang/fast/command_rounds.py: advanced: 2 -> 3": ("only speed: how many steps are added at once"),
+    "motionlang/fast/command_rounds.py: advanced: 0.0 -> 1.0": (
+        "only speed: how many steps are added at once"
+    ),
+    "motionlang/fast/command_rounds.py: advanced: 1 -> 2 #2": (
+        "only speed: how many steps are added at once"
+    ),
+    "motionlang/fast/command_rounds.py: advanced: 0 -> 1 #2": ("one step at once is one step"),
+    "motionlang/fast/timer_ticks.py: _Search: is_solvable: 1 -> 2": ("whether there is any"),
+    "motionlang/fast/timer_ticks.py: TimerTicks: run: quiet <= clock.now -> quiet < clock.now": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/fast/timer_ticks.py: _is_short: wait.ends - wait.since < SHORT_WAIT -> wait.ends - "
+    "wait.since <= SHORT_WAIT": ("just at the size of rounding either is right"),
+    "motionlang/fast/command_counters.py: _counters_in: 2 -> 3": ("the last command of a loop is its jump"),
+    "motionlang/fast/command_counters.py: _levels: first - 3 -> first + 3": (
+        "the recall before a count sets the accumulator"
+    ),
+    "motionlang/fast/closed_form.py: ClosedForm: _inside: values.max() <= limit -> values.max() < limit": (
+        "the samples are then compared one by one"
+    ),
+    "motionlang/fast/closed_form.py: ClosedForm: _inside: values.min() >= -limit -> values.min() > -limit": (
+        "the samples are then compared one by one"
+    ),
+    "motionlang/fast/closed_form.py: ClosedForm: run: z and self._has[i] -> z or self._has[i]": (
+        "only speed: a term more or less that is 0"
+    ),
+    "motionlang/fast/closed_form.py: ClosedForm: run: abs(number) > _NOTHING -> abs(number) >= _NOTHING": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/fast/closed_form.py: closed_form: 1 -> 2": (
+        "twice the number of samples of a unit is a unit, too"
+    ),
+    "motionlang/fast/closed_form.py: ClosedFormServo: run_block: begin < until -> begin <= until": (
+        "a mark more of the same sample"
+    ),
+    "motionlang/fast/closed_form.py: 512 -> 513": ("how long a table is at least"),
+    "motionlang/fast/closed_form.py: ClosedFormServo: _form: 0 -> 1 #2": (
+        "only speed: the form is looked up in its cache"
+    ),
+    "motionlang/fast/time_slices.py: TimeSlices: _horizon: max_slice < FULL_SLICE -> max_slice <= "
+    "FULL_SLICE": ("where both are the same either is right"),
+    "motionlang/fast/time_slices.py: TimeSlices: _horizon: event <= horizon -> event < horizon": (
+        "only speed: a cancelled event at the end of a slice ends it, as does the end"
+    ),
+    "motionlang/fast/time_slices.py: TimeSlices: _horizon: event < until -> event <= until": (
+        "where both are the same either is right"
+    ),
+    "motionlang/fast/time_slices.py: TimeSlices: _horizon: event < horizon -> event <= horizon": (
+        "where both are the same either is right"
+    ),
+    "motionlang/fast/time_slices.py: TimeSlices: _horizon: due < horizon -> due <= horizon": (
+        "where both are the same either is right"
+    ),
+    "motionlang/fast/time_slices.py: TimeSlices: ran_handler: event < until -> event <= until": (
+        "where both are the same either is right"
+    ),
+    "motionlang/fast/time_slices.py: TimeSlices: idle_round: clock.now < time -> clock.now <= time": (
+        "where both are the same either is right"
+    ),
+    "motionlang/fast/time_slices.py: TimeSlices: __init__: 0 -> 1 #2": ("the first round sets it"),
+    "motionlang/fast/time_slices.py: TimeSlices: __init__: 0 -> 1 #3": ("the first round sets it"),
+    "motionlang/fast/time_slices.py: TimeSlices: _last_checked: len(indices) > 1 -> len(indices) >= 1": (
+        "the last one of one is that one"
+    ),
 }
