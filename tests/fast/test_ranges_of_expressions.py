@@ -55,6 +55,7 @@ def printed(text: str, name: str = "y") -> Any:
         ("i & 3", (0, 3, "i")),
         ("i & -1", INTEGER),
         ("(i - 3) & 7", INTEGER),
+        ("i & (i - 3)", INTEGER),
         ("i | 8", INTEGER),
         ("i = 3", BOOL),
         ("i > 1 And i < 4", BOOL),
@@ -151,6 +152,10 @@ def test_the_range_of_a_counter(loop: str, known: tuple[int, int]) -> None:
 def test_the_range_of_a_counter_after_its_loop(loop: str, known: tuple[int, int]) -> None:
     """The last value in the loop plus the step, or the first if there is none."""
     assert printed(f"{loop}\nNext\nPRINT i", "i") == (*known, "i")
+
+
+def test_a_float_may_count_beyond_the_largest_integer() -> None:
+    assert printed("For f = 1 To 2147483647\nNext\nPRINT f", "f") == (1, 2**31, "i")
 
 
 @pytest.mark.parametrize(
