@@ -1798,4 +1798,9 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/fast/time_slices.py: TimeSlices: _last_checked: len(indices) > 1 -> len(indices) >= 1": (
         "the last one of one is that one"
     ),
+    "motionlang/fast/ranges.py: Flow: _for: 1 -> 2 #4": (
+        "the counter after a step is joined with its start, which is lower"
+    ),
+    "motionlang/fast/ranges.py: _constants: each + k -> each - k": ("the neighbours are the same"),
+    "motionlang/fast/ranges.py: Flow: _number: 0 -> 1": ("both bounds of a constant are the same"),
 }
