@@ -1803,4 +1803,31 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/fast/ranges.py: _constants: each + k -> each - k": ("the neighbours are the same"),
     "motionlang/fast/ranges.py: Flow: _number: 0 -> 1": ("both bounds of a constant are the same"),
+    "motionlang/cli/mcapi_run.py: _run: True -> False": "the thread is joined before the function returns",
+    "motionlang/servo/lookahead.py: next_side: off[start] > 0.0 -> off[start] >= 0.0": (
+        "it is farther than the margin from the level, not at it"
+    ),
+    "motionlang/lang/scheduler.py: Scheduler: __init__: 0.0 -> 1.0": (
+        "without statements of a machine, no task asks for their cost"
+    ),
+    "motionlang/servo/stretch.py: _acts: abs(change) <= _STILL + 4.0 * _ROUNDING * abs(here) -> "
+    "abs(change) < _STILL + 4.0 * _ROUNDING * abs(here)": ("just at the size of rounding either is right"),
+    "motionlang/mint/keywords/modbus.py: _bits: value > 0 -> value >= 0": (
+        "a number beyond all floats of 32 bits is not 0"
+    ),
+    "motionlang/mint/compile/splitting.py: _shortened: length + len(statement) > SIZE -> length + "
+    "len(statement) >= SIZE": ("where long code is cut: it does the same"),
+    "motionlang/mint/compile/assembly.py: 1000 -> 1001": (
+        "whether code is compiled at once or when it is called: it does the same"
+    ),
+    "motionlang/analysis/proof/path_layout.py: PathLayout: rates: 0.5 * pi - both -> 0.5 * pi + both": (
+        "counted from all quarters, on both sides, the angles are the same"
+    ),
+    "motionlang/mccl/resolve/nearest.py: candidates: -1 -> 1": "the word has two letters: its last is at 1",
+    "motionlang/planners/direction.py: _stretches: profile.duration < inf -> profile.duration <= inf": (
+        "a stretch without end, in the same direction, comes before it"
+    ),
+    "motionlang/analysis/compare/alignment.py: _explained: 1.0 -> 2.0 #3": (
+        "with fewer than two points the signal has no energy, and all shares are 0"
+    ),
 }
