@@ -40,6 +40,16 @@ def test_a_table_of_all_variants_and_the_best(stroke: Cell) -> None:
     )
 
 
+@pytest.mark.parametrize(("rows", "listed"), [("0", 4), ("1", 1), ("3", 3)])
+def test_a_table_has_as_many_rows_as_asked_for_and_0_are_all(rows: str, listed: int, stroke: Cell) -> None:
+    ran = stroke(*VARY[:4], "--keep", "time", "--rows", rows)
+    table = ran.out.partition("─\n")[2].partition("\n\n")[0]
+    assert [line.split()[0] for line in table.splitlines()][:listed] == ["500", "1000", "1500", "2000"][
+        :listed
+    ]
+    assert ran.out.count("0.") == listed
+
+
 def test_a_front_and_a_picture(stroke: Cell) -> None:
     for plot, options in (
         ("front.png", ("--pareto", "time,peak.0")),

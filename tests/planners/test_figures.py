@@ -391,6 +391,8 @@ def test_the_updates_of_the_discrete_trapezoid() -> None:
     assert sum(velocity for velocity, _ in made) == 20
     assert max(abs(b[0] - a[0]) for a, b in pairwise(made)) == 1
     assert discrete_trapezoid(1, 3, 1) == [(1, 1)]
+    # At 2, another step of 2 leaves nothing to stop in, which it need not: 4 is reached with it.
+    assert discrete_trapezoid(4, 3, 2) == [(2, 2), (2, 4)]
     assert discrete_trapezoid(9, 3, 1) == [(1, 1), (2, 3), (3, 6), (2, 8), (1, 9)]
 
 

@@ -268,3 +268,11 @@ def test_two_figures_that_are_too_large_are_reported_by_the_first(
     name = ("position", "target", "start velocity", "start acceleration")[first]
     with pytest.raises(ValueError, match=f"^{name} must lie between -1e\\+60 and 1e\\+60$"):
         plan_jerk(start, target, 1.0, *RATES, v0, a0)
+
+
+def test_the_largest_speed_is_still_a_speed() -> None:
+    """A move of 8 at rates and jerks of 1 does not come near it."""
+    limits = (1.0, 1.0, 1.0, 1.0)
+    assert plan_jerk(0.0, 8.0, LARGEST, *limits).duration == plan_jerk(0.0, 8.0, 100.0, *limits).duration
+    with pytest.raises(ValueError, match="speed must lie between 1e-60 and 1e"):
+        plan_jerk(0.0, 8.0, 2.0 * LARGEST, *limits)

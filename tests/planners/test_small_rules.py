@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import exp, inf, nextafter, pi, sqrt, tanh
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -20,8 +21,8 @@ from motionlang.planners import (
     plan_velocity,
 )
 from motionlang.planners.arc import arc_over, line_over
-from motionlang.planners.cubics import cubics
-from motionlang.planners.curve import from_curve
+from motionlang.planners.cubics import _fit, cubics
+from motionlang.planners.curve import State, from_curve
 from motionlang.planners.dissect import s_curve_times, slip_acceleration, step_segments, trapezoid_times
 from motionlang.planners.extrapolation import Extrapolated
 from motionlang.planners.feasibility import finish, stretched
@@ -45,6 +46,8 @@ from motionlang.planners.trapezoid import from_rest
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from motionlang.planners.ramps import Piece
 
 LIMITS = (200.0, 400.0, 400.0)
 MOVE = plan_trapezoid(0.0, 100.0, *LIMITS)
@@ -515,3 +518,13 @@ def test_a_move_that_begins_with_an_acceleration(name: str, sign: float) -> None
     assert total_distance == pytest.approx(sign * target)
     assert made.duration == pytest.approx(sum(phase.duration for phase in phases))
     assert made.at(0.0).acceleration == pytest.approx(sign * a0)
+
+
+def test_a_bend_that_no_cubic_has_is_halved_so_often() -> None:
+    """The bend at 0.3 is in the first half, the second quarter, and the third eighth."""
+    bent: Any = SimpleNamespace(at=lambda t: State(abs(t - 0.3), 1.0 if t > 0.3 else -1.0, 0.0, 0.0))
+    knots: list[float] = []
+    pieces: list[Piece] = []
+    _fit(bent, (0.0, 1.0), (bent.at(0.0), bent.at(1.0)), 1e-9, knots, pieces, 3)
+    assert knots == [0.25, 0.375, 0.5, 1.0]
+    assert len(pieces) == 4

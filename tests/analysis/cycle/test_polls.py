@@ -114,6 +114,16 @@ def test_the_waits_of_skipped_iterations_are_charged_to_their_lines(form: str, u
     assert waited == pytest.approx({line: until * part / 0.1 for line, part in lines.items()}, rel=1e-6)
 
 
+def test_the_waits_of_few_skipped_iterations_are_all_listed() -> None:
+    """3 s of iterations of 0.1 s are 30 waits, skipped or not."""
+    text, name, _ = ENDLESS["one wait"]
+    machine = {"controller.instruction_time": 1e-9, "input": [{"channel": 1, "at": 30_001.0}]}
+    waits = tasks.all_waits(ran(text, name, machine=machine, until=3.0))["ParentTask"]
+    lengths = [wait[3] - wait[2] for wait in waits]
+    assert lengths[:29] == pytest.approx([0.1] * 29, rel=1e-6)
+    assert len(lengths) == 30
+
+
 def test_the_waits_of_a_run_with_many_skips_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     """An input that changes twice a second ends a skip of at most 50 iterations.
 

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from motionlang.planners.pvt.velocities import (
     average_velocities,
     compare_velocities,
+    knot_accelerations,
     largest_jump,
     pvt_velocities,
     refined_velocities,
@@ -146,3 +147,9 @@ def test_impossible_points_are_refused(
 def test_an_unknown_method_is_refused_with_the_known_ones() -> None:
     with pytest.raises(ValueError, match="zero, average, refine, exact"):
         pvt_velocities("guess", FOUR_POINTS, T)
+
+
+def test_outside_the_move_there_is_no_acceleration() -> None:
+    """From rest to 10 in the first second: 6 * 10 - 2 * 10 = 40, then 4 * 10 - 6 * 10."""
+    sides = knot_accelerations([0.0, 10.0, 20.0], [0.0, 10.0, 0.0], 1.0)
+    assert sides == [(0.0, 40.0), (-20.0, 20.0), (-40.0, 0.0)]
