@@ -523,7 +523,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/slowing.py: slowing: a0 > 0.0 -> a0 >= 0.0": (
         "an acceleration of 0 adds nothing"
     ),
-    "motionlang/analysis/proof/paths.py: _check_along: slow.speed > least -> slow.speed >= least": (
+    "motionlang/analysis/proof/paths.py: _permitted: slow.speed > least -> slow.speed >= least": (
         "the speed that is always allowed is a bound without it"
     ),
     "motionlang/analysis/proof/path_layout.py: PathLayout: _angles: angle + k * 0.5 * pi < high -> angle "

@@ -405,13 +405,7 @@ def _check_along(
     travelled, v0, a0, _ = along[0].at(0.0)
     slow = _slowing(order, layout, v0, a0, layout.length - travelled + beyond, gentlest)
     slow = slow._replace(speed=max(slow.speed, planned))
-    speed, rates = order.speed, order.rates
-    least, by = _least(order, layout)
-    if layout.unit is None:
-        speed, rates = least, by.rates
-    carried = slow.speed if slow.speed > least and not fresh else 0.0  # without room to brake twice
-    if fresh:
-        slow = slow._replace(speed=speed, came=0.0, until=0.0, eased=0.0, stretches=())
+    speed, rates, slow, carried = _permitted(order, layout, slow, fresh)
     # A stop that would pass its rest, because the jerk was lowered, reduces its deceleration to zero there.
     least_jerk = 0.5 * a0 * a0 / v0 if smooth and path.comes_to_rest and a0 < 0.0 < v0 else 0.0
     uses = Uses(proof)
@@ -456,6 +450,19 @@ def _check_along(
     # At the end of a profile, rounding may add a moment of the next one.
     whole = along[:-1] if along[-1].length <= late else along
     _check_joins(proof, order, whole, slow.came, where)
+
+
+def _permitted(
+    order: Order, layout: PathLayout, slow: Slowing, fresh: bool
+) -> tuple[float, tuple[float, float], Slowing, float]:
+    """Return speed and rates of a path, how it slows down, and the speed it carries."""
+    speed, rates = order.speed, order.rates
+    least, by = _least(order, layout)
+    if layout.unit is None:
+        speed, rates = least, by.rates
+    if fresh:
+        return speed, rates, slow._replace(speed=speed, came=0.0, until=0.0, eased=0.0, stretches=()), 0.0
+    return speed, rates, slow, slow.speed if slow.speed > least else 0.0  # without room to brake twice
 
 
 def _check_end(proof: Proof, order: Order, last: Span, slow: Slowing, late: float, where: str) -> None:
