@@ -17,7 +17,7 @@ from motionlang.planners.trapezoid import plan_trapezoid
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.triggers.conditions import Together
@@ -292,22 +292,26 @@ class Core(Readings):
     def continue_with(self, a: Axis, profile: Profile, ended: str) -> None:
         """Replace the rest of the present move by `profile`."""
         assert a.move is not None
-        self.amend_log(a.move, profile, ended)
+        self.amend_log([a.move], [profile], ended)
         self.append_profile(a, profile)
 
-    def amend_log(self, move: Move, profile: Profile, ended: str) -> None:
-        """Replace the rest of a move by `profile` in the log only."""
-        assert move.profile is not None
+    def amend_log(self, entries: Sequence[Move], profiles: Sequence[Profile], ended: str) -> None:
+        """Replace the rest of a move, or of a path's moves, in the log only.
+
+        Entries with many pieces continue as others, those of a path all at once.
+        """
         now = self.clock.now
-        done = move.until(now)
-        self.log.room -= 2  # a changed profile is stored piece by piece, and takes three times as much
-        if not ended and len(done.knots) > MAX_PIECES:
-            self.log.moves.split(move, done, now, len(done.knots))
-            move.profile = profile
-            return
-        # If a new zero was set in between, the two differ by it, and by its rounding.
-        move.profile = done.then(profile.scaled(done.end, 1.0) if move.offset else profile)
-        move.ended = ended or move.ended
+        parts = [move.until(now) for move in entries]
+        is_full = not ended and max(len(done.knots) for done in parts) > MAX_PIECES
+        for move, done, profile in zip(entries, parts, profiles, strict=True):
+            self.log.room -= 2  # a changed profile is stored piece by piece, and takes three times as much
+            if is_full:
+                self.log.moves.split(move, done, now, len(done.knots))
+                move.profile = profile
+                continue
+            # If a new zero was set in between, the two differ by it, and by its rounding.
+            move.profile = done.then(profile.scaled(done.end, 1.0) if move.offset else profile)
+            move.ended = ended or move.ended
 
     def end_move(self, a: Axis, ended: str) -> None:
         """Close the log entry of a move that is being replaced; the motion continues."""

@@ -1052,6 +1052,21 @@ def test_a_path_that_is_changed_hundreds_of_times(
     assert last.start_time + last.profile.duration == pytest.approx(length / 20.0 + 0.2, abs=1e-6)
 
 
+def test_a_helix_continues_in_the_log_on_all_its_axes_at_once() -> None:
+    """Axes 0 and 1 turn back at quarters: their entries are full before axis 2's.
+
+    The length is sqrt((10 pi)² + 8²), at 20 with 100.
+    """
+    change = "WAIT = 300\nFor k = 1 To 510\nACCEL(0) = 100 + k Mod 2\nWAIT = 1\nNext\nPAUSE IDLE(0)\n"
+    result = proved(f"{RATES}Dim k As Integer\nHELIXR(0, 1, 2) = 5, 0, 360, 8 : GO(0)\n{change}")
+    moves = result.controller.log.moves
+    starts = [[each.start_time for each in moves if each.axis == axis] for axis in (0, 1, 2)]
+    assert len(starts[0]) == 2
+    assert starts[1:] == [starts[0]] * 2
+    assert positions(result, 0, 1, 2) == pytest.approx([0.0, 0.0, 8.0])
+    assert result.time == pytest.approx(sqrt(100.0 * pi * pi + 64.0) / 20.0 + 0.2, abs=1e-6)
+
+
 def test_a_path_is_slowed_down_just_as_it_continues_in_the_log() -> None:
     """After 498 changes and 798 ms the path is at 13.96 with speed 20.
 

@@ -127,6 +127,12 @@ def _check_gap(proof: Proof, run: Run, a: WholeTrack, found: Ends, until: float)
         found.next_index += 1
 
 
+def _is_full(run: Run, move: Move, last: Order) -> bool:
+    """True if an entry, or another one of its path, has more than `MAX_PIECES`."""
+    entries = [move] if last.path is None else run.members(last.path)
+    return any(each.profile is not None and len(each.profile.knots) > MAX_PIECES for each in entries)
+
+
 def _check_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move, where: str) -> None:
     """Check that an entry has ended for its stated reason.
 
@@ -141,7 +147,7 @@ def _check_ended(proof: Proof, run: Run, a: WholeTrack, found: Ends, move: Move,
     last, over = expected_motion.of[a.index][i], run.span(a, i)[1]
     if move.profile.duration > late and last.kind != "path" and abs(over - end) > late:
         proof.breaks(move.line, f"{where}: it ends at {end:.6f} s, its motion at {over:.6f} s")
-    if move.ended == CONTINUED and len(move.profile.knots) <= MAX_PIECES:
+    if move.ended == CONTINUED and not _is_full(run, move, last):
         proof.breaks(move.line, f"{where}: it is logged as continued, but its entry is not full")
     elif move.ended == "retarget" and _is_at_end(run, a, i, end, late):
         proof.breaks(move.line, f"{where}: it is logged as replaced, but reaches its end")

@@ -273,8 +273,8 @@ class PathRun:
             if before is not None:
                 course.begin_at([move.profile.end for move in before.here.moves if move.profile is not None])
             if course in changed:
-                for k, move in enumerate(course.here.moves):
-                    self._controller.amend_log(move, course.of(k), self.ended)
+                moves = course.here.moves
+                self._controller.amend_log(moves, [course.of(k) for k in range(len(moves))], self.ended)
             before = course
 
     def _aim(self) -> None:
