@@ -180,7 +180,7 @@ class Recurrence:
     def _skips(self, tasks: list[Task], others: list[Wait], state: tuple[float, ...], until: float) -> bool:
         """Skip periods of `tasks` during which `others` wait.
 
-        True if there were any, or if all states are dropped: then the numbers in `state` are invalid.
+        True if the search is over: there were any, or all states are dropped, and the numbers in `state` with them.
         """
         clock, statements = self._clock, self._statements
         now, base, count = clock.now, statements.base, statements.count

@@ -165,7 +165,7 @@ def _same_range(verb: str, found: list[intervals.Range]) -> intervals.Range:
 def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> Value:
     test = condition(b, args[0])
     yes, no = value(b, args[1]), value(b, args[2])
-    if NOTHING in (yes, no):
+    if yes is NOTHING or no is NOTHING:
         return NOTHING
     if (yes.type == STRING) is not (no.type == STRING):
         b.problem("type", "the two values of IIf must both be numbers or both be texts", node)

@@ -428,7 +428,8 @@ def _case_test(b: Body, case: nodes.Case, subject: Value, name: str) -> str:
 def _one_test(b: Body, test: nodes.CaseTest, subject: Value, name: str) -> str:
     sides = [value(b, side) for side in (test.value, test.high) if side is not None]
     for side in sides:
-        if NOTHING not in (side, subject) and (side.type == STRING) is not (subject.type == STRING):
+        is_known = side is not NOTHING and subject is not NOTHING
+        if is_known and (side.type == STRING) is not (subject.type == STRING):
             b.problem(
                 "type", f"{article(side.type)} cannot be compared with the {subject.type} of the Select", test
             )

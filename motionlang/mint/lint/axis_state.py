@@ -458,7 +458,7 @@ class Follower:
 
         `results` are those of the comparison if `node` is 0 and if it is 1.
         """
-        if sorted(map(repr, results)) != ["0", "1"]:
+        if set(results) != {0, 1}:  # the same for both, or no number
             return state
         return self._refined(node, results[1] == truth, state)
 
