@@ -12,7 +12,7 @@ from motionlang.mccl.axis.axis import real
 from motionlang.mccl.axis.volts import percent, volts
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.flow import skip
-from motionlang.mccl.keywords.row import Group, pure
+from motionlang.mccl.keywords.row import Group, polls, pure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -74,7 +74,7 @@ def tell_analog(task: CommandTask, command: Command) -> None:
     task.tell(channel, real(volts(task.board.controller.analogue_input(channel))))
 
 
-@pure
+@polls("analogue")
 def get_analog(task: CommandTask, command: Command) -> None:
     task.registers[0] = volts(task.board.controller.analogue_input(task.whole(command)))
 
@@ -84,23 +84,23 @@ def set_analog(task: CommandTask, command: Command) -> None:
     task.board.controller.set_analogue_output(task.whole(command), percent(float(task.registers[0])))
 
 
-@pure
+@polls("input")
 def do_if_on(task: CommandTask, command: Command) -> None:
     _do_rest(task, is_on(task.board, task.whole(command)))
 
 
-@pure
+@polls("input")
 def do_if_off(task: CommandTask, command: Command) -> None:
     _do_rest(task, not is_on(task.board, task.whole(command)))
 
 
-@pure
+@polls("input")
 def if_on(task: CommandTask, command: Command) -> None:
     if not is_on(task.board, task.whole(command)):
         skip(task)
 
 
-@pure
+@polls("input")
 def if_off(task: CommandTask, command: Command) -> None:
     if is_on(task.board, task.whole(command)):
         skip(task)

@@ -10,7 +10,7 @@ from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import real
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.row import Group, pure
+from motionlang.mccl.keywords.row import Group, polls, pure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 LARGEST = 1e300
 
 
-@pure
+@polls("parameter")
 def load(task: CommandTask, command: Command) -> None:
     task.registers[0] = wrapped(task.value(command))
 
@@ -35,7 +35,7 @@ def store(task: CommandTask, command: Command) -> None:
     task.set_register(task.whole(command), task.registers[0])
 
 
-@pure
+@polls("task")
 def recall(task: CommandTask, command: Command) -> None:
     task.registers[0] = task.register(task.whole(command))
 
@@ -60,7 +60,7 @@ def wrapped(value: float | int) -> float | int:
 
 
 def _with(operation: Operation) -> Action:
-    @pure
+    @polls("parameter")
     def apply(task: CommandTask, command: Command) -> None:
         task.registers[0] = limited(task, operation(task.registers[0], task.value(command)))
 
@@ -74,7 +74,7 @@ def limited(task: CommandTask, value: float | int) -> float | int:
     return wrapped(value)
 
 
-@pure
+@polls("parameter")
 def divide(task: CommandTask, command: Command) -> None:
     value = task.registers[0]
     if task.board.assumptions.get("mccl.quotient") == "real":
@@ -82,7 +82,7 @@ def divide(task: CommandTask, command: Command) -> None:
     task.registers[0] = wrapped(_quotient(value, task.value(command)))
 
 
-@pure
+@polls("parameter")
 def shift_right(task: CommandTask, command: Command) -> None:
     bits = _bits(task.registers[0])
     if task.board.assumptions.get("mccl.shift-right") == "zeros":

@@ -10,7 +10,7 @@ import math
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.registers import wrapped
-from motionlang.mccl.keywords.row import Group, pure
+from motionlang.mccl.keywords.row import Group, polls
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ FUNCTIONS: tuple[tuple[str, Function], ...] = (
 )
 
 
-@pure
+@polls("parameter")
 def evaluate(task: CommandTask, command: Command) -> None:
     """Replace the accumulator with the value of function n of it.
 

@@ -11,7 +11,7 @@ from motionlang.mccl.axis.status import word
 from motionlang.mccl.axis.variables import NAMES, read, read_until, write
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.registers import wrapped
-from motionlang.mccl.keywords.row import Group, pure
+from motionlang.mccl.keywords.row import Group, polls, pure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -38,23 +38,23 @@ def look_up(task: CommandTask, command: Command) -> None:
     task.registers[0] = address
 
 
-@pure
+@polls("position")
 def read_byte(task: CommandTask, command: Command) -> None:
     task.registers[0] = int(_value(task, command)) & 0xFF
 
 
-@pure
+@polls("position")
 def read_word(task: CommandTask, command: Command) -> None:
     low = int(_value(task, command)) & 0xFFFF
     task.registers[0] = low - 0x10000 if low & 0x8000 else low
 
 
-@pure
+@polls("position")
 def read_long(task: CommandTask, command: Command) -> None:
     task.registers[0] = wrapped(int(_value(task, command)))
 
 
-@pure
+@polls("position")
 def read_real(task: CommandTask, command: Command) -> None:
     task.registers[0] = float(_value(task, command))
 
@@ -79,7 +79,7 @@ def write_real(task: CommandTask, command: Command) -> None:
     _write(task, command, float(task.registers[0]))
 
 
-@pure
+@polls("axis")
 def get_auxiliary(task: CommandTask, command: Command) -> None:
     value, until = word(task.board, task.axis(command), 1)
     task.poll.dependencies.note(float, until)

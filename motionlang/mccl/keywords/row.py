@@ -21,6 +21,20 @@ def pure(action: Action) -> Action:
     return action
 
 
+def polls(kind: str) -> Callable[[Action], Action]:
+    """Mark a pure action that reads a value, so that a loop of it polls that value.
+
+    `kind` is a kind of reading (`lang/loop_dependencies.py`). It is "parameter" if the action reads nothing but
+    its parameter, which may be a register.
+    """
+
+    def mark(action: Action) -> Action:
+        action.polls = kind  # type: ignore[attr-defined]
+        return pure(action)
+
+    return mark
+
+
 def forms(row: Keyword) -> tuple[str, ...]:
     """Return the spellings of a command, as in TN1069: a is an axis, n a number.
 

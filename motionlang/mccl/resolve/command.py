@@ -40,6 +40,12 @@ class Command:
         return self.row.verb if self.row is not None else ""
 
     @property
+    def polls(self) -> str:
+        """The kind of value that a loop of it polls (`keywords.row.polls`), "" if none."""
+        kind: str = "" if self.row is None else getattr(self.row.actions.do, "polls", "")
+        return "" if kind == "parameter" and self.kind != REGISTER else kind
+
+    @property
     def number(self) -> int | None:
         """The parameter, if it is an integer known before the program runs."""
         if self.kind == NONE:

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.source import Source
 
-_DIGITAL = frozenset(("if_on", "if_off", "do_if_on", "do_if_off"))
 _BACK = frozenset(("repeat", "jump", "jump_by", "jump_macro"))
 
 # The use of a channel by a command, and the level at which the program continues or the test holds.
@@ -68,17 +67,13 @@ def _called(command: Command, macros: dict[int, Line]) -> Line | None:
 
 
 def _read(command: Command) -> Iterator[Read]:
-    verb, number = command.verb, command.number
-    if verb in _DIGITAL:
-        yield "input", number
-    elif verb == "get_analog":
-        yield "analogue", number
-    elif verb.startswith("read_"):
-        yield "position", command.axis
-    elif verb == "get_auxiliary":
-        yield "axis", command.axis
-    elif verb == "recall" and (number is None or number >= 10):
-        yield "task", None
+    kind, number = command.polls, command.number
+    if kind in ("input", "analogue"):
+        yield kind, number
+    elif kind in ("position", "axis"):
+        yield kind, command.axis
+    elif kind == "task" and (number is None or number >= 10):
+        yield kind, None
 
 
 def input_reads(source: Source) -> list[InputRead]:

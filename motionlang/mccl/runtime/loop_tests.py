@@ -23,10 +23,8 @@ if TYPE_CHECKING:
 COMPARES = frozenset(("if_below", "if_equal", "if_greater", "if_unequal"))
 BIT_TESTS = frozenset(("if_set", "if_clear"))
 JUMPS = frozenset(("jump", "jump_by", "repeat"))
-# Commands that read a channel.
-CHANNELS = frozenset(("do_if_on", "do_if_off", "if_on", "if_off"))
 # Commands that leave the accumulator alone, those that set it, and those that govern the next ones.
-NEUTRAL = JUMPS | CHANNELS | {"nothing", "channel_on", "channel_off"}
+NEUTRAL = JUMPS | {"nothing", "channel_on", "channel_off", "do_if_on", "do_if_off", "if_on", "if_off"}
 SETS = frozenset(
     (
         "load",

@@ -16,8 +16,8 @@ from motionlang.controller.clock import INFINITY
 from motionlang.lang.dependencies import CLOSE, Dependencies
 from motionlang.lang.waits import Wait
 from motionlang.mccl.axis.variables import changes_by_event, crossing_time, read_until
-from motionlang.mccl.resolve.command import NUMBER, REGISTER
-from motionlang.mccl.runtime.loop_tests import BIT_TESTS, CHANNELS, COMPARES, JUMPS, tests_of
+from motionlang.mccl.resolve.command import NUMBER
+from motionlang.mccl.runtime.loop_tests import BIT_TESTS, COMPARES, tests_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,41 +28,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.loop_tests import Tests
     from motionlang.mccl.runtime.task import CommandTask
-
-# Commands that read nothing from the world.
-_READS_NOTHING = (
-    COMPARES
-    | JUMPS
-    | BIT_TESTS
-    | {
-        "nothing",
-        "wait",
-        "call_macro",
-        "jump_macro",
-        "leave",
-        "look_up",
-        "channel_on",
-        "channel_off",
-        "store",
-    }
-)
-# Commands that compute with their parameter: they read something only if it is a register.
-_COMPUTES = frozenset(
-    (
-        "load",
-        "add",
-        "subtract",
-        "multiply",
-        "divide",
-        "bit_and",
-        "bit_or",
-        "bit_xor",
-        "bit_not",
-        "shift_left",
-        "shift_right",
-        "evaluate",
-    )
-)
 
 _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
 # The largest number of iterations without a check; with it a checked loop costs little more than an unchecked
@@ -187,16 +152,11 @@ class Poll:
         macros, bodies = dict(self._task.board.macros), [self._done[2]]
         for commands in bodies:  # the list grows meanwhile
             for command in commands:
-                verb = command.verb
-                if verb == "call_macro" and command.value in macros:
+                if command.verb == "call_macro" and command.value in macros:
                     bodies.append(macros.pop(command.value).commands)  # type: ignore[arg-type]
-                elif verb in CHANNELS:
+                elif command.polls == "input":
                     found[f"channel {command.text.lstrip(_LETTERS)}"] = None
-                elif (
-                    command.pure
-                    and verb not in _READS_NOTHING
-                    and (verb not in _COMPUTES or command.kind == REGISTER)
-                ):
+                elif command.polls:
                     found[command.text] = None
         return list(found)
 
