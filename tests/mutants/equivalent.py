@@ -24,7 +24,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/axes.py: check_profile: order.jerks[0] < inf -> order.jerks[0] <= inf": (
         "an endless jerk adds nothing"
     ),
-    "motionlang/analysis/proof/paths.py: _check_along: span.length <= late -> span.length < late": (
+    "motionlang/analysis/proof/path_bounds.py: check_along: span.length <= late -> span.length < late": (
         "just as long as the rounding of its time either is right"
     ),
     "motionlang/analysis/proof/outputs.py: 40 -> 41": (
@@ -419,27 +419,27 @@ EQUIVALENT: dict[str, str] = {
     "abs(cost_units - round(cost_units)) <= 1e-06": "just at the size of rounding either is right",
     "motionlang/fast/recurrence.py: Recurrence: __init__: 0 -> 1 #2": "one byte more of ten million",
     "motionlang/fast/recurrence.py: Recurrence: _begin: 0 -> 1": "one byte more of ten million",
-    "motionlang/analysis/proof/paths.py: _check_along: back < -SLACK * max(1.0, slow.came) -> back <= "
+    "motionlang/analysis/proof/path_bounds.py: check_along: back < -SLACK * max(1.0, slow.came) -> back <= "
     "-SLACK * max(1.0, slow.came)": ("just at the size of rounding either is right"),
-    "motionlang/analysis/proof/paths.py: _check_along: fast <= SLACK * max(1.0, slow.came) -> fast < "
+    "motionlang/analysis/proof/path_bounds.py: check_along: fast <= SLACK * max(1.0, slow.came) -> fast < "
     "SLACK * max(1.0, slow.came)": ("just at the size of rounding either is right"),
-    "motionlang/analysis/proof/paths.py: _check_along: peak > SLACK -> peak >= SLACK": (
+    "motionlang/analysis/proof/path_bounds.py: check_along: peak > SLACK -> peak >= SLACK": (
         "just at the size of rounding either is right"
     ),
-    "motionlang/analysis/proof/paths.py: _check_along: rate > SLACK * max(order.rates) -> rate >= SLACK "
+    "motionlang/analysis/proof/path_bounds.py: check_along: rate > SLACK * max(order.rates) -> rate >= SLACK "
     "* max(order.rates)": ("just at the size of rounding either is right"),
-    "motionlang/analysis/proof/paths.py: _check_end: reached > expected + SLACK * max(1.0, slow.came) + "
+    "motionlang/analysis/proof/path_bounds.py: _check_end: reached > expected + SLACK * max(1.0, slow.came) + "
     "4.0 * late * max(order.rates) -> reached >= expected + SLACK * max(1.0, slow.came) + 4.0 * late * "
     "max(order.rates)": ("just at the size of rounding either is right"),
-    "motionlang/analysis/proof/paths.py: _check_joins: gap > slack + (rounded if name == 'acceleration' else "
+    "motionlang/analysis/proof/path_bounds.py: _check_joins: gap > slack + (rounded if name == 'acceleration' else "
     "0.0) -> gap >= slack + (rounded if name == 'acceleration' else 0.0)": (
         "just at the size of rounding either is right"
     ),
-    "motionlang/analysis/proof/paths.py: _check_path_time: abs(first[2]) > SLACK * max(by.rates) -> "
+    "motionlang/analysis/proof/path_bounds.py: check_path_time: abs(first[2]) > SLACK * max(by.rates) -> "
     "abs(first[2]) >= SLACK * max(by.rates)": ("just at the size of rounding either is right"),
-    "motionlang/analysis/proof/paths.py: _check_path_time: span.peak(1) > SLACK * speed -> span.peak(1) "
+    "motionlang/analysis/proof/path_bounds.py: check_path_time: span.peak(1) > SLACK * speed -> span.peak(1) "
     ">= SLACK * speed": ("just at the size of rounding either is right"),
-    "motionlang/analysis/proof/paths.py: _check_path_time: last[1] > SLACK * speed -> last[1] >= SLACK * speed": (
+    "motionlang/analysis/proof/path_bounds.py: check_path_time: last[1] > SLACK * speed -> last[1] >= SLACK * speed": (
         "just at the size of rounding either is right"
     ),
     "motionlang/analysis/proof/paths.py: check_path: travelled >= layout.length * (1.0 - SLACK) -> "
@@ -448,7 +448,7 @@ EQUIVALENT: dict[str, str] = {
     "abs(at - last) < SLACK * max(1.0, abs(last))": ("just at the size of rounding either is right"),
     "motionlang/analysis/proof/paths.py: check_path_end: PathLayout(path, starts).length > SLACK -> "
     "PathLayout(path, starts).length >= SLACK": ("just at the size of rounding either is right"),
-    "motionlang/analysis/proof/paths.py: _enters_too_fast: lead(v0, a, most, by)[1] > left * (1.0 - "
+    "motionlang/analysis/proof/path_bounds.py: enters_too_fast: lead(v0, a, most, by)[1] > left * (1.0 - "
     "SLACK) -> lead(v0, a, most, by)[1] >= left * (1.0 - SLACK)": (
         "just at the size of rounding either is right"
     ),
@@ -456,11 +456,11 @@ EQUIVALENT: dict[str, str] = {
     "* (1.0 + SLACK) -> lead(velocity, acceleration, 0.0, by)[1] < left * (1.0 + SLACK)": (
         "just at the size of rounding either is right"
     ),
-    "motionlang/analysis/proof/paths.py: _until_rest: abs(span.at(span.length)[1]) <= SLACK * max(1.0, "
+    "motionlang/analysis/proof/path_bounds.py: until_rest: abs(span.at(span.length)[1]) <= SLACK * max(1.0, "
     "along[0].at(0.0)[1]) -> abs(span.at(span.length)[1]) < SLACK * max(1.0, along[0].at(0.0)[1])": (
         "just at the size of rounding either is right"
     ),
-    "motionlang/analysis/proof/paths.py: _cannot_stop: lead(v0, a0 if by.smooth else 0.0, 0.0, by)[1] > "
+    "motionlang/analysis/proof/path_bounds.py: cannot_stop: lead(v0, a0 if by.smooth else 0.0, 0.0, by)[1] > "
     "left * (1.0 + SLACK) -> lead(v0, a0 if by.smooth else 0.0, 0.0, by)[1] >= left * (1.0 + SLACK)": (
         "just at the size of rounding either is right"
     ),
@@ -500,13 +500,13 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/slowing.py: Slowing: bound: middle < self.until -> middle <= self.until": (
         "a segment is cut where an excuse ends, so its middle is elsewhere"
     ),
-    "motionlang/analysis/proof/paths.py: _check_along: middle < slow.until -> middle <= slow.until": (
+    "motionlang/analysis/proof/path_bounds.py: check_along: middle < slow.until -> middle <= slow.until": (
         "a segment is cut where an excuse ends, so its middle is elsewhere"
     ),
-    "motionlang/analysis/proof/paths.py: _check_along: middle < slow.eased -> middle <= slow.eased": (
+    "motionlang/analysis/proof/path_bounds.py: check_along: middle < slow.eased -> middle <= slow.eased": (
         "a segment is cut where an excuse ends, so its middle is elsewhere"
     ),
-    "motionlang/analysis/proof/paths.py: _check_along: middle < max(slow.until, slow.eased) -> middle <= "
+    "motionlang/analysis/proof/path_bounds.py: check_along: middle < max(slow.until, slow.eased) -> middle <= "
     "max(slow.until, slow.eased)": ("a segment is cut where an excuse ends, so its middle is elsewhere"),
     "motionlang/analysis/proof/slowing.py: Slowing: expected: time <= 0.0 -> time < 0.0": (
         "no time is left for the sections that follow"
@@ -523,7 +523,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/slowing.py: slowing: a0 > 0.0 -> a0 >= 0.0": (
         "an acceleration of 0 adds nothing"
     ),
-    "motionlang/analysis/proof/paths.py: _permitted: slow.speed > least -> slow.speed >= least": (
+    "motionlang/analysis/proof/path_bounds.py: _permitted: slow.speed > least -> slow.speed >= least": (
         "the speed that is always allowed is a bound without it"
     ),
     "motionlang/analysis/proof/path_layout.py: PathLayout: _angles: angle + k * 0.5 * pi < high -> angle "
@@ -585,7 +585,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/servo/servo.py: Servo: _first_beyond: seen.first_beyond(limit) * self.loop.servo_rate -> "
     "seen.first_beyond(limit) / self.loop.servo_rate": ("the samples before it are then run one by one"),
     "motionlang/analysis/proof/flanks.py: begin: 0 -> 1": "both jerks are infinite, or neither is",
-    "motionlang/analysis/proof/paths.py: _check_joins: 0 -> 1": "both jerks are infinite, or neither is",
+    "motionlang/analysis/proof/path_bounds.py: _check_joins: 0 -> 1": "both jerks are infinite, or neither is",
     "motionlang/analysis/proof/paths.py: stops_within: 0 -> 1 #5": (
         "a stop from a positive speed only slows down"
     ),
@@ -1576,7 +1576,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/axes.py: check_profile: power > 0.0 -> power >= 0.0": (
         "a stretch without power is at rest or has no acceleration, and uses nothing of either bound"
     ),
-    "motionlang/analysis/proof/paths.py: _check_path_time: took > limit * (1.0 + SLACK) + 1e-09 -> "
+    "motionlang/analysis/proof/path_bounds.py: check_path_time: took > limit * (1.0 + SLACK) + 1e-09 -> "
     "took >= limit * (1.0 + SLACK) + 1e-09": ("just at the size of rounding either is right"),
     "motionlang/analysis/cycle/critical_path.py: Strip: by_phase: (high := (low + seconds)) < end -> "
     "(high := (low + seconds)) <= end": ("both are the end of the link"),

@@ -11,8 +11,9 @@ from math import fsum
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.checker import ROUNDED, SLACK
+from motionlang.analysis.proof.path_bounds import spans_along
 from motionlang.analysis.proof.path_layout import PathLayout
-from motionlang.analysis.proof.paths import check_tail, same_law, spans_along, stops_within
+from motionlang.analysis.proof.paths import check_tail, same_law, stops_within
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

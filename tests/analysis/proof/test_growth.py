@@ -8,7 +8,7 @@ from marshal import loads
 import pytest
 
 from motionlang import run
-from motionlang.analysis.proof import checker, paths
+from motionlang.analysis.proof import checker, path_bounds, paths
 from motionlang.analysis.proof.path_layout import PathLayout
 from motionlang.controller.move import Move
 from motionlang.log import stream
@@ -93,7 +93,8 @@ def test_each_path_of_a_contour_is_laid_out_equally_often(monkeypatch: pytest.Mo
     counts = []
     for count in (40, 80):
         result = proved(CONTOUR.format("VECTORR(0, 1) = 0.3, 0.4\n" * count))
-        monkeypatch.setattr(paths, "PathLayout", Counted)
+        for module in (paths, path_bounds):
+            monkeypatch.setattr(module, "PathLayout", Counted)
         assert result.proof().holds
         counts.append(len(laid))
         laid.clear()

@@ -14,26 +14,28 @@ import pytest
 
 from motionlang.analysis.proof.blends import _causes, _check_sum, _left, _tail_in_force, suspended_by
 from motionlang.analysis.proof.checker import Proof, Uses
-from motionlang.analysis.proof.path_layout import PathLayout
-from motionlang.analysis.proof.paths import (
-    _beyond,
-    _cannot_stop,
-    _check_along,
+from motionlang.analysis.proof.path_bounds import (
     _check_axes,
     _check_end,
     _check_joins,
-    _check_path,
-    _check_path_time,
-    _enters_too_fast,
-    _follows_stop,
-    _gentlest,
-    _gentlest_before,
     _hardest,
-    _least,
-    _plan_before,
     _profile_at,
+    cannot_stop,
+    check_along,
+    check_path_time,
+    enters_too_fast,
+    gentlest_stop,
+    least_bounds,
+    until_rest,
+)
+from motionlang.analysis.proof.path_layout import PathLayout
+from motionlang.analysis.proof.paths import (
+    _beyond,
+    _check_path,
+    _follows_stop,
+    _gentlest_before,
+    _plan_before,
     _speeds_up,
-    _until_rest,
     check_path_end,
     plan_in_force,
     same_law,
@@ -87,9 +89,9 @@ def test_the_axes_of_a_line_limit_its_speed_and_rates() -> None:
     """Along (6, 8) units the axes have 0.6 and 0.8 of the speed: 1.2 and 3.2 counts/s."""
     order = ORDER._replace(speed=50.0, rates=(1000.0, 900.0), path=TWO)
     layout = PathLayout(TWO, [0.0, 0.0])
-    speed, by = _least(order, layout)
+    speed, by = least_bounds(order, layout)
     assert (speed, *by.rates) == pytest.approx((12.0 / 1.2, 60.0 / 1.2, 160.0 / 3.2))
-    assert _least(order._replace(speed=4.0, rates=(20.0, 30.0)), layout) == (
+    assert least_bounds(order._replace(speed=4.0, rates=(20.0, 30.0)), layout) == (
         4.0,
         by._replace(rates=(20.0, 30.0)),
     )
@@ -99,7 +101,7 @@ def test_the_axes_of_a_line_limit_its_speed_and_rates() -> None:
 def test_an_axis_that_a_path_does_not_move_does_not_limit_it() -> None:
     path = TWO._replace(line=(12.0, 0.0), most=(12.0, 1e-9), most_accel=(60.0, 1e-9), most_decel=(30.0, 1e-9))
     layout = PathLayout(path, [0.0, 0.0])
-    speed, by = _least(ORDER._replace(path=path, speed=50.0, rates=(99.0, 99.0)), layout)
+    speed, by = least_bounds(ORDER._replace(path=path, speed=50.0, rates=(99.0, 99.0)), layout)
     assert (speed, by.rates) == (6.0, (30.0, 15.0))
     assert _hardest(path, layout) == 15.0
     still = path._replace(line=(0.0, 0.0))
@@ -109,15 +111,15 @@ def test_an_axis_that_a_path_does_not_move_does_not_limit_it() -> None:
 def test_the_axes_of_an_arc_share_their_limits_between_turning_and_braking() -> None:
     """On a quarter of 10 units each axis has 1 / sqrt 2 of its limit for v² / 10."""
     order = ORDER._replace(speed=50.0, rates=(1000.0, 900.0), path=ARC)
-    speed, by = _least(order, PathLayout(ARC, [10.0, 0.0]))
+    speed, by = least_bounds(order, PathLayout(ARC, [10.0, 0.0]))
     assert speed == pytest.approx(sqrt(40.0 / sqrt(2.0) * 10.0))
     assert by.rates == pytest.approx((40.0 / sqrt(2.0), 50.0 / sqrt(2.0)))
 
 
 def test_a_stop_has_the_lowest_deceleration_of_the_paths_that_it_may_reach() -> None:
     order = then(ORDER, slower(9.0, rate=8.0), slower(9.0, rate=6.0), slower(9.0, rate=7.0))
-    assert [_gentlest(order, LAYOUT, rate) for rate in (10.0, 5.0)] == [6.0, 5.0]
-    assert _gentlest(ORDER, LAYOUT, 10.0) == 10.0
+    assert [gentlest_stop(order, LAYOUT, rate) for rate in (10.0, 5.0)] == [6.0, 5.0]
+    assert gentlest_stop(ORDER, LAYOUT, 10.0) == 10.0
 
 
 # -- room for a stop
@@ -137,15 +139,15 @@ STOPS: dict[str, tuple[float, float, float, bool]] = {
 def test_a_path_stops_before_its_end_if_it_has_room(name: str) -> None:
     position, velocity, beyond, too_late = STOPS[name]
     along = [span(0.0, 0.1, position, velocity)]
-    assert _cannot_stop(ORDER, LAYOUT, along, beyond) is too_late
-    assert not _cannot_stop(ORDER._replace(rates=(10.0, 0.0)), LAYOUT, along, beyond)
+    assert cannot_stop(ORDER, LAYOUT, along, beyond) is too_late
+    assert not cannot_stop(ORDER._replace(rates=(10.0, 0.0)), LAYOUT, along, beyond)
 
 
 @pytest.mark.parametrize(("velocity", "too_late"), [(0.9, True), (1.0, True), (1.1, False)])
 def test_a_path_runs_back_if_its_deceleration_lasts_beyond_its_rest(velocity: float, too_late: bool) -> None:
     """A deceleration of sqrt 40, at a jerk of 20, takes 40 / (2 * 20) = 1 more."""
     along = [span(0.0, 0.1, 0.0, velocity, -0.5 * sqrt(40.0))]
-    assert _cannot_stop(SMOOTH, LAYOUT, along, 0.0) is too_late
+    assert cannot_stop(SMOOTH, LAYOUT, along, 0.0) is too_late
 
 
 # The paths ahead, the position, and whether a stop enters one of them too fast. It brakes from 10 to 6 over 3.2.
@@ -165,14 +167,14 @@ ENTRIES: dict[str, tuple[tuple[Order, ...], float, bool]] = {
 @pytest.mark.parametrize("name", ENTRIES)
 def test_a_stop_may_enter_the_next_path_too_fast(name: str) -> None:
     ahead, position, too_fast = ENTRIES[name]
-    assert _enters_too_fast(then(ORDER, *ahead), LAYOUT, [span(0.0, 0.1, position, 10.0)]) is too_fast
+    assert enters_too_fast(then(ORDER, *ahead), LAYOUT, [span(0.0, 0.1, position, 10.0)]) is too_fast
 
 
 @pytest.mark.parametrize(("a0", "too_fast"), [(0.0, False), (3.0, False), (10.0, True)])
 def test_an_acceleration_makes_a_path_faster_before_it_stops(a0: float, too_fast: bool) -> None:
     """At a jerk of 20, 3 add 0.225 to 5, and 10 add 2.5: only the latter is above 6."""
     order = then(SMOOTH, slower(9.0, 6.0))
-    assert _enters_too_fast(order, LAYOUT, [span(0.0, 0.1, 99.99, 5.0, 0.5 * a0)]) is too_fast
+    assert enters_too_fast(order, LAYOUT, [span(0.0, 0.1, 99.99, 5.0, 0.5 * a0)]) is too_fast
 
 
 def running(profile: Profile, **fields: Any) -> Any:
@@ -228,7 +230,7 @@ def test_a_path_that_stops_may_lower_its_jerk_until_it_rests(rest: bool, stops: 
 def test_a_standstill_divides_the_segments_of_a_path(first: float, end: float, count: int) -> None:
     """A millionth of the first speed, or of 1 if it is less, is rest."""
     along = [span(0.0, 1.0, 0.0, first, 0.5 * (end - first)), span(1.0, 1.0, 9.0, 3.0, 4.0)]
-    assert _until_rest(along) == (along[:count], along[count:])
+    assert until_rest(along) == (along[:count], along[count:])
 
 
 @pytest.mark.parametrize(
@@ -618,7 +620,7 @@ ALONG: dict[str, tuple[Order, list[Span], float, bool, tuple[str, ...]]] = {
 def test_the_motion_along_a_path_keeps_its_bounds(name: str) -> None:
     order, along, beyond, fresh, expected = ALONG[name]
     proof = Proof()
-    _check_along(proof, order, LAYOUT, along, "here", fresh, beyond)
+    check_along(proof, order, LAYOUT, along, "here", fresh, beyond)
     assert [each.message.removeprefix("here: ") for each in proof.violations] == list(expected)
 
 
@@ -646,7 +648,7 @@ def test_a_path_takes_no_longer_than_a_stop_and_a_move_from_rest(name: str) -> N
         span(0.0, took, begin, v0, (3.0 * mean - 2.0 * v0 - v1) / took, (v0 + v1 - 2.0 * mean) / took**2)
     ]
     proof = Proof()
-    _check_path_time(proof, order, LAYOUT, along, "here")
+    check_path_time(proof, order, LAYOUT, along, "here")
     message = f"here: it takes {took:g} s, expected at most {limit:g} s"
     assert [each.message for each in proof.violations] == [message] * bool(limit)
 
@@ -655,7 +657,7 @@ def test_a_path_takes_no_longer_than_a_stop_and_a_move_from_rest(name: str) -> N
 def test_a_path_with_a_jerk_has_the_time_of_its_ramps(took: float, count: int) -> None:
     """Two ramps of 1.5 s cover 15, and 85 take 8.5 s."""
     proof = Proof()
-    _check_path_time(proof, SMOOTH, LAYOUT, [span(0.0, took, 0.0, 0.0, 0.0, 100.0 / took**3)], "here")
+    check_path_time(proof, SMOOTH, LAYOUT, [span(0.0, took, 0.0, 0.0, 0.0, 100.0 / took**3)], "here")
     assert len(proof.violations) == count
 
 

@@ -13,8 +13,8 @@ from motionlang.analysis.proof.axes import _check_knots
 from motionlang.analysis.proof.checker import Proof, position
 from motionlang.analysis.proof.followers import FOUR, _check_table, _moments, _wanted
 from motionlang.analysis.proof.outputs import check_trace
+from motionlang.analysis.proof.path_bounds import _counts, check_along, check_path_time, spans_along
 from motionlang.analysis.proof.path_layout import PathLayout
-from motionlang.analysis.proof.paths import _check_along, _check_path_time, _counts, spans_along
 from motionlang.analysis.proof.segments import Span, _from
 from motionlang.analysis.proof.time_bounds import Law, lead
 from motionlang.execution import run
@@ -197,7 +197,7 @@ def test_a_path_that_comes_too_fast_may_become_as_fast_as_its_jerk_makes_it(name
     )
     order = Order("path", 1, speed=0.05, rates=(2.0, 2.0), jerks=(10.0, 20.0), path=path)
     proof, span = Proof(), Span(0.0, length, (0.0, speed, 0.5 * rate, jerk / 6.0, 0.0, 0.0, 0.0))
-    _check_along(proof, order, PathLayout(path, [0.0]), [span], "here")
+    check_along(proof, order, PathLayout(path, [0.0]), [span], "here")
     assert [each.message for each in proof.violations] == [f"here: {each}" for each in messages]
 
 
@@ -218,7 +218,7 @@ def test_a_path_that_begins_within_an_s_ramp_may_take_that_ramp_twice(
     order = Order("path", 1, speed=10.0, rates=(10.0, 10.0), path=path, shape="scurve", ramp=0.5)
     bend = (20.0 - 10.0 * took) / took**2
     proof, span = Proof(), Span(0.0, took, (0.0, 10.0, bend, 0.0, 0.0, 0.0, 0.0))
-    _check_path_time(proof, order, PathLayout(path, [0.0]), [span], "here")
+    check_path_time(proof, order, PathLayout(path, [0.0]), [span], "here")
     assert [each.message for each in proof.violations] == messages
 
 
