@@ -323,6 +323,14 @@ class Axis:
         decel = self.decel if self.decel_time is None else speed / self.decel_time
         return accel, decel
 
+    def speed_and_rates(self, move: Move | None) -> tuple[float, float, float]:
+        """Return speed and rates of a move: its own, or else those of the axis."""
+        speed = self.speed if move is None or move.speed is None else move.speed
+        accel, decel = self.rates(speed)
+        if move is not None and move.rates is not None:
+            accel, decel = move.rates[0] or accel, move.rates[1] or decel
+        return speed, accel, decel
+
     def jerks(self, speed: float, accel: float, decel: float) -> tuple[float, float]:
         """Return the jerks of a move by its own speed and rates, counts/s³.
 

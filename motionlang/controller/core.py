@@ -70,6 +70,18 @@ class Core(Readings):
         _check_rate(a, decel, "a deceleration", "move")
         return accel, decel
 
+    def speed_and_rates(self, a: Axis, move: Move) -> tuple[float, float, float]:
+        """Like `Axis.speed_and_rates`; raise Rejected if the axis cannot move."""
+        speed, accel, decel = a.speed_and_rates(move)
+        if not speed > 0.0:
+            raise Rejected(
+                "zero-speed",
+                f"axis {a.index} cannot move: its speed is {speed:g}",
+                "set a speed above zero; the move would never end",
+            )
+        self.rates(a, speed)
+        return speed, accel, decel
+
     def decel(self, a: Axis, speed: float) -> float:
         """Return the rate of a stop from `speed`; raise Rejected unless positive."""
         decel = a.rates(speed)[1]
@@ -78,16 +90,7 @@ class Core(Readings):
 
     def plan_move(self, a: Axis, move: Move) -> Profile:
         """Return the profile of a move from the present state of its axis."""
-        speed = a.speed if move.speed is None else move.speed
-        if not speed > 0:
-            raise Rejected(
-                "zero-speed",
-                f"axis {a.index} cannot move: its speed is {speed:g}",
-                "set a speed above zero; the move would never end",
-            )
-        accel, decel = self.rates(a, speed)
-        if move.rates is not None:
-            accel, decel = move.rates[0] or accel, move.rates[1] or decel
+        speed, accel, decel = self.speed_and_rates(a, move)
         shape = a.shape
         jerks = a.jerks(speed, accel, decel) if shape == "scurve" else (INFINITY, INFINITY)
         if move.overridden:

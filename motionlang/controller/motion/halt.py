@@ -70,9 +70,9 @@ def braking(controller: Core, a: Axis, decel: float) -> Profile:
     """Return the motion from the state of the axis to rest."""
     from motionlang.planners.ramp_down import stop_in_motion
 
-    now, speed, rates = controller.clock.now, *_speed_and_rates(a)
-    jerks = a.jerks(speed, *rates)
-    accel = None if keeps_rates(a.move) else min(rates[0], a.max_accel)
+    now, (speed, own_accel, own_decel) = controller.clock.now, a.speed_and_rates(a.move)
+    jerks = a.jerks(speed, own_accel, own_decel)
+    accel = None if keeps_rates(a.move) else min(own_accel, a.max_accel)
     try:
         made = stop_in_motion(a.profiles[-1], now - a.starts[-1], a.shape, decel, a.ramp, *jerks, accel)
     except ValueError as problem:
@@ -92,18 +92,8 @@ def with_standstill(controller: Core, a: Axis) -> Profile:
 
 
 def _decel(controller: Core, a: Axis) -> float:
-    speed, (_, decel) = _speed_and_rates(a)
+    speed, _, decel = a.speed_and_rates(a.move)
     return min(decel or controller.decel(a, speed), a.max_decel)
-
-
-def _speed_and_rates(a: Axis) -> tuple[float, tuple[float, float]]:
-    """Return speed and rates of the move in progress: its own or those of the axis."""
-    move = a.move
-    speed = a.speed if move is None or move.speed is None else move.speed
-    accel, decel = a.rates(speed)
-    if move is not None and move.rates is not None:
-        accel, decel = move.rates[0] or accel, move.rates[1] or decel
-    return speed, (accel, decel)
 
 
 def suspend(controller: Core, a: Axis, reason: int) -> None:

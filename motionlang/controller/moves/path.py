@@ -80,17 +80,8 @@ class PathMove(Action):
         if self.policy is not None:
             return self.policy.pace()
         master, move = self.axes[0], self.moves[0]
-        speed = master.speed if move.speed is None else move.speed
-        if not speed > 0.0:
-            raise Rejected(
-                "zero-speed",
-                f"axis {master.index} cannot move: its speed is {speed:g}",
-                "set a speed above zero; the move would never end",
-            )
+        speed, accel, decel = controller.speed_and_rates(master, move)
         k = abs(self.scales[0])
-        accel, decel = controller.rates(master, speed)
-        if move.rates is not None:
-            accel, decel = move.rates[0] or accel, move.rates[1] or decel
         most = self._limits(segment)
         jerks = master.jerks(speed, accel, decel)
         factor = master.override if move.overridden else 1.0
