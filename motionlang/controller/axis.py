@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from motionlang.controller.clock import Event
     from motionlang.controller.core import Core
     from motionlang.controller.feedback import Feedback
+    from motionlang.controller.motion.follow import Follow
     from motionlang.controller.move import Move
     from motionlang.controller.readers import Loader
     from motionlang.controller.triggers.limit import Limit
@@ -298,6 +299,12 @@ class Axis:
         """
         move = self.move
         return move is None or (move.action is not None and move.action.resting)
+
+    @property
+    def tie(self) -> Follow | None:
+        """The tie to its master, None if it follows none."""
+        action = self.move.action if self.move is not None else None
+        return action.tie if action is not None else None
 
     @property
     def suspended(self) -> bool:

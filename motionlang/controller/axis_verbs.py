@@ -144,8 +144,7 @@ class AxisVerbs(Core):
             words = f"the enable input of axis {axis}, input {self.interlocks[axis]}, is off"
             raise Rejected("enable-input", words, "the drive can be enabled while it is on")
         a.enabled = True
-        triggers.events.cleared(self, a)
-        a.faults = 0
+        self._forget_faults(a)
         if a.feedback is not None:
             a.feedback.take_over(self)
             a.feedback.search_again()
@@ -168,11 +167,15 @@ class AxisVerbs(Core):
     def clear_faults(self, axis: int) -> None:
         """Clear the faults of an axis."""
         a = self.axes[axis]
-        triggers.events.cleared(self, a)
-        a.faults = 0
+        self._forget_faults(a)
         if a.feedback is not None:
             a.feedback.search_again()
         self.notify("cleared", axis)
+
+    def _forget_faults(self, a: Axis) -> None:
+        if a.faults:
+            triggers.events.cleared(self, a)
+        a.faults = 0
 
     def define_position(self, axis: int, position: float) -> None:
         """Give the present position a new value; the rest of a move shifts with it."""

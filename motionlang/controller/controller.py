@@ -367,9 +367,7 @@ class Controller(AxisVerbs):
 
     def offset_remaining(self, axis: int) -> float:
         """The remaining distance, counts, of a slave's offset or of another axis's move."""
-        from motionlang.controller.motion.follow import tie_of
-
-        tie = tie_of(self.axes[axis])
+        tie = self.axes[axis].tie
         return tie.offset_left()[0] if tie is not None else self.remaining(axis)
 
     def offset_crossing_time(self, axis: int, left: float) -> float:
@@ -386,9 +384,7 @@ class Controller(AxisVerbs):
 
     def master_of(self, axis: int) -> int | None:
         """Return the axis or encoder channel that an axis follows, or None."""
-        from motionlang.controller.motion.follow import tie_of
-
-        tie = tie_of(self.axes[axis])
+        tie = self.axes[axis].tie
         return tie.master.index if tie is not None else None
 
     def drive_encoder(self, channel: int, velocity: float, accel: float = 0.0) -> None:

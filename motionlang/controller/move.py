@@ -6,6 +6,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
+    from motionlang.controller.motion.follow import Follow
     from motionlang.planners import Profile
 
 
@@ -94,6 +95,11 @@ class Action:
     keeps_rates = True
     # The limits of the axis that act on it at once, if not every setting does (`live`).
     live_limits: tuple[str, ...] = ()
+
+    @property
+    def tie(self) -> Follow | None:
+        """The tie of the axis to its master, None if it follows none."""
+        return None
 
     def release(self, move: Move) -> None:
         """Handle a GO that releases the entry."""

@@ -11,7 +11,6 @@ from tests.forged.changes import changes, chosen, forged
 from tests.forged.verdicts import honest, ran, verdict
 
 _AT = "INFINITY if ramp else 0.0"
-_TIE = "action if isinstance(action, Follow) else None"
 # Module, function, original text, forged text, and program.
 SLICE: tuple[tuple[str, str, str, str, str], ...] = (
     ("planners.trapezoid", "plan_trapezoid", "target - start", "target + start", "moves.mnt"),
@@ -53,7 +52,7 @@ SLICE: tuple[tuple[str, str, str, str, str], ...] = (
     ("controller.motion.offset", "offset", "left + distance", "left", "two offsets.mnt"),
     ("controller.motion.reference", "SpeedReference.plan", "-2", "2", "speed references.mnt"),
     ("controller.motion.halt", "stop", "a.error_decel", "a.decel", "a limit.mnt"),
-    ("controller.motion.follow", "tie_of", _TIE, "None if isinstance(action, Follow) else action", "gears of PMC.mcl"),
+    ("controller.motion.follow", "Gear._geared", "self.ratio", "self.locked", "gears of PMC.mcl"),
     ("controller.motion.follow", "Gear.set_ratio", _AT, "0.0 if ramp else INFINITY", "gears.mnt"),
     ("controller.motion.follow", "FollowMove._sequence", "finish - start", "finish", "speed references.mnt"),
 )  # fmt: skip

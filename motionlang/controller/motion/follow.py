@@ -128,6 +128,10 @@ class Follow(Action):
 
     keeps_rates = False
 
+    @property
+    def tie(self) -> Follow:
+        return self
+
     # -- defined by a subclass
 
     def base(self, coming: Profile, position: float) -> Profile:
@@ -203,7 +207,7 @@ class Follow(Action):
 
     def more(self, controller: Core, a: Axis) -> None:
         """Start released offsets during following, one after the other."""
-        while a.buffer and tie_of(a) is self and self.offset is None and not a.suspended:
+        while a.buffer and a.tie is self and self.offset is None and not a.suspended:
             move = next((m for m in a.buffer if m.released and m.action and m.action.lies_on_top), None)
             if move is None:
                 return
@@ -420,7 +424,7 @@ def _ramp(position: float, velocity: float, sign: float, accel: float, decel: fl
 def gear(controller: Core, a: Axis, master: Axis, ratio: float, ramp: bool, command: str, line: int) -> None:
     """Make an axis follow a master, or change its ratio."""
     _check_ratio(ratio)
-    tie = tie_of(a)
+    tie = a.tie
     if isinstance(tie, Gear) and tie.master is master:
         tie.set_ratio(ratio, ramp)
         return
@@ -434,7 +438,7 @@ def gear(controller: Core, a: Axis, master: Axis, ratio: float, ramp: bool, comm
 
 def set_ratio(a: Axis, ratio: float) -> None:
     """Change the ratio of an axis that follows a master, at once."""
-    tie = tie_of(a)
+    tie = a.tie
     if isinstance(tie, Gear):
         _check_ratio(ratio)
         tie.set_ratio(ratio, False)
@@ -450,7 +454,7 @@ def leave_master(controller: Core, a: Axis) -> None:
 
     An axis at rest becomes idle.
     """
-    tie = tie_of(a)
+    tie = a.tie
     if tie is None:
         return
     now = controller.clock.now
@@ -468,16 +472,10 @@ def leave_master(controller: Core, a: Axis) -> None:
     controller.append_profile(a, rest_of)
 
 
-def tie_of(a: Axis) -> Follow | None:
-    """Return the tie of an axis to its master, or None."""
-    action = a.move.action if a.move is not None else None
-    return action if isinstance(action, Follow) else None
-
-
 def follows(link: Axis | None, a: Axis) -> bool:
     """True if `link` is the axis `a`, or follows it, directly or through others."""
     while link is not None and link is not a:
-        tie = tie_of(link)
+        tie = link.tie
         link = tie.master if tie is not None else None
     return link is a
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 from math import sqrt
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.motion.follow import tie_of
 from motionlang.controller.move import Move
 from motionlang.planners import plan
 
@@ -38,7 +37,7 @@ def offset(
 
     Modes 2 and 3 spread it over `over` counts of the master.
     """
-    tie = tie_of(a)
+    tie = a.tie
     controller.offset_statuses[a.index] = 0
     if tie is None:
         controller.move_by(a.index, distance, command, line)
@@ -67,7 +66,7 @@ def offset(
 
 def crossing_time(controller: Core, a: Axis, left: float) -> float:
     """Return when `left` counts of the present offset remain; infinite if never."""
-    tie = tie_of(a)
+    tie = a.tie
     if tie is None or tie.offset is None:
         return INFINITY
     found = tie.offset.crossing(tie.offset.end - left, controller.clock.now - tie.offset_began)

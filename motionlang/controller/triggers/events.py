@@ -64,8 +64,7 @@ def raised(controller: Core, a: Axis, bit: int, action: str) -> None:
 
 def cleared(controller: Core, a: Axis) -> None:
     """Log that the faults of an axis are about to be cleared."""
-    if a.faults:
-        note(controller, "cleared", a, text=names(a.faults))
+    note(controller, "cleared", a, text=names(a.faults))
 
 
 def jumped(controller: Core, a: Axis, ended: str) -> None:

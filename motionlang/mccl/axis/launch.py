@@ -5,6 +5,8 @@ from __future__ import annotations
 from math import copysign, sqrt
 
 from motionlang.controller.clock import INFINITY
+from motionlang.mccl import codes
+from motionlang.mccl.codes import Fault
 from motionlang.planners import Profile
 
 TYPE_CHECKING = False
@@ -12,6 +14,14 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
+
+
+def check_unslaved(board: Board, axis: AxisState) -> None:
+    """Raise Fault if the axis has a master, because it then accepts no other motion."""
+    master = board.controller.master_of(axis.number)
+    if master is not None:
+        words = f"axis {axis.number} is slaved to axis {master}"
+        raise Fault(codes.INVALID, words, f"{axis.number}SM0 frees it", "moving")
 
 
 def aim(controller: Controller, axis: AxisState) -> float:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import CONTOUR
+from motionlang.mccl.axis.launch import check_unslaved
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.modes_gearing import check_unslaved
 from motionlang.mccl.keywords.row import Group
 from motionlang.mccl.motion.path import Path
 
@@ -24,7 +24,7 @@ def contour_mode(task: CommandTask, command: Command) -> None:
     """
     axis, number = task.axis(command), task.whole(command)
     task.board.axis(number)
-    check_unslaved(task, axis)
+    check_unslaved(task.board, axis)
     if not task.board.controller.is_idle(axis.number):
         raise Fault(codes.INVALID, f"axis {axis.number} is moving", f"{axis.number}WS waits for it", "moving")
     if axis.mode == CONTOUR and axis.controlling not in (None, number):

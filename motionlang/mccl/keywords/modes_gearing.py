@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from motionlang.mccl import codes
 from motionlang.mccl.axis.motor import check_on
-from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
 
@@ -35,14 +32,6 @@ def slave_ratio(task: CommandTask, command: Command) -> None:
     axis = task.axis(command)
     axis.slave_ratio = float(task.value(command)) if task.given(command) else 1.0
     task.board.controller.set_ratio(axis.number, axis.slave_ratio)
-
-
-def check_unslaved(task: CommandTask, axis: AxisState) -> None:
-    """Raise Fault if the axis has a master, because it then accepts no other motion."""
-    master = task.board.controller.master_of(axis.number)
-    if master is not None:
-        words = f"axis {axis.number} is slaved to axis {master}"
-        raise Fault(codes.INVALID, words, f"{axis.number}SM0 frees it", "moving")
 
 
 # ------------------------------------------------------------------------------------------------- keywords

@@ -15,9 +15,8 @@ from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
 from motionlang.mccl.axis.flags import MOTOR_ERROR
-from motionlang.mccl.axis.launch import aim, launch
+from motionlang.mccl.axis.launch import aim, check_unslaved, launch
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.modes_gearing import check_unslaved
 from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
@@ -220,7 +219,7 @@ def _check_fit(task: CommandTask, axis: AxisState) -> None:
     number = axis.number
     if axis.flags & MOTOR_ERROR:
         raise Rejected("disabled-axis", f"axis {number} has tripped and accepts no motion command")
-    check_unslaved(task, axis)
+    check_unslaved(task.board, axis)
     if axis.jogging:
         raise Fault(codes.INVALID, f"axis {number} follows its joystick", f"{number}JF frees it", "moving")
 
