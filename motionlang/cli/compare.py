@@ -5,17 +5,18 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from math import inf, isfinite, nan
+from math import inf
+from sys import float_info
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.format_options import add_format
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import add_machine, set_values
+from motionlang.cli.numbers import machine_time, real
 from motionlang.cli.options import Options
 from motionlang.cli.output_files import written
 from motionlang.cli.parser import add_command, arrange
-from motionlang.cli.run_options import machine_time
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 
@@ -82,7 +83,7 @@ def add_mapping(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--delay",
-        type=_seconds,
+        type=real("a number of seconds", -float_info.max),
         metavar="S",
         help="the delay of the recording behind the run, s; default: fitted",
     )
@@ -101,16 +102,6 @@ def _mapped(text: str) -> Mapped:
         return Mapped(what.strip(), name.strip(), float(factor))
     except ValueError:
         raise argparse.ArgumentTypeError(f"{text!r}: {factor!r} is not a number to multiply by") from None
-
-
-def _seconds(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = nan
-    if not isfinite(value):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number of seconds")
-    return value
 
 
 def _tolerance(text: str) -> tuple[str, float]:

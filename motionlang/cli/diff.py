@@ -20,9 +20,9 @@ from motionlang.cli.dialect_option import add_dialect
 from motionlang.cli.format_options import add_format
 from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import set_values
+from motionlang.cli.numbers import machine_time
 from motionlang.cli.output_files import written
 from motionlang.cli.parser import add_command, arrange
-from motionlang.cli.run_options import machine_time
 from motionlang.cli.world_options import add_world, with_world, world_of
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run

@@ -11,11 +11,11 @@ from motionlang.analysis.guesses.file import inline, machine_text
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.dialect_option import add_dialect
 from motionlang.cli.format_options import add_format
+from motionlang.cli.numbers import machine_time
 from motionlang.cli.options import REPORTS, Options
 from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.program_files import programs
 from motionlang.cli.run import run_command
-from motionlang.cli.run_options import machine_time
 from motionlang.errors import Diagnostic
 from motionlang.execution import MACHINE_SUFFIX, dialect, dialect_of
 from motionlang.files import create

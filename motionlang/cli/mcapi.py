@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from motionlang.cli.complaints import complain
 from motionlang.cli.machine_options import add_machine
 from motionlang.cli.mcapi_run import run_host
+from motionlang.cli.numbers import real
 from motionlang.cli.options import Options
 from motionlang.cli.parser import add_command, arrange, sentence
 from motionlang.cli.serve import GROUPS, add_addresses, add_board, read_board
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from motionlang.mcapi.log import BadLog
 
 OK, WRONG = 0, 1
+_NOT_NEGATIVE = real("a number, 0 or more", 0.0, 1e6)
 TARGETS = ("linux", "win64", "win32")
 RUN_EPILOG = """\
 PROGRAM runs with MCAPI_HOST, LD_PRELOAD and LD_LIBRARY_PATH set, so that it finds the library as it is. The
@@ -74,14 +76,14 @@ def _add_replay(commands: Commands) -> None:
     parser.add_argument("file", metavar="FILE", help="the log")
     parser.add_argument(
         "--skew",
-        type=_not_negative,
+        type=_NOT_NEGATIVE,
         default=0.01,
         metavar="S",
         help="how far the times of the log may be from those here, in seconds (0.01)",
     )
     parser.add_argument(
         "--tolerance",
-        type=_not_negative,
+        type=_NOT_NEGATIVE,
         default=0.0,
         metavar="COUNTS",
         help="how far a position may be from the one here, in counts (0)",
@@ -194,13 +196,3 @@ def _refuse(message: str, hint: str = "") -> int:
 
 def _note(message: str) -> None:
     print(f"note: {message}", file=sys.stderr)
-
-
-def _not_negative(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = -1.0
-    if not 0.0 <= value < 1e6:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number, 0 or more")
-    return value

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, TypeVar
 
 from motionlang.analysis.cores import cores
+from motionlang.cli.numbers import whole
 
 if TYPE_CHECKING:
     from argparse import ArgumentParser
@@ -44,15 +45,7 @@ def add_jobs(parser: ArgumentParser) -> None:
         "-j",
         "--jobs",
         metavar="N",
-        type=_jobs,
+        type=whole("a number of processes from 1 to 1024", 1, 1024),
         default=0,
         help="worker processes; default: one per core",
     )
-
-
-def _jobs(text: str) -> int:
-    import argparse
-
-    if not text.isdecimal() or not 1 <= int(text) <= 1024:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number of processes from 1 to 1024")
-    return int(text)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import math
 import sys
 import textwrap
 from typing import TYPE_CHECKING
@@ -13,6 +12,7 @@ from motionlang.assumptions.probe import Motion, alone, asked, written
 from motionlang.assumptions.questions import of_word, questions
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.input_files import read_source
+from motionlang.cli.numbers import real
 from motionlang.cli.parser import add_command, arrange
 from motionlang.errors import nearest
 from motionlang.execution import dialect, dialects
@@ -68,7 +68,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     add("--answers", metavar="LOG", help="read the controller's terminal output; - reads standard input")
     add(
         "--motion",
-        type=_distance,
+        type=real("a distance above 0", 0.0, above=True),
         metavar="DISTANCE",
         help=(
             "include questions that need motion; the axis moves at most this far, in user units, from "
@@ -78,16 +78,6 @@ def add_parser(commands: Commands, summary: str) -> None:
     add("--axis", type=int, metavar="N", help="the axis to test; default: the first")
     add("--skip", action="append", default=[], metavar="NAME", help="leave a question out; may be repeated")
     arrange(parser, {"questions": "list skip motion axis", "answers": "answers"})
-
-
-def _distance(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not 0 < value < math.inf:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a distance above 0")
-    return value
 
 
 def _probe(arguments: argparse.Namespace) -> int:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import argparse
-import math
 import os
-import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli.certify import certify_folder
@@ -13,6 +11,7 @@ from motionlang.cli.complaints import refuse
 from motionlang.cli.event_status import ALLOWED
 from motionlang.cli.format_options import add_format
 from motionlang.cli.machine_options import add_machine, set_values
+from motionlang.cli.numbers import machine_time, real
 from motionlang.cli.options import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
 from motionlang.cli.output_files import refused, wrong_target
 from motionlang.cli.parser import add_command, arrange, either
@@ -25,6 +24,9 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
 
 HIGHEST_RATE = 10e6
+_RATE = real(
+    f"a rate above 0 and up to {HIGHEST_RATE:,.0f} samples per second", 0.0, HIGHEST_RATE, above=True
+)
 # The options that --show-code and --show-tree use; the others are about a run.
 FOR_CODE = frozenset(("help", "file", "dialect", "machine", "set", "show_code", "show_tree", "no_cache"))
 RUN_EPILOG = """\
@@ -101,7 +103,7 @@ def _add_report(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--realtime",
-        type=_factor,
+        type=real("a factor above 0: --realtime 10 is ten times as fast", 0.0, above=True),
         nargs="?",
         const=1.0,
         metavar="FACTOR",
@@ -115,7 +117,7 @@ def _add_trace(parser: argparse.ArgumentParser, out: tuple[str, str] | None) -> 
         parser.add_argument("--trace", metavar="OUT", help=f"sample the motion into a file: {either(TRACES)}")
     parser.add_argument(
         "--rate",
-        type=_rate,
+        type=_RATE,
         metavar="HZ",
         help=f"samples per second of the trace ({RATE:g}; with --trajectory-points {SERVO_RATE:g})",
     )
@@ -137,7 +139,7 @@ def _add_trace(parser: argparse.ArgumentParser, out: tuple[str, str] | None) -> 
     )
     parser.add_argument(
         "--trajectory-rate",
-        type=_rate,
+        type=_RATE,
         metavar="HZ",
         help=f"trajectory points per second ({TRAJECTORY_RATE:g}, as on PMC's MultiFlex boards)",
     )
@@ -181,7 +183,7 @@ def _add_checks(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--log-size",
         metavar="GB",
-        type=lambda text: _number(text, 0.0, 1e6, "a number of gigabytes, 0 or more"),
+        type=real("a number of gigabytes, 0 or more", 0.0, 1e6),
         help="disk space that the log may take before the run ends, GB (8)",
     )
     parser.add_argument(
@@ -332,21 +334,6 @@ def _columns(text: str) -> list[str]:
     return columns
 
 
-def _number(text: str, low: float, high: float, what: str, *, open_low: bool = False) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not (low < value <= high or (value == low and not open_low)):
-        raise argparse.ArgumentTypeError(f"{text!r} is not {what}")
-    return value
-
-
-def machine_time(text: str) -> float:
-    """Parse a machine time, s, for argparse."""
-    return _number(text, 0.0, sys.float_info.max, "a time in seconds, 0 or more")
-
-
 def _allowed(text: str) -> frozenset[str]:
     names = frozenset(each.strip() for each in text.split(","))
     if names == {"all"}:
@@ -371,14 +358,3 @@ def _path(text: str) -> tuple[int, ...]:
     if len(axes) not in (2, 3) or len(set(axes)) != len(axes):
         raise argparse.ArgumentTypeError(f"{text!r} is not a path: give two or three axes, such as 0,1")
     return axes
-
-
-def _rate(text: str) -> float:
-    what = f"a rate above 0 and up to {HIGHEST_RATE:,.0f} samples per second"
-    return _number(text, 0.0, HIGHEST_RATE, what, open_low=True)
-
-
-def _factor(text: str) -> float:
-    return _number(
-        text, 0.0, sys.float_info.max, "a factor above 0: --realtime 10 is ten times as fast", open_low=True
-    )

@@ -12,6 +12,7 @@ from motionlang.cli.address import address
 from motionlang.cli.complaints import refuse, unreadable
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import add_machine, set_values
+from motionlang.cli.numbers import real, whole
 from motionlang.cli.options import Options
 from motionlang.cli.output_queue import never_waiting
 from motionlang.cli.parser import add_command, arrange
@@ -69,7 +70,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     )
     add(
         "--unit",
-        type=_unit,
+        type=whole("a Modbus unit from 1 to 247", 1, 247),
         metavar="N",
         help="the Modbus unit that is answered, in addition to 0 and 255, which mean any device (default: all)",
     )
@@ -85,7 +86,12 @@ def add_parser(commands: Commands, summary: str) -> None:
         metavar="INTERFACE:CHANNEL",
         help="put simulated CANopen drives on a bus of python-can (needs the extra can)",
     )
-    add("--drives", type=_drives, metavar="N", help="the number of drives on the bus, nodes 1 to N (1)")
+    add(
+        "--drives",
+        type=whole("a number of drives from 1 to 127", 1, 127),
+        metavar="N",
+        help="the number of drives on the bus, nodes 1 to N (1)",
+    )
     add("--eds", metavar="FILE", help="write the EDS file of the drives")
     add_board(parser)
     arrange(parser, GROUPS)
@@ -121,7 +127,7 @@ def add_board(parser: argparse.ArgumentParser) -> None:
     )
     add(
         "--max-hosts",
-        type=_count,
+        type=whole("a number of connections from 1 to 1000", 1, 1000),
         default=64,
         metavar="N",
         help="maximum number of simultaneous connections (64)",
@@ -138,10 +144,15 @@ def _add_time(parser: argparse.ArgumentParser) -> None:
         default="real",
         help="how machine time passes: in real time (default), or in lock step, only while a host waits",
     )
-    add("--factor", type=_positive, metavar="X", help="run at X × real time, with --clock real (1)")
+    add(
+        "--factor",
+        type=real("a factor from 0.000001 to 1000000", 1e-6, 1e6),
+        metavar="X",
+        help="run at X × real time, with --clock real (1)",
+    )
     add(
         "--step",
-        type=_seconds,
+        type=real("a time from 0 to 3600 seconds", 0.0, 3600.0),
         metavar="S",
         help=(
             "with --clock lockstep, the least machine time of a line (0.001 s), or, for a Mint program, the "
@@ -253,44 +264,8 @@ def _speaks_mint(args: argparse.Namespace) -> bool:
     )
 
 
-def _count(text: str) -> int:
-    if not text.isdecimal() or not 1 <= int(text) <= 1000:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number of connections from 1 to 1000")
-    return int(text)
-
-
 def _bus(text: str) -> tuple[str, str]:
     interface, colon, channel = text.partition(":")
     if not (interface and colon and channel):
         raise argparse.ArgumentTypeError(f"{text!r} is not INTERFACE:CHANNEL, such as socketcan:vcan0")
     return interface, channel
-
-
-def _drives(text: str) -> int:
-    if not text.isdecimal() or not 1 <= int(text) <= 127:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number of drives from 1 to 127")
-    return int(text)
-
-
-def _unit(text: str) -> int:
-    if not text.isdecimal() or not 1 <= int(text) <= 247:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a Modbus unit from 1 to 247")
-    return int(text)
-
-
-def _positive(text: str) -> float:
-    return _number(text, 1e-6, 1e6, "a factor from 0.000001 to 1000000")
-
-
-def _seconds(text: str) -> float:
-    return _number(text, 0.0, 3600.0, "a time from 0 to 3600 seconds")
-
-
-def _number(text: str, low: float, high: float, what: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = -1.0
-    if not low <= value <= high:
-        raise argparse.ArgumentTypeError(f"{text!r} is not {what}")
-    return value

@@ -7,13 +7,16 @@ import argparse
 from motionlang.analysis.sweeps.quantities import ROWS
 from motionlang.cli.format_options import add_format
 from motionlang.cli.machine_options import add_machine
+from motionlang.cli.numbers import machine_time, whole
 from motionlang.cli.parser import arrange
-from motionlang.cli.run_options import machine_time
 from motionlang.cli.world_options import add_world
 
 FORMATS = ("table", "csv", "json", "none")
 # Rows of the table without --rows.
 MAX_ROWS = 20
+_MAX_COUNT = 999_999_999
+_COUNT = whole("a whole number above 0", 1, _MAX_COUNT)
+_ROWS = whole("a whole number, 0 or more", 0, _MAX_COUNT)
 EPILOG = f"""\
 Each variant is a complete run. Quantities for --keep:
 {chr(10).join(f"  {row.name:<13} {row.help}{f', {row.unit}' if row.unit else ''}" for row in ROWS)}
@@ -66,10 +69,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="DIR",
         help="run in every scenario of a folder, each overlaid on the machine file",
     )
-    add("--random", type=_count, metavar="N", help="run a random sample of N variants")
+    add("--random", type=_COUNT, metavar="N", help="run a random sample of N variants")
     add(
         "--latin",
-        type=_count,
+        type=_COUNT,
         metavar="N",
         help="run a Latin hypercube sample of N variants",
     )
@@ -117,7 +120,7 @@ def _add_output(parser: argparse.ArgumentParser) -> None:
     add_format(parser, FORMATS, "the printed rows (csv and json have all)")
     add(
         "--rows",
-        type=_rows,
+        type=_ROWS,
         default=MAX_ROWS,
         metavar="N",
         help=f"rows of the table ({MAX_ROWS}); 0 for all",
@@ -125,17 +128,7 @@ def _add_output(parser: argparse.ArgumentParser) -> None:
     add(
         "-j",
         "--jobs",
-        type=_count,
+        type=_COUNT,
         metavar="N",
         help="worker processes; default: one per core",
     )
-
-
-def _count(text: str) -> int:
-    if not text.isascii() or not text.isdigit() or not int(text[:12]) > 0 or len(text) > 9:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number above 0")
-    return int(text)
-
-
-def _rows(text: str) -> int:
-    return 0 if text == "0" else _count(text)
