@@ -33,6 +33,15 @@ def check_positive(**quantities: float) -> None:
         raise ValueError(f"{word} must lie between {SMALLEST:g} and {LARGEST:g}")
 
 
+def check_rates(speed: float, accel: float, decel: float) -> None:
+    """Raise ValueError unless a move may have this speed and these rates."""
+    if not (
+        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
+    ):
+        check_positive(speed=speed, acceleration=accel, deceleration=decel)
+        raise too_large()
+
+
 def check_finite(**quantities: float) -> None:
     """Check that quantities are finite and do not exceed LARGEST.
 

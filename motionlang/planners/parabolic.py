@@ -6,7 +6,7 @@ from math import sqrt
 
 from motionlang.planners.curve import Profile
 from motionlang.planners.feasibility import Ramps, approach, from_rest
-from motionlang.planners.limits import LARGEST, SMALLEST, check_finite, check_positive, too_large
+from motionlang.planners.limits import check_finite, check_rates
 from motionlang.planners.ramps import FALLING, RISING
 
 
@@ -18,11 +18,7 @@ def plan_parabolic(
     Deceleration mirrors it in time. A short move peaks below `speed`: V' = sqrt(3 A S/8) for A = D from rest.
     Raises ValueError like `plan_trapezoid`.
     """
-    if not (
-        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
-    ):
-        check_positive(speed=speed, acceleration=accel, deceleration=decel)
-        raise too_large()
+    check_rates(speed, accel, decel)
     if v0 == 0.0:
         up, down = (2.0 / accel, FALLING), (2.0 / decel, RISING)
         return from_rest("parabolic", start, target, speed, up, down, 2.0 / 3.0)

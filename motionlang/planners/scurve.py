@@ -6,7 +6,7 @@ from math import pi
 
 from motionlang.planners.curve import Profile
 from motionlang.planners.feasibility import approach, from_rest, stretched
-from motionlang.planners.limits import LARGEST, SMALLEST, check_finite, check_positive, check_ramp, too_large
+from motionlang.planners.limits import check_finite, check_ramp, check_rates
 from motionlang.planners.ramps import SINE
 
 
@@ -17,11 +17,7 @@ def plan_sinusoidal(
 
     A short move peaks below `speed`, with A and D unchanged. Raises ValueError like `plan_trapezoid`.
     """
-    if not (
-        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
-    ):
-        check_positive(speed=speed, acceleration=accel, deceleration=decel)
-        raise too_large()
+    check_rates(speed, accel, decel)
     if v0 == 0.0:
         up, down = (0.5 * pi / accel, SINE), (0.5 * pi / decel, SINE)
         return from_rest("sinusoidal", start, target, speed, up, down, 0.5)
@@ -38,11 +34,7 @@ def plan_ratio(
     S-curve with triangular acceleration, T_A = 2V/A. (The note prints (1/RAMP) VEL/ACC, which contradicts its own
     table.)
     """
-    if not (
-        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
-    ):
-        check_positive(speed=speed, acceleration=accel, deceleration=decel)
-        raise too_large()
+    check_rates(speed, accel, decel)
     check_ramp(ramp)
     if v0 == 0.0:
         stretch = 1.0 / (1.0 - ramp)

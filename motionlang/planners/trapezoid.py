@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import inf, sqrt
 
 from motionlang.planners.curve import Profile
-from motionlang.planners.limits import LARGEST, SMALLEST, check_finite, check_positive, too_large
+from motionlang.planners.limits import LARGEST, SMALLEST, check_finite, check_rates
 
 
 def plan_trapezoid(
@@ -20,11 +20,7 @@ def plan_trapezoid(
         ramps = from_rest(target - start, speed, accel, decel)
         if ramps is not None:
             return Profile("trapezoid", start, target, *ramps)
-    if not (
-        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
-    ):
-        check_positive(speed=speed, acceleration=accel, deceleration=decel)
-        raise too_large()
+    check_rates(speed, accel, decel)
     check_finite(position=start, target=target, start_velocity=v0)
     # From rest nearly every program uses the numbers alone.
     from motionlang.planners.feasibility import approach, stretched
