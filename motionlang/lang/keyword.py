@@ -191,11 +191,21 @@ class Keyword:
         return f"Keyword({self.name!r})"
 
 
+def kind_of(access: str) -> str:
+    """Return the kind of a value or a command with an access."""
+    return "command" if access == "C" else "setting" if "W" in access else "reading"
+
+
+def constant(name: str, value: float | str, help: str, unit: str = "integer") -> Keyword:
+    """Return the row of a constant."""
+    return Keyword(name, "", "constant", "R", "none", unit, str(value), help, f"PRINT {name}",
+                   group="constants")  # fmt: skip
+
+
 def value(
     name: str, short: str, access: str, index: str, unit: str, actions: Actions, help: str, example: str,
     default: float = 0.0, low: float | None = None, high: float | None = None, group: str = "",
 ) -> Keyword:  # fmt: skip
     """Return the row of a value: a reading if it can only be read, else a setting."""
-    kind = "reading" if access == "R" else "setting"
-    return Keyword(name, short, kind, access, index, unit, actions, help, example, default=default,
+    return Keyword(name, short, kind_of(access), access, index, unit, actions, help, example, default=default,
                    low=low, high=high, group=group)  # fmt: skip

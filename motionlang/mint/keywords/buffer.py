@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.triggers.watch import Watch, arm
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, Inputs, checked
 from motionlang.mint.keywords.motion import refuse_stopping
@@ -180,8 +180,7 @@ _TRIGGERS = (
     ("POSITION", "moves start when the axis or encoder TRIGGERCHANNEL passes TRIGGERVALUE"),
 )
 _CONSTANTS = tuple(
-    Keyword(f"_tr{name}", "", "constant", "R", "none", "integer", str(value), f"TRIGGERMODE: {help}.",
-            f"PRINT _tr{name}", group="constants")
+    constant(f"_tr{name}", value, f"TRIGGERMODE: {help}.")
     for value, (name, help) in enumerate(_TRIGGERS)
 )  # fmt: skip
 

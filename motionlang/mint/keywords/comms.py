@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.io.host_memory import product
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.runtime.binding import of, with_first
 from motionlang.mint.runtime.changes import repeatable
 
@@ -109,10 +109,7 @@ ROWS = (
             "Set-up of a bus's Modbus server, one of the _mp parameters; _mpREGISTER_MAPPING says what clients see.",
             "MODBUSPARAMETER(_busETHERNET, _mpREGISTER_MAPPING) = _rmCOMMS_ARRAY\n"
             "PRINT MODBUSPARAMETER(_busETHERNET, _mpREGISTER_MAPPING)", low=0, high=32767, group="comms"),
-    *(
-        Keyword(name, "", "constant", "R", "none", "integer", str(value), help, f"PRINT {name}", group="constants")
-        for name, value, help in _PARAMETERS
-    ),
+    *(constant(*each) for each in _PARAMETERS),
     Keyword("COMMS", "", "setting", "RW", "element", "number", _real("comms"),
             "An element of the comms array, 1 to 99, as a float; it shares its 32 bits with COMMSINTEGER.",
             "COMMS(1) = 2.5\nPRINT COMMS(1)", default=0.0, group="comms", driven="comms"),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.takeup import Takeup
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.sensing import Encoders
@@ -167,11 +167,6 @@ def _setting(name: str, short: str, unit: str, help: str, example: str, low: flo
                    low=low, high=high, group="compensation")  # fmt: skip
 
 
-def _mode(name: str, value: int, help: str) -> Keyword:
-    return Keyword(name, "", "constant", "R", "none", "integer", str(value), help, f"PRINT {name}",
-                   group="constants")  # fmt: skip
-
-
 ROWS = (
     _setting("BACKLASH", "", "uu",
              "The play of the axis. Its sign is the direction in which homing took the play up: positive, the motor "
@@ -182,7 +177,7 @@ ROWS = (
              "be idle.", _PLAY, 0, _MAX_VALUE),
     _setting("BACKLASHMODE", "BLM", "integer", "1: play is compensated. Not with _lsDUAL_TABLE.",
              _PLAY, 0, 1),
-    _mode("_blOFF", 0, "BACKLASHMODE: off."),
+    constant("_blOFF", 0, "BACKLASHMODE: off."),
     Keyword("PRECISIONTABLE", "", "command", "C", "axis, array, array", "",
             Actions(do=of_word(Compensation, do_table)),
             "Attach arrays to an axis: the positions of the nut at steps of PRECISIONINCREMENT, going forward, and in "
@@ -194,7 +189,7 @@ ROWS = (
     _setting("PRECISIONMODE", "", "integer",
              "Compensation of the leadscrew: _lsOFF, _lsSINGLE_TABLE for both directions, _lsDUAL_TABLE for one each.",
              _TABLE, 0, 2),
-    _mode("_lsOFF", 0, "PRECISIONMODE: leadscrew compensation off."),
-    _mode("_lsSINGLE_TABLE", 1, "PRECISIONMODE: leadscrew compensation by one table."),
-    _mode("_lsDUAL_TABLE", 2, "PRECISIONMODE: leadscrew compensation by two tables."),
+    constant("_lsOFF", 0, "PRECISIONMODE: leadscrew compensation off."),
+    constant("_lsSINGLE_TABLE", 1, "PRECISIONMODE: leadscrew compensation by one table."),
+    constant("_lsDUAL_TABLE", 2, "PRECISIONMODE: leadscrew compensation by two tables."),
 )  # fmt: skip

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.motion.reference import PERIOD
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, kind_of
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.runtime.binding import of, of_word
@@ -186,7 +186,7 @@ def _ignored(environment: Environment, axis: int, value: float) -> None:
 def _reading(
     name: str, short: str, unit: str, actions: str | Actions, help: str, access: str = "R"
 ) -> Keyword:
-    return Keyword(name, short, "setting" if "W" in access else "reading", access, "axis", unit, actions, help,
+    return Keyword(name, short, kind_of(access), access, "axis", unit, actions, help,
                    f"JOG(0) = 100\nWAIT = 100\nPRINT {name}(0)\nCANCEL(0)", default=0.0, group="state")  # fmt: skip
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.buffer import loads
 from motionlang.mint.keywords.following_masters import MASTER_SETTING, Masters, distance
 from motionlang.mint.keywords.motion import finite
@@ -120,15 +120,10 @@ _STATUS = (
 )
 
 
-def _constant(name: str, value: int, help: str) -> Keyword:
-    return Keyword(name, "", "constant", "R", "none", "integer", str(value), help, f"PRINT {name}",
-                   group="constants")  # fmt: skip
-
-
 ROWS = (
-    *(_constant(f"_ms{name}", n, f"MASTERSOURCE: {help}.") for n, (name, help) in enumerate(_SOURCES)),
-    *(_constant(f"_of{name}", n, f"OFFSETMODE: {help}.") for n, (name, help) in enumerate(_OFFSET_MODES)),
-    *(_constant(f"_os{name}", 1 << n, f"OFFSETSTATUS: {help}.") for n, (name, help) in enumerate(_STATUS)),
+    *(constant(f"_ms{name}", n, f"MASTERSOURCE: {help}.") for n, (name, help) in enumerate(_SOURCES)),
+    *(constant(f"_of{name}", n, f"OFFSETMODE: {help}.") for n, (name, help) in enumerate(_OFFSET_MODES)),
+    *(constant(f"_os{name}", 1 << n, f"OFFSETSTATUS: {help}.") for n, (name, help) in enumerate(_STATUS)),
     Keyword("FOLLOW", "FL", "setting", "RW", "axis", "number",
             Actions(read=of(Masters, read_follow), write=of(Masters, write_follow)),
             "Follow the master: units of this axis for each unit of the master. 0 ends it; no GO is needed.",

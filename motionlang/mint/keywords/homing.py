@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.controller.triggers.homing import HOME, LIMIT, STATES, Homing
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
 from motionlang.mint.keywords.limits_switches import HOME_SWITCH, NONE, SWITCH_INPUT, Switches
@@ -186,8 +186,7 @@ ROWS = (
             "1 while the axis is on its home switch.",
             "PRINT HOMESWITCH(0)", default=0.0, group="homing", driven="input"),
     *(
-        Keyword(name, "", "constant", "R", "none", "integer", str(value), _what(direction, switch, index),
-                f"PRINT {name}", group="constants")
+        constant(name, value, _what(direction, switch, index))
         for value, (name, direction, switch, index) in enumerate(HOME_TYPES)
     ),
 )  # fmt: skip

@@ -5,7 +5,7 @@ The section `[mint.values]` of the machine file can override each value.
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, constant, kind_of
 from motionlang.mint.keywords.no_effect import StoredValues
 from motionlang.mint.runtime.binding import axis_of, of
 from motionlang.mint.runtime.changes import always
@@ -146,8 +146,7 @@ def _word(
     default: float | None = 0.0,
 ) -> Keyword:
     where = "" if index == "none" else "(0)"
-    kind = "setting" if "W" in access else "reading"
-    return Keyword(name, short, kind, access, index, unit, actions, help, f"PRINT {name}{where}",
+    return Keyword(name, short, kind_of(access), access, index, unit, actions, help, f"PRINT {name}{where}",
                    default=None if unit == "text" else default, group="identity")  # fmt: skip
 
 
@@ -167,9 +166,7 @@ ROWS = (
           default=None),
     Keyword("_noAXES", "", "constant", "R", "none", "integer", str(AXES), "NUMBEROF: axes.", "PRINT NUMBEROF(_noAXES)",
             group="constants"),
-    Keyword("_egCONTROLLER", "", "constant", "R", "none", "integer", "3",
-            "ERRORPRESENT and its family: errors of the controller, as _egMISC.", "PRINT _egCONTROLLER",
-            group="constants"),
+    constant("_egCONTROLLER", 3, "ERRORPRESENT and its family: errors of the controller, as _egMISC."),
     _word("AXISBUS", "", "R", "axis", "integer", _LOCAL, "The bus of an axis: 0, as every axis is local."),
     _word("AXISNODE", "", "R", "axis", "integer", _LOCAL,
           "The node of an axis: 0, as every axis is local."),
@@ -199,6 +196,5 @@ ROWS = (
             ("BEEPOFF", "Key clicks off, which has no effect here."),
         )
     ),
-    *(Keyword(f"_ie{name}", "", "constant", "R", "none", "integer", str(number), f"INITERROR: {help}.",
-              f"PRINT _ie{name}", group="constants") for number, name, help in _INIT_ERRORS),
+    *(constant(f"_ie{name}", number, f"INITERROR: {help}.") for number, name, help in _INIT_ERRORS),
 )  # fmt: skip

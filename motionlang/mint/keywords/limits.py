@@ -19,7 +19,7 @@ from motionlang.controller.faults import (
 )
 from motionlang.controller.triggers.conditions import Undirected
 from motionlang.controller.triggers.limit import Limit
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import MODES
 from motionlang.mint.runtime.binding import of, of_word
@@ -223,8 +223,7 @@ _MODES = (
     ("CALL_EVENT", "only the event ONERROR"),
 )
 _CONSTANTS = tuple(
-    Keyword(f"_em{name}", "", "constant", "R", "none", "integer", str(value), f"Modes of errors: {help}.",
-            f"PRINT _em{name}", group="constants")
+    constant(f"_em{name}", value, f"Modes of errors: {help}.")
     for value, (name, help) in enumerate(_MODES)
 )  # fmt: skip
 

@@ -6,7 +6,7 @@ The machine file's `[[remote]]` and `[[bus]]` schedule events. The event numbers
 from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, constant, kind_of
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.remote import ERROR_REGISTER, LAST_CHANNEL, Nodes
 from motionlang.mint.runtime.binding import of
@@ -219,10 +219,9 @@ def network_row(
     default: float = 0.0,
 ) -> Keyword:
     """Return the row of a bus keyword."""
-    kind = "command" if access == "C" else "setting" if "W" in access else "reading"
     first = None if access == "C" else "" if unit == "text" else default
-    return Keyword(name, "", kind, access, index, unit, actions, help, example, default=first, low=low, high=high,
-                   group="remote")  # fmt: skip
+    return Keyword(name, "", kind_of(access), access, index, unit, actions, help, example, default=first, low=low,
+                   high=high, group="remote")  # fmt: skip
 
 
 def _bus(name: str, actions: Actions, help: str, default: float = 0.0) -> tuple[Keyword, Keyword]:
@@ -242,11 +241,7 @@ def _reset(name: str) -> Keyword:
 
 
 ROWS = (
-    *(
-        Keyword(f"_cet{name}", "", "constant", "R", "none", "integer", str(value), f"BUSEVENT: {help}.",
-                f"PRINT _cet{name}", group="constants")
-        for name, value, help in _CODES
-    ),
+    *(constant(f"_cet{name}", value, f"BUSEVENT: {help}.") for name, value, help in _CODES),
     *_bus("EVENT", _EVENT,
           "Code of the next event of a bus, which is taken off its queue; 0 when there is none."),
     *_bus("EVENTINFO", _EVENT_INFO,

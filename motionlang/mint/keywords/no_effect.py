@@ -8,7 +8,7 @@ not written reads 0 or an empty string, which the report also states. `type_libr
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.machine_readings import SuppliedValues
 from motionlang.mint.runtime.changes import repeatable
 
@@ -92,9 +92,5 @@ _TYPES = (("OFF", "no axis"), ("SERVO", "a servo"), ("STEPPER", "a stepper"), ("
 
 
 ROWS = (
-    *(
-        Keyword(f"_cf{name}", "", "constant", "R", "none", "integer", str(value), f"CONFIG: {help}.",
-                f"PRINT _cf{name}", group="constants")
-        for value, (name, help) in enumerate(_TYPES)
-    ),
+    *(constant(f"_cf{name}", value, f"CONFIG: {help}.") for value, (name, help) in enumerate(_TYPES)),
 )  # fmt: skip

@@ -8,7 +8,7 @@ from motionlang.controller.faults import Rejected
 from motionlang.controller.io.bits import signed
 from motionlang.controller.io.channels import Channels
 from motionlang.controller.io.host_memory import HostMemory
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, kind_of
 from motionlang.mint.keywords.io_inputs import BANK, bits_of, checked
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
@@ -321,10 +321,9 @@ def _bits(kind: str) -> Actions:
 
 def _word(name: str, access: str, index: str, unit: str, actions: Actions, help: str, example: str,
           driven: str = "") -> Keyword:  # fmt: skip
-    kind = "setting" if "W" in access else "reading"
     low, high = (-100.0, 100.0) if unit == "%" and "W" in access else (None, None)
-    return Keyword(name, "", kind, access, index, unit, actions, help, example, default=0.0, low=low, high=high,
-                   group="remote", driven=driven)  # fmt: skip
+    return Keyword(name, "", kind_of(access), access, index, unit, actions, help, example, default=0.0, low=low,
+                   high=high, group="remote", driven=driven)  # fmt: skip
 
 
 def _set_mode(nodes: Nodes, bus: int, node: int, mode: int) -> None:

@@ -12,7 +12,7 @@ from itertools import pairwise
 
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.profile_playback import Playback
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.buffer import loads
 from motionlang.mint.keywords.table_motion_cams import (
@@ -206,11 +206,7 @@ _SPLINE_BITS = (
 
 
 ROWS = (
-    *(
-        Keyword(f"_sp{name}", "", "constant", "R", "none", "integer", str(value), f"SPLINE, and CAM: {help}.",
-                f"PRINT _sp{name}", group="constants")
-        for name, value, help in _SPLINE_BITS
-    ),
+    *(constant(f"_sp{name}", value, f"SPLINE, and CAM: {help}.") for name, value, help in _SPLINE_BITS),
     command_row("SPLINETABLE", "axis, array, array, array", Actions(do=of_word(Splines, do_table)),
              "Attach arrays to a spline: positions, velocities (NULL: chosen) and times of the segments in ms (NULL: "
              "SPLINETIME). Element 1 is the number of segments.", _SPLINE.format("")),

@@ -7,7 +7,7 @@ handlers share that of the parent task. Terminal 1 is the console.
 from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
-from motionlang.lang.keyword import Actions, Keyword
+from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.lang.machine.machine import CONSOLE
 from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.changes import repeatable
@@ -139,11 +139,7 @@ ROWS = (
             "0 none. Terminal 1 is the console; the lines of the others are shown with a label.",
             'TERMINAL = _Term2\nPRINT "there"\nTERMINAL = _Term1\nPRINT "here"',
             default=1, low=0, high=255, group="terminal"),
-    *(
-        Keyword(f"_Term{n}", "", "constant", "R", "none", "integer", str(1 << n - 1),
-                f"TERMINAL: terminal {1 << n - 1}.", f"PRINT _Term{n}", group="constants")
-        for n in (1, 2, 3)
-    ),
+    *(constant(f"_Term{n}", 1 << n - 1, f"TERMINAL: terminal {1 << n - 1}.") for n in (1, 2, 3)),
     Keyword("INKEY", "ik", "reading", "R", "terminal", "integer", Actions(read=read_key),
             "Code of the next key that the operator has pressed, 0 when there is none; at the terminal in brackets, "
             "or at that of TERMINAL.",
