@@ -27,7 +27,7 @@ LAZY = {
     "fast/timer_ticks.py": "polled_ticks",
     "controller/axis_verbs.py": "motion.jog motion.profile_playback",
     "controller/controller.py": "io.encoder motion.follow motion.offset motion.reference motion.sampled_velocity "
-    "moves.cam moves.entries triggers.latch triggers.limit",
+    "moves.cam moves.entries triggers.limit",
     # The process that passes messages on does not load the debugger, which its engine does.
     "dap/relay.py": "engine",
     "dap/server.py": "adapter relay",

@@ -17,7 +17,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from motionlang.controller.move import Action
     from motionlang.planners import Profile
 
 SETTINGS = frozenset(
@@ -287,32 +286,20 @@ class AxisVerbs(Core):
         command: str = "",
         line: int = 0,
         on_path: bool = False,
-        action: Action | None = None,
         step: float = 0.0,
     ) -> None:
         """Play a profile that begins at the axis's position.
 
         With `on_path`, a stop comes to rest on the profile. `step` is the velocity, counts/s, at which a stepper
-        starts and stops abruptly; above it the rates of the axis apply. `action` handles a stop if the caller has
-        several axes on one profile.
+        starts and stops abruptly; above it the rates of the axis apply.
         """
         from motionlang.controller.motion.profile_playback import Playback
 
         a = self.movable(axis)
         move = Move(axis, command, line, profile.end)
-        playback = Playback(on_path, step)
-        move.action = action or playback
+        move.action = playback = Playback(on_path, step)
         self.end_move(a, "retarget")
-        self.run_profile(
-            a, move, playback.waiting(self, profile) if a.suspended and action is None else profile
-        )
-
-    def redirect(self, axis: int, profile: Profile, ended: str = "") -> None:
-        """Replace the rest of the present move by a profile, such as an extended path."""
-        a = self.axes[axis]
-        if a.move is not None:
-            self.continue_with(a, profile, ended)
-            a.target = a.move.target = profile.end
+        self.run_profile(a, move, playback.waiting(self, profile) if a.suspended else profile)
 
     def stop(self, axis: int, ended: str = "stop", hard: bool = False) -> None:
         """Decelerate to rest at the set rate and empty the move buffer.

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from motionlang.controller.moves.geometry import Arc, Line
     from motionlang.controller.moves.path_policy import PathPolicy
     from motionlang.controller.readers import Loader, Reader, Subscriber, Writer
-    from motionlang.controller.triggers.latch import Compare, Latch
     from motionlang.controller.triggers.limit import Limit
     from motionlang.log.trace import Trace
     from motionlang.planners import Profile
@@ -174,11 +173,6 @@ class Controller(AxisVerbs):
         """Return the speed along the present path of the axis, user units/s."""
         run = moves.path.run_of(self.axes[axis])
         return run.present.speed if run is not None else 0.0
-
-    def path_remaining(self, axis: int) -> float:
-        """Return the remaining distance along the present path of the axis, user units."""
-        run = moves.path.run_of(self.axes[axis])
-        return run.present.remaining if run is not None else 0.0
 
     # ------------------------------------------------------------------------------------------------ references
 
@@ -399,37 +393,6 @@ class Controller(AxisVerbs):
         if number not in self.axes:
             raise Rejected("axis", f"there is no axis {number} to follow")
         return self.axes[number]
-
-    # ---------------------------------------------------------------------------------- capture and
-    # comparison
-
-    def latch(self, number: int) -> Latch:
-        """Return a latch channel."""
-        from motionlang.controller.triggers.latch import Latch
-
-        found = self.latches.get(number)
-        if found is None:
-            found = self.latches[number] = Latch(self, number)
-        return found
-
-    def latch_on_input(
-        self, number: int, axis: int, channel: int, edge: int = 1, encoder: bool = False
-    ) -> None:
-        """Arm a latch to capture a position at an edge of a digital input.
-
-        `edge` is 1 for rising, -1 for falling, 0 for both.
-        """
-        self.latch(number).on_input(self._master(axis, encoder), channel, edge)
-
-    def latch_on_index(self, number: int, axis: int) -> None:
-        """Arm a latch to capture the position of an axis at its encoder's index marks."""
-        self.latch(number).on_index(self._master(axis, False))
-
-    def compare(self, axis: int, output: int, low: float, high: float) -> Compare:
-        """Turn a digital output on while an axis is between two positions."""
-        from motionlang.controller.triggers.latch import Compare
-
-        return Compare(self, axis, output, low, high)
 
     # --------------------------------------------------------------------------------------- simulated motors
 

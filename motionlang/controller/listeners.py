@@ -10,8 +10,8 @@ if TYPE_CHECKING:
 
 # The kinds of changes. With the number of an axis: it has come to rest, has a fault, has one that was not
 # pending before ("error"), its faults are cleared, it was enabled or disabled, has another scale, its home
-# switch or a limit has changed, its buffer has room again. With the number of a latch, or the bits of an
-# error of the controller itself: the last two.
+# switch or a limit has changed, its buffer has room again. With the bits of an error of the
+# controller itself: the last one.
 KINDS = (
     "idle",
     "fault",
@@ -22,7 +22,6 @@ KINDS = (
     "home",
     "limit",
     "buffer-low",
-    "latch",
     "misc",
 )
 

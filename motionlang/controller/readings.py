@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from motionlang.controller.faults import Rejected
     from motionlang.controller.triggers.conditions import Condition
     from motionlang.controller.triggers.homing import Homing
-    from motionlang.controller.triggers.latch import Latch
     from motionlang.controller.triggers.watch import Watch
     from motionlang.log.expected_motion import ExpectedMotion
     from motionlang.log.log import Log
@@ -49,7 +48,6 @@ class Readings:
         self._pulses: dict[int, Event] = {}
         # Encoder channels driven from outside, such as that of a conveyor; they have tracks like axes.
         self.encoders: dict[int, Axis] = {}
-        self.latches: dict[int, Latch] = {}
         # The homings in progress by axis. They control their axis alone; its buffer waits for their end.
         self.homings: dict[int, Homing] = {}
         # The inputs that must be on before the drives of axes can be enabled.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.controller import Controller
+from motionlang.controller.moves.path import run_of
 
 
 def machine(axes: int = 2, **settings: float | str) -> Controller:
@@ -21,3 +22,10 @@ def until(controller: Controller, time: float) -> Controller:
     """Advance the controller to `time`, s, and return it."""
     controller.clock.advance(time)
     return controller
+
+
+def remaining(controller: Controller, axis: int) -> float:
+    """Return the remaining distance along the present path of an axis, user units."""
+    run = run_of(controller.axes[axis])
+    assert run is not None
+    return run.present.remaining

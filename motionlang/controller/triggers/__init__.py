@@ -1,4 +1,4 @@
-"""Triggers by position: watches, zones, limits, latches, homing."""
+"""Triggers by position: watches, zones, limits, homing."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ import pytest
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import ABORT, Rejected
-from tests.controller.machines import machine, until
+from tests.controller.machines import machine, remaining, until
 
 FAST, RATE, ERROR_RATE = 10.0, 100.0, 200.0
 COUNTS = (1.0, 50.0)
@@ -245,7 +245,7 @@ def test_what_an_axis_says_of_itself_while_two_paths_come_to_rest() -> None:
     assert c.velocity(0) == pytest.approx(3.0)
     assert c.velocity(1) == 0.0
     assert c.path_speed(0) == c.path_speed(1) == pytest.approx(3.0)
-    assert c.path_remaining(0) == pytest.approx(40.0 - 5.5 + 3.0**2 / (2.0 * RATE))
+    assert remaining(c, 0) == pytest.approx(40.0 - 5.5 + 3.0**2 / (2.0 * RATE))
     assert not c.is_idle(0)
     assert not c.is_idle(1)
     assert c.idle_time(0) == pytest.approx(0.65)

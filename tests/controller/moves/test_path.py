@@ -14,7 +14,7 @@ from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Rejected
 from motionlang.controller.moves.geometry import Line, corner
 from tests.cases import examples
-from tests.controller.machines import machine, until
+from tests.controller.machines import machine, remaining, until
 
 quick = settings(max_examples=examples(60))
 INFINITY = float("inf")
@@ -56,7 +56,7 @@ def test_a_line_runs_at_the_speed_of_its_master_in_user_units() -> None:
     until(c, 0.3)
     assert positions(c) == pytest.approx([1.5, 2.0])
     assert c.path_speed(0) == c.path_speed(1) == pytest.approx(10.0)
-    assert c.path_remaining(0) == pytest.approx(2.5)
+    assert remaining(c, 0) == pytest.approx(2.5)
     assert c.vector_angle(0, 1) == pytest.approx(math.degrees(math.atan2(4.0, 3.0)))
     assert (c.velocity(0), c.velocity(1)) == pytest.approx((600.0, 400.0))
     until(c, 1.0)
@@ -634,12 +634,12 @@ def test_a_stop_is_delayed_to_a_path_that_must_not_be_entered_faster() -> None:
 def test_a_suspended_contour_says_where_it_rests() -> None:
     c = contour()
     until(c, 0.5125).suspend(1)
-    assert (c.path_speed(0), c.path_remaining(0)) == pytest.approx((10.0, 0.375))
+    assert (c.path_speed(0), remaining(c, 0)) == pytest.approx((10.0, 0.375))
     until(c, 0.58)
     assert (c.target(0), c.target(1)) == (600.0, 400.0)
-    assert (c.path_speed(0), c.path_remaining(1)) == pytest.approx((3.25, 4.875 + 0.0325**2 * 50.0))
+    assert (c.path_speed(0), remaining(c, 1)) == pytest.approx((3.25, 4.875 + 0.0325**2 * 50.0))
     until(c, 0.9)
-    assert (c.path_speed(0), c.path_remaining(0)) == pytest.approx((0.0, 4.875))
+    assert (c.path_speed(0), remaining(c, 0)) == pytest.approx((0.0, 4.875))
     assert c.idle_time(0) == INFINITY
 
 

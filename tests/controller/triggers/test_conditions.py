@@ -264,7 +264,7 @@ class Free:
         run = getattr(a.move.action, "run", None) if a.move is not None else None
         self.moves = a.move is not None
         self.speed = c.path_speed(0)
-        self.travelled = run.present.segment.length - c.path_remaining(0) if run is not None else 0.0
+        self.travelled = run.present.segment.length - run.present.remaining if run is not None else 0.0
         courses = run.courses if run is not None else []
         self.lines: list[tuple[float, float, float]] = [
             (course.segment.entry[course.axes.index(a)], course.speed, course.remaining)
