@@ -245,43 +245,6 @@ class Controller(AxisVerbs):
 
         leave_master(self, self.axes[axis])
 
-    def cam(
-        self,
-        axis: int,
-        master: int,
-        positions: Sequence[float],
-        values: Sequence[float],
-        *,
-        kind: str = "linear",
-        cyclic: bool = False,
-        first: int = 0,
-        last: int | None = None,
-        amplitude: float = 1.0,
-        encoder: bool = False,
-        command: str = "",
-        line: int = 0,
-    ) -> None:
-        """Follow a table from here: `values` of the slave over a master's `positions`.
-
-        Both are in counts.
-        """
-        from motionlang.controller.moves.cam import start_cam
-
-        start_cam(
-            self,
-            self.movable(axis),
-            self._master(master, encoder),
-            positions,
-            values,
-            kind=kind,
-            cyclic=cyclic,
-            first=first,
-            last=last,
-            amplitude=amplitude,
-            command=command,
-            line=line,
-        )
-
     def cam_index(self, axis: int) -> int:
         """Return the segment of the cam table that the axis is in; -1 if there is no cam."""
         from motionlang.controller.moves.cam import Cam

@@ -111,7 +111,6 @@ VERBS: dict[str, str] = {
     "gear": "Follow a master, an axis or an encoder channel, at a ratio.",
     "set_ratio": "Let an axis that follows a master do so at another ratio.",
     "leave_master": "Stop following a master, and end the motion in progress.",
-    "cam": "Follow a table of positions over a master's.",
     "cam_index": "The segment of its table that a cam is in.",
     "load_fly": "Put a segment of a flying shear into the move buffer.",
     "load_cam": "Put a cam, whose table may change from cycle to cycle, into the move buffer.",

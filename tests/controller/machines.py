@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.controller import Controller
+from motionlang.controller.motion.follow import FollowMove, check_chain
+from motionlang.controller.moves.cam import Cam
 from motionlang.controller.moves.path import run_of
+from motionlang.planners.table_motion import table_curve
 
 
 def machine(axes: int = 2, **settings: float | str) -> Controller:
@@ -29,3 +33,24 @@ def remaining(controller: Controller, axis: int) -> float:
     run = run_of(controller.axes[axis])
     assert run is not None
     return run.present.remaining
+
+
+def cam(
+    controller: Controller,
+    axis: int,
+    master: int,
+    positions: list[float],
+    values: list[float],
+    *,
+    kind: str = "linear",
+    cyclic: bool = False,
+) -> None:
+    """Let an axis follow a table over the positions of its master from here, counts."""
+    a, tied = controller.movable(axis), controller.axes[master]
+    check_chain(a, tied)
+    here, curve = a.position(controller.clock.now), table_curve(positions, values, kind, cyclic)
+    move = FollowMove(axis, "CAM", 0, "cam", INFINITY if cyclic else here + curve.end)
+    controller.end_move(a, "retarget")
+    made = Cam(controller, a, tied, move, curve, cyclic, 0)
+    made.lift, made.ordered = here, (tuple(positions), tuple(values), kind)
+    made.engage()

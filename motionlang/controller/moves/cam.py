@@ -18,12 +18,9 @@ from motionlang.planners import hold
 from motionlang.planners.curve import from_curve
 from motionlang.planners.dwell import rest
 from motionlang.planners.reparametrised import travelled
-from motionlang.planners.table_motion import table_curve
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from motionlang.controller.axis import Axis
     from motionlang.controller.clock import Event
     from motionlang.controller.core import Core
@@ -39,7 +36,7 @@ _AT_END = 1e-13
 # Pieces of a curve that take as much memory as a profile of an axis.
 _PIECES = 8
 # A shorter cycle, in counts of the master, would be over before anything could be done.
-_MIN_CYCLE = 1.0
+MIN_CYCLE = 1.0
 
 
 class CurveFollow(Follow):
@@ -354,49 +351,11 @@ def _segment(start: float, distance: float, over: float, ratio: float) -> Profil
     return from_curve("fly", start, start + distance, ((0.0, over), (piece,), (("fly", 0),)), ratio, last)
 
 
-def start_cam(
-    controller: Core,
-    a: Axis,
-    master: Axis,
-    positions: Sequence[float],
-    values: Sequence[float],
-    *,
-    kind: str,
-    cyclic: bool,
-    first: int,
-    last: int | None,
-    amplitude: float,
-    command: str,
-    line: int,
-) -> None:
-    """Follow a table from segment `first` to `last`, starting at both axes' positions."""
-    check_chain(a, master)
-    end = len(positions) if last is None else last + 2
-    if not 0 <= first < end - 1 < len(positions):
-        raise Rejected("range", f"the table has segments 0 to {len(positions) - 2}, not {first} to {end - 2}")
-    here = a.position(controller.clock.now)
-    used, wanted = positions[first:end], values[first:end]
-    try:
-        along = [position - used[0] for position in used]
-        reached = [(value - wanted[0]) * amplitude for value in wanted]
-        curve = table_curve(along, reached, kind, cyclic)
-    except ValueError as problem:
-        raise Rejected("range", f"axis {a.index} cannot follow the table: {problem}") from None
-    if curve.duration < _MIN_CYCLE:
-        raise Rejected("range", f"a cam of {curve.duration:g} counts of the master is too short")
-    move = FollowMove(a.index, command, line, "cam", INFINITY if cyclic else here + curve.end)
-    controller.end_move(a, "retarget")
-    cam = Cam(controller, a, master, move, curve, cyclic, first)
-    cam.lift = here
-    cam.ordered = tuple(along), tuple(reached), kind
-    cam.engage()
-
-
 def load_fly(
     controller: Core, a: Axis, master: Axis, distance: float, over: float, command: str, line: int
 ) -> None:
     """Load a segment of a flying shear into the buffer."""
-    if not (_MIN_CYCLE <= abs(over) < 1e300 and abs(distance) < 1e300):
+    if not (MIN_CYCLE <= abs(over) < 1e300 and abs(distance) < 1e300):
         raise Rejected(
             "range",
             f"a segment cannot go {distance:g} counts while its master goes {over:g}",

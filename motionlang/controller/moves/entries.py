@@ -13,7 +13,7 @@ from motionlang.controller.motion.offset import offset
 from motionlang.controller.motion.profile_playback import Playback
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
-from motionlang.controller.moves.cam import Cam
+from motionlang.controller.moves.cam import MIN_CYCLE, Cam
 from motionlang.planners.pvt.motion import plan_pvt
 from motionlang.planners.table_motion import table_curve
 
@@ -30,10 +30,6 @@ if TYPE_CHECKING:
     # Positions, velocities there, and the times from each to the next one.
     Timed = tuple[Sequence[float], Sequence[float], Sequence[float]]
     Make = Callable[[float], Timed]
-
-# A shorter cycle, in counts of the master, would be over before anything could be done.
-_MIN_CYCLE = 1.0
-
 
 # ------------------------------------------------------------------------------------------------------ cams
 
@@ -102,7 +98,7 @@ def curve_of(a: Axis, points: Points) -> Profile:
         curve = table_curve(positions, [value - values[0] for value in values])
     except ValueError as problem:
         raise Rejected("range", f"axis {a.index} cannot follow the table: {problem}") from None
-    if curve.duration < _MIN_CYCLE:
+    if curve.duration < MIN_CYCLE:
         raise Rejected("range", f"a cam of {curve.duration:g} counts of the master is too short")
     return curve
 

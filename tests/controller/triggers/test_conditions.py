@@ -28,6 +28,7 @@ from motionlang.lang.machine.machine import Machine
 from motionlang.planners import plan
 from motionlang.planners.reference import Slope
 from tests.cases import cases
+from tests.controller.machines import cam
 
 DECEL, ERROR_DECEL = 200.0, 400.0
 END = 6.0
@@ -138,7 +139,7 @@ def _slave(c: Controller) -> None:
 
 
 def _cam(c: Controller) -> None:
-    c.cam(0, 1, [0.0, 10.0, 20.0, 30.0, 60.0], [0.0, 10.0, 20.0, 10.0, 0.0], kind="cubic")
+    cam(c, 0, 1, [0.0, 10.0, 20.0, 30.0, 60.0], [0.0, 10.0, 20.0, 10.0, 0.0], kind="cubic")
     c.jog(1, 10.0)
 
 
