@@ -8,7 +8,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from motionlang.controller.verbs import Recorder
 from motionlang.execution import run
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
@@ -17,6 +16,7 @@ from motionlang.mint.syntax.node import Node
 from motionlang.mint.syntax.parser import parse, tokens
 from motionlang.source import Source
 from motionlang.views.listing import render_listing
+from tests.recorder import Recorder
 
 PAGE = Path(__file__).parents[1] / "docs" / "contributing" / "one-statement.md"
 STATEMENT = "MOVER(0) = 2 * 12.5"

@@ -1,23 +1,9 @@
-"""The narrow interface: all commands of a language, and a recorder of them.
+"""The narrow interface: all commands of a language.
 
 Lengths are counts, times are seconds, axes are numbered like in the dialect (Mint from 0, MCCL from 1).
 """
 
 from __future__ import annotations
-
-from motionlang.controller import readers
-from motionlang.controller.axis import Axis
-from motionlang.controller.axis_verbs import SETTINGS
-from motionlang.controller.clock import Clock
-from motionlang.controller.readers import NO_SUBSCRIBER
-from motionlang.controller.triggers.limit import Limit
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
-
-    from motionlang.controller.readers import Loader, Reader, Subscriber, Writer
-    from motionlang.controller.triggers.limit import Limit
 
 # Verb -> description. Every verb is a method of `Controller`; the dialects call no other.
 VERBS: dict[str, str] = {
@@ -149,64 +135,3 @@ VERBS: dict[str, str] = {
     "notify": "Notify the listeners of an event of an axis.",
     "run_time_fault": "Report an error that happened outside the program's statements.",
 }
-
-
-class Recorder:
-    """A controller without physics, which records every verb.
-
-    Readings return values from `answers`. `calls` is a list of `(verb, argument, …)` tuples. It has a clock and
-    axes with a scale, so that a language can run on it; nothing ever moves.
-    """
-
-    def __init__(self, axes: int = 8, first: int = 0, answers: dict[str, Any] | None = None) -> None:
-        self.clock = Clock()
-        self.axes = {number: Axis(number) for number in range(first, first + axes)}
-        self.calls: list[tuple[Any, ...]] = []
-        self.answers: dict[str, Any] = {
-            "is_idle": True,
-            "is_at_standstill": True,
-            "master_of": None,
-            "is_enabled": True,
-            "room": 2,
-            "moving": [],
-            "settling": [],
-            **(answers or {}),
-        }
-
-    def set_scale(self, axis: int, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
-        """Record and apply the scale, which everything else needs."""
-        self.calls.append(("set_scale", axis, counts, rate, zero))
-        self.axes[axis].scale.set(counts, rate, zero)
-
-    def add_limit(self, axis: int, sign: int, bit: int, action: str, physical: bool = False) -> Limit:
-        """Return a limit that is never passed."""
-        return Limit(self, axis, sign, bit, action, physical)  # type: ignore[arg-type]
-
-    def reader(self, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER) -> Reader:
-        """Return a reader that records every reading."""
-        a = self.axes[axis]
-        if name in SETTINGS:
-            return readers.setting(lambda _: self.setting(axis, name), a, unit)
-        if unit == readers.POSITION:
-            return lambda *level: a.scale.position_to_user(getattr(self, name)(axis))
-        until = readers.passing(self, name, a, unit, subscriber.wraps)  # type: ignore[arg-type]
-        return readers.converted(lambda: getattr(self, name)(axis), a.scale, unit, subscriber, until)
-
-    def writer(self, name: str, axis: int, unit: str = "") -> Writer:
-        """Return a writer that records every setting, in counts."""
-        scale = self.axes[axis].scale
-        return lambda value: self.configure(axis, name, scale.to_counts(value, unit))
-
-    def loader(self, axis: int, relative: bool, command: str) -> Loader:
-        """Return a loader that never loads, so that the verbs are recorded."""
-        return lambda value, line: False
-
-    def __getattr__(self, verb: str) -> Any:
-        if verb not in VERBS:
-            raise AttributeError(verb)
-
-        def record(*arguments: Any) -> Any:
-            self.calls.append((verb, *arguments))
-            return self.answers.get(verb, 0.0)
-
-        return record

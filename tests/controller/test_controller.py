@@ -9,7 +9,8 @@ import pytest
 
 from motionlang.controller.controller import SETTINGS, Controller
 from motionlang.controller.faults import Rejected
-from motionlang.controller.verbs import VERBS, Recorder
+from motionlang.controller.verbs import VERBS
+from tests.recorder import Recorder
 
 PACKAGE = Path(__file__).parents[2] / "motionlang"
 # 8 counts/s, 16 counts/s²: the first worked example of AN00115.

@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.readers import POSITION
-from motionlang.controller.verbs import Recorder
+from tests.recorder import Recorder
 
 
 def scaled() -> Controller:

@@ -27,14 +27,7 @@ METHODS: dict[str, str] = {
 }
 
 
-def pvt_velocities(
-    method: str,
-    points: Sequence[float],
-    times: Times,
-    sweeps: int = 1,
-    first: float = 0.0,
-    last: float = 0.0,
-) -> list[float]:
+def pvt_velocities(method: str, points: Sequence[float], times: Times, sweeps: int = 1) -> list[float]:
     """Return one velocity per point, by one of `METHODS`.
 
     Raises ValueError for an unknown method or impossible points.
@@ -43,14 +36,14 @@ def pvt_velocities(
         _segment_times(points, times)
         return [0.0] * len(points)
     if method == "average":
-        return average_velocities(points, times, first, last)
+        return average_velocities(points, times)
     if method == "refine":
-        velocities = average_velocities(points, times, first, last)
+        velocities = average_velocities(points, times)
         for _ in range(sweeps):
             velocities = refined_velocities(points, velocities, times)
         return velocities
     if method == "exact":
-        return smooth_velocities(points, times, first, last)
+        return smooth_velocities(points, times)
     raise ValueError(f"there is no method {method!r} to choose velocities; choose from {', '.join(METHODS)}")
 
 

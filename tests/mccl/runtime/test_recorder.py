@@ -8,11 +8,12 @@ import pytest
 
 from motionlang.controller.io.channels import Channels
 from motionlang.controller.listeners import Listeners
-from motionlang.controller.verbs import VERBS, Recorder
+from motionlang.controller.verbs import VERBS
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
 from motionlang.mccl.runtime.program import MacroFile
 from motionlang.source import Source
+from tests.recorder import Recorder
 
 # Readings, and the board's calls at power-up, are not the subject of a test.
 QUIET = {"setting", "is_idle", "is_enabled", "position", "velocity", "target", "following_error", "idle_time",

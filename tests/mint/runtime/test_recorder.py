@@ -6,11 +6,11 @@ from typing import Any
 
 import pytest
 
-from motionlang.controller.verbs import Recorder
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
 from motionlang.mint import DIALECT
 from motionlang.source import Source
+from tests.recorder import Recorder
 
 
 def heard(text: str, **answers: Any) -> list[tuple[Any, ...]]:
