@@ -17,6 +17,8 @@ from motionlang.mccl.syntax.parser import spans
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from motionlang.errors import Diagnostic
     from motionlang.lang.machine.machine import Machine
     from motionlang.source import Source
@@ -75,18 +77,39 @@ class MacroFile(Program):
         return task
 
 
-class FileTask(CommandTask):
+class TextTask(CommandTask):
+    """The foreground task that executes the lines of a text.
+
+    `_stray` is the offset of the last invalid line.
+    """
+
+    __slots__ = ("_lines", "_stray")
+
+    def __init__(self, name: str, board: Board, lines: Iterable[Line | tuple[Fault, int, int]]) -> None:
+        super().__init__(name, board)
+        board.foreground(self)
+        self._lines = iter(lines)
+        self._stray = 0
+
+    def next_line(self) -> Line | None:
+        """Return the next valid line, reporting the faults of invalid ones."""
+        for line in self._lines:
+            if isinstance(line, Line):
+                return line
+            fault, self._stray, _ = line
+            self.line = None
+            self._refused(fault)
+        return None
+
+
+class FileTask(TextTask):
     """Sends the lines of a file, and finally waits for remaining background tasks."""
 
-    __slots__ = ("_lines", "_next", "_source", "_stray")
+    __slots__ = ("_source",)
 
     def __init__(self, program: MacroFile, board: Board) -> None:
-        super().__init__(program.source.name, board)
+        super().__init__(program.source.name, board, program.lines)
         self._source = program.source
-        board.foreground(self)
-        self._lines = program.lines
-        self._next = 0
-        self._stray = 0
 
     @property
     def at(self) -> int:
@@ -95,18 +118,6 @@ class FileTask(CommandTask):
     def override(self, values: dict[str, float | str]) -> None:
         """Set registers by name."""
         override(self, values)
-
-    def next_line(self) -> Line | None:
-        """Return the next valid line, reporting the faults of invalid ones."""
-        while self._next < len(self._lines):
-            line = self._lines[self._next]
-            self._next += 1
-            if isinstance(line, Line):
-                return line
-            fault, self._stray, _ = line
-            self.line = None
-            self._refused(fault)
-        return None
 
     def _rest(self, now: float) -> Wait | None:
         board = self.board

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import Interactive
-from motionlang.mccl.codes import Fault
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.board import Board
-from motionlang.mccl.runtime.program import locate, override
+from motionlang.mccl.runtime.program import TextTask, locate, override
 from motionlang.mccl.runtime.task import CommandTask
 from motionlang.source import Source
 
@@ -50,17 +49,15 @@ class Session(Interactive):
         self._machine.complain(diagnostic)
 
 
-class LineTask(CommandTask):
+class LineTask(TextTask):
     """Executes the lines of a text; background tasks run independently."""
 
-    __slots__ = ("_entered", "_lines", "_stray", "source")
+    __slots__ = ("_entered", "source")
 
     def __init__(self, board: Board, source: Source) -> None:
-        super().__init__("terminal", board)
-        board.foreground(self)
+        super().__init__("terminal", board, lines_of(source.text))
         self.source = source
-        self._lines: list[Line | tuple[Fault, int, int]] = list(lines_of(source.text))
-        self._stray = self._entered = 0
+        self._entered = 0
 
     @property
     def at(self) -> int:
@@ -78,13 +75,7 @@ class LineTask(CommandTask):
         return self._entered
 
     def next_line(self) -> Line | None:
-        """Return the next valid line entered, reporting the faults of invalid ones."""
-        while self._lines:
-            line = self._lines.pop(0)
-            if isinstance(line, Line):
-                self._entered = line.offsets[0]
-                return line
-            fault, self._stray, _ = line
-            self.line = None
-            self._refused(fault)
-        return None
+        line = super().next_line()
+        if line is not None:
+            self._entered = line.offsets[0]
+        return line
