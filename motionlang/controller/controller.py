@@ -267,20 +267,6 @@ class Controller(AxisVerbs):
 
         load_fly(self, self.movable(axis), self._master(master, encoder), distance, over, command, line)
 
-    def offset(
-        self,
-        axis: int,
-        distance: float,
-        mode: int = 0,
-        over: float = 0.0,
-        command: str = "",
-        line: int = 0,
-    ) -> None:
-        """Superpose a distance on following, in a mode of OFFSETMODE; at rest move by it."""
-        from motionlang.controller.motion.offset import offset
-
-        offset(self, self.movable(axis), distance, mode, over, command, line)
-
     def load_cam(
         self,
         axis: int,

@@ -102,7 +102,6 @@ VERBS: dict[str, str] = {
     "load_cam": "Put a cam, whose table may change from cycle to cycle, into the move buffer.",
     "load_offset": "Put an offset on top of following into the move buffer.",
     "load_points": "Put points with velocities and times into the move buffer, for once or again and again.",
-    "offset": "Add a distance on top of following a master.",
     "offset_remaining": "Remaining distance of a slave's offset, or of another axis's move.",
     "offset_status": "Result of the last offset.",
     "master_of": "The axis or encoder channel that an axis follows.",

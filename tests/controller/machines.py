@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.controller import Controller
 from motionlang.controller.motion.follow import FollowMove, check_chain
+from motionlang.controller.motion.offset import offset as begin_offset
 from motionlang.controller.moves.cam import Cam
 from motionlang.controller.moves.path import run_of
 from motionlang.planners.table_motion import table_curve
@@ -54,3 +55,16 @@ def cam(
     made = Cam(controller, a, tied, move, curve, cyclic, 0)
     made.lift, made.ordered = here, (tuple(positions), tuple(values), kind)
     made.engage()
+
+
+def offset(
+    controller: Controller,
+    axis: int,
+    distance: float,
+    mode: int = 0,
+    over: float = 0.0,
+    command: str = "",
+    line: int = 0,
+) -> None:
+    """Superpose a distance on following, in a mode of OFFSETMODE; at rest move by it."""
+    begin_offset(controller, controller.movable(axis), distance, mode, over, command, line)

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Rejected
 from tests.cases import examples
-from tests.controller.machines import cam, machine, until
+from tests.controller.machines import cam, machine, offset, until
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -79,6 +79,8 @@ def perform(c: Controller, step: tuple[Any, ...]) -> None:
     elif verb == "cam":
         slave, master, kind, cyclic = rest
         cam(c, slave, master, *TABLE, kind=kind, cyclic=cyclic)
+    elif verb == "offset":
+        offset(c, *rest)
     elif verb == "load_line_by":
         c.load_line_by(rest[0], rest[1][: len(rest[0])])
     else:

@@ -14,6 +14,8 @@ from tests.recorder import Recorder
 
 PACKAGE = Path(__file__).parents[2] / "motionlang"
 # 8 counts/s, 16 counts/s²: the first worked example of AN00115.
+# A verb that is called, and the name of one that a row or a reader refers to.
+_USES = re.compile(r"\b_?(?:controller|made|virtual|c)\.(\w+)|\"(\w+)\"")
 EXAMPLE = {"speed": 8.0, "accel": 16.0, "decel": 16.0}
 
 
@@ -37,6 +39,13 @@ def test_the_dialects_call_no_other_method(folder: str) -> None:
     for path in sorted((PACKAGE / folder).rglob("*.py")):
         called = set(re.findall(r"\bcontroller\.(\w+)\(", path.read_text(encoding="utf-8")))
         assert called & methods <= set(VERBS), path
+
+
+def test_every_verb_is_used() -> None:
+    """A language calls each verb, or a row or a reader names it."""
+    texts = [path.read_text("utf-8") for path in PACKAGE.rglob("*.py") if path.name != "verbs.py"]
+    used = {name for text in texts for pair in _USES.findall(text) for name in pair}
+    assert set(VERBS) - used == set()
 
 
 def test_a_recorder_knows_no_other_verb() -> None:

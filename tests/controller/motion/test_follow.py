@@ -16,7 +16,7 @@ from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.encoder import turns, wrapped
 from tests.cases import examples
-from tests.controller.machines import cam, machine, until
+from tests.controller.machines import cam, machine, offset, until
 
 quick = settings(max_examples=examples(60))
 
@@ -409,7 +409,7 @@ def moving_slave() -> Controller:
 
 def test_an_offset_lies_on_top_of_following() -> None:
     c = moving_slave()
-    c.offset(1, 20.0)  # at 10 counts/s more: 2.1 s
+    offset(c, 1, 20.0)  # at 10 counts/s more: 2.1 s
     assert until(c, 2.0).velocity(1) == pytest.approx(20.0)
     assert c.offset_remaining(1) == pytest.approx(20.0 - 9.5)
     c.jog(0, 5.0)
@@ -422,27 +422,27 @@ def test_an_offset_lies_on_top_of_following() -> None:
 
 def test_a_second_offset_adds_to_the_first() -> None:
     c = moving_slave()
-    c.offset(1, 20.0)
-    until(c, 2.0).offset(1, -25.0)
+    offset(c, 1, 20.0)
+    offset(until(c, 2.0), 1, -25.0)
     until(c, 9.0)
     assert c.position(1) - c.position(0) == pytest.approx(-5.0)
 
 
 def test_at_rest_an_offset_is_a_move() -> None:
     c = machine()
-    c.offset(1, 20.0, command="OFFSET")
+    offset(c, 1, 20.0, command="OFFSET")
     assert until(c, 9.0).position(1) == 20.0
 
 
 def test_mode_1_never_runs_faster_than_allowed_and_never_backwards() -> None:
     c = moving_slave()
     c.configure(1, "max_speed", 14.0)
-    c.offset(1, 20.0, mode=1)
+    offset(c, 1, 20.0, mode=1)
     assert until(c, 2.0).velocity(1) == pytest.approx(14.0)
     assert c.offset_status(1) == 1
     until(c, 20.0)
     c.configure(1, "speed", 50.0)
-    c.offset(1, -20.0, mode=1)
+    offset(c, 1, -20.0, mode=1)
     assert min(speed(c, 1, 20.0 + 0.01 * k) for k in range(300)) == pytest.approx(0.0, abs=1e-9)
     until(c, 20.5)
     assert min(speed(c, 1, 20.0 + 0.01 * k) for k in range(50)) >= -1e-9
@@ -451,7 +451,7 @@ def test_mode_1_never_runs_faster_than_allowed_and_never_backwards() -> None:
 
 def test_mode_2_is_a_triangle_over_a_distance_of_the_master() -> None:
     c = moving_slave()
-    c.offset(1, 4.0, mode=2, over=10.0)  # 1 s
+    offset(c, 1, 4.0, mode=2, over=10.0)  # 1 s
     assert until(c, 1.5).velocity(1) == pytest.approx(10.0 + 8.0)
     assert until(c, 2.0).velocity(1) == pytest.approx(10.0)
     assert c.position(1) - c.position(0) == pytest.approx(4.0)
@@ -459,7 +459,7 @@ def test_mode_2_is_a_triangle_over_a_distance_of_the_master() -> None:
 
 def test_mode_3_changes_the_speed_so_that_it_fits_the_distance() -> None:
     c = moving_slave()
-    c.offset(1, 4.0, mode=3, over=10.0)
+    offset(c, 1, 4.0, mode=3, over=10.0)
     assert until(c, 2.0).position(1) - c.position(0) == pytest.approx(4.0)
     top = (1.0 - math.sqrt(1.0 - 4.0 * 0.01 * 4.0)) / 0.02
     assert speed(c, 1, 1.5) == pytest.approx(10.0 + top)
@@ -472,7 +472,7 @@ def test_mode_3_changes_the_speed_so_that_it_fits_the_distance() -> None:
 def test_an_offset_that_cannot_be_done_says_why(mode: int, distance: float, over: float, status: int) -> None:
     c = moving_slave()
     c.configure(1, "max_speed", 20.0)
-    c.offset(1, distance, mode=mode, over=over)
+    offset(c, 1, distance, mode=mode, over=over)
     assert c.offset_status(1) == status
     assert until(c, 5.0).position(1) == pytest.approx(c.position(0))
 
@@ -487,7 +487,7 @@ def test_a_triangle_of_16_a_second_squared_is_done_where_both_limits_allow_it(
     c = moving_slave()
     c.configure(1, "max_accel", max_accel)
     c.configure(1, "max_decel", max_decel)
-    c.offset(1, 4.0, mode=2, over=10.0)
+    offset(c, 1, 4.0, mode=2, over=10.0)
     assert c.offset_status(1) == status
     assert until(c, 3.0).position(1) - c.position(0) == pytest.approx(0.0 if status else 4.0)
 
@@ -499,7 +499,7 @@ def test_an_offset_on_a_cam() -> None:
     plain = machine()
     cam(plain, 1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], kind="cubic", cyclic=True)
     plain.jog(0, 10.0)
-    until(c, 1.0).offset(1, 3.0)
+    offset(until(c, 1.0), 1, 3.0)
     until(plain, 6.0)
     until(c, 6.0)
     for k in range(140, 600):
@@ -542,10 +542,10 @@ def test_a_second_offset_on_a_cam_replaces_the_first_on_its_way() -> None:
     for each in (c, plain):
         cam(each, 1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], kind="cubic", cyclic=True)
         each.jog(0, 10.0)
-    until(c, 1.0).offset(1, 6.0)
+    offset(until(c, 1.0), 1, 6.0)
     until(c, 1.35)
     assert c.offset_remaining(1) == pytest.approx(3.0)
-    c.offset(1, -2.0)
+    offset(c, 1, -2.0)
     assert c.offset_remaining(1) == pytest.approx(1.0)
     until(c, 6.0)
     until(plain, 6.0)
@@ -584,7 +584,7 @@ def test_a_suspended_slave_pauses_its_offset(name: str) -> None:
     """
     resumed, left, states, phases = PAUSED[name]
     c = moving_slave()
-    c.offset(1, 20.0, command="OFFSET", line=4)
+    offset(c, 1, 20.0, command="OFFSET", line=4)
     until(c, 1.5).suspend(1)
     assert c.offset_remaining(1) == pytest.approx(15.5)
     until(c, resumed)
@@ -608,8 +608,8 @@ def test_an_offset_commanded_during_a_suspension_waits_for_its_end() -> None:
     """The slave rests at 10 counts; from 3 s on it follows again and does both."""
     c = moving_slave()
     until(c, 1.0).suspend(1)
-    c.offset(1, 14.0)
-    c.offset(1, 5.0)
+    offset(c, 1, 14.0)
+    offset(c, 1, 5.0)
     assert c.offset_remaining(1) == 0.0
     until(c, 3.0).resume(1)
     assert c.offset_remaining(1) == pytest.approx(19.0)

@@ -11,7 +11,7 @@ import pytest
 
 from motionlang.controller.controller import Controller
 from tests.cases import cases
-from tests.controller.machines import machine, until
+from tests.controller.machines import machine, offset, until
 
 # Bits of the status.
 FAST, SLOW, ACCEL, DECEL, PROFILE = 1, 2, 4, 8, 16
@@ -59,7 +59,7 @@ def test_the_duration_of_an_offset(
     for back in (False, True):
         sign = -1.0 if back else 1.0
         c = moving(settings, back)
-        c.offset(1, sign * distance, mode, over)
+        offset(c, 1, sign * distance, mode, over)
         assert c.offset_status(1) == status
         assert c.offset_remaining(1) == pytest.approx(sign * distance)
         assert c.offset_crossing_time(1, 0.5 * sign * distance) == pytest.approx(1.0 + 0.5 * duration)
@@ -93,7 +93,7 @@ def test_an_offset_that_is_impossible_has_no_effect(
     distance: float, mode: int, over: float, settings: dict[str, float], status: int
 ) -> None:
     c = moving(settings)
-    c.offset(1, distance, mode, over)
+    offset(c, 1, distance, mode, over)
     assert c.offset_status(1) == status
     assert c.offset_remaining(1) == 0.0
     assert c.offset_crossing_time(1, 1.0) == inf
@@ -104,7 +104,7 @@ def test_an_offset_that_is_impossible_has_no_effect(
 def test_the_trapezoid_of_mode_3() -> None:
     """v = 2 d / (t + sqrt(t2 - 4 d / 100)) for 3.99 counts in 0.4 s."""
     c = moving()
-    c.offset(1, 3.99, 3, 4.0)
+    offset(c, 1, 3.99, 3, 4.0)
     until(c, 1.2)
     assert c.velocity(1) == pytest.approx(10.0 + 2.0 * 3.99 / (0.4 + sqrt(0.16 - 0.04 * 3.99)))
     until(c, 1.5)
@@ -115,7 +115,7 @@ def test_times_at_which_so_much_is_left() -> None:
     """Of 5 counts 0.5 are covered in the first 0.1 s, then 10 a second."""
     c = moving()
     assert c.offset_status(0) == c.offset_status(1) == 0
-    c.offset(1, 5.0)
+    offset(c, 1, 5.0)
     for left, time in ((4.5, 1.1), (2.5, 1.3), (0.5, 1.5), (0.0, 1.6), (6.0, inf), (inf, 1.0)):
         assert c.offset_crossing_time(1, left) == pytest.approx(time)
     until(c, 1.2)
@@ -127,11 +127,11 @@ def test_offsets_that_sum_to_nothing() -> None:
     """At rest nothing is left to do; in between an offset turns back."""
     c = moving()
     entries = len(c.log.moves)
-    c.offset(1, 0.0)
+    offset(c, 1, 0.0)
     assert len(c.log.moves) == entries
-    c.offset(1, 5.0)
+    offset(c, 1, 5.0)
     until(c, 1.3)
-    c.offset(1, -2.5)
+    offset(c, 1, -2.5)
     assert c.offset_remaining(1) == pytest.approx(0.0, abs=1e-12)
     assert len(c.log.moves) == entries + 2
     until(c, 9.0)
@@ -142,9 +142,9 @@ def test_an_offset_at_rest_of_a_master_needs_its_speed() -> None:
     c = machine()
     c.gear(1, 0, 1.0)
     for mode in (2, 3):
-        c.offset(1, 5.0, mode, 20.0)
+        offset(c, 1, 5.0, mode, 20.0)
         assert c.offset_status(1) == PROFILE
-    c.offset(1, 5.0, 0)
+    offset(c, 1, 5.0, 0)
     assert c.offset_status(1) == 0
     until(c, 2.0)
     assert c.position(1) == pytest.approx(5.0)

@@ -28,7 +28,7 @@ from motionlang.lang.machine.machine import Machine
 from motionlang.planners import plan
 from motionlang.planners.reference import Slope
 from tests.cases import cases
-from tests.controller.machines import cam
+from tests.controller.machines import cam, offset
 
 DECEL, ERROR_DECEL = 200.0, 400.0
 END = 6.0
@@ -151,7 +151,7 @@ def _fly(c: Controller) -> None:
 
 def _offset(c: Controller) -> None:
     c.gear(0, 1, 1.0)
-    c.offset(0, 60.0)
+    offset(c, 0, 60.0)
 
 
 def _spline(c: Controller) -> None:
@@ -185,7 +185,7 @@ KINDS = {
     "slave": Kind(_slave, lambda c: c.jog(1, -20.0)),
     "cam": Kind(_cam, _cam),
     "fly": Kind(_fly, lambda c: c.jog(1, -20.0)),
-    "offset": Kind(_offset, lambda c: c.offset(0, -100.0)),
+    "offset": Kind(_offset, lambda c: offset(c, 0, -100.0)),
     "spline": Kind(_spline, _spline),
     "speed reference": Kind(lambda c: _speed(c, 20.0), lambda c: _speed(c, -20.0)),
     "position reference": Kind(
