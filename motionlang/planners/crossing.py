@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     Value = Callable[[Piece, float], float]
     Extrema = Callable[[Piece, float], tuple[float, ...]]
 
+# Fraction of the positions of a profile that covers the rounding of a position in a piece.
+_MARGIN = 1e-9
+
 
 def position_crossing(profile: Profile, position: float, after: float) -> float | None:
     """Return the first time >= `after` at which the profile is at `position`, or None.
@@ -34,7 +37,21 @@ def position_crossing(profile: Profile, position: float, after: float) -> float 
     Beyond its end the profile rests or continues at its end velocity.
     """
     after = max(after, 0.0)
-    found = _first(profile, position, after, (position_in, velocity_in, still_points), profile.end)
+    knots, pieces, _ = profile.curve
+    first = max(bisect_left(knots, after) - 1, 0)
+    direction = profile.direction
+    if direction and first < len(pieces):
+        # Without a reversal, only the piece that contains the position needs a search.
+        here = position_in(pieces[first], max(after - knots[first], 0.0))
+        margin = _MARGIN * (abs(position) + abs(here) + abs(profile.start))
+        if (here - position) * direction > margin:
+            return None
+        if (position - profile.end) * direction > margin and not profile.end_velocity:
+            return None
+        while first + 1 < len(pieces) and (position - pieces[first + 1][0]) * direction > margin:
+            first += 1
+    how = (position_in, velocity_in, still_points)
+    found = _first(profile, position, after, how, profile.end, first, not direction)
     if found is not None:
         return found
     return _after_the_end(profile, position, after)
@@ -47,7 +64,9 @@ def velocity_crossing(profile: Profile, velocity: float, after: float) -> float 
     """
     after = max(after, 0.0)
     last = profile.end_velocity
-    found = _first(profile, velocity, after, (velocity_in, acceleration_in, even_points), last)
+    first = max(bisect_left(profile.knots, after) - 1, 0)
+    how = (velocity_in, acceleration_in, even_points)
+    found = _first(profile, velocity, after, how, last, first, False)
     if found is None and velocity == last and profile.duration != inf:
         return max(after, profile.duration)
     return found
@@ -66,15 +85,26 @@ def _after_the_end(profile: Profile, position: float, after: float) -> float | N
 
 
 def _first(
-    profile: Profile, wanted: float, after: float, how: tuple[Value, Value, Extrema], last: float
+    profile: Profile,
+    wanted: float,
+    after: float,
+    how: tuple[Value, Value, Extrema],
+    last: float,
+    first: int,
+    may_skip: bool,
 ) -> float | None:
+    """Search the pieces from number `first` on.
+
+    `last` is the value at the end of the profile. `may_skip`: test if a piece is on one side of a position before it
+    is searched.
+    """
     knots, pieces, _ = profile.curve
     value = how[0]
-    for i in range(max(bisect_left(knots, after) - 1, 0), len(pieces)):
+    for i in range(first, len(pieces)):
         piece, begin, finish = pieces[i], knots[i], knots[i + 1]
         length = finish - begin
         following = value(pieces[i + 1], 0.0) if i + 1 < len(pieces) else last
-        if value is position_in and _stays_on_one_side(piece, wanted, length, following):
+        if may_skip and _stays_on_one_side(piece, wanted, length, following):
             continue
         ending = _joined(value(piece, 0.0), value(piece, length), following)
         x = _first_in(piece, wanted, (max(after - begin, 0.0), length), how, ending)
@@ -94,7 +124,7 @@ def _stays_on_one_side(piece: Piece, wanted: float, duration: float, following: 
     gap = wanted - c0
     farthest = (((abs(c3) * duration + abs(c2)) * duration) + abs(c1)) * duration
     # The margin covers the rounding of both this sum and the position.
-    return abs(gap) > farthest + 1e-9 * (abs(gap) + abs(wanted)) and gap * (wanted - following) > 0.0
+    return abs(gap) > farthest + _MARGIN * (abs(gap) + abs(wanted)) and gap * (wanted - following) > 0.0
 
 
 def _joined(beginning: float, ending: float, following: float) -> float:

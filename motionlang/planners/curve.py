@@ -107,6 +107,15 @@ class Profile:
         return len(self._recipe) > 2
 
     @property
+    def direction(self) -> float:
+        """1.0 or -1.0 if it consists of ramps and never reverses, otherwise 0.0."""
+        recipe = self._recipe
+        if len(recipe) <= 2:
+            return 0.0
+        velocities = recipe[::3]
+        return 1.0 if min(velocities) >= 0.0 else -1.0 if max(velocities) <= 0.0 else 0.0
+
+    @property
     def distance(self) -> float:
         """Signed distance from start to end."""
         return self.end - self.start
@@ -179,13 +188,22 @@ class Profile:
 
     def state(self, time: float) -> State:
         """Return the state at a time from 0 up to the duration."""
-        return state_in(*self._locate(time))
+        return state_in(*self.piece_at(time))
+
+    def piece_at(self, time: float) -> tuple[Piece, float]:
+        """Return the piece in force at a time from 0 up to the duration.
+
+        The second value is the time since its knot.
+        """
+        knots, pieces, _ = self.curve
+        i = min(bisect_right(knots, time), len(pieces)) - 1
+        return pieces[i], time - knots[i]
 
     def position(self, time: float) -> float:
         """Return the position at `time`."""
         if time >= self.duration:
             return self._beyond(time)
-        return position_in(*self._locate(time)) if time > 0.0 else self.start
+        return position_in(*self.piece_at(time)) if time > 0.0 else self.start
 
     def positions(self, times: Iterable[float]) -> list[float]:
         """Return `position` at each of the `times`, which must rise.
@@ -215,7 +233,7 @@ class Profile:
         """Return the velocity at `time`."""
         if time >= self.duration:
             return self.end_velocity
-        return velocity_in(*self._locate(time)) if time > 0.0 else self.start_velocity
+        return velocity_in(*self.piece_at(time)) if time > 0.0 else self.start_velocity
 
     def cubic(self, time: float) -> tuple[float, float, tuple[float, float, float, float]] | None:
         """Return start and end of the cubic in force at `time`, and its coefficients.
@@ -236,7 +254,7 @@ class Profile:
         """
         if time >= self.duration or time < 0.0:
             return 0.0
-        return acceleration_in(*self._locate(time))
+        return acceleration_in(*self.piece_at(time))
 
     # -- times of events
 
@@ -357,11 +375,6 @@ class Profile:
     def _index(self, time: float) -> int:
         knots, pieces, _ = self.curve
         return min(bisect_right(knots, time), len(pieces)) - 1
-
-    def _locate(self, time: float) -> tuple[Piece, float]:
-        knots, pieces, _ = self.curve
-        i = min(bisect_right(knots, time), len(pieces)) - 1
-        return pieces[i], time - knots[i]
 
     def _beyond(self, time: float) -> float:
         velocity = self.end_velocity

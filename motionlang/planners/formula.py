@@ -192,15 +192,25 @@ class Formula(Profile):
         after: float,
         until: float = inf,
     ) -> float | None:
+        reached, y_reached, slope_reached = after - 1.0, 0.0, 0.0
         for begin, finish in self._brackets(after, until):
-            for low, high in self._monotone(slope, lambda _: 0.0, begin, finish):
-                y_low, y_high = value(low), value(high)
+            if begin != reached:  # the last bracket did not end here
+                y_reached, slope_reached = value(begin), slope(begin)
+            low, y_low = begin, y_reached
+            reached, y_reached, before = finish, value(finish), slope_reached
+            slope_reached = slope(finish)
+            ends = [(finish, y_reached)]
+            if before * slope_reached < 0.0:
+                extremum = bracketed_root(lambda t: (slope(t), 0.0), begin, finish, slope_reached > 0.0)
+                ends.insert(0, (extremum, value(extremum)))
+            for high, y_high in ends:
                 if y_low == wanted:
                     return low
                 if y_high == wanted:
                     return high
                 if (y_low < wanted) is not (y_high < wanted):
                     return bracketed_root(lambda t: (value(t) - wanted, slope(t)), low, high, y_high > y_low)
+                low, y_low = high, y_high
         return None
 
     def _line_crossing(self, position: float, after: float) -> float | None:

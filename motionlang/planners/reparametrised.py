@@ -13,7 +13,7 @@ from math import inf, nextafter
 
 from motionlang.planners.curve import Phase, Profile, State
 from motionlang.planners.formula import Formula
-from motionlang.planners.pieces import still_points
+from motionlang.planners.pieces import acceleration_in, position_in, still_points, velocity_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -75,6 +75,42 @@ class Reparametrised(Formula):
         return State(
             position + self.lift, slope * v, bend * v * v + slope * a, 3.0 * bend * v * a + slope * s.jerk
         )
+
+    # Searches call these three for many times; each equals the component of `state` to the last bit.
+
+    def position(self, time: float) -> float:
+        """Return the position at `time`."""
+        found = self._inside(time)
+        return super().position(time) if found is None else position_in(*found[2:]) + self.lift
+
+    def velocity(self, time: float) -> float:
+        """Return the velocity at `time`."""
+        found = self._inside(time)
+        if found is None:
+            return super().velocity(time)
+        moving, x, piece, distance = found
+        return velocity_in(piece, distance) * velocity_in(moving, x)
+
+    def acceleration(self, time: float) -> float:
+        """Return the acceleration at `time`; 0 before the beginning and after the end."""
+        found = self._inside(time)
+        if found is None:
+            return super().acceleration(time)
+        moving, x, piece, distance = found
+        v, slope = velocity_in(moving, x), velocity_in(piece, distance)
+        return acceleration_in(piece, distance) * v * v + slope * acceleration_in(moving, x)
+
+    def _inside(self, time: float) -> tuple[Piece, float, Piece, float] | None:
+        """Return the pieces of the motion and of the curve at `time`.
+
+        Each is followed by its local argument. None outside either of them, and if one has no pieces.
+        """
+        along, path = self.along, self.path
+        if not (along.pieced and path.pieced and 0.0 < time < along.duration):
+            return None
+        piece, x = along.piece_at(time)
+        distance = position_in(piece, x)
+        return (piece, x, *path.piece_at(distance)) if 0.0 < distance < path.duration else None
 
     @property
     def knots(self) -> tuple[float, ...]:

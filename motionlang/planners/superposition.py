@@ -104,7 +104,7 @@ def _piece(profile: Profile, begin: float) -> Piece:
     """Return the piece in force from `begin` on, with local time counted from there."""
     if begin >= profile.duration:
         return (profile.position(begin), profile.end_velocity, 0.0, 0.0, 0.0, 0.0, 0.0)
-    piece, x = profile._locate(begin)
+    piece, x = profile.piece_at(begin)
     return recentred(piece, x)
 
 
