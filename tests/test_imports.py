@@ -58,7 +58,7 @@ LAZY = {
     # Modules that few programs, or few commands, need.
     "client/client.py": "virtual",
     "client/mint.py": "virtual",
-    "log/stream.py": "records repeated",
+    "log/stream.py": "records repeated sampled",
     "mccl/resolve/decode.py": "resolve.nearest syntax.mistakes",
     "mccl/runtime/board.py": "keywords.switchable",
     "mccl/runtime/program.py": "runtime.debugging",

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
 # Power of the length in a quantity of each unit; all other quantities are not converted.
 POWERS = {"uu": 0, "uu/s": 1, "uu/s2": 2, "uu/s3": 3}
 
@@ -58,14 +54,6 @@ class Scale:
             return value
         rate, per_unit = self.factors[power]
         return value * rate / per_unit
-
-    def length_conversion(self) -> Callable[[float], float]:
-        """Return a function that converts a length in counts to user units.
-
-        It converts like `to_user` does now; later changes of the scale do not affect it.
-        """
-        rate, per_unit = self.factors[0]
-        return lambda length: length * rate / per_unit
 
     def position_to_counts(self, position_uu: float) -> float:
         return position_uu * self.counts + self.zero

@@ -16,7 +16,7 @@ Data. `Store` has the bytes of all streams of a log. `Chunks` has the chunks of 
 first record of each, and where its bytes are. `Stream` is the sequence that callers see. A record is written
 as a plain tuple and read as the named tuple of its kind (`records.py`). A subclass whose records are objects,
 such as moves, defines in `_rows` and `_records` how they become tuples and objects again. A chunk may also be a
-template of records that repeat (`repeated.py`).
+template of records that repeat (`repeated.py`) or that follow from a motion (`sampled.py`).
 
 Invariants.
 - Records are only appended, and packed ones never change. A record keeps its number when it is packed, and
@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from typing import IO, Any, Generic, TypeVar, overload
 
     from motionlang.log.repeated import Pace, Shape
+    from motionlang.log.sampled import Template
 
     T = TypeVar("T")
     # The location of a packed chunk: its bytes, or offset and length in the file.
@@ -74,6 +75,8 @@ DISK = 8_000_000_000
 MAX_TAIL, LEFT = 24_576, 8_192
 # Records of a packed chunk.
 CHUNK_SIZE = 2048
+# The length of a template of records that repeat; that of samples is longer.
+_REPEATED = 2
 
 
 class Store:
@@ -189,7 +192,7 @@ class Chunks:
                 del tail[: self.count + len(tail) - self._total]
             self._total = 0
 
-    def repeat(self, template: tuple[Shape, Pace], count: int) -> None:
+    def repeat(self, template: tuple[Shape, Pace] | Template, count: int) -> None:
         """Store a chunk of `count` records that are created from a template on reading."""
         self._locations.append(self._store.put(dumps(template)))
         self.firsts.append(self.count)
@@ -201,9 +204,7 @@ class Chunks:
         if self._cached[0] != first:
             rows: Any = loads(self._store.get(self._locations[number]))
             if rows.__class__ is tuple:
-                from motionlang.log.repeated import RepeatedRecords
-
-                rows = RepeatedRecords(rows, lambda made: self._read(made, first))
+                rows = _from_template(rows, lambda made: self._read(made, first))
             else:
                 rows = self._read(rows, first)
             self._cached = first, rows
@@ -280,6 +281,13 @@ class Stream(_Of[T]):
         if length(shape):
             self.pack(len(self.tail))
             self._chunks.repeat((shape, pace), length(shape))
+
+    def add_samples(self, template: Template) -> None:
+        """Append samples of a moving axis, as one chunk (`sampled.py`)."""
+        from motionlang.log.sampled import length
+
+        self.pack(len(self.tail))
+        self._chunks.repeat(template, length(template))
 
     @property
     def first(self) -> int:
@@ -376,3 +384,14 @@ class Stream(_Of[T]):
         from motionlang.log.records import makers
 
         return list(map(makers[self._kind], rows))
+
+
+def _from_template(template: tuple[Any, ...], make: Callable[[list[Any]], list[Any]]) -> Sequence[Any]:
+    """Return the records of a template, which are created on reading."""
+    if len(template) == _REPEATED:
+        from motionlang.log.repeated import RepeatedRecords
+
+        return RepeatedRecords(template, make)  # type: ignore[return-value]
+    from motionlang.log.sampled import SampledRecords
+
+    return SampledRecords(template, make)  # type: ignore[return-value]

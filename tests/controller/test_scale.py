@@ -23,12 +23,3 @@ def test_each_unit_has_its_power_of_the_time(
         assert scale.to_user(counts, unit) == pytest.approx(2.0), unit
     assert scale.position_to_counts(2.0) == 108.0
     assert scale.position_to_user(108.0) == 2.0
-
-
-def test_a_length_conversion_remains_that_of_its_time() -> None:
-    scale = Scale(4.0, 60.0, 100.0)
-    to_user = scale.length_conversion()
-    scale.set(8.0, 1.0)
-    assert to_user(10.0) == 2.5
-    assert scale.to_user(10.0) == 1.25
-    assert scale.length_conversion()(0.1) == scale.to_user(0.1) == 0.0125

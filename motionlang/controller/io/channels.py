@@ -7,9 +7,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
     from motionlang.controller.clock import Clock
-    from motionlang.controller.io.sensor import Row, Sensor
+    from motionlang.controller.io.sensor import Sensor
     from motionlang.log.log import Log
     from motionlang.log.records import Changed
+    from motionlang.log.sampled import Row
     from motionlang.log.stream import Stream
 
 
@@ -83,9 +84,15 @@ class Channels:
         """Return `count` channels from `first` on as a number; `first` is the lowest bit."""
         return sum(1 << k for k in range(count) if self[first + k])
 
-    def set_bank(self, first: int, count: int, bits: int) -> None:
-        for k in range(count):
-            self[first + k] = bits >> k & 1
+    def set_bank(self, first: int, count: int, bits: int) -> bool:
+        """Set `count` channels from `first` on; return True if that changed one."""
+        values, changed = self._values, False
+        for channel in range(first, first + count):
+            if values.get(channel, 0) != bits & 1:
+                self[channel] = bits & 1
+                changed = True
+            bits >>= 1
+        return changed
 
 
 class AnalogueInputs(Channels):
@@ -137,6 +144,10 @@ class AnalogueInputs(Channels):
             return
         values, changes = self._values, self.changes
         assert changes is not None
+        if len(self.computed) == 1:
+            ((channel, sensor),) = self.computed.items()
+            values[channel] = sensor.log_samples(changes, values.get(channel, 0))
+            return
         rows: list[Row] = []
         for channel, sensor in self.computed.items():
             found = sensor.samples(values.get(channel, 0))

@@ -5,29 +5,34 @@ at every tick of the profiler while the axis moves.
 
 The motion is known in advance, so the ticks need not be events. A sample is computed when it is read, and the
 samples of a profile are logged when it is over or the log is read (these sensors are in
-`AnalogueInputs.computed`). Programs that compare a sample with a level get the tick at which it passes the level
-from `until`. The ticks are events only if listeners must be notified of each sample, the language does not
-record dependencies, or the axis has a simulated motor.
+`AnalogueInputs.computed`). Most of them become a template, from which the log computes them (`log/sampled.py`).
+Programs that compare a sample with a level get the tick at which it passes the level from `until`. The ticks are
+events only if listeners must be notified of each sample, the language does not record dependencies, or the axis has a
+simulated motor.
 """
 
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
+from motionlang.log.sampled import Sampling
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
     from motionlang.controller.clock import Event
     from motionlang.controller.controller import Controller
+    from motionlang.log.sampled import Row
+    from motionlang.log.stream import Stream
     from motionlang.planners import Profile
-
-    Row = tuple[float, int, float]
 
 # The period of the profiler, seconds.
 PERIOD = 1e-3
 # `until` searches FIRST_TICKS ahead, then twice as far, and so on, up to MAX_TICKS. It searches again from there.
 MAX_TICKS, FIRST_TICKS = 1 << 20, 1 << 10
+# The least number of samples that become a template, and the number of those at each end that do not.
+MIN_TEMPLATE, AT_ENDS = 64, 4
 
 
 def next_tick(now: float) -> float:
@@ -61,12 +66,9 @@ class Sensor:
         self.origin, self.value, self.per_unit = origin, value, per_unit
         self.active = False
         self._event: Event | None = None
-        # The first tick that is not logged, and the motion sampled there: profile, its start, the machine's
-        # zero, and the conversion of lengths to user units.
+        # The first tick that is not logged, and the motion sampled there.
         self._next = 0
-        self._profile: Profile
-        self._start = self._datum = 0.0
-        self._to_user = controller.axes[axis].scale.length_conversion()
+        self._sampling: Sampling
         controller.axes[axis].followers.append(self._moved)
 
     def switch(self, active: bool) -> None:
@@ -82,7 +84,9 @@ class Sensor:
         """Use the new scale of the axis for further samples."""
         if self._inputs.computed.get(self.channel) is self:
             self._inputs.settle()
-            self._to_user = self._controller.axes[self.axis].scale.length_conversion()
+            value, per_unit, origin, datum, *_ = self._sampling.conversion
+            factors = self._controller.axes[self.axis].scale.factors[0]
+            self._sampling.conversion = value, per_unit, origin, datum, *factors
 
     def tick(self) -> None:
         """Turn the ticks into events from now on."""
@@ -93,7 +97,7 @@ class Sensor:
     def level(self) -> float | None:
         """Return the latest sample, or None if the log already has it."""
         number = _last(self._controller.clock.now)
-        return None if number < self._next else self._sample_at(number)
+        return None if number < self._next else self._sampling.value(number)
 
     def samples(self, last: float) -> list[Row]:
         """Return the samples not yet logged, up to now, as (time, channel, value).
@@ -104,15 +108,30 @@ class Sensor:
         if past <= first:
             return []
         self._next = past
-        start, channel, value_at = self._start, self.channel, self._value_at
-        times = [number * PERIOD for number in range(first, past)]
-        positions = self._profile.positions([time - start for time in times])
+        return self._changes(range(first, past), last)
+
+    def log_samples(self, changes: Stream[Any], last: float) -> float:
+        """Log the samples up to now like `samples`; return the latest value."""
+        first, past = self._next, _last(self._controller.clock.now) + 1
+        begin, finish = first + AT_ENDS, past - AT_ENDS
+        sampling = self._sampling
+        if finish - begin < MIN_TEMPLATE or not sampling.is_distinct(begin - 1, finish):
+            rows = self.samples(last)
+            changes.extend(rows)
+            return rows[-1][2] if rows else last
+        self._next = past
+        before = self._changes(range(first, begin), last)
+        after = sampling.rows(range(finish, past))
+        changes.add_samples(sampling.template(before, after, begin, finish - begin))
+        return after[-1][2]
+
+    def _changes(self, ticks: range, last: float) -> list[Row]:
+        """Return the samples at some ticks that differ from those before them."""
         rows = []
-        for time, position in zip(times, positions, strict=True):
-            value = value_at(position)
-            if value != last:
-                last = value
-                rows.append((time, channel, value))
+        for row in self._sampling.rows(ticks):
+            if row[2] != last:
+                last = row[2]
+                rows.append(row)
         return rows
 
     def until(self, shown: Callable[[float], float], level: float | tuple[float, float] | None) -> float:
@@ -131,18 +150,19 @@ class Sensor:
         value = shown(self._inputs[self.channel] if found is None else found)
         if level is None or abs(level) == INFINITY:
             return (last + 1) * PERIOD
-        elapsed = now - self._start
-        reversal = (
-            self._profile.velocity_crossing(0.0, elapsed) if self._profile.velocity(elapsed) else elapsed
-        )
-        ends = self._start + self._profile.duration
-        monotonic_until = ends if reversal is None else min(self._start + reversal, ends)
+        profile, start, sample_at = self._sampling.profile, self._sampling.start, self._sampling.value
+        elapsed = now - start
+        reversal: float | None = None
+        if not profile.direction:
+            reversal = profile.velocity_crossing(0.0, elapsed) if profile.velocity(elapsed) else elapsed
+        ends = start + profile.duration
+        monotonic_until = ends if reversal is None else min(start + reversal, ends)
         farthest = last + MAX_TICKS
         if monotonic_until < INFINITY:
             farthest = min(_last(monotonic_until), farthest)
 
         def differs(number: int) -> bool:
-            sample = shown(self._sample_at(number))
+            sample = shown(sample_at(number))
             return (sample > level) is not (value > level) or (sample < level) is not (value < level)
 
         low, high = last, min(last + FIRST_TICKS, farthest)
@@ -158,14 +178,6 @@ class Sensor:
                 low = middle
         return high * PERIOD
 
-    def _sample_at(self, number: int) -> float:
-        """Return the sample at a tick, given by its number."""
-        return self._value_at(self._profile.position(number * PERIOD - self._start))
-
-    def _value_at(self, position: float) -> float:
-        """Return the value at a position of the axis, in counts."""
-        return self.value + self.per_unit * (self._to_user(position - self._datum) - self.origin)
-
     def _moved(self, profile: Profile) -> None:
         if self.active:
             self._sample()
@@ -173,15 +185,16 @@ class Sensor:
     def _sample(self) -> None:
         self._cancel()
         controller, a = self._controller, self._controller.axes[self.axis]
-        self._datum, self._to_user = a.datum, a.scale.length_conversion()
-        self._inputs[self.channel] = self._value_at(controller.position(self.axis))
+        conversion = self.value, self.per_unit, self.origin, a.datum, *a.scale.factors[0]
+        sampling = Sampling(self.channel, PERIOD, a.starts[-1], conversion, a.profiles[-1])
+        self._inputs[self.channel] = sampling.value_at(controller.position(self.axis))
         if controller.is_still(self.axis):
             return
         if a.feedback is not None or not self._inputs.may_compute(self.channel):
             self.tick()
             return
         self._next = _next(controller.clock.now)
-        self._profile, self._start = a.profiles[-1], a.starts[-1]
+        self._sampling = sampling
         self._inputs.computed[self.channel] = self
 
     def _cancel(self) -> None:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import pytest
 
 from motionlang import run
 from motionlang.controller.io.channels import AnalogueInputs
+from motionlang.log.sampled import Sampling
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.mint.polling_programs import COST
@@ -51,6 +54,27 @@ PROGRAMS = {
 }
 
 
+FORCE: dict[str, object] = {
+    "analogue": [{"channel": 0, "axis": 0, "above": 0.0, "value": 0.0, "per_unit": 0.5}]
+}
+# Worlds with one moving sensor at a time, whose samples the log computes.
+ALONE: dict[str, dict[str, object]] = {
+    "a force": {"controller.instruction_time": COST, **FORCE},
+    "a stretch": {
+        "controller.instruction_time": COST,
+        "analogue": [
+            {"channel": 1, "axis": 0, "between": [20.0, 60.0], "value": -3.0, "per_unit": -2.0},
+            {"channel": 1, "value": 9.0, "at": 0.4567, "for": 0.1},
+            {"channel": 3, "value": 12.0, "at": 0.31},
+        ],
+    },
+    "a constant": {
+        "controller.instruction_time": COST,
+        "analogue": [{"channel": 0, "axis": 0, "above": 10.0, "value": 8.0, "per_unit": 1e-12}],
+    },
+}
+
+
 def ran(text: str, machine: dict[str, object] = WORLD) -> Run:
     return run(Source("a.mnt", HEAD + text), machine=machine, cache=False, until=20.0)
 
@@ -70,9 +94,33 @@ def test_samples_are_those_of_ticks_that_are_events(name: str, monkeypatch: pyte
     assert computed[2] == "ended"
 
 
-FORCE: dict[str, object] = {
-    "analogue": [{"channel": 0, "axis": 0, "above": 0.0, "value": 0.0, "per_unit": 0.5}]
-}
+@pytest.mark.parametrize("world", ALONE)
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_samples_that_the_log_computes_are_those_of_ticks_that_are_events(
+    name: str, world: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    computed = outcome(ran(PROGRAMS[name], ALONE[world]))
+    monkeypatch.setattr(AnalogueInputs, "may_compute", lambda *_: False)
+    assert computed == outcome(ran(PROGRAMS[name], ALONE[world]))
+
+
+def test_a_sample_that_nothing_reads_is_not_computed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A move takes 1.2 s. Its samples are computed when the log is read."""
+    computed = 0
+    rows = Sampling.rows
+
+    def counted(self: Sampling, numbers: Sequence[int]) -> list[tuple[float, int, float]]:
+        nonlocal computed
+        computed += len(numbers)
+        return rows(self, numbers)
+
+    monkeypatch.setattr(Sampling, "rows", counted)
+    text = "Dim n As Integer\nFor n = 1 To 5\n  MOVEA(0) = 100 : GO(0)\n  PAUSE IDLE(0)\n  PRINT ADC(0)\n"
+    found = ran(f"{text}  MOVEA(0) = 0 : GO(0)\n  PAUSE IDLE(0)\nNext\n", FORCE)
+    assert 0 < computed <= 10 * 2 * 4
+    computed = 0
+    assert len(list(found.machine.log.analogue_inputs)) in range(10 * 1190, 10 * 1210)
+    assert computed in range(10 * 1180, 10 * 1200)
 
 
 @pytest.mark.parametrize("wait", ["PAUSE ADC(0) > 20", "While ADC(0) <= 20 : End While"])
