@@ -105,22 +105,22 @@ def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping
     """
     clock, scale, axis = controller.clock, a.scale, a.index
     crossing_time = getattr(controller, _CROSSINGS[name]) if name in _CROSSINGS else None
+    is_position = unit == POSITION
+    to_counts = scale.position_to_counts if is_position else lambda level: scale.to_counts(level, unit)
 
     def until(level: Level = None) -> float:
-        wrap = wraps.get(axis) if unit == POSITION else None
         if controller.is_still(axis):
             return clock.now if level == INFINITY else INFINITY
+        wrap = wraps.get(axis) if wraps and is_position else None
         if crossing_time is None or level is None or (wrap and level == INFINITY):
             return clock.now
         if isinstance(level, tuple):
             distance, centre = level
             return min(until(centre + distance), until(centre - distance))
-        if unit != POSITION:
-            return float(crossing_time(axis, scale.to_counts(level, unit)))
-        here = scale.position_to_user(getattr(controller, name)(axis)) if wrap else 0.0
-        return passing_within(
-            wrap, here, level, lambda position: crossing_time(axis, scale.position_to_counts(position))
-        )
+        if not wrap:
+            return crossing_time(axis, to_counts(level))  # type: ignore[no-any-return]
+        here = scale.position_to_user(getattr(controller, name)(axis))
+        return passing_within(wrap, here, level, lambda position: crossing_time(axis, to_counts(position)))
 
     return until
 

@@ -215,9 +215,10 @@ class Readings:
         If `position` is infinite, return the time of the next reversal, or now at standstill. For a simulated motor the
         prediction is limited; beyond it the result is the time to check again.
         """
-        feedback = self.axes[axis].feedback
+        a = self.axes[axis]
+        feedback = a.feedback
         if feedback is None:
-            return self.demand_crossing_time(axis, position)
+            return self._crossing_time(a, position)
         return self.clock.now if abs(position) == INFINITY else feedback.crossing_time(position)
 
     def error_crossing_time(self, axis: int, error: float) -> float:

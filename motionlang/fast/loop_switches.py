@@ -2,7 +2,7 @@
 
 Replaces: running every iteration of such a loop, for example OUTX(1) = 1 : OUTX(1) = 0.
 
-Hook: `Accelerators.switches`; `Site.turn` of mint/runtime/loop_skipping.py calls `skip` if an iteration has only
+Hook: `Accelerators.switches`; `Site.check` of mint/runtime/loop_skipping.py calls `skip` if an iteration has only
 switched outputs.
 
 Gain: 10³ to 10⁴ times (`watch_outputs_toggle` of benchmarks/cliffs.py).
@@ -42,6 +42,10 @@ class LoopSwitches:
         self._environment = environment
         self._begun: list[tuple[Start, int, tuple[tuple[int, float], ...], list[int]]] = []
 
+    def restart(self) -> None:
+        """Discard all iterations."""
+        self._begun.clear()
+
     def begin(self, start: Start, follows: bool) -> None:
         """Record the start of an iteration; `follows` is true if it succeeds the last one."""
         environment = self._environment
@@ -79,7 +83,6 @@ class LoopSwitches:
             return None
         for begin, switches, outputs, lengths in reversed(begun):
             before = begin[0]
-            assert before is not None
             if environment.acts - before[0] != environment.switches - switches:  # type: ignore[operator]
                 return None
             if before[1:] == state[1:] and outputs == environment.controller.outputs.values:

@@ -138,10 +138,15 @@ class Dependencies:
         """
         clock = self.clock
         now, clock.now = clock.now, since
+        earliest = INFINITY
         try:
-            return min((until(*about) for until, about in set(notes)), default=INFINITY)
+            for until, about in set(notes):
+                moment = until(*about)
+                if moment < earliest:
+                    earliest = moment
         finally:
             clock.now = now
+        return earliest
 
     def stable_until(self, notes: list[Note], first: int, since: float) -> float:
         """Return the time until which all readings from index `first` on stay unchanged.

@@ -105,7 +105,7 @@ def test_the_iterations_are_not_executed(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(LoopSwitches, "begin", counted)
     for body in ("OUTX(1) = 1\n  OUTX(1) = 0", "OUTX(1) = Not OUTX(1)"):
         run(Source("a.mnt", f"While TIME < 5000\n  {body}\nEnd While\n"), cache=False, fast=True)
-    assert calls == 8
+    assert calls == 6
 
 
 def test_an_output_that_alternates_has_a_change_for_each_iteration() -> None:

@@ -7,7 +7,7 @@ from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.defaults import ANALOGUE
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
 from motionlang.mint.runtime.binding import of, of_word
-from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.changes import repeatable, reported
 from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
@@ -23,14 +23,14 @@ def read_bank(environment: Environment, row: Keyword) -> Operation:
     return lambda bank: bits_of(bank, outputs.__getitem__)
 
 
-@repeatable
+@reported
 def write_bank(environment: Environment, row: Keyword) -> Operation:
     """OUT: make the operation that writes a bank of outputs."""
     outputs = environment.controller.outputs
 
-    def write(bank: int, bits: int) -> None:
-        outputs.set_bank(checked(bank, LAST_BANK, "bank") * BANK, BANK, bits)
+    def write(bank: int, bits: int) -> bool:
         environment.switches += 1
+        return outputs.set_bank(checked(bank, LAST_BANK, "bank") * BANK, BANK, bits)
 
     return write
 
@@ -40,16 +40,16 @@ def read_bit(environment: Environment, row: Keyword) -> Operation:
     return lambda channel: int(output(checked(channel, LAST_CHANNEL, "output")) != 0)
 
 
-@repeatable
+@reported
 def write_bit(environment: Environment, row: Keyword) -> Operation:
     """OUTX: make the operation that writes an output."""
     set_output = environment.controller.set_output
 
-    def write(channel: int, value: float) -> None:
+    def write(channel: int, value: float) -> bool:
         if not 0 <= channel <= LAST_CHANNEL:
             checked(channel, LAST_CHANNEL, "output")
-        set_output(channel, 1 if value != 0 else 0)
         environment.switches += 1
+        return set_output(channel, 1 if value != 0 else 0)
 
     return write
 

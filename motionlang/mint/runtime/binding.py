@@ -20,6 +20,7 @@ commands of axes). A "load" returns true while the buffer has no space. `operati
     on_axes, on_every_axis    make an operation that acts on each of several axes
     unchecked                 marks a write that takes any number, or checks the range itself
     repeatable                marks a write that is a no-op if the value is there already, as `replaced` reads it
+    reported                  marks a repeatable write that itself returns true if it has changed anything
 
 Invariants.
 - An operation on an axis is bound to one that exists (`axis_of`). A written value lies in the range of its row. That is
@@ -273,6 +274,11 @@ def maker_of(how: str, row: Keyword) -> Maker:
 def is_repeatable(how: str, row: Keyword) -> bool:
     """True if writing or executing a keyword may change nothing."""
     return hasattr(maker_of(how, row), "repeatable")
+
+
+def is_reported(how: str, row: Keyword) -> bool:
+    """True if writing a keyword returns whether it has changed anything."""
+    return hasattr(maker_of(how, row), "reported")
 
 
 def scale_of(environment: Environment, axis: int) -> Scale:

@@ -36,6 +36,12 @@ def repeatable(make: Maker) -> Maker:
     return make
 
 
+def reported(make: Maker) -> Maker:
+    """Mark a repeatable write that returns true if it has changed anything."""
+    make.reported = True  # type: ignore[attr-defined]
+    return repeatable(make)
+
+
 def with_dependency(environment: Environment, read: Callable[..., Any], until: Until) -> Callable[..., Any]:
     """Return a read that also records its dependency.
 

@@ -240,6 +240,8 @@ class Environment(Waits):
         operation = binding.bind(self, how, row)
         if how == "load":
             return self.operations.loading(operation, getattr(operation, "plain", None))
+        if repeated and binding.is_reported(how, row):
+            return self.operations.reported(operation)
         if repeated:
             return self.operations.repeated(operation, binding.replaced(self, row))
         return operation if how == "read" else self.operations.timed(operation)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     # The start of an iteration: the state left by the one before, the counters, its statement, the base of
     # these, its time, the number of times that others had run, the dependencies, and how many of them there
     # were.
-    Start = tuple[State | None, Counters, float, float, float, int, list[Note], int]
+    Start = tuple[State, Counters, float, float, float, int, list[Note], int]
     # The statement and horizon at which the loop continues, the start of that iteration, the number of
     # unchecked iterations (or the statement up to which they run), and the counters.
     Checked = tuple[float, float, Start | None, float, Counters]
@@ -50,6 +50,11 @@ class Site:
     - `levels`: the constants that each counter is compared with.
     - `left`: the number of iterations still to run unchecked, in a loop that counts iterations.
     - `due`: the statement up to which iterations run unchecked, in any other loop.
+
+    `_switches` is the accelerator for iterations that switch outputs, and `_switching` the number of successive
+    iterations that have done nothing else. It records iterations from the second of them on, because many loops
+    switch an output once, when a reading passes a level. `_switched_before` is the number of switched outputs at
+    the start of an iteration.
     """
 
     def __init__(
@@ -64,6 +69,7 @@ class Site:
         self._environment, self.reads, self.carries, self.alters = environment, reads, carries, alters
         self.read_names, self._levels = read_names, levels
         self._switches: Any = None
+        self._switching = self._switched_before = 0
         self.left = self._due = 0.0
         self._statements = environment.statements
         self._base = self._statements.base
@@ -91,13 +97,18 @@ class Site:
         """
         dependencies, statements = self._environment.dependencies, self._environment.statements
         if start is not None:
-            found = self.skip(t, horizon, start, state, counters) if start[0] == state else None
-            if found is None and start[0] != state:
+            if start[0] == state:
+                self._switching = 0
+                found = self.skip(t, horizon, start, state, counters)
+            else:
                 found = self._switched(t, horizon, start, state, counters)
             if found is None:
+                self._switching = 0
                 self._environment.task.poll_check = None
-                elements = sum([len(each) for each in state if isinstance(each, tuple)])
-                left, self.left = self.left, min(2.0 * self.left or 1.0, MAX_BACK_OFF + 4 * elements)
+                left, self.left = self.left, 2.0 * self.left or 1.0
+                if self.left > MAX_BACK_OFF:
+                    elements = sum([len(each) for each in state if isinstance(each, tuple)])
+                    self.left = min(self.left, MAX_BACK_OFF + 4 * elements)
                 if left and not self._environment.machine.scheduler.is_observed:  # type: ignore[union-attr]
                     dependencies.rest()
                     return t, horizon, None, left, counters
@@ -106,26 +117,28 @@ class Site:
                 t, horizon, counters = found
         since = t, statements.base, statements.at(t), self._environment.resumed
         follows = start is not None
+        self._switched_before = self._environment.switches
         start = state, counters, *since, *dependencies.begin()
-        if self._switches is not None:
+        if self._switching > 1:
             self._switches.begin(start, follows)
         return t, horizon, start, 0.0, counters
 
     def _switched(
         self, t: float, horizon: float, start: Start, state: State, counters: Counters
     ) -> tuple[float, float, Counters] | None:
-        """Skip iterations that only switch outputs, if there is an accelerator for them.
-
-        The first such iteration only creates the accelerator.
-        """
+        """Skip iterations that only switch outputs, if there is an accelerator for them."""
         environment = self._environment
-        if self._switches is not None:
+        if self._switching > 1:
             return self._switches.skip(t, start, state, counters, self._levels, self.carries)  # type: ignore[no-any-return]
         make = environment.machine.accelerators.switches
-        acted = environment.acts - start[0][0]  # type: ignore[index,operator]
-        if make is None or not 0 < acted <= environment.switches:
+        acted = environment.acts - start[0][0]  # type: ignore[operator]
+        if make is None or not 0 < acted == environment.switches - self._switched_before:
             return None
-        self._switches = make(environment)
+        self._switching += 1
+        if self._switching > 1:
+            if self._switches is None:
+                self._switches = make(environment)
+            self._switches.restart()
         return t, horizon, counters
 
     def skip(
@@ -162,9 +175,10 @@ class Site:
             environment.clock.now = now
             until = max(until, scheduler.reach())
         until = min(until, level)
-        steps = [n - m for n, m in zip(counters, before, strict=True)]
+        steps: Counters = ()
         most = INFINITY
-        if any(steps):
+        if counters != before:
+            steps = tuple([n - m for n, m in zip(counters, before, strict=True)])
             counted = environment.machine.accelerators.counted
             if counted is None:
                 return None
@@ -172,7 +186,7 @@ class Site:
         if until == most == INFINITY:
             raise Rejected("never", "the loop polls for something that can no longer happen", "")
         # A loop that counts may end by itself.
-        reads = self.reads and not any(steps)
+        reads = self.reads and not steps
         if reads and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:
             task.in_vain = began if level == scheduler.next_change() == INFINITY else None
         environment.task = task  # the conditions of other tasks may have set another running task
@@ -183,4 +197,6 @@ class Site:
             statements.leave(t)
             t = statements.repeat(base, since, periods)
             horizon = statements.limit(statements.until)
-        return t, horizon, tuple([n + periods * step for n, step in zip(counters, steps, strict=True)])
+        if steps:
+            counters = tuple([n + periods * step for n, step in zip(counters, steps, strict=True)])
+        return t, horizon, counters

@@ -31,13 +31,14 @@ class Operations:
     - `timed` is for operations at a statement.
     - `repeated` is for operations that a polling loop may repeat. It receives a function that reads the `replaced`
       value; if this does not change, the operation was a no-op.
+    - `reported` is for writes that a polling loop may repeat and that return true if they have changed anything.
     - `copied` is for operations that do not prevent the skipping of a loop, except for its last iteration.
     - `loading` is for moves, which are put off while there is no space for them. It receives the fast-path loaders
       by axis, if any, and the axis or axes, if known.
     - `now` only sets the clock, for a statement that reads.
     """
 
-    __slots__ = ("_environment", "cells", "now", "set_time", "timed")
+    __slots__ = ("_environment", "cells", "now", "reported", "set_time", "timed")
 
     def __init__(self, environment: Environment) -> None:
         clock, statements = environment.clock, environment.statements
@@ -85,7 +86,24 @@ class Operations:
 
             return at
 
-        self.now, self.timed, self.set_time = now, timed, set_time
+        def reported(act: Callable[..., object]) -> Operation:
+            def at(paid: float, *arguments: Any) -> bool:
+                nonlocal t
+                t += paid
+                if t >= horizon:
+                    environment.put_off = at, arguments, None
+                    return True
+                clock.now = statements.base + t * cost
+                acts, switches = environment.acts, environment.switches
+                environment.acts = acts + 1
+                if not act(*arguments) and environment.dependencies.notes is not None:
+                    environment.acts, environment.switches = acts, switches
+                    return False
+                return clock.horizon < statements.until and nearer()
+
+            return at
+
+        self.now, self.timed, self.reported, self.set_time = now, timed, reported, set_time
         # The cells of `t` and `H`.
         self.cells: tuple[CellType, CellType] = cells_of(set_time, "t", "horizon")
         self._environment = environment
