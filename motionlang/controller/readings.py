@@ -335,11 +335,7 @@ class Readings:
 
     def set_output(self, channel: int, value: float) -> bool:
         """Set an output; return True if that changed it."""
-        outputs = self.outputs
-        if outputs[channel] == value:
-            return False
-        outputs[channel] = value
-        return True
+        return self.outputs.set(channel, value)
 
     def pulse(self, channel: int, duration: float) -> None:
         """Turn a digital output on for `duration` seconds; another pulse prolongs it."""

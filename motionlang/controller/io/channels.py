@@ -34,12 +34,17 @@ class Channels:
         return self._values.get(channel, 0)
 
     def __setitem__(self, channel: int, value: float) -> None:
+        self.set(channel, value)
+
+    def set(self, channel: int, value: float) -> bool:
+        """Set a channel; return True if that changed it."""
         if self._values.get(channel, 0) == value:
-            return
+            return False
         self._values[channel] = value
         if self.changes is not None:
             self.changes.add((self._clock.now, channel, value))
         self._notify(channel)
+        return True
 
     @property
     def values(self) -> tuple[tuple[int, float], ...]:
@@ -89,8 +94,7 @@ class Channels:
         values, changed = self._values, False
         for channel in range(first, first + count):
             if values.get(channel, 0) != bits & 1:
-                self[channel] = bits & 1
-                changed = True
+                changed = self.set(channel, bits & 1)
             bits >>= 1
         return changed
 
@@ -114,9 +118,14 @@ class AnalogueInputs(Channels):
             return level
         return self._values.get(channel, 0)
 
-    def __setitem__(self, channel: int, value: float) -> None:
+    def set(self, channel: int, value: float) -> bool:
+        """Set a channel; return True if that changed it."""
         self.settle()
-        super().__setitem__(channel, value)
+        return super().set(channel, value)
+
+    def stored(self) -> Callable[..., float]:
+        """Return the fast reader of a channel that no sensor computes: `read(channel, 0)`."""
+        return self._values.get
 
     @property
     def values(self) -> tuple[tuple[int, float], ...]:

@@ -43,7 +43,7 @@ def read_bit(environment: Environment, row: Keyword) -> Operation:
 @reported
 def write_bit(environment: Environment, row: Keyword) -> Operation:
     """OUTX: make the operation that writes an output."""
-    set_output = environment.controller.set_output
+    set_output = environment.controller.outputs.set
 
     def write(channel: int, value: float) -> bool:
         if not 0 <= channel <= LAST_CHANNEL:
@@ -123,14 +123,16 @@ def read_adc(environment: Environment, row: Keyword) -> Operation:
     analogue, dependencies = environment.component(Analogue), environment.dependencies
     inputs = environment.controller.analogue_inputs
     inputs.compute()
-    computed, shown = inputs.computed, analogue.shown
+    computed, stored, shown = inputs.computed, inputs.stored(), analogue.shown
 
     def read(channel: int, level: float | None = None) -> float:
-        if dependencies.notes is not None and channel in computed:
-            dependencies.note(analogue.until, channel, level)
+        if channel in computed:
+            if dependencies.notes is not None:
+                dependencies.note(analogue.until, channel, level)
+            return shown(channel, inputs[channel])
         if not 0 <= channel <= LAST_ANALOGUE:
             analogue_input(channel)
-        return shown(channel, inputs[channel])
+        return shown(channel, stored(channel, 0))
 
     return read
 
