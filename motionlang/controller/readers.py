@@ -230,8 +230,11 @@ def _position(
                     x = time - since
                     found = ((c3 * x + c2) * x + c1) * x + c0
             else:
-                found = a.position(clock.now)
                 profile, begun, since, until, (c0, c1, c2, c3) = _piece(a, clock.now)
+                x = clock.now - begun - since
+                found = (
+                    ((c3 * x + c2) * x + c1) * x + c0 if x > 0.0 and until > 0.0 else a.position(clock.now)
+                )
                 still = c1 == c2 == c3 == 0.0
                 c0 += 0.0  # no minus zero, as a sum with the other terms gives none
         found = (found - scale.zero) / scale.counts
@@ -265,9 +268,13 @@ def _velocity(
                 x = time - since
                 found = (thrice_c3 * x + twice_c2) * x + c1 if twice_c2 or thrice_c3 else c1
             else:
-                found = a.velocity(clock.now)
                 profile, begun, since, until, (_, c1, c2, c3) = _piece(a, clock.now)
                 twice_c2, thrice_c3 = 2.0 * c2, 3.0 * c3
+                x = clock.now - begun - since
+                if x > 0.0 and until > 0.0:
+                    found = (thrice_c3 * x + twice_c2) * x + c1 if twice_c2 or thrice_c3 else c1
+                else:
+                    found = a.velocity(clock.now)
         rate, per_unit = factors[1]
         return found * rate / per_unit
 

@@ -174,12 +174,13 @@ class Log:
 
     def _check_hurry(self) -> None:
         """Report a loop that starts one motion after another without time to execute them."""
-        last = self.moves[-min(len(self.moves), FIRST_CHECK) :]
-        if len(last) < FIRST_CHECK // 2 or self.hurried is None:
+        moves, count = self.moves, min(len(self.moves), FIRST_CHECK)
+        if count < FIRST_CHECK // 2 or self.hurried is None:
             return
-        span = last[-1].start_time - last[0].start_time
-        if span < HURRY * len(last) and len({move.line for move in last}) <= FEW_LINES:
-            self.hurried(last[-1], len(last), span)
+        last = moves[-1]
+        span = last.start_time - moves[-count].start_time
+        if span < HURRY * count and len({move.line for move in moves[-count:]}) <= FEW_LINES:
+            self.hurried(last, count, span)
 
     def forget(self, retained: int, axes: Iterable[Axis]) -> None:
         """Drop all but about `retained` records per kind, and ten times as many profiles."""

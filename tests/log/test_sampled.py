@@ -75,7 +75,7 @@ def test_a_rest_between_two_moves_is_found() -> None:
 
 
 def stored() -> tuple[list[Any], Stream[Any]]:
-    """Return rows, and a stream with the same rows in a template between other records."""
+    """Return rows, and a stream that has them in a template between other rows."""
     made = sampling(move())
     stream: Stream[Any] = Stream(Store())
     stream.add((0.1, 3, 5.0))

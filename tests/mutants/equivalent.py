@@ -1382,9 +1382,7 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/planners/feasibility.py: approach: v0 > 0.0 -> v0 >= 0.0": (
         "no distance at no speed has no direction"
     ),
-    "motionlang/planners/crossing.py: 1e-09 -> 1.000000001": (
-        "a larger margin only searches more pieces"
-    ),
+    "motionlang/planners/crossing.py: 1e-09 -> 1.000000001": ("a larger margin only searches more pieces"),
     "motionlang/planners/jerk_limited.py: _ahead: left > 0.0 -> left >= 0.0": (
         "nothing left is a slew of no time"
     ),

@@ -764,3 +764,25 @@ def test_a_velocity_is_checked_again_where_it_is_reached_and_at_each_knot(
         assert time <= following <= knot
         time, checks = max(following, time + 1e-3), checks + 1
     assert checks < 10 * len(made.knots)
+
+
+@pytest.mark.parametrize("sweep", [2.0 * math.pi, -0.7])
+@pytest.mark.parametrize("shape", ["trapezoid", "sinusoidal", "scurve"])
+@pytest.mark.parametrize("cosine", [True, False])
+def test_the_figures_of_a_time_are_those_of_its_state(cosine: bool, shape: str, sweep: float) -> None:
+    """They have the same bits inside the profile, at its knots, and outside."""
+    made = circle(cosine, sweep, shape)
+    made = made.scaled(made.start + 3.0, 1.0)
+    duration = made.duration
+    times = [-1.0, 0.0, duration, math.nextafter(duration, 0.0), duration + 1.0, 1e-300]
+    times += [knot + by for knot in made.knots for by in (-1e-9, 0.0, 1e-9)]
+    times += [duration * k / 997 for k in range(1, 997)]
+    for time in times:
+        if 0.0 < time < duration:
+            state = made.state(time)
+            assert made.position(time) == state.position
+            assert made.velocity(time) == state.velocity
+            assert made.acceleration(time) == state.acceleration
+        else:
+            assert made.position(time) == (made.end if time > 0.0 else made.start)
+            assert made.velocity(time) == 0.0

@@ -186,6 +186,8 @@ class Arc:
     def _split(self, values: Sequence[float]) -> tuple[tuple[float, float], list[float]]:
         """Return the values of the two axes of the circle and of the other axes."""
         i, j = self.plane
+        if not values[2:]:
+            return (values[i], values[j]), []
         others = list(values)
         del others[max(i, j)], others[min(i, j)]
         return (values[i], values[j]), others
@@ -193,6 +195,8 @@ class Arc:
     def _joined(self, plane: Sequence[_Value], others: Sequence[_Value]) -> list[_Value]:
         """Merge the values of the circle and of the other axes, one for each axis."""
         i, j = self.plane
+        if (i, j) == (0, 1):
+            return [*plane, *others]
         values = list(others)
         values.insert(min(i, j), plane[0 if i < j else 1])
         values.insert(max(i, j), plane[1 if i < j else 0])

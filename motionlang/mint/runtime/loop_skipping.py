@@ -54,7 +54,8 @@ class Site:
     `_switches` is the accelerator for iterations that switch outputs, and `_switching` the number of successive
     iterations that have done nothing else. It records iterations from the second of them on, because many loops
     switch an output once, when a reading passes a level. `_switched_before` is the number of switched outputs at
-    the start of an iteration.
+    the start of an iteration. `_level` is the time at which a reading may change, as last solved: the iteration in
+    which it lies is not skipped.
     """
 
     def __init__(
@@ -70,6 +71,7 @@ class Site:
         self.read_names, self._levels = read_names, levels
         self._switches: Any = None
         self._switching = self._switched_before = 0
+        self._level = -INFINITY
         self.left = self._due = 0.0
         self._statements = environment.statements
         self._base = self._statements.base
@@ -154,7 +156,9 @@ class Site:
         _, before, since, base, began, others, notes, first = start
         scheduler = environment.machine.scheduler
         assert scheduler is not None
-        now, level = statements.at(t), environment.dependencies.stable_until(notes, first, began)
+        now, level = statements.at(t), self._level
+        if not began < level <= now:
+            level = self._level = environment.dependencies.stable_until(notes, first, began)
         if level <= now:
             return None
         several = len(scheduler.tasks) > 1

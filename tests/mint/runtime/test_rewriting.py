@@ -8,10 +8,13 @@ from __future__ import annotations
 import pytest
 
 from motionlang import run
+from motionlang.controller.clock import Clock
+from motionlang.controller.io.channels import Channels
 from motionlang.errors import ProgramError
 from motionlang.lang.keyword import Keyword
 from motionlang.mint.compile import polling
 from motionlang.mint.keywords import table
+from motionlang.mint.runtime.loop_skipping import Site
 from motionlang.source import Source
 from tests.cases import one_in
 
@@ -89,3 +92,44 @@ def test_keyword_that_is_written_in_every_iteration(
 def test_read_before_a_write_is_no_dependency() -> None:
     result = run(Source("a.mnt", STEADY.format(word="ENCODERRESOLUTION(0)", first=1)), cache=False, until=1.0)
     assert result.notes == ["keywords without effect here: ENCODERRESOLUTION (line 2)"]
+
+
+# How long a move takes, and a watch that writes outputs by its position.
+MOVE = "SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500\nMOVEA(0) = 100 : GO(0)\n"
+WATCHES = {
+    "OUTX": "  If POS(0) > 50 Then OUTX(1) = 1 Else OUTX(1) = 0\n",
+    "OUT": "  If POS(0) > 50 Then OUT(0) = 5 Else OUT(0) = 4\n",
+    "two": "  OUTX(1) = POS(0) > 50\n  OUT(1) = 4\n",
+    "array": "  If POS(0) > r(2) Then OUTX(1) = 1 Else OUTX(1) = 0\n",
+}
+
+
+@pytest.mark.parametrize("name", WATCHES)
+def test_an_output_that_is_switched_once_costs_two_iterations(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of 40 000 iterations at most eight are executed."""
+    checks, check = 0, Site.check
+
+    def counted(self: Site, *given: object) -> object:
+        nonlocal checks
+        checks += 1
+        return check(self, *given)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(Site, "check", counted)
+    text = f"Dim r(3) As Float\nr(2) = 50\n{MOVE}While Not IDLE(0)\n{WATCHES[name]}End While\nPRINT TIME"
+    found = run(Source("a.mnt", text), cache=False)
+    assert found.output == ["1200"]
+    changes = [each for each in found.machine.log.outputs if each.time > 0.5]
+    assert [(round(each.time, 3), each.value) for each in changes] == [(0.6, 1)]
+    assert 4 <= checks <= 8
+
+
+def test_outputs_that_do_not_change_are_no_actions() -> None:
+    """A bank is 32 outputs; one of them that changes is an action."""
+    outputs = Channels(Clock())
+    assert [outputs.set_bank(0, 32, 5), outputs.set_bank(0, 32, 5), outputs.set_bank(0, 32, 4)] == [
+        True, False, True,
+    ]  # fmt: skip
+    assert outputs.values == ((0, 0), (2, 1))
+    assert [outputs.set(2, 1), outputs.set(2, 0), outputs.set(9, 0)] == [False, True, False]
