@@ -22,13 +22,16 @@ if TYPE_CHECKING:
 # The maximum number of handlers in a row, each raised by a statement of a handler before it, until a task
 # must run.
 MAX_ROUNDS = 10_000
+# After this many handlers in a row, without a statement of a task between them, the run gets a note.
+CROWDED = 100
 
 
 class Events:
     """The handlers of one program, active events (innermost last) and pending ones.
 
     `_raised_here` are the pending events that a statement of a handler has raised. `_rounds` counts the handlers
-    started for such events since a task last ran.
+    started for such events since a task last ran; `_in_row` counts all that have followed
+    another one since then, the first of them at `_row_began`.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -42,7 +45,8 @@ class Events:
         self.tick_event: ClockEvent | None = None
         self.started, self.ticks = 0.0, 0
         self._raised_here: set[tuple[int, int]] = set()
-        self._rounds = 0
+        self._rounds = self._in_row = 0
+        self._row_began = 0.0
         self._handlers: dict[tuple[str, int], Make] = {}
 
     def handle(self, kind: str, number: int, make: Make) -> None:
@@ -63,7 +67,7 @@ class Events:
         self.active.clear()
         self.pending.clear()
         self._raised_here.clear()
-        self._rounds = self.disabled = 0
+        self._rounds = self._in_row = self.disabled = 0
         self.set_timer(0)
 
     def raise_(self, kind: str, number: int = 0) -> None:
@@ -113,8 +117,23 @@ class Events:
         """End a handler and deliver pending events."""
         self.active.pop()
         self.deliver()
-        if not self.active:
-            self._rounds = 0
+        if self.active:
+            self._follows()
+        else:
+            self._rounds = self._in_row = 0
+
+    def _follows(self) -> None:
+        """Count a handler that follows another one; add a note to the run if they leave no time for tasks."""
+        now = self.environment.clock.now
+        if not self._in_row:
+            self._row_began = now
+        self._in_row += 1
+        if self._in_row == CROWDED:
+            kind = KINDS[self.active[-1][0]].upper()
+            self.environment.machine.notes[
+                f"{CROWDED} handlers in a row, from {self._row_began:.3f} s on, left no time for any task (the last"
+                f" one was for {kind}): a handler must end before its event comes again"
+            ] = None
 
     def bits(self, entries: list[tuple[int, int]]) -> int:
         """Return the kinds of some events as a bit pattern."""

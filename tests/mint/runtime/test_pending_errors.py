@@ -136,3 +136,21 @@ def test_a_handler_that_takes_longer_than_the_period_of_its_timer_is_none_of_the
     result = ended("TIMEREVENT = 1\nWAIT = 10\nEnd\nEvent TIMER\n  WAIT = 1.2\nEnd Event")
     assert result.status == "until"
     assert not result.diagnostics
+
+
+@pytest.mark.parametrize(("slow", "is_noted"), [(2, False), (3, True)])
+def test_handlers_that_leave_no_time_for_tasks_are_noted(
+    slow: int, is_noted: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A handler of 5 ms at ticks of 1 ms is followed by another one at once: after three slow ones, by three.
+
+    The first tick is at 1.01 ms, after the statement of TIMEREVENT; its handler counts and waits until 6.03 ms.
+    """
+    assert events.CROWDED == 100
+    monkeypatch.setattr(events, "CROWDED", 3)
+    text = f"TIMEREVENT = 1\nWAIT = 100\nEnd\nEvent TIMER\n  n = n + 1\n  If n <= {slow} Then WAIT(5)\nEnd Event"
+    note = (
+        "3 handlers in a row, from 0.006 s on, left no time for any task (the last one was for TIMER): a handler"
+        " must end before its event comes again"
+    )
+    assert ended(text).notes == ([note] if is_noted else [])
