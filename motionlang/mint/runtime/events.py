@@ -123,7 +123,7 @@ class Events:
             self._rounds = self._in_row = 0
 
     def _follows(self) -> None:
-        """Count a handler that follows another one; add a note to the run if they leave no time for tasks."""
+        """Count a handler that follows another one; note if they leave no time for tasks."""
         now = self.environment.clock.now
         if not self._in_row:
             self._row_began = now
