@@ -212,7 +212,11 @@ class Adapter:
         self.close()
 
     def _do_cancel(self, given: Arguments) -> None:
-        if self.phase == RUNNING:
+        """Pause what runs, unless a request is to be cancelled: each has been answered already.
+
+        An editor cancels requests that it no longer needs, such as `variables` when the program continues.
+        """
+        if self.phase == RUNNING and not given.number("requestId", 0):
             self._debugger.pause()
 
     def close(self) -> None:

@@ -338,6 +338,24 @@ def test_a_stopped_program_is_not_paused(client: Client, tmp_path: Path, command
     assert client.wait("stopped", "terminated")["event"] == "terminated"
 
 
+def test_a_request_that_is_cancelled_does_not_pause_the_program(
+    client: Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An editor cancels its request for variables when the program continues."""
+    path = tmp_path / "a.mnt"
+    path.write_text("Dim n As Integer\nLoop\n  n = 1 - n\nEnd Loop\n")
+    client.launch(path)
+    client.ask("configurationDone")
+    debugger, pauses = client.adapter._debugger, [0]
+    pause = debugger.pause
+    monkeypatch.setattr(debugger, "pause", lambda: (pauses.append(1), pause()))
+    client.ask("cancel", requestId=3)
+    assert sum(pauses) == 0
+    client.ask("cancel")
+    assert sum(pauses) == 1
+    assert client.wait("stopped")["body"]["reason"] == "pause"
+
+
 def test_a_filter_alone_does_not_stop_at_other_errors(client: Client, tmp_path: Path) -> None:
     path = tmp_path / "a.mnt"
     path.write_text("Dim b(2) As Integer\nb(1) = 9\nb(b(1)) = 1\n")
