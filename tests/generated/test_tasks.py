@@ -14,7 +14,7 @@ SLICE, BATCHES, BATCH = 60, 20, 100
 
 @pytest.mark.slow
 def test_a_slice_of_programs_does_the_same_with_loops_skipped(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Periods are skipped in a third of the programs.
+    """Periods are skipped in a fifth of the programs.
 
     Without that, the comparison would prove nothing.
     """
@@ -30,7 +30,7 @@ def test_a_slice_of_programs_does_the_same_with_loops_skipped(monkeypatch: pytes
     monkeypatch.setattr(Recurrence, "_skips", counted)
     for seed in range(examples(SLICE)):
         assert is_equal(seed), seed
-    assert len(found) >= examples(SLICE) // 3
+    assert len(found) >= examples(SLICE) // 5
 
 
 def test_a_statement_at_the_end_of_a_wait_comes_after_it_with_loops_skipped() -> None:

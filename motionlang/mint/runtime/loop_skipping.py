@@ -3,8 +3,8 @@
 An iteration that did nothing and left every variable unchanged repeats until something happens: the next
 event, or the time at which one of its readings changes by itself. All whole iterations that fit before
 that are paid for at once. While other tasks can run, the skip ends with the task's time slice. If no other
-task can run, and none could since the iteration began, it extends to the time at which the first of them may
-continue.
+task can run, and the task has done nothing since that might let one continue, it extends to the time at which the
+first of them may continue.
 
 Exponential back-off: after a failed check the loop runs unchecked for 1, 2, 4, … iterations. Its readings
 record no dependencies in that time.
@@ -170,14 +170,11 @@ class Site:
         if environment.resumed != others or (scheduler.is_observed and base != statements.base):
             return t, horizon, counters
         until = statements.until
-        if (
-            began <= scheduler.began
-            and now < until
-            and not (several and self.alters and scheduler.is_watched())
-        ):
-            # This task has done nothing since the others were last checked.
+        if several and now < until:
             environment.clock.now = now
-            until = max(until, scheduler.reach())
+            reach = scheduler.reach()
+            if until < reach and not self._may_have_woken(began, scheduler):
+                until = reach
         until = min(until, level)
         steps: Counters = ()
         most = INFINITY
@@ -204,3 +201,17 @@ class Site:
         if steps:
             counters = tuple([n + periods * step for n, step in zip(counters, steps, strict=True)])
         return t, horizon, counters
+
+    def _may_have_woken(self, began: float, scheduler: Any) -> bool:
+        """True if a wait of another task may be over since the waits were last checked.
+
+        They are checked as this task is resumed. `began` is the start of the iteration. An output that nothing is
+        wired to ends no wait that ignores the data of the program.
+        """
+        environment, is_first = self._environment, began > scheduler.began
+        if is_first and (
+            environment.acts - environment.switches != environment.acts_before
+            or environment.controller.outputs.listeners
+        ):
+            return True
+        return (is_first or self.alters) and scheduler.is_watched()

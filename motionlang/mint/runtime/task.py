@@ -83,6 +83,7 @@ class MintTask(GeneratorTask):
             environment.resumed += 1
             environment.leaps = clock.leaps
         acts = environment.acts
+        environment.acts_before = acts - environment.switches
         notes = self.notes
         dependencies.notes = [] if notes is None and dependencies.read is not None else notes
         self.busy = 0.0

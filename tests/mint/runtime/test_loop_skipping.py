@@ -344,6 +344,43 @@ def test_sums_counters_copies_and_host_memory_cost_no_more_than_a_reading(
     assert count <= 4
 
 
+@pytest.mark.parametrize(
+    "loop", ["If INX(5) Then STOP(0)", "If VEL(0) > 0 Then OUTX(1) = 1 Else OUTX(1) = 0"]
+)
+def test_a_task_beside_one_that_waits_polls_up_to_the_next_event_at_once(
+    loop: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """For each move both run once, and the task once more, for a part of an iteration."""
+    text = "Dim n As Integer\nRun Watch\nSPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500\nFor n = 1 To 100\n"
+    text += "  MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\nNext\nEnd\n"
+    result, count = effort(f"{text}Task Watch\n  Loop\n    {loop}\n  End Loop\nEnd Task", monkeypatch)
+    assert result.time == pytest.approx(120.0, abs=0.01)
+    assert count <= 4 * 100 + 2
+
+
+# What a task does in its first iteration, and what the parent waits for.
+AWAITED = {
+    "an output": ("OUTX(3) = 1", "OUTX(3)"),
+    "an output wired to an input": ("OUTX(3) = 1", "INX(9)"),
+    "a variable": ("flag = 1", "flag = 1"),
+    "memory": ("COMMS(1) = 5", "COMMS(1) = 5"),
+    "a setting": ("SPEED(0) = 7", "SPEED(0) = 7"),
+    "motion": ("If INX(9) = 0 Then JOG(0) = 5 : OUTX(3) = 1", "VEL(0) > 0"),
+}
+
+
+@pytest.mark.parametrize("name", AWAITED)
+def test_what_the_first_iteration_of_a_task_does_ends_the_wait_of_another_in_time(name: str) -> None:
+    """The task begins at 350 ms; the parent is checked at the end of its time slice of 1 ms."""
+    act, awaited = AWAITED[name]
+    text = "Dim flag As Integer\nSPEED(0) = 5 : ACCEL(0) = 5000 : DECEL(0) = 5000\nRun Act\n"
+    text += f"PAUSE {awaited}\nPRINT TIME\nEnd\n"
+    text += f"Task Act\n  PAUSE INX(0)\n  Loop\n    {act}\n  End Loop\nEnd Task"
+    inputs = [{"channel": 0, "at": 0.35}, {"channel": 1, "at": 5.0}, {"channel": 9, "output": 3}]
+    result = run(Source("a.mnt", text), machine={"input": inputs}, cache=False, until=9.0)
+    assert result.output == ["351"]
+
+
 # How often a task is resumed or checked, if that is more than three times.
 MOST = {
     "a parent beside a task that waits": 13,

@@ -148,7 +148,9 @@ def test_handlers_that_leave_no_time_for_tasks_are_noted(
     """
     assert events.CROWDED == 100
     monkeypatch.setattr(events, "CROWDED", 3)
-    text = f"TIMEREVENT = 1\nWAIT = 100\nEnd\nEvent TIMER\n  n = n + 1\n  If n <= {slow} Then WAIT(5)\nEnd Event"
+    text = (
+        f"TIMEREVENT = 1\nWAIT = 100\nEnd\nEvent TIMER\n  n = n + 1\n  If n <= {slow} Then WAIT(5)\nEnd Event"
+    )
     note = (
         "3 handlers in a row, from 0.006 s on, left no time for any task (the last one was for TIMER): a handler"
         " must end before its event comes again"
