@@ -563,7 +563,7 @@ class PolledTicks:
         node, cost = self._known.get(state), self._environment.statements.cost
         if node is None:
             return None
-        origin, step, depth = count, node.transition, 0
+        origin, step, depth, first = count, node.transition, 0, 0.0
         if step is None or dues[0][0] <= base + (count + step.length) * cost + APART:
             found = self._origin(state, base, count, dues[0], len(dues) == 2)
             if found is None:
@@ -573,9 +573,13 @@ class PolledTicks:
             due = dues[depth]
             statement = _first(due, base, cost)
             node = None if statement is None else node.next.get((due[1], statement - origin))
-            if node is None:
+            if statement is None or node is None:
                 return None
+            first = first or statement - origin
             step, depth = node.transition, depth + 1
+        offsets = [offset for offset, _ in step.switches[:1]] + [offset for _, offset, _ in step.waits]
+        if origin > count and offsets and min(offsets) < first:
+            return None  # that happens before the iterations that are left out
         return step, base, origin, depth
 
     def _walk(self, own: _Checkpoint, end: float) -> _Walk | None:

@@ -226,6 +226,15 @@ def test_tasks_with_waits_of_their_own_are_skipped(
     assert executed(found, skipped) == count
 
 
+@cases("wait, period", ((9, 1), (7, 1), (23, 10)))
+def test_two_tasks_that_write_one_output_switch_it_in_time(wait: int, period: int) -> None:
+    """The second task resets the output in its next iteration, long before the next tick or right at it."""
+    text = "Run T0\nRun T1\n" + handled("MOVEA(0) = 200 : GO(0)\nPAUSE IDLE(0)\n", "", period)
+    text += f"Task T0\nLoop\n  If INX(1) Then OUTX(7) = 1\n  WAIT({wait})\nEnd Loop\nEnd Task\n"
+    text += "Task T1\nLoop\n  If VEL(1) > 0 Then OUTX(7) = 1 Else OUTX(7) = 0\nEnd Loop\nEnd Task\n"
+    ran(text, input=[{"channel": 1, "at": 0.2}])
+
+
 def test_an_input_between_two_ticks_ends_a_loop_with_a_wait() -> None:
     """The input comes at 1.0234 s, between two ticks.
 
