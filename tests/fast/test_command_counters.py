@@ -56,10 +56,10 @@ def test_a_register_that_the_loop_recalls_by_another_one_is_no_counter() -> None
 @cases(
     "loop, counted, jumps",
     (
-        ("RA40,AA1,AR40,1RL@21,IC3,JR-5,NO", 1, 157),
-        ("1RL@21,RA40,AA3,AR40,1RL@21,IC3,JR-6,NO", 3, 157),
-        ("RA40,AA1,AR40,IG100,CN41,NO,1RL@21,IC3,JR-8,NO", 1, 159),
-        ("RA40,AS2,AR40,RA43,AA1,AR43,1RL@21,IC3,JR-8,NO", -2, 155),
+        ("RA40,AA1,AR40,1RL@21,IC3,JR-5,NO", 1, 105),
+        ("1RL@21,RA40,AA3,AR40,1RL@21,IC3,JR-6,NO", 3, 111),
+        ("RA40,AA1,AR40,IG100,CN41,NO,1RL@21,IC3,JR-8,NO", 1, 115),
+        ("RA40,AS2,AR40,RA43,AA1,AR43,1RL@21,IC3,JR-8,NO", -2, 104),
     ),
 )
 def test_a_counting_loop_is_skipped(

@@ -50,8 +50,8 @@ def is_active(board: Board, axis: AxisState, name: str) -> bool:
 
 def active_bits(board: Board, axis: AxisState, bits: dict[str, int]) -> int:
     """Return the bits of the inputs that are on."""
-    a = board.controller.axes[axis.number]
-    closed = [each.bit for each in a.limits if each.physical and each.passed]
+    limits = board.controller.axes[axis.number].limits
+    closed = [each.bit for each in limits if each.physical and each.passed] if limits else ()
     at_home = board.controller.is_on_home_switch(axis.number)
     drives = board.drives_inputs
     if not (drives or at_home or closed):

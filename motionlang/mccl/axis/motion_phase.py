@@ -37,10 +37,11 @@ def next_reversal(controller: Controller, axis: int) -> float:
 
 def is_backward(controller: Controller, axis: int) -> bool:
     """True if the current or last motion is in the negative direction."""
-    velocity = controller.demand_velocity(axis)
+    a = controller.axes[axis]
+    velocity = a.velocity(controller.clock.now)
     if velocity:
         return velocity < 0.0
-    profiles = reversed(controller.axes[axis].profiles[-4:])
+    profiles = reversed(a.profiles[-4:])
     return next((each.distance < 0.0 for each in profiles if each.distance), False)
 
 
@@ -67,12 +68,13 @@ def at_target_time(controller: Controller, axis: AxisState) -> float:
     At target means within DB of it for DT.
     """
     number = axis.number
-    if controller.axes[number].feedback is not None:
+    a = controller.axes[number]
+    if a.feedback is not None:
         return controller.settled_time(number)
-    if controller.is_at_standstill(number):
+    if a.is_at_standstill:
         # A slave is at rest from the moment its master is.
-        since = axis.rested if controller.is_idle(number) else controller.axes[number].starts[-1]
+        since = axis.rested if controller.is_idle(number) else a.starts[-1]
         return since + axis.deadband_delay
     if axis.deadband <= 0.0:
-        return controller.standstill_time(number) + axis.deadband_delay
+        return a.end_of_motion() + axis.deadband_delay
     return band_entry(controller, number, axis.deadband) + axis.deadband_delay

@@ -61,16 +61,15 @@ def word(board: Board, axis: AxisState, which: int) -> tuple[int, float]:
 
 def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
     controller, number = board.controller, axis.number
-    bits = axis.flags
-    until = INFINITY
-    standing = controller.is_at_standstill(number)
-    if controller.is_enabled(number):
+    a = controller.axes[number]
+    bits, until = axis.flags, INFINITY
+    if a.enabled:
         bits |= MOTOR_ON | AMPLIFIER_ON
     if axis.reversed_phase:
         bits |= PHASE
     if axis.breakpoint_reached:
         bits |= REACHED
-    if standing:
+    if a.is_at_standstill:
         bits |= TRAJECTORY_COMPLETE
     else:
         until = next_reversal(controller, number)
@@ -85,7 +84,7 @@ def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
     elif axis.mode == VELOCITY:
         bits |= VELOCITY_MODE
     bits |= active_bits(board, axis, INPUTS)
-    if controller.axes[number].index_every:
+    if a.index_every:
         on, leaves = index_input(board, axis)
         until = min(until, leaves)
         if on:

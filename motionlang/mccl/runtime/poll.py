@@ -4,7 +4,7 @@ A jump back starts an iteration. If the accumulator equals its value at the last
 in between only read, the result stays the same until an event. This also holds if the accumulator changes,
 provided that an iteration sets it before using it, and only tests it after reading a value that changes by
 itself: the iterations then repeat until the result of one of these tests changes (`loop_tests.py`). Execution
-resumes after the last whole iteration before the event.
+resumes after the last whole iteration that ends at least a command before that.
 
 An iteration that waits for a time (WA) is skipped, too. Its times are sums that round, so they are added up
 one by one.
@@ -16,8 +16,7 @@ from motionlang.controller.clock import INFINITY
 from motionlang.lang.dependencies import CLOSE, Dependencies
 from motionlang.lang.waits import Wait
 from motionlang.mccl.axis.variables import changes_by_event, crossing_time, read_until
-from motionlang.mccl.resolve.command import NUMBER
-from motionlang.mccl.runtime.loop_tests import BIT_TESTS, COMPARES, tests_of
+from motionlang.mccl.runtime.loop_tests import levels, readings_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -26,13 +25,15 @@ if TYPE_CHECKING:
     from motionlang.lang.dependencies import Note
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.resolve.line import Line
-    from motionlang.mccl.runtime.loop_tests import Tests
+    from motionlang.mccl.runtime.loop_tests import Reading
     from motionlang.mccl.runtime.task import CommandTask
 
 _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
 # The largest number of iterations without a check; with it a checked loop costs little more than an unchecked
 # one.
 MAX_BACK_OFF = 1024
+# So many checks may fail before the back-off: a value changes in one iteration, and the next one switches an output.
+FREE_FAILURES = 2
 # An iteration with more waits for a time is not skipped.
 MAX_WAITS = 100
 # The tests of so many loops of a task are cached.
@@ -70,10 +71,10 @@ class Poll:
         # The registers that its loops count, if there is an accelerator for them.
         make = task.board.machine.accelerators.registers
         self._registers = None if make is None else make(task)
-        # The tests of loops, by line, first and last command.
-        self._tests: dict[tuple[int, int, int], tuple[Line, Tests | None]] = {}
-        # Back-off: iterations that still run unchecked, and those after the next failed check.
-        self._alone = self._left = 0
+        # The values that loops read, by line, first and last command.
+        self._readings: dict[tuple[int, int, int], tuple[Line, dict[int, Reading | None] | None]] = {}
+        # Back-off: iterations that still run unchecked, and failed checks since the last skip.
+        self._alone = self._failures = 0
 
     def again(self) -> Wait | None:
         """Skip the iterations that would repeat; called at each jump back.
@@ -88,10 +89,12 @@ class Poll:
                 return None
         dependencies, clock, board = self.dependencies, self.dependencies.clock, task.board
         (before, accumulator, base, count, event, ran), accumulated = self._before, task.registers[0]
-        wait, now = None, clock.now
+        wait, now, next_event, cost = None, clock.now, clock.next_time(), task.cost
         position = task.line, task.pc, board.effects, len(task.calls)
-        waits, self._waits = self._waits, []
-        goes_on = ran == board.slices and after(base, waits, task.cost) == task.base
+        waits = self._waits
+        goes_on = ran == board.slices and (after(base, waits, cost) if waits else base) == task.base
+        if waits:
+            self._waits = []
         counters: Any = ()
         if self._registers is not None:
             same = before[:2] == position[:2] and before[3:] == position[3:] and not waits
@@ -108,25 +111,27 @@ class Poll:
         elif not goes_on:
             self._alone = 0
             is_constant = before == position and accumulator == accumulated and not counters
-            if is_constant and dependencies.until(now, notes) == INFINITY:
+            if is_constant and self._unchanged_until(notes) == INFINITY:
                 self._give_up()
         else:
             until = now
             if repeats:
-                until = dependencies.until(now, notes) if accumulator == accumulated else now
-                if until == INFINITY and not counters:
-                    self._give_up()
-                elif until < clock.next_time():
-                    began = base + count * task.cost
-                    until = max(until, dependencies.until(began - CLOSE, self._tested(notes, now)))
+                if accumulator == accumulated:
+                    until = self._unchanged_until(notes)
+                    if until == INFINITY and not counters:
+                        self._give_up()
+                if until < next_event:
+                    until = max(until, self._tested_until(notes, now, base + count * cost - CLOSE))
             if until > now:
-                self._left, wait = 0, self._skip(until, task.count - count, waits, counters)
+                self._failures, wait = 0, self._skip(until, task.count - count, waits, counters)
                 if counters:
                     position, accumulated = (*position[:2], board.effects, *position[3:]), task.registers[0]
             else:
-                self._alone, self._left = self._left, min(2 * self._left or 1, MAX_BACK_OFF)
+                self._failures += 1
+                later = self._failures - FREE_FAILURES - 1
+                self._alone = min(1 << min(later, 30), MAX_BACK_OFF) if later >= 0 else 0
                 dependencies.notes = None if self._alone else []
-        self._before = position, accumulated, task.base, task.count, clock.next_time(), board.slices
+        self._before = position, accumulated, task.base, task.count, next_event, board.slices
         if len(board.tasks) > 1 and board.is_shared(task):
             board.jumped(task)
         return wait
@@ -183,7 +188,9 @@ class Poll:
         board, now, slices = task.board, clock.now, task.board.slices
         scheduler = board.machine.scheduler
         assert scheduler is not None
-        until = min(until, clock.next_time(), board.next_wake(task))
+        until = min(until, clock.next_time())
+        if len(board.tasks) > 1:
+            until = min(until, board.next_wake(task))
         if until == INFINITY and (self._writes or waits or counters):
             until = scheduler.until
             if until == INFINITY or ((waits or counters) and len(board.tasks) > 1):
@@ -195,7 +202,7 @@ class Poll:
         if waits:
             self._skip_waits(until, waits)
             return None
-        iterations = max(0, int((until - now) / (length * task.cost)) - 1)
+        iterations = max(0, int((until - task.cost - now) / (length * task.cost)))
         if counters:
             assert self._registers is not None
             iterations = int(min(iterations, self._registers.most(counters)))
@@ -204,76 +211,87 @@ class Poll:
         return None
 
     def _skip_waits(self, until: float, waits: list[tuple[int, float]]) -> None:
-        """Skip all but the last of the iterations that wait, up to the time `until`."""
+        """Skip the iterations that wait, up to the time `until`."""
         task = self._task
-        rest = task.count * task.cost
-        first = before = last = base = task.base
+        # The time of the last command of an iteration, after its waits.
+        rest = (task.count + 1) * task.cost
+        first = last = base = task.base
         if len(waits) == 1:  # as in `after`
             ((count, seconds),) = waits
             busy = count * task.cost
             while base + rest < until:
-                before, last, base = last, base, base + busy + seconds
+                last, base = base, base + busy + seconds
         else:
             while base + rest < until:
-                before, last, base = last, base, after(base, waits, task.cost)
-        task.base = before
-        if before > first:
+                last, base = base, after(base, waits, task.cost)
+        task.base = last
+        if last > first:
             period = after(0.0, waits, task.cost)
             # The iteration that repeats began a period ago; half a command more is for rounding.
-            began = first + rest - period - 0.5 * task.cost
-            task.board.machine.log.repeat_waits(task.name, began, period, round((before - first) / period))
+            began = first + task.count * task.cost - period - 0.5 * task.cost
+            task.board.machine.log.repeat_waits(task.name, began, period, round((last - first) / period))
 
-    def _tested(self, notes: list[Note], now: float) -> list[Note]:
-        """Replace dependencies on values by dependencies on the results of tests.
+    def _unchanged_until(self, notes: list[Note]) -> float:
+        """Return until when the values that an iteration read stay unchanged."""
+        found = INFINITY
+        for until, about in notes:
+            moment = about[0] if until is read_until else until(*about)
+            if moment < found:
+                found = moment
+        return found
+
+    def _tested_until(self, notes: list[Note], now: float, since: float) -> float:
+        """Return until when the tests of an iteration give the results that they had at `since`.
 
         `notes` are the dependencies that the iteration recorded, and `now` is the time at its end. If a value
         that has changed by then is used for more than tests, the loop may change at once.
         """
-        task = self._task
+        task, clock = self._task, self.dependencies.clock
         assert task.line is not None
         key = id(task.line), task.pc, task.here
-        known = self._tests.get(key)
+        known = self._readings.get(key)
         if known is None:
-            if len(self._tests) >= MAX_LOOPS:
-                self._tests.clear()
+            if len(self._readings) >= MAX_LOOPS:
+                self._readings.clear()
             governs: int = task.board.assumptions.get("mccl.skipped", 2)  # type: ignore[assignment]
-            known = task.line, tests_of(task.line.commands[task.pc : task.here + 1], governs)
-            self._tests[key] = known
-        tests = known[1]
-        if tests is None:
-            return [(self.dependencies.at_once, ())]
-        found: list[Note] = []
-        for note in notes:
-            if note[0] is read_until:
-                found += self._changes(note, tests.get(note[1][1] - task.pc), now)
-            else:
-                found.append(note)
+            known = task.line, readings_of(task.line.commands[task.pc : task.here + 1], governs)
+            self._readings[key] = known
+        readings, first, found = known[1], task.pc, INFINITY
+        if readings is None:
+            return since
+        clock.now = since
+        try:
+            for until, about in notes:
+                if until is read_until:
+                    moment = self._changed(about, readings.get(about[1] - first), now)
+                else:
+                    moment = until(*about)
+                if moment < found:
+                    found = moment
+        finally:
+            clock.now = now
         return found
 
-    def _changes(self, note: Note, tests: tuple[Command, ...] | None, now: float) -> list[Note]:
-        """Return the dependencies of the tests of a value that was read.
+    def _changed(self, about: tuple[Any, ...], reading: Reading | None, now: float) -> float:
+        """Return when a test of a value that was read may change.
 
-        If `tests` is None, they are those of the value.
+        `about` is what its dependency is about. If `reading` is None, the value is used for more than tests.
         """
-        until, _, axis, address = note[1]
-        task = self._task
-        bits = [
-            int(each.value)
-            for each in tests or ()
-            if each.kind == NUMBER and each.row is not None and each.row.verb in BIT_TESTS
-        ]
-        if tests is not None and len(bits) == len(tests) and changes_by_event(task.board, address, bits):
-            return []
+        until: float
+        until, _, axis, address = about
+        task, board = self._task, self._task.board
+        bits = None if reading is None else reading.bits
+        if bits is not None and changes_by_event(board, address, bits):
+            return INFINITY
         if until > now:
-            return [note]
-        if tests is None or any(each.row is None or each.row.verb not in COMPARES for each in tests):
-            return [(self.dependencies.at_once, ())]
-        # A fraction is cut off, so a comparison with 5 may change at 4 and 6, too.
-        return [
-            (crossing_time, (task.board, axis, address, task.value(each) + j))
-            for each in tests
-            for j in (-1, 0, 1)
-        ]
+            return until
+        if reading is None or reading.levels is None:
+            return self.dependencies.clock.now
+        wanted = reading.levels
+        if reading.by_register:
+            more = [levels(each, task.value(each), reading.verb) for each in reading.by_register]
+            wanted = wanted + tuple([level for found in more for level in found])
+        return min([crossing_time(board, axis, address, level) for level in wanted], default=INFINITY)
 
 
 def after(base: float, waits: list[tuple[int, float]], cost: float) -> float:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from motionlang.mccl.resolve.line import line_of
+from motionlang.mccl.runtime.loop_tests import Reading, levels, readings_of
 from motionlang.mccl.runtime.loop_tests import tests_of as find_tests
 from tests.cases import cases
 
@@ -33,6 +36,10 @@ from tests.cases import cases
         ("1RL@20,IB@0,RP", 2, {0: None}),
         ("1RL@20,IB@5,RP", 2, {0: ["IB@5"]}),
         ('LU"STATUS",1RL@0,IC3,RP', 2, {0: None, 1: ["IC3"]}),
+        # Commands with an effect are skipped by a condition, and a wait leaves the accumulator alone.
+        ("1RL@20,IB300,1MR5,RP", 2, {0: ["IB300"]}),
+        ("IN5,1ST,NO,1RL@20,IB300,RP", 2, {3: ["IB300"]}),
+        ("WA1,1RL@20,IB300,WA1,RP", 2, {1: ["IB300"]}),
         # The low bits of a value pass a number each time they wrap.
         ("1RB@20,IB3,RP", 2, {0: None}),
         ("1RW@20,IS3,IE3,RP", 2, {0: None}),
@@ -43,9 +50,9 @@ from tests.cases import cases
         ("RA@0,IB300,RP", 2, None),
         ("AA1,IB300,RP", 2, None),
         ("NO,NO,RP", 2, None),
+        ("IN@0,NO,NO,1RL@20,RP", 2, None),
+        ("WA@0,1RL@20,IB300,RP", 2, None),
         ("IN5,AL1,IB2,RP", 2, None),
-        ("1RL@20,IB300,1MR5,RP", 2, None),
-        ("1RL@20,IB300,WA1,RP", 2, None),
         ("1RL@20,IB300,BK,RP", 2, None),
         ("1RL@20,IB300,MC1,RP", 2, None),
         ("1RL@20,IB300,MJ1", 2, {0: None}),
@@ -64,3 +71,61 @@ def test_the_tests_of_a_loop(text: str, governs: int, expected: dict[int, list[s
         k: None if tests is None else [each.text for each in tests] for k, tests in (found or {}).items()
     }
     assert texts == (expected or {})
+
+
+def cut_off(test: str, value: float, limit: float) -> bool:
+    """Return the result of a comparison with the whole number that RL reads."""
+    whole = int(value)
+    return {"IG": whole > limit, "IB": whole < limit, "IE": whole == limit, "IU": whole != limit}[test]
+
+
+@cases("test", ["IG", "IB", "IE", "IU"])
+def test_a_comparison_with_a_whole_number_changes_only_at_its_levels(test: str) -> None:
+    """Values are compared in steps of 1/8."""
+    for limit in (-3, -1, 0, 1, 2, 5, -1.5, -0.5, 0.5, 1.5):
+        line = line_of(f"{test}{limit}")
+        assert line is not None
+        found = levels(line.commands[0], limit, "read_long")
+        values = [k / 8 for k in range(-48, 57)]
+        changes = {
+            level
+            for low, high in pairwise(values)
+            if cut_off(test, low, limit) is not cut_off(test, high, limit)
+            for level in (low, high)
+        }
+        assert all(level in changes for level in found)
+        assert len(changes) == 2 * len(found)
+        assert levels(line.commands[0], limit, "read_float") == (limit,)
+
+
+@cases(
+    "text, expected",
+    [
+        ("1RL@20,IS3,IC12,RP", {0: Reading("read_long", (3, 12), None, ())}),
+        ("1RL@20,IG5,IB9,IG5,RP", {0: Reading("read_long", None, (6.0, 9.0), ())}),
+        ("1RD@20,IG5,RP", {0: Reading("read_double", None, (5.0,), ())}),
+        ("1RL@20,RP", {0: Reading("read_long", (), (), ())}),
+        ("1RL@20,IG5,IS3,RP", {0: Reading("read_long", None, None, ())}),
+        ("1RL@20,AA5,IG5,RP", {0: None}),
+        ("AA5,IG5,RP", None),
+    ],
+)
+def test_the_bits_and_levels_of_a_reading(text: str, expected: dict[int, Reading | None] | None) -> None:
+    line = line_of(text)
+    assert line is not None
+    found = readings_of(line.commands, 2)
+    assert (found is None) is (expected is None)
+    for k, each in (expected or {}).items():
+        reading = (found or {})[k]
+        assert (reading is None) is (each is None)
+        if reading is not None and each is not None:
+            fields = ("verb", "bits", "levels", "by_register")
+            assert [getattr(reading, name) for name in fields] == [getattr(each, name) for name in fields]
+
+
+def test_a_comparison_with_a_register_is_listed() -> None:
+    line = line_of("1RL@20,IG@5,IB9,RP")
+    assert line is not None
+    reading = (readings_of(line.commands, 2) or {})[0]
+    assert reading is not None
+    assert (reading.levels, [each.text for each in reading.by_register]) == ((9.0,), ["IG@5"])

@@ -143,9 +143,11 @@ def test_eight_hours_of_polling(mccl: Runner) -> None:
 @pytest.mark.parametrize(
     ("watch", "most"),
     [
-        ("IN5,CN34,NO,IF5,CF34,NO,1RL@21,IC3,JR-9,NO", 0),
-        ("1RL@20,IG2000,CN34,NO,IB2001,CF34,NO,1RL@21,IC3,JR-9,NO", 28),
-        ("1RL@22,IG1,CN34,NO,1RL@21,IC3,JR-6,NO", 14),
+        ("IN5,CN34,NO,IF5,CF34,NO,1RL@21,IC3,JR-9,NO", 6),
+        ("1RL@20,IG2000,CN34,NO,IB2001,CF34,NO,1RL@21,IC3,JR-9,NO", 6),
+        ("1RL@22,IG1,CN34,NO,1RL@21,IC3,JR-6,NO", 3),
+        ("IN5,1ST,NO,1RL@21,IC3,JR-5,NO", 3),
+        ("WA0.0005,1RL@20,IG2000,CN34,NO,1RL@21,IC3,JR-7,NO", 5),
     ],
 )
 def test_an_hour_of_watching_is_over_at_once(
