@@ -14,10 +14,8 @@ import sys
 from marshal import dumps, loads
 from zlib import crc32
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    # Size, time of the content and time of the last status change of a file.
-    State = tuple[int, int, int]
+# Size, time of the content and time of the last status change of a file.
+State = tuple[int, int, int]
 
 OFF = "MOTIONLANG_NO_CACHE"
 # How many files the folder may hold.

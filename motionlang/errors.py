@@ -7,9 +7,7 @@ raised for a feature whose library is not installed.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 # The codes of diagnostics and their meanings. `cli/explanations.py` has an example and a fix for each.
 CODES: dict[str, str] = {

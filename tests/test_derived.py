@@ -66,7 +66,11 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     )
     insert(mint / "state.py", "def wrapped_position(", does)
     insert(mint / "state.py", ")  # fmt: skip", row)
-    insert(mint / "state.py", "\nTYPE_CHECKING", "from motionlang.mint.runtime.binding import of\n")
+    insert(
+        mint / "state.py",
+        "\nfrom motionlang.mint.runtime.",
+        "\nfrom motionlang.mint.runtime.binding import of",
+    )
     row = '    _row("HY", "reading", "R", "none", "number", tell_half, "Tell a half.", "HY"),\n'
     does = 'def tell_half(task: CommandTask, command: Command) -> None:\n    task.reply("0.5")\n\n\n'
     insert(mccl / "reports.py", "# ---", does)

@@ -7,20 +7,16 @@ A world is a machine file that adds to the program's own. The scenarios of `pick
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from math import inf
 
 from motionlang.execution import machine_of, run
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.layers import layered
+from motionlang.result import Run
 from motionlang.source import Source
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.result import Run
-
-    Entry = Mapping[str, object]
+Entry = Mapping[str, object]
 
 # The suffix of the scenario folder, after a program's name without its own suffix.
 FOLDER_SUFFIX = ".scenarios"

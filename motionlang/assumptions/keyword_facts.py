@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
-from motionlang.assumptions.facts import of_word
+from motionlang.assumptions.facts import Evidence, of_word
 from motionlang.lang.dialect import dialect as language
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.assumptions.facts import Evidence
-    from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Keyword
 
 ACCESS = {"R": "read", "W": "write", "RW": "read and write", "C": "command"}
 # The certainty of a fact, by its strength.

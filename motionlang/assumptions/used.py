@@ -5,14 +5,10 @@ No evidence is loaded.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from motionlang.assumptions.tables import DEFAULTS, MOTIONS, OPEN
-from motionlang.lang.dialect import dialects
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.lang.dialect import Dialect
+from motionlang.lang.dialect import Dialect, dialects
 
 
 def depended_on(language: Dialect, text: str, settings: Mapping[str, object]) -> list[str]:

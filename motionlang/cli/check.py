@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.dialect_option import add_dialect
@@ -13,9 +13,9 @@ from motionlang.cli.findings_options import add_form
 from motionlang.cli.fix import Fixed, fix
 from motionlang.cli.input_files import read_source
 from motionlang.cli.parallel import add_jobs, in_parallel
-from motionlang.cli.parser import add_command, arrange
+from motionlang.cli.parser import Commands, add_command, arrange
 from motionlang.cli.program_files import programs
-from motionlang.errors import ProgramError
+from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import dialect, dialect_of, machine_of
 from motionlang.lang.dialect import unknown_model
 from motionlang.lang.foreign import one_sentence
@@ -28,12 +28,6 @@ from motionlang.source import STDIN, STDIN_NAME, Source, name_of
 from motionlang.views.diagnostics import tally
 from motionlang.views.findings import Found, written
 from motionlang.views.terminal import printable, wants_colour, width_of
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.cli.parser import Commands
-    from motionlang.errors import Diagnostic
 
 SCHEMA = "motionlang.check/3"
 GROUPS = {

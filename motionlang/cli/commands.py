@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable, Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING
 
 from motionlang import __version__
 from motionlang.cli.complaints import complain
 from motionlang.cli.format_options import into
 from motionlang.cli.parser import Parser
 from motionlang.errors import ProgramError
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
 
 PROGRAM = "motionlang"
 # Every command: the module that has its options, imported only for this command, and its summary.

@@ -4,16 +4,11 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
 from motionlang.cli.commands import build_parser
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import Commands, add_command
 from motionlang.errors import need
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.cli.parser import Commands
 
 SHELLS = ("bash", "zsh", "fish")
 # Names of files in the help.

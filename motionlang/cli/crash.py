@@ -10,19 +10,14 @@ import os
 import sys
 import tempfile
 import traceback
+from collections.abc import Iterable, Sequence
 from platform import platform
-from typing import TYPE_CHECKING
 
 from motionlang import __version__
 from motionlang.errors import Diagnostic, missing
 from motionlang.execution import dialect_of, machine_of
 from motionlang.files import replacing
-from motionlang.source import LARGEST, STDIN
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from motionlang.source import Source
+from motionlang.source import LARGEST, STDIN, Source
 
 MACHINE = ".toml"
 REPORT = "crash.txt"

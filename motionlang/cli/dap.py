@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING
 
 from motionlang.cli.address import address
 from motionlang.cli.complaints import complain
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import Commands, add_command
 from motionlang.dap.server import serve_connection, serve_stdio
 from motionlang.errors import Diagnostic
 from motionlang.serve.address import listen, shown
-
-if TYPE_CHECKING:
-    from motionlang.cli.parser import Commands
 
 EPILOG = """\
 An editor starts this command and talks to it in the Debug Adapter Protocol. It serves one session and ends with it.

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import argparse
 
 from motionlang.lang.dialect import dialects
-
-if TYPE_CHECKING:
-    import argparse
 
 
 def add_dialect(

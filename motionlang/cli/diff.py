@@ -5,13 +5,15 @@ B may also be a recording from a real controller.
 
 from __future__ import annotations
 
+import argparse
 import json
 import os
 import sys
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import Any
 
-from motionlang.analysis.diff.charged import charged
-from motionlang.analysis.diff.literals import changed_literals
+from motionlang.analysis.diff.charged import Charge, charged
+from motionlang.analysis.diff.literals import ChangedLiteral, changed_literals
 from motionlang.analysis.diff.reports import checked, difference
 from motionlang.analysis.diff.tolerance import Tolerance
 from motionlang.cli.compare import add_mapping, compare_with
@@ -22,23 +24,15 @@ from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import set_values
 from motionlang.cli.numbers import machine_time
 from motionlang.cli.output_files import written
-from motionlang.cli.parser import add_command, arrange
+from motionlang.cli.parser import Commands, add_command, arrange
 from motionlang.cli.world_options import add_world, with_world, world_of
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 from motionlang.lang.machine.file import read_machine
 from motionlang.record import as_dict
 from motionlang.report import build
+from motionlang.result import Run
 from motionlang.source import Source
-
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Sequence
-
-    from motionlang.analysis.diff.charged import Charge
-    from motionlang.analysis.diff.literals import ChangedLiteral
-    from motionlang.cli.parser import Commands
-    from motionlang.result import Run
 
 EPILOG = """\
 A and B are programs, or reports written by `run --format json`. B may also be a recording from a real controller, in

@@ -5,9 +5,7 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.result import Run
+from motionlang.result import Run
 
 # The names of `--allow`: the events that are then ignored.
 ALLOWED = {

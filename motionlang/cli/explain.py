@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
+import argparse
 import re
 import sys
 import textwrap
-from typing import TYPE_CHECKING
 
-from motionlang.cli.explanations import EXAMPLES, FIXES, MCCL, MINT
-from motionlang.cli.parser import add_command
+from motionlang.cli.explanations import EXAMPLES, FIXES, MCCL, MINT, Example
+from motionlang.cli.parser import Commands, add_command
 from motionlang.errors import CODES, Diagnostic, nearest
 from motionlang.views.diagnostics import render
 from motionlang.views.terminal import draws, plain, wants_colour
-
-if TYPE_CHECKING:
-    import argparse
-
-    from motionlang.cli.explanations import Example
-    from motionlang.cli.parser import Commands
 
 WIDTH = 80
 EPILOG = """\

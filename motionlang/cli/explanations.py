@@ -5,9 +5,7 @@ A test runs both commands of each example: the first produces the diagnostic, th
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping
+from collections.abc import Mapping
 
 MINT, MCCL, MACHINE = "pick.mnt", "pick.mcl", "pick.machine.toml"
 

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import argparse
 
 from motionlang.cli.format_options import add_format
 from motionlang.views.findings import FORMATS
-
-if TYPE_CHECKING:
-    import argparse
 
 
 def add_form(parser: argparse.ArgumentParser, quiet: str) -> None:

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
+from motionlang.errors import Diagnostic
 from motionlang.files import replacing
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from motionlang.errors import Diagnostic
 
 _MARK = "\ufeff"
 # More fixes than a file can need; each pass makes all that one check reports.

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import sys
+from argparse import ArgumentParser
+from collections.abc import Callable, Sequence
 from io import TextIOWrapper
-from typing import TYPE_CHECKING, cast
+from typing import BinaryIO, cast
 
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.files import replacing
-
-if TYPE_CHECKING:
-    from argparse import ArgumentParser
-    from collections.abc import Callable, Sequence
-    from typing import BinaryIO
 
 TABLE_OR_JSON = ("table", "json")
 # What each form is, for help.

@@ -8,18 +8,14 @@ from __future__ import annotations
 
 import json
 import os
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from motionlang.analysis.diff.reports import difference
 from motionlang.analysis.diff.tolerance import EXACT
 from motionlang.files import replacing
 from motionlang.report import SCHEMA, text
+from motionlang.result import Run
 from motionlang.views.diff import diff_lines
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.result import Run
 
 MAX_DIFFERENCES = 8
 

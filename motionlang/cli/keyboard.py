@@ -5,13 +5,11 @@ from __future__ import annotations
 import os
 import select
 import sys
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
 
 from motionlang.serve.outside import PATIENCE, RealTime
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
 
 Result = TypeVar("Result")
 # Bytes read at once.

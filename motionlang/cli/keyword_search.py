@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Mapping
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-
-    from motionlang.lang.keyword import Keyword
+from motionlang.lang.keyword import Keyword
 
 # The most results in each language.
 MAX_FOUND = 12

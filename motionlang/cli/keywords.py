@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Mapping
 
 from motionlang.assumptions.assumption import SETTLED
 from motionlang.assumptions.facts import of_word as of_word_facts
@@ -12,20 +13,14 @@ from motionlang.assumptions.questions import of_word
 from motionlang.cli.dialect_option import add_dialect
 from motionlang.cli.format_options import add_format
 from motionlang.cli.keyword_search import search
-from motionlang.cli.parser import add_command, arrange
+from motionlang.cli.parser import Commands, add_command, arrange
 from motionlang.errors import Diagnostic, nearest
 from motionlang.lang.dialect import dialect, dialects
+from motionlang.lang.keyword import Keyword
 from motionlang.views import assumptions
 from motionlang.views.diagnostics import render
 from motionlang.views.keywords import as_dict, listing, page
 from motionlang.views.terminal import PIPED_WIDTH, draws, is_terminal, plain, wants_colour, width_of
-
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Iterable, Mapping
-
-    from motionlang.cli.parser import Commands
-    from motionlang.lang.keyword import Keyword
 
 # For a keyword whose meaning is remembered.
 MEANING = (

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING
 
 from motionlang.cli.address import address
 from motionlang.cli.complaints import complain
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import Commands, add_command
 from motionlang.errors import Diagnostic, need
 from motionlang.files import reason
 from motionlang.serve.address import listen, shown
-
-if TYPE_CHECKING:
-    from motionlang.cli.parser import Commands
 
 EPILOG = """\
 An editor starts the server and talks to it on standard input and output. docs/editor.md has the settings for VS Code,

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import argparse
+from collections.abc import Sequence
 
 from motionlang.cli.dialect_option import add_dialect
 from motionlang.errors import ProgramError, clipped, shown
 from motionlang.lang.literals import canonical
 from motionlang.lang.machine.file import check_setting, current_key, read_value
-
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Sequence
 
 
 def add_machine(parser: argparse.ArgumentParser) -> None:

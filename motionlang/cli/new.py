@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
-from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, unwritten
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import Commands, Parser, add_command
 from motionlang.errors import Diagnostic
 from motionlang.execution import MACHINE_SUFFIX, dialect_of
 from motionlang.files import create
-
-if TYPE_CHECKING:
-    import argparse
-
-    from motionlang.cli.parser import Commands, Parser
 
 EPILOG = """\
 A file that exists is never overwritten.

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
+import argparse
 import sys
-from typing import TYPE_CHECKING
 
 from motionlang.cli import profiles, servo
-from motionlang.cli.parser import Parser, add_command
-
-if TYPE_CHECKING:
-    import argparse
-
-    from motionlang.cli.parser import Commands
+from motionlang.cli.parser import Commands, Parser, add_command
 
 NOTES = {
     "tn1069": "PMC's TN1069: one move in four velocity profiles",

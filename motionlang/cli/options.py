@@ -11,9 +11,7 @@ RATE = 1000.0
 TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
 
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    Axes = tuple[int, ...] | None
+Axes = tuple[int, ...] | None
 
 
 class Options:

@@ -13,13 +13,10 @@ import os
 import stat
 import sys
 from collections import deque
+from collections.abc import Iterator
 from contextlib import contextmanager
 from threading import Condition, Thread
-from typing import TYPE_CHECKING, cast
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from typing import Any, TextIO
+from typing import Any, TextIO, cast
 
 CAPACITY = 1 << 18
 # Seconds at the end for writing the queue.

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeVar
+from argparse import ArgumentParser
+from collections.abc import Callable, Iterator, Sequence
+from typing import TypeVar
 
 from motionlang.analysis.cores import cores
 from motionlang.cli.numbers import whole
 
-if TYPE_CHECKING:
-    from argparse import ArgumentParser
-    from collections.abc import Callable, Iterator, Sequence
-
-    Item = TypeVar("Item")
-    Result = TypeVar("Result")
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 
 # With fewer files per process than this, the work is done before a process has started.
 _WORTH = 4

@@ -6,7 +6,7 @@ import argparse
 import os
 import re
 import sys
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
 from motionlang.errors import nearest, renamed
 
@@ -189,8 +189,7 @@ def _in_our_words(message: str, noun: str) -> str:
     return f"argument {wrong[1]}: {wrong[2]!r} is not one of {choices}"
 
 
-if TYPE_CHECKING:
-    Commands = argparse._SubParsersAction[Parser]
+Commands: TypeAlias = "argparse._SubParsersAction[Parser]"
 
 
 def add_command(

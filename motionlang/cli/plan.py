@@ -6,14 +6,14 @@ still undetermined. A move that is too short for its speed has a lower peak, whi
 
 from __future__ import annotations
 
+import argparse
 import json
 import sys
-from typing import TYPE_CHECKING
 
 from motionlang.analysis.planning import WRITERS, number, solve_plan
 from motionlang.cli.format_options import add_format
 from motionlang.cli.output_files import need_writer
-from motionlang.cli.parser import add_command, arrange
+from motionlang.cli.parser import Commands, add_command, arrange
 from motionlang.cli.plan_scale import add_scale_arguments, scale_of
 from motionlang.execution import dialects
 from motionlang.notes.an00115 import formulas
@@ -22,11 +22,6 @@ from motionlang.planners.solve import NAMES, RULES, Underdetermined
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import draws, plain, styled, wants_colour
 from motionlang.views.words import dialect_name
-
-if TYPE_CHECKING:
-    import argparse
-
-    from motionlang.cli.parser import Commands
 
 SCHEMA = "motionlang.plan/1"
 UNITS = {

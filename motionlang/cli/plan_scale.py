@@ -5,12 +5,9 @@ The mechanics are encoder, gear and screw, or a linear scale.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import argparse
 
 from motionlang.planners.counts import linear_scale, rotary_scale
-
-if TYPE_CHECKING:
-    import argparse
 
 MIN_VALUE, MAX_VALUE = 1e-6, 1e12
 

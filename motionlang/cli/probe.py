@@ -5,25 +5,28 @@ from __future__ import annotations
 import argparse
 import sys
 import textwrap
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
 
-from motionlang.assumptions.answers import HOLDS, OTHER, UNKNOWN, counted, machine_text, read
+from motionlang.assumptions.answers import (
+    HOLDS,
+    OTHER,
+    UNKNOWN,
+    Answers,
+    Verdict,
+    counted,
+    machine_text,
+    read,
+)
+from motionlang.assumptions.assumption import Assumption, Probe
 from motionlang.assumptions.probe import Motion, alone, asked, written
 from motionlang.assumptions.questions import of_word, questions
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.input_files import read_source
 from motionlang.cli.numbers import real
-from motionlang.cli.parser import add_command, arrange
+from motionlang.cli.parser import Commands, add_command, arrange
 from motionlang.errors import nearest
 from motionlang.execution import dialect, dialects
 from motionlang.source import STDIN, STDIN_NAME, name_of
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from motionlang.assumptions.answers import Answers, Verdict
-    from motionlang.assumptions.assumption import Assumption, Probe
-    from motionlang.cli.parser import Commands
 
 EPILOG = """\
 The test program (the probe) goes to standard output. It moves nothing, writes no settings, prints one answer per

@@ -5,24 +5,18 @@ The table is computed exactly, shown as printed, or computed for any move.
 
 from __future__ import annotations
 
+import argparse
 import json
 import sys
 import textwrap
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from motionlang.cli.format_options import add_format
 from motionlang.cli.output_files import need_writer
-from motionlang.cli.parser import add_command
-from motionlang.notes.tn1069 import ERRATA, Demand, comparison
+from motionlang.cli.parser import Commands, add_command
+from motionlang.notes.tn1069 import ERRATA, Demand, Row, comparison
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import draws, plain, styled, wants_colour
-
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Sequence
-
-    from motionlang.cli.parser import Commands
-    from motionlang.notes.tn1069 import Row
 
 SCHEMA = "motionlang.profiles/1"
 # The meanings of the row names.

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from motionlang.execution import dialect, dialects
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 
 def programs(paths: Sequence[str], *more: str) -> list[str]:

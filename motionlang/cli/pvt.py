@@ -5,30 +5,24 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import sys
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
 
 from motionlang.cli.output_files import need_writer
-from motionlang.cli.parser import arrange, sentence
+from motionlang.cli.parser import Commands, arrange, sentence
 from motionlang.cli.pvt_input import Move, SourceError, UsageError, diagnose, read_move, spans_of
 from motionlang.cli.pvt_options import OPTIONS, add_input
 from motionlang.errors import Diagnostic, ProgramError, need
 from motionlang.files import reason
-from motionlang.planners.pvt.points import absolute, plan_points, relative, until_end
+from motionlang.planners.curve import Profile
+from motionlang.planners.pvt.points import Point, absolute, plan_points, relative, until_end
 from motionlang.planners.pvt.velocities import compare_velocities, knot_accelerations
 from motionlang.planners.total import total
+from motionlang.source import Source
 
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Callable, Sequence
-
-    from motionlang.planners.curve import Profile
-    from motionlang.planners.pvt.points import Point
-    from motionlang.source import Source
-
-    Handler = Callable[[argparse.Namespace], int]
-    from motionlang.cli.parser import Commands
+Handler = Callable[[argparse.Namespace], int]
 
 OK, WRONG, USAGE = 0, 1, 2
 SCHEMA = "motionlang.pvt/2"

@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
-from typing import TYPE_CHECKING
 
 from motionlang.copley.point import check_points
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.log.track import WholeTrack
+from motionlang.planners.curve import Profile
 from motionlang.planners.pvt.points import Point, absolute, points_from, split_long, until_end
 from motionlang.planners.pvt.velocities import pvt_velocities
-
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Sequence
-
-    from motionlang.planners.curve import Profile
-    from motionlang.source import Source
+from motionlang.source import Source
 
 GRID = 0.001
 MAX_REPORTED = 20

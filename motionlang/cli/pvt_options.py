@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import argparse
+from collections.abc import Callable
+from typing import TypeVar
 
 from motionlang.cli.format_options import add_format
 from motionlang.cli.options import REPORTS
 from motionlang.planners.pvt.velocities import METHODS
 
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Callable
-    from typing import TypeVar
-
-    _N = TypeVar("_N", int, float)
+_N = TypeVar("_N", int, float)
 
 
 def add_input(parser: argparse.ArgumentParser) -> None:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
 from motionlang.cli.input_files import read_machine_file
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import Options
-from motionlang.cli.parser import add_command
+from motionlang.cli.parser import Commands, add_command
 from motionlang.cli.world_options import add_world, with_world, world_of
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
@@ -20,12 +21,6 @@ from motionlang.repl.lines import read_lines
 from motionlang.repl.session import Session
 from motionlang.views.diagnostics import render
 from motionlang.views.terminal import draws, is_terminal, plain, wants_colour
-
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Mapping
-
-    from motionlang.cli.parser import Commands
 
 
 def add_parser(commands: Commands, summary: str) -> None:

@@ -8,18 +8,14 @@ from __future__ import annotations
 import json
 import os
 import sys
-from typing import TYPE_CHECKING
 
-from motionlang.analysis.diff.accept import changes, merged
+from motionlang.analysis.diff.accept import Change, changes, merged
 from motionlang.analysis.diff.reports import checked, difference
 from motionlang.cli.golden import golden_files, write
 from motionlang.report import rendered, text
+from motionlang.result import Run
 from motionlang.views.diff import change_lines
 from motionlang.views.terminal import draws, plain
-
-if TYPE_CHECKING:
-    from motionlang.analysis.diff.accept import Change
-    from motionlang.result import Run
 
 HELP = """\
 y  accept this change into the golden files

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import os
-from typing import TYPE_CHECKING
 
 from motionlang.cli.certify import certify_folder
 from motionlang.cli.complaints import refuse
@@ -14,14 +13,11 @@ from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.numbers import machine_time, real
 from motionlang.cli.options import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
 from motionlang.cli.output_files import refused, wrong_target
-from motionlang.cli.parser import add_command, arrange, either
+from motionlang.cli.parser import Commands, add_command, arrange, either
 from motionlang.cli.run import run_command
 from motionlang.cli.world_options import add_world, world_of
 from motionlang.errors import need
 from motionlang.execution import ONE_SHIFT
-
-if TYPE_CHECKING:
-    from motionlang.cli.parser import Commands
 
 HIGHEST_RATE = 10e6
 _RATE = real(

@@ -5,14 +5,9 @@ Each command has the options of `run` and calls the same code.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from motionlang.cli.options import PLOTS, TRACES
-from motionlang.cli.parser import either
+from motionlang.cli.parser import Commands, either
 from motionlang.cli.run_options import add_run
-
-if TYPE_CHECKING:
-    from motionlang.cli.parser import Commands
 
 
 def profile(commands: Commands, summary: str) -> None:

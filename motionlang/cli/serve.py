@@ -6,7 +6,6 @@ The controller is an MCCL board, or it runs a Mint program. Modbus requires a Mi
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING
 
 from motionlang.cli.address import address
 from motionlang.cli.complaints import refuse, unreadable
@@ -15,17 +14,14 @@ from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.numbers import real, whole
 from motionlang.cli.options import Options
 from motionlang.cli.output_queue import never_waiting
-from motionlang.cli.parser import add_command, arrange
+from motionlang.cli.parser import Commands, add_command, arrange
 from motionlang.cli.serve_board import serve_board
 from motionlang.cli.serve_can import serve_can
 from motionlang.cli.serve_line import serve_line
 from motionlang.cli.serve_modbus import serve_modbus
 from motionlang.errors import Diagnostic, MissingExtra
 from motionlang.execution import machine_of
-
-if TYPE_CHECKING:
-    from motionlang.cli.parser import Commands
-    from motionlang.source import Source
+from motionlang.source import Source
 
 EPILOG = """\
 The board is a PMC controller with ASCII MCCL; FILE is sent to it first, as a downloader would. If FILE is a Mint

@@ -5,21 +5,16 @@ The sources are a machine file, single values, and the gains of a language.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import argparse
+from collections.abc import Mapping
 
+from motionlang.errors import ProgramError
 from motionlang.execution import dialect
 from motionlang.lang.gains import gain_words, written
 from motionlang.servo.gains import MODELS, mccl_loop, mint_loop
 from motionlang.servo.loop import Loop
-from motionlang.servo.settings import PLANT, SERVO, make_loop, make_plant
-
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Mapping
-
-    from motionlang.errors import ProgramError
-    from motionlang.servo.plant import Drive, Motor
-    from motionlang.servo.settings import Key
+from motionlang.servo.plant import Drive, Motor
+from motionlang.servo.settings import PLANT, SERVO, Key, make_loop, make_plant
 
 EXAMPLE = {"load_inertia": 4e-5, "viscous": 2e-5}
 """The changes of the commands' motor from [axis.N.plant]'s defaults.

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import argparse
 
 from motionlang.cli.numbers import real, whole
 from motionlang.cli.servo_input import add_loop, add_plant
 from motionlang.planners import dissect
-
-if TYPE_CHECKING:
-    import argparse
 
 SECONDS = {"second": 1.0, "minute": 60.0}
 _POSITIVE = real("a number greater than zero", 0.0, above=True)

@@ -5,15 +5,11 @@ Any process can compute it; the first process reports it.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from motionlang.cli.golden import MAX_DIFFERENCES
 from motionlang.errors import Diagnostic
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.source import Source
+from motionlang.source import Source
 
 
 class Verdict:

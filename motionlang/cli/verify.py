@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import os
 import sys
+from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING
 
 from motionlang.analysis.scenarios import Scenario, unmet
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
@@ -14,7 +15,7 @@ from motionlang.cli.crash import crash
 from motionlang.cli.findings_options import add_form
 from motionlang.cli.golden import differences, golden_files, update
 from motionlang.cli.parallel import add_jobs, in_parallel
-from motionlang.cli.parser import add_command, arrange
+from motionlang.cli.parser import Commands, add_command, arrange
 from motionlang.cli.program_files import programs
 from motionlang.cli.review import NoAnswer, Quit, ask, review
 from motionlang.cli.verdict import Verdict
@@ -22,15 +23,9 @@ from motionlang.cli.verify_further import expectations, further_checks
 from motionlang.cli.verify_log import verify_log
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
+from motionlang.result import Run
 from motionlang.source import Source
 from motionlang.views.findings import Found, written
-
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Sequence
-
-    from motionlang.cli.parser import Commands
-    from motionlang.result import Run
 
 SCHEMA = "motionlang.verify/2"
 KINDS = ("program", "scenario", "sweep", "log")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import os
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 from motionlang.analysis.scenarios import Scenario, scenario_files, unmet
 from motionlang.analysis.sweeps import KEEP, Sweep
@@ -15,12 +15,8 @@ from motionlang.cli.complaints import unreadable, unwritten
 from motionlang.cli.golden import differences, golden_files, same, update
 from motionlang.cli.verdict import Verdict
 from motionlang.errors import ProgramError
+from motionlang.result import Run
 from motionlang.source import Source
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.result import Run
 
 
 def further_checks(program: str, rewrite: bool, only: str = "") -> list[Verdict]:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import argparse
+from collections.abc import Mapping
 
 from motionlang.cli.complaints import complain
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.entries import WrongEntry, with_entries
-
-if TYPE_CHECKING:
-    import argparse
-    from collections.abc import Mapping
 
 # Option, parameter of `with_entries`, placeholder, help.
 OPTIONS = (

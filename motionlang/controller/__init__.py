@@ -37,10 +37,8 @@ user unit of time.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from types import ModuleType
+from collections.abc import Callable
+from types import ModuleType
 
 
 def lazy_family(family: str, *modules: str) -> Callable[[str], ModuleType]:

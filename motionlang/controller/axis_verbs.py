@@ -6,18 +6,14 @@ A language loads a move (`load_to`, `load_by`) and starts it (`go`), or does bot
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
+
 from motionlang.controller import motion, moves, triggers
 from motionlang.controller.axis import BY_WORD, LIVE, Axis
 from motionlang.controller.core import Core
 from motionlang.controller.faults import Rejected
 from motionlang.controller.move import Move
-from motionlang.planners import hold
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-
-    from motionlang.planners import Profile
+from motionlang.planners import Profile, hold
 
 SETTINGS = frozenset(
     {

@@ -6,11 +6,8 @@ jumps to the next event. Both end in `advance`, so an event always runs at its e
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from heapq import heappop, heappush
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 INFINITY = float("inf")
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
+from collections.abc import Callable
 
-    Listener = Callable[[str, int], None]
+Listener = Callable[[str, int], None]
 
 # The kinds of changes. With the number of an axis: it has come to rest, has a fault, has one that was not
 # pending before ("error"), its faults are cleared, it was enabled or disabled, has another scale, its home

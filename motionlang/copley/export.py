@@ -6,21 +6,16 @@ that begin with # are comments.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from motionlang.copley import packet, serial
 from motionlang.copley.buffer import SIZE
 from motionlang.copley.objects import BY_ADDRESS, INTERPOLATED_POSITION
-from motionlang.copley.point import from_wire
+from motionlang.copley.point import WirePoint, from_wire
 from motionlang.copley.table import write_points
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
-
-    from motionlang.copley.point import WirePoint
-
-    Writer = Callable[[Sequence[WirePoint], int], list[str]]
+Writer = Callable[[Sequence[WirePoint], int], list[str]]
 
 FORMATS: dict[str, str] = {
     "csv": "position, velocity, time: what every motionlang pvt command reads",

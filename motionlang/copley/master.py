@@ -7,8 +7,9 @@ some from the buffer.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 import can
 import canopen
@@ -17,13 +18,9 @@ from motionlang.copley import packet
 from motionlang.copley.buffer import SIZE
 from motionlang.copley.node import object_dictionary
 from motionlang.copley.objects import FIXED_TIME, INTERPOLATED_POSITION, SUB_MODES
+from motionlang.copley.point import WirePoint
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from motionlang.copley.point import WirePoint
-
-    _Send = Callable[[bytes], None]
+_Send = Callable[[bytes], None]
 
 TRANSFERS: dict[str, str] = {
     "pdo": "object 0x2010, one PDO per point",

@@ -9,11 +9,14 @@ one.
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable, Mapping
 from queue import SimpleQueue
+from typing import Any
 
 from motionlang.dap import tables
 from motionlang.dap.arguments import Arguments, Refused
 from motionlang.dap.breaking import Breaking
+from motionlang.dap.framing import Message
 from motionlang.dap.launch import Launch, problems
 from motionlang.dap.showing import Showing
 from motionlang.dap.tables import (
@@ -28,22 +31,14 @@ from motionlang.dap.tables import (
     SET_BREAKPOINTS,
     STOPPED,
 )
-from motionlang.debug.checkpoints import HandOver
+from motionlang.debug.checkpoints import Checkpoints, HandOver
 from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop
 from motionlang.debug.destinations import destination
 from motionlang.debug.expressions import WrongExpression
 from motionlang.errors import ProgramError
 from motionlang.lang.machine.entries import WrongEntry, entries
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-    from typing import Any
-
-    from motionlang.dap.framing import Message
-    from motionlang.debug.checkpoints import Checkpoints
-
-    Body = dict[str, object]
+Body = dict[str, object]
 
 # What the protocol calls our reasons for a stop.
 _REASONS = {"moment": "function breakpoint", "change": "data breakpoint", "start": "entry", "end": "step"}
@@ -212,7 +207,7 @@ class Adapter:
         self.close()
 
     def _do_cancel(self, given: Arguments) -> None:
-        """Pause what runs, unless a request is to be cancelled: each has been answered already.
+        """Pause what runs, unless a request is cancelled: all have been answered.
 
         An editor cancels requests that it no longer needs, such as `variables` when the program continues.
         """

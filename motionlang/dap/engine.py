@@ -8,17 +8,12 @@ import pickle
 import signal
 import socket
 import threading
+from collections.abc import Iterable
+from typing import NoReturn
 
 from motionlang.dap.adapter import Adapter
-from motionlang.dap.framing import WrongMessage, read, written
+from motionlang.dap.framing import Message, WrongMessage, read, written
 from motionlang.debug.checkpoints import Checkpoints, close_here
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-    from typing import NoReturn
-
-    from motionlang.dap.framing import Message
 
 
 class Engine:

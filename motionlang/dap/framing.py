@@ -8,12 +8,9 @@ Content-Length: 42
 from __future__ import annotations
 
 import json
+from typing import IO
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import IO
-
-    Message = dict[str, object]
+Message = dict[str, object]
 
 # Longer headers and messages are no messages of a client.
 MAX_HEADER, MAX_BODY = 8192, 64 * 1024 * 1024

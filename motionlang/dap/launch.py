@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 
 from motionlang.dap.arguments import Arguments, Refused
+from motionlang.debug.debugger import Debugger
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_for, dialect_of, dialects, machine_of
 from motionlang.files import reason
+from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine.entries import WrongEntry, with_entries
 from motionlang.lang.machine.file import read_machine
 from motionlang.source import Source
 from motionlang.views.diagnostics import render
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.debug.debugger import Debugger
-    from motionlang.lang.dialect import Dialect
 
 
 class Launch:

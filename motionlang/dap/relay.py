@@ -13,15 +13,10 @@ import os
 import socket
 import sys
 import threading
+from collections.abc import Callable
 
-from motionlang.dap.framing import WrongMessage, read, written
+from motionlang.dap.framing import Message, WrongMessage, read, written
 from motionlang.debug.checkpoints import send
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.dap.framing import Message
 
 # Longer packets are not sent: a word and the number of a copy, or several.
 MAX_PACKET = 4096

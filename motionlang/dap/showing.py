@@ -9,25 +9,19 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Sequence
+from typing import Any
 
 from motionlang.dap.arguments import Arguments, Refused
+from motionlang.debug.debugger import Debugger
 from motionlang.debug.expressions import WrongExpression, parse
-from motionlang.debug.scopes import LOCAL, MACHINE, MODULE
+from motionlang.debug.scopes import LOCAL, MACHINE, MODULE, Waiting
 from motionlang.debug.values import shown
-from motionlang.lang.debugging import Variable
+from motionlang.lang.debugging import Frame, Variable
 from motionlang.lang.machine.entries import entries
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from typing import Any
-
-    from motionlang.debug.debugger import Debugger
-    from motionlang.debug.scopes import Waiting
-    from motionlang.lang.debugging import Frame
-
-    Body = dict[str, object]
-    Path = tuple[str, ...]
+Body = dict[str, object]
+Path = tuple[str, ...]
 
 AXES, INPUTS, OUTPUTS, VALUE = "axes", "inputs", "outputs", "value"
 # More references than a client can show.

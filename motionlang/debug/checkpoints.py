@@ -30,10 +30,7 @@ import sys
 import threading
 import warnings
 from bisect import insort
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable
 
 # Real time between two copies, s, and how many of these times a run takes before there is a copy.
 INTERVAL, SLOW = 0.1, 3

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import nan
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.debug.debugger import Debugger, Stop
+from motionlang.debug.debugger import Debugger, Stop
 
 
 def destination(debugger: Debugger, text: str) -> Callable[[], Stop | None]:

@@ -7,11 +7,7 @@ the same command gives up at the same time in every run.
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.debug.replay import PAUSE
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.debug.replay import Replay
+from motionlang.debug.replay import PAUSE, Replay
 
 # The advances of the clock that a command always waits; it waits longer if the run up to there took more.
 ADVANCES = 16384

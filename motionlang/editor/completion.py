@@ -7,16 +7,12 @@ cost does not depend on the size of the program.
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator
 
+from motionlang.editor.page import Page
+from motionlang.lang.keyword import Keyword
+from motionlang.lang.names import Definition, Names
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
-    from motionlang.editor.page import Page
-    from motionlang.lang.keyword import Keyword
-    from motionlang.lang.names import Definition, Names
 
 _WORD = re.compile(r"[A-Za-z_]\w*$")
 # A command of MCCL with the number of its axis, and the parameter that follows it.

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from motionlang.editor.page import Page
 from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang.dialect import Dialect
 from motionlang.lang.foreign import one_sentence
 from motionlang.lang.machine.axes import missing_axes
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import DEFAULT_AXES
-
-if TYPE_CHECKING:
-    from motionlang.editor.page import Page
-    from motionlang.lang.dialect import Dialect
-    from motionlang.source import Source
+from motionlang.source import Source
 
 # The character in place of one that could not be decoded.
 _UNKNOWN = "\ufffd"

@@ -5,12 +5,8 @@ Tokens and comments do not change, so the program keeps its meaning.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from motionlang.editor.fixes import Edit
-
-if TYPE_CHECKING:
-    from motionlang.editor.page import Page
+from motionlang.editor.page import Page
 
 
 def format(page: Page, indent: str = "  ") -> list[Edit]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator
 
 from motionlang.editor.completion import Item
 from motionlang.editor.hover import Hover
@@ -11,11 +11,7 @@ from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine.file import generic
 from motionlang.lang.machine.keys import CHOICES, KEYS, REQUIRED, TABLES
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
-    from motionlang.source import Source
+from motionlang.source import Source
 
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\]]*?)\s*\]")
 _KEY = re.compile(r"""\s*([\w.\-"' ]*?)\s*=""")

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from motionlang.assumptions.keyword_facts import INDEX, UNITS
+from motionlang.editor.page import Page
+from motionlang.lang.names import Names
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from motionlang.editor.page import Page
-    from motionlang.lang.names import Names
 
 _OPENING, _CLOSING = ("(", "["), (")", "]")
 

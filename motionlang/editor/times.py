@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from math import fsum
-from typing import TYPE_CHECKING
 
 from motionlang.analysis.cycle.motions import Motions
 from motionlang.analysis.cycle.polls import Polls
 from motionlang.analysis.cycle.source_positions import SourcePositions
 from motionlang.analysis.cycle.tasks import all_waits
+from motionlang.editor.page import Page
 from motionlang.execution import Checked, end_of, run
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from motionlang.editor.page import Page
-    from motionlang.result import Run
+from motionlang.result import Run
 
 # The machine time after which a run ends here, s: most programs of machines have no end of their own.
 MAX_TIME = 600.0

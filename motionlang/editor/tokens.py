@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
+from motionlang.editor.page import Page
 from motionlang.lang.dialect import dialect
 from motionlang.lang.highlight import pieces
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.editor.page import Page
-    from motionlang.lang.names import Names
+from motionlang.lang.names import Names
 
 # The kinds of tokens, in the order of their numbers, by the kinds of `lang/highlight.py` and `lang/names.py`.
 TYPES = (

@@ -18,22 +18,17 @@ it had no other effect.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from motionlang.fast.loop_counters import counted
-from motionlang.mccl.resolve.command import NUMBER, REGISTER
+from motionlang.mccl.resolve.command import NUMBER, REGISTER, Command
+from motionlang.mccl.resolve.line import Line
 from motionlang.mccl.runtime.loop_tests import COMPARES, CONDITIONS, JUMPS, LEAVES, NEUTRAL, SETS
-from motionlang.mccl.runtime.task import PRIVATE
+from motionlang.mccl.runtime.task import PRIVATE, CommandTask
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.resolve.line import Line
-    from motionlang.mccl.runtime.task import CommandTask
-
-    # A loop: a line, and the first and the last command of the loop in it.
-    Loop = tuple[Line, int, int]
+# A loop: a line, and the first and the last command of the loop in it.
+Loop = tuple[Line, int, int]
 
 _STEPS = {"add": 1, "subtract": -1}
 

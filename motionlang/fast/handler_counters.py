@@ -6,17 +6,12 @@ They may advance until one passes a constant with which it is compared. The comp
 
 from __future__ import annotations
 
-from types import FunctionType
+from collections.abc import Mapping, Sequence
+from types import CellType, FunctionType
+from typing import Any
 
 from motionlang.fast.loop_counters import counted
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-    from types import CellType
-    from typing import Any
-
-    from motionlang.mint.runtime.events import Events
+from motionlang.mint.runtime.events import Events
 
 
 class HandlerCounters:

@@ -12,11 +12,9 @@ Equality is tested by: tests/mint/runtime/test_loop_skipping.py.
 
 from __future__ import annotations
 
-from motionlang.controller.clock import INFINITY
+from collections.abc import Sequence
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+from motionlang.controller.clock import INFINITY
 
 LARGEST = 2147483647  # Integer
 

@@ -19,25 +19,20 @@ followed (shared, arrays, by-reference) count as unknown.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from itertools import compress
 from operator import is_not
 
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.intervals import Range
-from motionlang.mint.resolve.flowgraph import HEAD, NEXT, TEST
+from motionlang.mint.resolve.flowgraph import HEAD, NEXT, TEST, Step
 from motionlang.mint.resolve.folding import constant
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-
-    from motionlang.mint.resolve.flowgraph import Step
-
-    # The variable of a For, its direction ("" if not known), its limit and its step.
-    Counter = tuple[Symbol, str, Range, Range]
+# The variable of a For, its direction ("" if not known), its limit and its step.
+Counter = tuple[Symbol, str, Range, Range]
 
 State = dict[Symbol, Range]
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from motionlang.errors import Diagnostic
-from motionlang.lang.dialect import dialect, dialects
+from motionlang.lang.dialect import Dialect, dialect, dialects
 from motionlang.source import Source
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.lang.dialect import Dialect
 
 # The least share of wrong lines in a file that is checked against the other language, and how many lines must
 # be wrong in this language for each that is wrong in the other.

@@ -7,14 +7,10 @@ comment on its own line applies to the line below it. Errors cannot be silenced.
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Mapping
 
 from motionlang.errors import CODES, Diagnostic, nearest
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-
-    from motionlang.source import Source
+from motionlang.source import Source
 
 # Every warning of a linter, with the languages it applies to; `docs/lint.md` has a paragraph for each.
 WARNINGS: dict[str, str] = {

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    # The line of the program, 0 for none; its code; a remark on the code, "" for none.
-    CodeLine = tuple[int, str, str]
+# The line of the program, 0 for none; its code; a remark on the code, "" for none.
+CodeLine = tuple[int, str, str]
 
 
 @record

@@ -20,20 +20,16 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
 
 from motionlang.errors import Diagnostic, ProgramError, nearest
+from motionlang.lang.dialect import Dialect
 from motionlang.record import record
 from motionlang.source import Source
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
-
-    from motionlang.lang.dialect import Dialect
-
-    Token = tuple[str, str, int]
-    Values = Mapping[str, float | str]
+Token = tuple[str, str, int]
+Values = Mapping[str, float | str]
 
 _LINE = re.compile(r"line:(\d+)(?:\.value)?", re.IGNORECASE)
 _ADDRESS = re.compile(

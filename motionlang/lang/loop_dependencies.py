@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    # A reading, one of `KINDS`, and the number of its axis or channel; None for any of them.
-    Read = tuple[str, int | None]
+# A reading, one of `KINDS`, and the number of its axis or channel; None for any of them.
+Read = tuple[str, int | None]
 
 # The readings of a condition, and the cause of a wait for each, one of `record.records.CAUSES`.
 KINDS = {

@@ -5,9 +5,7 @@ Both libraries are imported on use and need not be installed.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
+from typing import Any
 
 
 class Table:

@@ -9,27 +9,23 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from copy import copy
 from operator import itemgetter
-from typing import TYPE_CHECKING
+from typing import Any
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.controller import Controller
 from motionlang.controller.motion.follow import Gear
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.motion.jog import Jog
 from motionlang.controller.motion.profile_playback import Playback
 from motionlang.controller.motion.reference import PositionReference, SpeedReference
+from motionlang.controller.move import Move
 from motionlang.controller.moves.cam import CurveFollow
 from motionlang.controller.moves.geometry import Line
 from motionlang.controller.moves.path import PathMove
+from motionlang.controller.moves.path_run import PathRun
 from motionlang.log.order import ENDLESS, Order, PathOrder, Tie
 from motionlang.log.track import WholeTrack
-
-if TYPE_CHECKING:
-    from typing import Any
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.move import Move
-    from motionlang.controller.moves.path_run import PathRun
 
 REST = Order("rest", 0)
 # Kinds whose rest continues unchanged at a new zero, because they do not depend on positions.

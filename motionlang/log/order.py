@@ -5,14 +5,12 @@ This module contains only records.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import inf
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.controller.axis import Axis
-    from motionlang.planners import Profile
+from motionlang.controller.axis import Axis
+from motionlang.planners import Profile
 
 ENDLESS = (inf, inf)
 

@@ -8,13 +8,11 @@ from __future__ import annotations
 from motionlang.controller.move import Move
 from motionlang.planners.curve import Profile
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    # Target, base, command, line, speed and identifier, like those of `Move`.
-    Entry = tuple[float, float | None, str, int, float | None, int]
-    # Axis, start time, start, end, duration, recipe of the profile, commanded speed, scale, zero, and the
-    # loaded entry.
-    Row = tuple[int, float, float, float, float, tuple[float, ...], float, float, float, Entry]
+# Target, base, command, line, speed and identifier, like those of `Move`.
+Entry = tuple[float, float | None, str, int, float | None, int]
+# Axis, start time, start, end, duration, recipe of the profile, commanded speed, scale, zero, and the
+# loaded entry.
+Row = tuple[int, float, float, float, float, tuple[float, ...], float, float, float, Entry]
 
 
 def entry_of(axis: int, entry: Entry) -> Move:

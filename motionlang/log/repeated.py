@@ -15,17 +15,15 @@ iteration; a handler has 0.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
-    from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
-    # A tick, the counts of the times in it, and the record without these.
-    Row = tuple[int, tuple[float, ...], tuple[object, ...]]
-    # The rows of a repetition, the number of repetitions, and of each its ticks and statements.
-    Shape = tuple[list[Row], int, int, float]
-    # The start, the first tick, the period and the duration of a statement.
-    Pace = tuple[float, int, float, float]
+# A tick, the counts of the times in it, and the record without these.
+Row = tuple[int, tuple[float, ...], tuple[object, ...]]
+# The rows of a repetition, the number of repetitions, and of each its ticks and statements.
+Shape = tuple[list[Row], int, int, float]
+# The start, the first tick, the period and the duration of a statement.
+Pace = tuple[float, int, float, float]
 
 # Records that are made at once.
 _BATCH = 1024

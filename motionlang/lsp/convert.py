@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from lsprotocol import types
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.editor.fixes import Edit
-    from motionlang.editor.navigation import Symbol
-    from motionlang.errors import Diagnostic
-    from motionlang.lsp.documents import Document
+from motionlang.editor.fixes import Edit
+from motionlang.editor.navigation import Symbol
+from motionlang.errors import Diagnostic
+from motionlang.lsp.documents import Document
 
 _SEVERITIES = {
     "error": types.DiagnosticSeverity.Error,

@@ -8,12 +8,10 @@ Written by `python -m tests.mcapi_files`, not by hand.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import Any
 
 from motionlang.mcapi.client import Binding, Structure
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 
 def _flat(values: Sequence[float]) -> list[float]:

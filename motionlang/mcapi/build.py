@@ -12,16 +12,13 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterable
 from hashlib import sha256
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from motionlang.cache import folder
 from motionlang.mcapi.table import FUNCTIONS, MCAPI
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
 
 SOURCE = Path(__file__).parent / "library"
 FILES = ("mcapi.c", "mcapi.h", "stubs.h")

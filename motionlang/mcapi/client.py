@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import os
 import socket
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, ClassVar, Protocol, TypeVar
 
 import motionlang.mcapi.calls  # noqa: F401
 from motionlang.execution import accelerators, checked_settings
@@ -15,21 +16,16 @@ from motionlang.files import replacing
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import Machine
 from motionlang.mcapi import constants as mc
+from motionlang.mcapi.call import Call
 from motionlang.mcapi.protocol import VERSION, decode, encode, request
 from motionlang.mcapi.session import McapiBoard
-from motionlang.mcapi.table import FUNCTIONS, STRUCTURES
+from motionlang.mcapi.table import FUNCTIONS, STRUCTURES, Value
 from motionlang.mccl.hosts.console import Console
 from motionlang.serve.address import BadAddress, parse
 from motionlang.source import Source
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
-
-    from motionlang.mcapi.call import Call
-    from motionlang.mcapi.table import Value
-
-    Answer = tuple[int, tuple[Value | None, ...]]
-    Self = TypeVar("Self", bound="Binding")
+Answer = tuple[int, tuple[Value | None, ...]]
+Self = TypeVar("Self", bound="Binding")
 
 # Where a board is if MCAPI_HOST does not say it.
 DEFAULT_ADDRESS = "127.0.0.1:4410"

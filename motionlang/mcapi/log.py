@@ -13,18 +13,14 @@ end times.
 from __future__ import annotations
 
 from array import array
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator
+from typing import BinaryIO
 
+from motionlang.mcapi.call import Call
 from motionlang.mcapi.protocol import answer, decode, parse, request
 from motionlang.mcapi.session import BadCall
+from motionlang.mcapi.table import Value
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-    from typing import BinaryIO
-
-    from motionlang.mcapi.call import Call
-    from motionlang.mcapi.table import Value
 
 HEAD = "mcapi-log 1"
 

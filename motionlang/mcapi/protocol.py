@@ -13,17 +13,12 @@ error code. A failed call has no results. The full protocol is in docs/mcapi-pro
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Sequence
 from math import isfinite
 
+from motionlang.mcapi.call import Call
 from motionlang.mcapi.session import BadCall
-from motionlang.mcapi.table import FUNCTIONS, STRUCTURES
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from motionlang.mcapi.call import Call
-    from motionlang.mcapi.table import Value
+from motionlang.mcapi.table import FUNCTIONS, STRUCTURES, Value
 
 VERSION = 1
 # The longest line, in characters.

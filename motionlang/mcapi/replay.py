@@ -16,23 +16,18 @@ Cost. One pass in constant memory: a check waits for skew seconds at most.
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Iterable, Mapping
 from math import isclose
-from typing import TYPE_CHECKING
 
+from motionlang.mcapi.call import Call
 from motionlang.mcapi.calls.controller import MODELS
 from motionlang.mcapi.client import VirtualBoard
 from motionlang.mcapi.log import Entry, model_of, read
 from motionlang.mcapi.protocol import encode, request
 from motionlang.mcapi.session import BadCall, Session
-from motionlang.mcapi.table import STRUCTURES
+from motionlang.mcapi.table import STRUCTURES, Value
 from motionlang.mccl.axis import flags
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-
-    from motionlang.mcapi.call import Call
-    from motionlang.mcapi.table import Value
 
 # Quantities that change while an axis moves, by what each is in the track of the axis. The track has no following
 # error: in motion any is accepted, and at rest one within the tolerance.

@@ -18,11 +18,7 @@ from __future__ import annotations
 
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import TypeAlias
-
-    Value: TypeAlias = "int | float | str"
+Value = int | float | str
 
 # Kinds of integers, with their bits; negative is signed.
 BITS = {"h": -16, "s": -16, "i": -32, "l": -32, "W": 16, "D": 32, "u": 32, "w": 64}

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+from collections.abc import Sequence
 
 # From the table that the MX driver was written with (after PMC's manual).
 MEANINGS: dict[int, str] = {

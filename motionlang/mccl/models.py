@@ -6,13 +6,10 @@ like the MultiFlex.
 
 from __future__ import annotations
 
+from motionlang.lang.keyword import Keyword
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.keyword import Keyword
 
 # The command families that boards lack, a column of the rows. MCAPI has a flag for each. Which board lacks
 # which is remembered, or inferred from the LM628 chip of the basic modules, which has one profile, one rate

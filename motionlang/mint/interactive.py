@@ -8,20 +8,17 @@ from __future__ import annotations
 
 from motionlang.errors import ProgramError
 from motionlang.lang.dialect import Interactive
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.task import Task
 from motionlang.mint.compile.compiler import compile_line
 from motionlang.mint.compile.overrides import override, override_if_there
 from motionlang.mint.resolve.symbols import Function, Scope
 from motionlang.mint.runtime.code_units import TIME, bind
 from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.task import PARENT, MintTask
+from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.parser import is_complete, parse
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Task
-    from motionlang.mint.syntax.nodes import Module
-    from motionlang.source import Source
+from motionlang.source import Source
 
 
 class MintInteractive(Interactive):

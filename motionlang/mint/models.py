@@ -7,9 +7,7 @@ which covers v4, and AN00198, which covers the shared memory.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
+from collections.abc import Iterator
 
 V4, MINTMT = "Mint v4", "MintMT"
 

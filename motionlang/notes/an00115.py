@@ -8,17 +8,14 @@ triangle of the acceleration. The area is then that of the rectangle Sp · (Ta +
 
 from __future__ import annotations
 
+from collections.abc import Callable, Collection, Iterator, Mapping
 from itertools import chain
 from math import isclose, sqrt
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterator, Mapping
-
-    Move = Mapping[str, float]
-    Point = tuple[float, float]
-    # A figure, those from which it follows, the formula, and its value.
-    Formula = tuple[str, str, str, Callable[[Move], float]]
+Move = Mapping[str, float]
+Point = tuple[float, float]
+# A figure, those from which it follows, the formula, and its value.
+Formula = tuple[str, str, str, Callable[[Move], float]]
 
 # In the order of preference; the first two are equations (1) and (2) of the note.
 FORMULAS: tuple[Formula, ...] = (

@@ -7,13 +7,10 @@ counts, counts per update, DAC steps.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from motionlang.planners.dissect import divided
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 NOTES = (
     "The deceleration test lost its second half; here it is: past the middle while still accelerating, or no further "

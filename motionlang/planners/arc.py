@@ -5,10 +5,7 @@ from __future__ import annotations
 from math import atan2, cos, floor, pi, radians, sin
 
 from motionlang.planners.curve import Profile, from_curve
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.planners.ramps import Piece
+from motionlang.planners.ramps import Piece
 
 # Exact rotations: degrees to cosine and sine.
 _RIGHT = {0.0: (1.0, 0.0), 90.0: (0.0, 1.0), 180.0: (-1.0, 0.0), 270.0: (0.0, -1.0)}

@@ -5,12 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 from math import inf
 
-from motionlang.planners.curve import State
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.planners.curve import Profile
-    from motionlang.planners.ramps import Curve, Piece
+from motionlang.planners.curve import Profile, State
+from motionlang.planners.ramps import Curve, Piece
 
 FIT = 1e-9
 """How far a piece may be off in its middle, as a share of the size of the motion."""

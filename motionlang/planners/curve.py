@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable, Iterable
 from math import copysign, inf, sin
 
 from motionlang.planners import crossing as _crossing
@@ -17,17 +18,11 @@ from motionlang.planners.pieces import (
     transformed,
     velocity_in,
 )
-from motionlang.planners.ramps import expand, named_ramps
+from motionlang.planners.ramps import Curve, Piece, Recipe, expand, named_ramps
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-
-    from motionlang.planners.ramps import Curve, Piece, Recipe
-
-    _Value = Callable[[Piece, float], float]
-    _Extrema = Callable[[Piece, float], tuple[float, ...]]
+_Value = Callable[[Piece, float], float]
+_Extrema = Callable[[Piece, float], tuple[float, ...]]
 
 
 # The recipe of standstill. Such a profile makes its one piece on demand, as those of ramps do.

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import inf
 
+from motionlang.planners.curve import Profile
 from motionlang.planners.pieces import position_in, still_points
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.planners.curve import Profile
 
 # The travel in one direction, in length units, that counts as motion; rounding is smaller.
 _MIN_TRAVEL = 1e-6

@@ -7,18 +7,14 @@ states where it is smooth (`knots`) and gives position, velocity and acceleratio
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 from math import inf, nextafter
 
 from motionlang.planners.cubics import cubics
 from motionlang.planners.curve import Phase, Profile, State
+from motionlang.planners.ramps import Curve
 from motionlang.planners.root import bracketed_root
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-
-    from motionlang.planners.ramps import Curve
 
 STEPS = 24
 """Brackets between two knots; two extrema inside one bracket would be missed."""

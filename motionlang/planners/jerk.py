@@ -54,11 +54,7 @@ from motionlang.planners.jerk_limited import JerkLimited, jerk_limited_approach
 from motionlang.planners.limits import LARGEST, SMALLEST, STILL, check_finite, check_positive, too_large
 from motionlang.planners.pieces import position_in
 from motionlang.planners.ramps import FALLING, ramp_distance
-from motionlang.planners.transition import HARDLY, NOTHING, Bounds
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.planners.transition import Steps
+from motionlang.planners.transition import HARDLY, NOTHING, Bounds, Steps
 
 # How near to its target, as a fraction of the distance, a plan must end by itself to be accepted without a
 # search.

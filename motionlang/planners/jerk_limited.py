@@ -2,30 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import copysign, inf
 
 from motionlang.planners.curve import Profile, relabelled
-from motionlang.planners.feasibility import is_rounding
+from motionlang.planners.feasibility import Ramps, is_rounding
 from motionlang.planners.limits import too_large
-from motionlang.planners.ramps import ramp_distance
+from motionlang.planners.ramps import Curve, Recipe, ramp_distance
 from motionlang.planners.segment_speed import between
 from motionlang.planners.total import total
-from motionlang.planners.transition import distance_of_steps, eased_speed, initial_steps, profile_of_steps
+from motionlang.planners.transition import (
+    Bounds,
+    Steps,
+    distance_of_steps,
+    eased_speed,
+    initial_steps,
+    profile_of_steps,
+)
 
 # How far from its target a plan may end, as a fraction of the distance, before its figures count as too far
 # apart.
 _ASTRAY = 1e-9
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
-    from motionlang.planners.feasibility import Ramps
-    from motionlang.planners.ramps import Curve, Recipe
-    from motionlang.planners.transition import Bounds, Steps
-
-    # Velocity and acceleration in the direction of the motion, the sections, and that direction.
-    Head = tuple[float, float, Steps, float]
+# Velocity and acceleration in the direction of the motion, the sections, and that direction.
+Head = tuple[float, float, Steps, float]
 
 
 class JerkLimited(Profile):

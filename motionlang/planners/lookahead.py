@@ -8,24 +8,18 @@ speeds. At a join the acceleration of every shape but the trapezoid is zero.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import chain, pairwise
 from math import inf, sqrt
 
 from motionlang.planners.curve import Profile
+from motionlang.planners.feasibility import Ramps
 from motionlang.planners.limits import check_finite, check_positive, too_large
-from motionlang.planners.segment_speed import between, entry_speed, exit_speed, reaches
+from motionlang.planners.segment_speed import Ramp, between, entry_speed, exit_speed, reaches
 from motionlang.planners.stop import ramps_of
 from motionlang.planners.total import total
-from motionlang.planners.transition import profile_of_steps
+from motionlang.planners.transition import Steps, profile_of_steps
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.planners.feasibility import Ramps
-    from motionlang.planners.segment_speed import Ramp
-    from motionlang.planners.transition import Steps
 
 # How far a course may overshoot its end, as a fraction of its length, before it counts as overshooting.
 _SLACK = 1e-9

@@ -9,14 +9,11 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.planners.curve import Profile, hold
+from motionlang.planners.ramps import Curve
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.planners.ramps import Curve
-
-    # (shape, start, end, duration, recipe), followed by the curve if no recipe gives it; (position,) for rest
-    # without end; (name, arguments, shape, end) for a formula.
-    Packed = tuple[object, ...]
+# (shape, start, end, duration, recipe), followed by the curve if no recipe gives it; (position,) for rest
+# without end; (name, arguments, shape, end) for a formula.
+Packed = tuple[object, ...]
 
 _HOLD = 1
 RAMPS = 5

@@ -10,12 +10,9 @@ from math import cos, inf, pi
 
 from motionlang.planners.curve import Profile, from_curve, relabelled
 from motionlang.planners.pieces import acceleration_in, position_in, recentred, velocity_in
+from motionlang.planners.ramps import Piece
 from motionlang.planners.stop import plan_stop
 from motionlang.planners.transition import NOTHING
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.planners.ramps import Piece
 
 # The relative rounding of a peak acceleration.
 _SLACK = 1e-9

@@ -14,11 +14,9 @@ from __future__ import annotations
 
 from math import inf, pi
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    Recipe = tuple[float, ...]
-    Piece = tuple[float, float, float, float, float, float, float]
-    Curve = tuple[tuple[float, ...], tuple[Piece, ...], tuple[tuple[str, int], ...]]
+Recipe = tuple[float, ...]
+Piece = tuple[float, float, float, float, float, float, float]
+Curve = tuple[tuple[float, ...], tuple[Piece, ...], tuple[tuple[str, int], ...]]
 
 SINE = -1.0
 """Acceleration A sin(pi t/T): TN1069's sinusoidal S-curve."""

@@ -13,12 +13,8 @@ from math import inf, isfinite, sqrt
 from motionlang.planners.curve import Profile, far_end, relabelled
 from motionlang.planners.jerk import ease
 from motionlang.planners.limits import STILL, check_finite, check_positive, too_large
-from motionlang.planners.ramps import FALLING, RISING, ramp_distance
+from motionlang.planners.ramps import FALLING, RISING, Recipe, ramp_distance
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.planners.ramps import Recipe
 
 
 @record

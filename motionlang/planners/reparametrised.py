@@ -14,10 +14,7 @@ from math import inf, nextafter
 from motionlang.planners.curve import Phase, Profile, State
 from motionlang.planners.formula import Formula
 from motionlang.planners.pieces import acceleration_in, position_in, still_points, velocity_in
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.planners.ramps import Piece
+from motionlang.planners.ramps import Piece
 
 _MAX_CROSSINGS = 10_000
 # Curves and positions whose crossings are cached: a program watches a few positions of a few cams.

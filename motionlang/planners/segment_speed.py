@@ -5,20 +5,15 @@ The limits are its ramps and its highest speed.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import copysign, sqrt
 
+from motionlang.planners.feasibility import Ramps
 from motionlang.planners.ramps import ramp_distance
-from motionlang.planners.transition import distance_of_steps, eased_speed, initial_steps
+from motionlang.planners.transition import Steps, distance_of_steps, eased_speed, initial_steps
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.planners.feasibility import Ramps
-    from motionlang.planners.transition import Steps
-
-    # Initial speed, time, kind, final speed.
-    Ramp = tuple[float, float, float, float]
+# Initial speed, time, kind, final speed.
+Ramp = tuple[float, float, float, float]
 
 
 # How far a ramp may exceed the available distance, as a fraction of it, and still fit: rounding.

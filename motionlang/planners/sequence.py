@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable, Sequence
 from operator import itemgetter
 
-from motionlang.planners.curve import Phase, Profile
+from motionlang.planners.curve import Phase, Profile, State
 from motionlang.planners.formula import Formula
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from motionlang.planners.curve import State
 
 # The first of a pair.
 _BOUND = itemgetter(0)

@@ -6,6 +6,7 @@ distance = (accel_time/2 + slew_time + decel_time/2) speed, time = accel_time + 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf, isnan, sqrt
 
 NAMES = ("distance", "time", "accel_time", "slew_time", "decel_time", "speed", "accel", "decel")
@@ -16,12 +17,9 @@ For "equal" T_a = T_d, with any share.
 """
 _TOO_LARGE = 1e300  # leaves sums and small multiples finite
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
-    Figures = dict[str, float]
-    Step = Callable[[Figures], float | None]
+Figures = dict[str, float]
+Step = Callable[[Figures], float | None]
 
 
 class Underdetermined(ValueError):

@@ -9,13 +9,9 @@ from motionlang.planners.feasibility import Ramps, stretched
 from motionlang.planners.jerk import jerk_ramps
 from motionlang.planners.limits import STILL, check_finite, check_positive, check_ramp, too_large
 from motionlang.planners.parabolic import parabolic_ramps
-from motionlang.planners.ramps import SINE, ramp_distance
+from motionlang.planners.ramps import SINE, Recipe, ramp_distance
 from motionlang.planners.total import total
 from motionlang.planners.transition import initial_steps, profile_of_steps
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.planners.ramps import Recipe
 
 
 def plan_stop(

@@ -10,10 +10,7 @@ from math import copysign, inf, isnan
 from motionlang.planners.curve import Profile, State, from_curve
 from motionlang.planners.formula import Formula
 from motionlang.planners.pieces import recentred
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.planners.ramps import Piece
+from motionlang.planners.ramps import Piece
 
 
 class Superposed(Formula):

@@ -5,13 +5,10 @@ Between the points they are straight lines or cubics.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 
 from motionlang.planners.curve import Profile, from_curve
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 KINDS = ("linear", "cubic")
 

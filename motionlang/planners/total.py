@@ -5,11 +5,8 @@ The builtin `sum` rounds differently from Python 3.12 on.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import fsum
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable
 
 
 def total(values: Iterable[float]) -> float:

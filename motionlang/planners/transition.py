@@ -10,14 +10,11 @@ from __future__ import annotations
 from math import sqrt
 
 from motionlang.planners.curve import Profile, from_curve
+from motionlang.planners.ramps import Piece
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.planners.ramps import Piece
-
-    # A sequence of sections of constant jerk: the jerk and the time of each.
-    Steps = tuple[tuple[float, float], ...]
+# A sequence of sections of constant jerk: the jerk and the time of each.
+Steps = tuple[tuple[float, float], ...]
 
 # A velocity counts as zero if it is smaller than NOTHING times the velocity that a ramp-down from full
 # acceleration gains, unless it exceeds HARDLY times the change itself: a ramp that has hardly begun is not

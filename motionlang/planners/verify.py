@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from motionlang.planners.curve import Profile
-    from motionlang.planners.ramps import Piece
+from motionlang.planners.curve import Profile
+from motionlang.planners.ramps import Piece
 
 SMOOTH = frozenset({"sinusoidal", "scurve"})
 """Shapes that promise an acceleration without jumps."""

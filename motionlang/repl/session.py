@@ -15,15 +15,12 @@ from motionlang.execution import accelerators
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine.machine import Machine
 from motionlang.repl.commands import is_command, obey, without_dot
+from motionlang.repl.debugging import Debugging
 from motionlang.repl.runner import Interrupted, Runner
 from motionlang.repl.status import moving
 from motionlang.source import Source
 from motionlang.views.diagnostics import render
 from motionlang.views.terminal import WIDTH, harmless
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.repl.debugging import Debugging
 
 Show = Callable[[str], None]
 

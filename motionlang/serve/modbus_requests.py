@@ -7,11 +7,9 @@ third.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from struct import pack, unpack
-from typing import TYPE_CHECKING, NamedTuple
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
+from typing import NamedTuple
 
 ILLEGAL_FUNCTION, ILLEGAL_ADDRESS, ILLEGAL_VALUE, DEVICE_FAILURE = 1, 2, 3, 4
 MAX_READ, MAX_WRITTEN, MAX_WRITTEN_WITH_READ = 125, 123, 121

@@ -7,18 +7,13 @@ A server for hosts has its own thread. The program and its controller belong to 
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
 from concurrent.futures import Future
 from threading import Condition
 from time import monotonic
-from typing import TYPE_CHECKING
 
-from motionlang.controller.clock import INFINITY
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.clock import Clock
-    from motionlang.lang.machine.machine import Machine
+from motionlang.controller.clock import INFINITY, Clock
+from motionlang.lang.machine.machine import Machine
 
 # Default machine seconds that lock step advances for each request.
 STEP = 10e-3

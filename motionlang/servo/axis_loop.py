@@ -6,18 +6,13 @@ either, suggested gains for the plant replace that tuning, and the report says s
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
-from motionlang.servo.gains import LM628_RATE, fields, mccl_loop, mint_loop
+from motionlang.servo.gains import LM628_RATE, Gains, fields, mccl_loop, mint_loop
 from motionlang.servo.loop import GAINS, Loop
+from motionlang.servo.plant import Drive, Motor
 from motionlang.servo.settings import SERVO, make_loop
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.servo.gains import Gains
-    from motionlang.servo.plant import Drive, Motor
 
 _MIN_BANDWIDTH = 0.1
 

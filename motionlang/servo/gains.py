@@ -8,16 +8,13 @@ LM628.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from math import inf
-from typing import TYPE_CHECKING
 
 from motionlang.servo.loop import FULL_SCALE, Loop
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-
-    # The value of a gain and the keyword that set it, by its quantity.
-    Gains = Mapping[str, tuple[float, str]]
+# The value of a gain and the keyword that set it, by its quantity.
+Gains = Mapping[str, tuple[float, str]]
 
 MINT_STEPS = 2048.0
 """DAC steps for full scale in Mint's servo loop."""

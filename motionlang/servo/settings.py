@@ -6,16 +6,13 @@ section is needed only for gains that the program does not set.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from math import inf
-from typing import TYPE_CHECKING
 
 from motionlang.errors import as_hint, nearest, shown
 from motionlang.servo.loop import ARITHMETICS, INTEGRAL_MODES, LIMIT_STYLES, Loop, Override
 from motionlang.servo.plant import AMPLIFIERS, ENCODER_SIDES, Drive, Motor
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
 
 PLANT_KINDS = ("dc", "brushless", "drive")
 # No motor parameter in SI units or counts is smaller or larger; beyond, its equations exceed the range of a

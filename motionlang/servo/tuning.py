@@ -6,17 +6,14 @@ is then varied until the real loop, sampled and with the complete plant, has the
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import inf, pi
-from typing import TYPE_CHECKING
 
 from motionlang.servo.loop import Loop
 from motionlang.servo.plant import Drive, Motor
 from motionlang.servo.response import LoopFigures, bandwidth, is_stable, loop_figures, reaches
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 SUSPECT = 30.0
 """A phase margin below this many degrees causes a warning."""

@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 import textwrap
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
+from motionlang.assumptions.assumption import Assumption
 from motionlang.assumptions.probe import lines_of, meanings
 from motionlang.views.terminal import styled
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.assumptions.assumption import Assumption
-
 
 # A program with this many lines is written to a file by the command and not shown.
 LONG = 7

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-from motionlang.planners import dissect, plan
+from motionlang.planners import Profile, dissect, plan
 from motionlang.views.grid import Column, grid
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.planners import Profile
 
 LIMIT = dissect.slip_acceleration(dissect.FRICTION, dissect.GRAVITY_FT)
 SPEED = dissect.SPEED_FT_MIN / 60.0

@@ -7,21 +7,17 @@ remains visible.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import chain, islice
 from math import inf
 
+from motionlang.controller.axis import Axis
 from motionlang.log.track import WholeTrack
+from motionlang.planners import Profile
 from motionlang.views.terminal import styled
 from motionlang.views.words import clock_time
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.controller.axis import Axis
-    from motionlang.planners import Profile
-
-    Span = tuple[float, float]
+Span = tuple[float, float]
 
 # The bits of the dots in U+2800…28FF, left and right column, from the top.
 _DOTS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
 from math import inf
 
+from motionlang.controller.axis import Axis
 from motionlang.views.chart import velocity_spans
 from motionlang.views.words import clock_time
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.controller.axis import Axis
-
-    Point = tuple[float, float]
+Point = tuple[float, float]
 
 WIDTH, HEIGHT, LEFT, BELOW = 720, 90, 70, 18
 # Intervals over the width; each shows its lowest and its highest velocity.

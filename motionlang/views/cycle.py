@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from math import fsum
 
 from motionlang.analysis.cycle.motions import MOVING
+from motionlang.analysis.cycle.profile import Share, TimeProfile
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import printable, styled
 from motionlang.views.words import clock_time
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
-    from motionlang.analysis.cycle.profile import Share, TimeProfile
 
 # The largest number of lines in the table.
 MAX_LINES = 20

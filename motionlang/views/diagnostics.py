@@ -12,15 +12,12 @@ Plain text is the same on every system, so that tests can compare whole messages
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+from motionlang.errors import Diagnostic
+from motionlang.source import Source
 from motionlang.views.terminal import WIDTH, cells, printable, styled
 from motionlang.views.words import significant
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from motionlang.errors import Diagnostic
-    from motionlang.source import Source
 
 TAB = 4
 # A message quotes the user's text, which may be a megabyte without a space.

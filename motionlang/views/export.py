@@ -6,23 +6,20 @@
 from __future__ import annotations
 
 import os
-from typing import IO, TYPE_CHECKING
+from collections.abc import Callable
+from typing import IO
 from zipfile import ZipFile, ZipInfo
 
 import numpy as np
 
 from motionlang.errors import need
 from motionlang.files import replacing
+from motionlang.log.trace import Column, Trace
 from motionlang.views.csv import Formatter, decimals_for
 from motionlang.views.mcap import write_mcap
 from motionlang.views.vcd import write_vcd
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.log.trace import Column, Trace
-
-    Report = Callable[[float], object]
+Report = Callable[[float], object]
 
 # A nanosecond is a hundredth of the shortest statement time in use.
 TIME_DECIMALS = 9

@@ -5,18 +5,13 @@ The formats are SARIF, JUnit XML and GitHub workflow commands.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from motionlang import __version__
-from motionlang.errors import CODES
+from motionlang.errors import CODES, Diagnostic
+from motionlang.source import Source
 from motionlang.views.diagnostics import render, tally
 from motionlang.views.terminal import printable
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.errors import Diagnostic
-    from motionlang.source import Source
 
 FORMATS = ("text", "json", "sarif", "junit", "github")
 SARIF = "https://json.schemastore.org/sarif-2.1.0.json"

@@ -5,11 +5,9 @@ Cell widths are computed by rich. On a narrow terminal the least important colum
 
 from __future__ import annotations
 
-from motionlang.views.terminal import cells, styled
+from collections.abc import Sequence
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+from motionlang.views.terminal import cells, styled
 
 GAP = 2
 

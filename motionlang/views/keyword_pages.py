@@ -6,18 +6,13 @@ keywords are in alphabetical order, because readers look up one of hundreds of k
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator, Sequence
 
 from motionlang.assumptions.keyword_facts import facts
 from motionlang.assumptions.page import anchor
 from motionlang.assumptions.questions import of_word
+from motionlang.lang.keyword import Keyword
 from motionlang.views.words import dialect_name
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
-
-    from motionlang.lang.keyword import Keyword
-
 
 # The largest number of output lines shown for an example.
 MAX_EXAMPLES = 12

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import sys
 import textwrap
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from motionlang.assumptions.facts import of_word
 from motionlang.assumptions.keyword_facts import facts
+from motionlang.lang.keyword import Keyword
 from motionlang.views.terminal import cells, styled
 from motionlang.views.words import dialect_name
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.lang.keyword import Keyword
 
 # The heading of keywords that are known but not simulated, in the list.
 KNOWN = "known, not simulated"

@@ -8,23 +8,20 @@ program line of each move and phase. Times are machine times.
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Iterator, Mapping
 from heapq import merge
 from operator import itemgetter
-from typing import IO, TYPE_CHECKING, Any
+from typing import IO, Any
 
 from motionlang import __version__
 from motionlang.errors import need
+from motionlang.log.trace import Column, Trace
 from motionlang.views.lanes import lanes
 from motionlang.views.terminal import printable
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
-
-    from motionlang.log.trace import Column, Trace
-
-    Report = Callable[[float], object]
-    # Nanoseconds, the number of the topic, and the message.
-    Message = tuple[int, int, bytes]
+Report = Callable[[float], object]
+# Nanoseconds, the number of the topic, and the message.
+Message = tuple[int, int, bytes]
 
 PER_SECOND = 10**9
 _TEXTS = {"line": "integer", "command": "string", "state": "string", "axis": "integer"}

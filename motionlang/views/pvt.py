@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
-from motionlang.planners.pvt.points import knots, segments
+from motionlang.planners.curve import Profile
+from motionlang.planners.pvt.points import Knot, knots, segments
 from motionlang.views.grid import Column, decimals_of, grid
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.planners.curve import Profile
-    from motionlang.planners.pvt.points import Knot
 
 WIDTH = 120
 MAX_ROWS = 40

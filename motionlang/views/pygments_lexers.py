@@ -5,16 +5,14 @@ The package registers both as entry points.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from collections.abc import Iterator
+from typing import Any, ClassVar
 
 from pygments.lexer import Lexer
 from pygments.token import Comment, Error, Generic, Keyword, Name, Number, String, Text
 
 from motionlang.lang.dialect import dialect
 from motionlang.lang.highlight import pieces
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
 
 _TOKENS: dict[str, Any] = {
     "move": Name.Function,

@@ -6,10 +6,7 @@ the visible window.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
+from collections.abc import Iterable
 
 # Begin and end.
 Span = tuple[float, float]

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import csv
 import io
-from typing import IO, TYPE_CHECKING, Any
+from collections.abc import Iterable, Sequence
+from typing import IO, Any
 
 from motionlang.errors import need
 from motionlang.files import replacing
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    Cells = Sequence[Any]
+Cells = Sequence[Any]
 
 # The number of rows processed at a time.
 CHUNK = 10_000

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import printable, styled
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 # The largest number of characters of a text in a cell.
 MAX_LETTERS = 40

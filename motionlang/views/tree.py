@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from motionlang.lang.nesting import StackSpace
+from collections.abc import Iterator
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
+from motionlang.lang.nesting import StackSpace
 
 # What a later pass records in a node; it is no part of the text.
 _LATER = frozenset(("at", "row", "definition", "symbol", "offsets"))

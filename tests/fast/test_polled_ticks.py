@@ -228,7 +228,7 @@ def test_tasks_with_waits_of_their_own_are_skipped(
 
 @cases("wait, period", ((9, 1), (7, 1), (23, 10)))
 def test_two_tasks_that_write_one_output_switch_it_in_time(wait: int, period: int) -> None:
-    """The second task resets the output in its next iteration, long before the next tick or right at it."""
+    """The second task resets the output in its next iteration, not at the next tick."""
     text = "Run T0\nRun T1\n" + handled("MOVEA(0) = 200 : GO(0)\nPAUSE IDLE(0)\n", "", period)
     text += f"Task T0\nLoop\n  If INX(1) Then OUTX(7) = 1\n  WAIT({wait})\nEnd Loop\nEnd Task\n"
     text += "Task T1\nLoop\n  If VEL(1) > 0 Then OUTX(7) = 1 Else OUTX(7) = 0\nEnd Loop\nEnd Task\n"

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
 
+from motionlang.analysis.cycle.critical_path import Link
 from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.errors import Diagnostic
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-
-    from motionlang.analysis.cycle.critical_path import Link
-    from motionlang.result import Run
+from motionlang.result import Run
 
 
 def category_of(link: Link) -> str:

@@ -8,23 +8,18 @@ without effect were skipped.
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterable, Iterator
 from itertools import groupby
 from math import ceil, fsum
 from operator import itemgetter
 
 from motionlang.lang.loop_dependencies import MOVING
-from motionlang.log.written_waits import whole
+from motionlang.log.log import Log
+from motionlang.log.written_waits import CompleteWait, whole
 from motionlang.record import record
+from motionlang.result import Run
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
-    from motionlang.log.log import Log
-    from motionlang.log.written_waits import CompleteWait
-    from motionlang.result import Run
-
-    Wait = CompleteWait
+Wait = CompleteWait
 
 
 # Skipped iterations of a run whose waits are listed one by one.

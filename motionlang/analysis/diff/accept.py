@@ -8,22 +8,17 @@ are not changes: moves, events and the end of the run shift with the accepted ch
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Collection, Iterator
 from math import inf
 from typing import Any
 
-from motionlang.analysis.diff.reports import Difference, LineChange, end_of
+from motionlang.analysis.diff.reports import Difference, LineChange, Move, Pair, Report, end_of
 from motionlang.analysis.diff.timeline import NEAR, Timeline
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Collection, Iterator
-
-    from motionlang.analysis.diff.reports import Move, Pair, Report
-
-    # A begin or end of a move in its run: its time, its shift in the merged run, and whether that has this move.
-    Shift = tuple[float, float, bool]
-    Shifts = tuple[list[Shift], list[Shift]]
+# A begin or end of a move in its run: its time, its shift in the merged run, and whether that has this move.
+Shift = tuple[float, float, bool]
+Shifts = tuple[list[Shift], list[Shift]]
 
 
 @record

@@ -6,12 +6,9 @@ Common entries at both ends are removed first; the rest uses Myers' greedy algor
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable, Hashable, Sequence
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Hashable, Sequence
-
-    Pairs = list[tuple[int, int]]
+Pairs = list[tuple[int, int]]
 
 # Insertions and deletions beyond which two sequences are not aligned exactly: the work grows with their
 # square.

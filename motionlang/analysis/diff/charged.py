@@ -7,10 +7,7 @@ import re
 from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.analysis.diff.align import aligned
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.result import Run
+from motionlang.result import Run
 
 _FIGURES = re.compile(r"\d[\d.]*")
 # Seconds that are rounding.

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from difflib import SequenceMatcher
-from typing import TYPE_CHECKING
 
 from motionlang.lang.literals import literals
 from motionlang.record import record
-
-if TYPE_CHECKING:
-    from motionlang.result import Run
+from motionlang.result import Run
 
 
 @record

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 from bisect import bisect_right
+from collections.abc import Callable, Iterator, Mapping
 from math import inf
 from typing import Any
 
@@ -18,14 +19,10 @@ from motionlang.analysis.diff.timeline import Timeline
 from motionlang.analysis.diff.tolerance import EXACT, Tolerance
 from motionlang.analysis.diff.versions import current
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
-
-    Report = Mapping[str, Any]
-    Move = dict[str, Any]
-    # Indices in the old and the new list, and the number of the difference; None if there is none.
-    Pair = tuple[int | None, int | None, int | None]
+Report = Mapping[str, Any]
+Move = dict[str, Any]
+# Indices in the old and the new list, and the number of the difference; None if there is none.
+Pair = tuple[int | None, int | None, int | None]
 
 _FIGURES = re.compile(r"-?\d[\d.]*(?:e-?\d+)?")
 _LINE = re.compile(r"\bline \d+")

@@ -8,15 +8,12 @@ has its own such move.
 from __future__ import annotations
 
 import heapq
+from typing import Any
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
-
-    Move = dict[str, Any]
-    # When a move was over in its run, how much later it is in the new one (None if only one has it), and when
-    # it is over in the merged run (None if that does not have it).
-    End = tuple[float, int, float | None, float | None]
+Move = dict[str, Any]
+# When a move was over in its run, how much later it is in the new one (None if only one has it), and when
+# it is over in the merged run (None if that does not have it).
+End = tuple[float, int, float | None, float | None]
 
 _BEGIN: End = (0.0, 0, 0.0, 0.0)
 # Times that differ by less are equal.

@@ -3,22 +3,15 @@
 from __future__ import annotations
 
 from math import copysign, inf, isfinite
-from typing import TYPE_CHECKING
 
-from motionlang.analysis.proof.checker import SLACK, Uses
-from motionlang.analysis.proof.flanks import begin, last_change
-from motionlang.analysis.proof.segments import derivatives, spans
-from motionlang.analysis.proof.slowing import LATE, slowing
+from motionlang.analysis.proof.checker import SLACK, Proof, Uses
+from motionlang.analysis.proof.flanks import Begin, begin, last_change
+from motionlang.analysis.proof.segments import Span, derivatives, spans
+from motionlang.analysis.proof.slowing import LATE, Slowing, slowing
 from motionlang.analysis.proof.time_bounds import ends_together, law, lead, move_times, rounding, top_speed
-
-if TYPE_CHECKING:
-    from motionlang.analysis.proof.checker import Proof
-    from motionlang.analysis.proof.flanks import Begin
-    from motionlang.analysis.proof.segments import Span
-    from motionlang.analysis.proof.slowing import Slowing
-    from motionlang.log.order import Order
-    from motionlang.log.track import WholeTrack
-    from motionlang.planners import Profile
+from motionlang.log.order import Order
+from motionlang.log.track import WholeTrack
+from motionlang.planners import Profile
 
 # Kinds that are planned from the settings of the axis, and so observe its rates.
 PLANNED = frozenset({"move", "step", "jog", "stop"})

@@ -7,22 +7,17 @@ each of them.
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections.abc import Iterator, Sequence
 from math import fsum
-from typing import TYPE_CHECKING
 
-from motionlang.analysis.proof.checker import ROUNDED, SLACK
+from motionlang.analysis.proof.checker import ROUNDED, SLACK, Proof, Run
 from motionlang.analysis.proof.path_bounds import spans_along
 from motionlang.analysis.proof.path_layout import PathLayout
 from motionlang.analysis.proof.paths import check_tail, same_law, stops_within
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from motionlang.analysis.proof.checker import Proof, Run
-    from motionlang.controller.move import Move
-    from motionlang.log.order import Order, PathOrder
-    from motionlang.log.track import WholeTrack
-    from motionlang.planners import Profile
+from motionlang.controller.move import Move
+from motionlang.log.order import Order, PathOrder
+from motionlang.log.track import WholeTrack
+from motionlang.planners import Profile
 
 # Paths that may overlap.
 MAX_OVERLAP = 2

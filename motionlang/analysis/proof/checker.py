@@ -3,21 +3,16 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import accumulate
 from math import fsum, inf, isfinite
-from typing import TYPE_CHECKING
 
-from motionlang.controller.move import CONTINUED
+from motionlang.controller.axis import Axis
+from motionlang.controller.move import CONTINUED, Move
 from motionlang.errors import Diagnostic
+from motionlang.log.expected_motion import ExpectedMotion
+from motionlang.log.order import Order, PathOrder
 from motionlang.log.track import WholeTrack
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping
-
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.move import Move
-    from motionlang.log.expected_motion import ExpectedMotion
-    from motionlang.log.order import Order, PathOrder
 
 # The fraction of the largest figure that rounding may amount to.
 SLACK = 1e-6

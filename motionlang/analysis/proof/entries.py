@@ -5,22 +5,15 @@ Each entry ends for the reason that it states and before the run does; the last 
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import fsum, isfinite
-from typing import TYPE_CHECKING
 
-from motionlang.analysis.proof.checker import ROUNDED, SLACK, position
+from motionlang.analysis.proof.checker import ROUNDED, SLACK, Proof, Run, position
 from motionlang.analysis.proof.offsets import check_offset
-from motionlang.controller.move import CONTINUED, MAX_PIECES
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from motionlang.analysis.proof.checker import Proof, Run
-    from motionlang.controller.move import Move
-    from motionlang.log.order import Order
-    from motionlang.log.track import WholeTrack
-    from motionlang.planners import Profile
-
+from motionlang.controller.move import CONTINUED, MAX_PIECES, Move
+from motionlang.log.order import Order
+from motionlang.log.track import WholeTrack
+from motionlang.planners import Profile
 
 # The fraction of a time by which a sum of times may differ.
 LATE = 4.0 * ROUNDED

@@ -9,15 +9,13 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from math import inf, isfinite, pi
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from motionlang.analysis.proof.segments import derivatives
-
-if TYPE_CHECKING:
-    from motionlang.log.order import Order
-    from motionlang.log.track import WholeTrack
-    from motionlang.planners import Profile
-    from motionlang.planners.ramps import Piece
+from motionlang.log.order import Order
+from motionlang.log.track import WholeTrack
+from motionlang.planners import Profile
+from motionlang.planners.ramps import Piece
 
 
 class Begin(NamedTuple):

@@ -5,20 +5,16 @@ from __future__ import annotations
 from bisect import bisect_right
 from itertools import pairwise
 from math import fsum, isfinite, sqrt
-from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.axes import PLANNED
-from motionlang.analysis.proof.checker import SLACK, Uses, position
+from motionlang.analysis.proof.checker import SLACK, Proof, Run, Uses, position
 from motionlang.analysis.proof.flanks import last_change
 from motionlang.analysis.proof.segments import Span, derivatives
+from motionlang.log.order import Order, Tie
+from motionlang.log.track import WholeTrack
+from motionlang.planners import Profile
 
-if TYPE_CHECKING:
-    from motionlang.analysis.proof.checker import Proof, Run
-    from motionlang.log.order import Order, Tie
-    from motionlang.log.track import WholeTrack
-    from motionlang.planners import Profile
-
-    Slopes = tuple[tuple[float, float, float], tuple[float, float, float]]
+Slopes = tuple[tuple[float, float, float], tuple[float, float, float]]
 
 # Fractions of a segment at which two motions are compared: two cubics that agree at four of them are equal.
 FOUR = (0.05, 0.35, 0.65, 0.95)

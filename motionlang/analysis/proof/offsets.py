@@ -5,14 +5,9 @@ The rest of an offset that it replaces is added.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from motionlang.analysis.proof.checker import ROUNDED, SLACK
-
-if TYPE_CHECKING:
-    from motionlang.analysis.proof.checker import Proof, Run
-    from motionlang.controller.move import Move
-    from motionlang.planners import Profile
+from motionlang.analysis.proof.checker import ROUNDED, SLACK, Proof, Run
+from motionlang.controller.move import Move
+from motionlang.planners import Profile
 
 # The fraction of a time by which a sum of times may differ.
 LATE = 4.0 * ROUNDED

@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from itertools import zip_longest
 from math import isfinite
-from typing import TYPE_CHECKING
 
-from motionlang.analysis.proof.checker import ROUNDED, SLACK, position
+from motionlang.analysis.proof.checker import ROUNDED, SLACK, Proof, Run, position
 from motionlang.analysis.proof.segments import spans
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-
-    from motionlang.analysis.proof.checker import Proof, Run
-    from motionlang.controller.move import Move
-    from motionlang.log.trace import Samples
-    from motionlang.log.track import WholeTrack
+from motionlang.controller.move import Move
+from motionlang.log.trace import Samples
+from motionlang.log.track import WholeTrack
 
 # Rows of the trace that are compared with the tracks.
 ROWS = 40

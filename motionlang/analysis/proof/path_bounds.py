@@ -5,15 +5,16 @@ Each check has the order of the path, its layout and its segments of motion, and
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 from math import cbrt, fsum, inf, isfinite, sqrt
-from typing import TYPE_CHECKING
 
-from motionlang.analysis.proof.checker import SLACK, Uses
+from motionlang.analysis.proof.checker import SLACK, Proof, Uses
 from motionlang.analysis.proof.path_layout import PathLayout
-from motionlang.analysis.proof.segments import combined, spans
-from motionlang.analysis.proof.slowing import slowing
+from motionlang.analysis.proof.segments import Span, combined, spans
+from motionlang.analysis.proof.slowing import Slowing, slowing
 from motionlang.analysis.proof.time_bounds import (
+    Law,
     law,
     lead,
     move_time,
@@ -23,16 +24,8 @@ from motionlang.analysis.proof.time_bounds import (
     rounding,
     top_speed,
 )
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.analysis.proof.checker import Proof
-    from motionlang.analysis.proof.segments import Span
-    from motionlang.analysis.proof.slowing import Slowing
-    from motionlang.analysis.proof.time_bounds import Law
-    from motionlang.log.order import Order, PathOrder
-    from motionlang.planners import Profile
+from motionlang.log.order import Order, PathOrder
+from motionlang.planners import Profile
 
 # Fraction of the clock's time that distinguishes one path from the next.
 ROUNDED = 1e-12

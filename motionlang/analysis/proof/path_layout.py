@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from math import atan2, ceil, copysign, cos, fsum, hypot, pi, sin
-from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.segments import rotation
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from motionlang.log.order import PathOrder
+from motionlang.log.order import PathOrder
 
 
 class PathLayout:

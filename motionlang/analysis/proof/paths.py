@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import inf, nextafter
-from typing import TYPE_CHECKING
 
-from motionlang.analysis.proof.checker import SLACK
+from motionlang.analysis.proof.checker import SLACK, Proof, Run
 from motionlang.analysis.proof.path_bounds import (
     ROUNDED,
     cannot_stop,
@@ -19,17 +19,12 @@ from motionlang.analysis.proof.path_bounds import (
     until_rest,
 )
 from motionlang.analysis.proof.path_layout import PathLayout, end_positions
+from motionlang.analysis.proof.segments import Span
 from motionlang.analysis.proof.time_bounds import lead, reverses
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.analysis.proof.checker import Proof, Run
-    from motionlang.analysis.proof.segments import Span
-    from motionlang.controller.move import Move
-    from motionlang.log.order import Order, PathOrder
-    from motionlang.log.track import WholeTrack
-    from motionlang.planners import Profile
+from motionlang.controller.move import Move
+from motionlang.log.order import Order, PathOrder
+from motionlang.log.track import WholeTrack
+from motionlang.planners import Profile
 
 
 def check_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:

@@ -41,8 +41,8 @@ runs record none.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping, Sequence
 from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
-from typing import TYPE_CHECKING
 
 from motionlang.analysis.proof.axes import PLANNED, check_profile, rounded_positions
 from motionlang.analysis.proof.blends import check_blend
@@ -55,18 +55,13 @@ from motionlang.analysis.proof.outputs import check_report, check_trace
 from motionlang.analysis.proof.paths import check_path, check_path_end, plan_in_force
 from motionlang.analysis.proof.segments import half_angle
 from motionlang.analysis.proof.settings import check_settings
+from motionlang.controller.move import Move
 from motionlang.errors import Diagnostic
-from motionlang.log.expected_motion import MAX_PROFILES
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
-
-    from motionlang.controller.move import Move
-    from motionlang.log.expected_motion import ExpectedMotion
-    from motionlang.log.order import Order, PathOrder
-    from motionlang.log.trace import Samples
-    from motionlang.log.track import Recorded, WholeTrack
-    from motionlang.planners import Profile, State
+from motionlang.log.expected_motion import MAX_PROFILES, ExpectedMotion
+from motionlang.log.order import Order, PathOrder
+from motionlang.log.trace import Samples
+from motionlang.log.track import Recorded, WholeTrack
+from motionlang.planners import Profile, State
 
 # The fractions of the time of a log entry at which the track is compared with it, in addition to its ends.
 SAMPLE_FRACTIONS = (0.0, 0.21, 0.5, 0.83, 1.0)

@@ -7,15 +7,12 @@ closed form.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import acos, asin, ceil, copysign, cos, floor, fsum, isfinite, pi, sin, sqrt
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from motionlang.planners import Profile
-    from motionlang.planners.ramps import Piece
+from motionlang.planners import Profile
+from motionlang.planners.ramps import Piece
 
 
 class Span:

@@ -6,17 +6,12 @@ too late: a move that could not stop at its end with them continues unchanged.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from motionlang.analysis.proof.blends import suspended_by
-from motionlang.analysis.proof.checker import SLACK
+from motionlang.analysis.proof.checker import SLACK, Proof, Run
 from motionlang.analysis.proof.paths import check_tail, same_law, stops_within
 from motionlang.analysis.proof.time_bounds import law, lead
-
-if TYPE_CHECKING:
-    from motionlang.analysis.proof.checker import Proof, Run
-    from motionlang.log.order import Order
-    from motionlang.log.track import WholeTrack
+from motionlang.log.order import Order
+from motionlang.log.track import WholeTrack
 
 
 def check_settings(proof: Proof, run: Run) -> None:

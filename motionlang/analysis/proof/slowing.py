@@ -8,17 +8,13 @@ alone.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from math import sqrt
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from motionlang.analysis.proof.checker import SLACK
-from motionlang.analysis.proof.time_bounds import lead, ramp
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from motionlang.analysis.proof.segments import Span
-    from motionlang.analysis.proof.time_bounds import Law
+from motionlang.analysis.proof.segments import Span
+from motionlang.analysis.proof.time_bounds import Law, lead, ramp
 
 # Seconds by which a segment may be late, as its time is rounded.
 LATE = 1e-9

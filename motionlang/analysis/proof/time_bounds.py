@@ -8,14 +8,12 @@ slowing down.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import fsum, inf, isclose, pi, sqrt
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    # A time, and the signed distance in it.
-    Leg = tuple[float, float]
+# A time, and the signed distance in it.
+Leg = tuple[float, float]
 
 # Bisections of an interval of speeds after which nothing changes any more.
 _HALVES = 70

@@ -7,17 +7,13 @@ in the language; `K` is a line that the program printed, counted from 1.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from motionlang.record import record
+from motionlang.result import Run
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.result import Run
-
-    ResultValue = float | str | bool | None
-    Reader = Callable[[Run, int], ResultValue]
+ResultValue = float | str | bool | None
+Reader = Callable[[Run, int], ResultValue]
 
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 

@@ -6,19 +6,16 @@ Variants are created one by one on demand.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Mapping, Sequence
 from math import inf
 from random import Random
+from typing import Any
 
 from motionlang.errors import ProgramError
 from motionlang.lang.literals import canonical
 from motionlang.lang.machine.file import read_value as machine_value
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
-    from typing import Any
-
-    Value = float | str | bool | list[object]
+Value = float | str | bool | list[object]
 
 MAX_VARIANTS = 100_000_000
 _RANGE = re.compile(r"([^:,\[\]\"']+):([^:,\[\]\"']+)(?::([^:,\[\]\"']+))?$")

@@ -8,18 +8,14 @@ a zero byte (AN00200 p. 8).
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
 from math import inf
 
+from motionlang.controller.clock import Clock
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.bits import signed
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
-
-    from motionlang.controller.clock import Clock
-
-    Listener = Callable[[str, int, bool], None]
+Listener = Callable[[str, int, bool], None]
 
 # Area -> (first element, last element).
 AREAS = {"comms": (1, 99), "netdata": (0, 999), "dpr": (0, 4095)}

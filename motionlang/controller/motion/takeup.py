@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
-    from motionlang.planners import Profile
+from motionlang.controller.axis import Axis
+from motionlang.planners import Profile
 
 # Seconds after a reversal at which the axis moves back, or rests.
 _MOMENT = 1e-9

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+from collections.abc import Sequence
 
-    from motionlang.controller.moves.geometry import Segment
-    from motionlang.planners.lookahead import Pace
+from motionlang.controller.moves.geometry import Segment
+from motionlang.planners.lookahead import Pace
 
 
 class PathPolicy:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from motionlang.errors import Diagnostic
+from collections.abc import Iterator, Mapping
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+from motionlang.errors import Diagnostic
 
 
 def missing_axes(settings: Mapping[str, object], axes: int, first: int) -> list[Diagnostic]:

@@ -13,20 +13,17 @@ what the machine file can. The entries override the machine file as a scenario d
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Mapping
 
 from motionlang.errors import clipped, nearest
 from motionlang.lang.machine.file import first_mistake
 from motionlang.lang.machine.keys import SHORTEST_PERIOD
 from motionlang.lang.machine.layers import layered
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-
-    Entry = dict[str, object]
-    Value = float | int | bool | str
-    # As a caller gives them: texts, or values by channel, name or prompt.
-    Given = Iterable[Value] | Mapping[str | int, Value | Iterable[Value]] | Value
+Entry = dict[str, object]
+Value = float | int | bool | str
+# As a caller gives them: texts, or values by channel, name or prompt.
+Given = Iterable[Value] | Mapping[str | int, Value | Iterable[Value]] | Value
 
 INPUT_FORM = "write 2=1@0.5, 2=1@0.5..0.9, 2=1@every 1.2 or 2=out4+0.3"
 ANALOG_FORM = "write 0=25@1 or 0=25@1..3"

@@ -5,6 +5,8 @@ An unknown key, or a value of the wrong kind, is a diagnostic with its line.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
 from motionlang.errors import Diagnostic, ProgramError, as_hint, nearest, renamed, shown
 from motionlang.lang.dialect import dialect, unknown_model
 from motionlang.lang.machine.keys import (
@@ -34,10 +36,6 @@ from motionlang.lang.machine.machine import ASSUMPTIONS
 from motionlang.lang.machine.switch import problem as reading_problem
 from motionlang.lang.nesting import StackSpace
 from motionlang.source import Source
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
 
 # Every key of the vocabulary has fewer parts than this.
 _MAX_DEPTH = 5

@@ -6,14 +6,12 @@ subject.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from motionlang.errors import Diagnostic, ProgramError, nearest
 from motionlang.lang.machine.keys import ABOUT, NAMED
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    Entry = Mapping[str, object]
+Entry = Mapping[str, object]
 
 
 def layered(below: Mapping[str, object], above: Mapping[str, object]) -> dict[str, object]:

@@ -7,16 +7,13 @@ a line while the program asks for one.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+from motionlang.controller.clock import Clock
+from motionlang.lang.machine.terminal import Terminal
 
-    from motionlang.controller.clock import Clock
-    from motionlang.lang.machine.terminal import Terminal
-
-    Entry = Mapping[str, object]
+Entry = Mapping[str, object]
 
 # How long a key is held by default, in seconds.
 PRESS_TIME = 0.1

@@ -5,13 +5,11 @@ The evidence files, which are not loaded in a run, explain each assumption and t
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from motionlang.errors import nearest, shown
 from motionlang.lang.dialect import PACKAGES, dialect
 from motionlang.lang.machine.machine import ASSUMPTIONS
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable
 
 # The list of all assumptions, with their names and alternatives.
 LIST = "docs/contributing/assumptions.md"

@@ -9,9 +9,7 @@ are pushed only to be popped again.
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable
+from collections.abc import Iterable
 
 _LOOP = """
 

@@ -6,17 +6,13 @@ over the texts of the tokens. Only messages need columns; to find them the text 
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable, Iterator
 from itertools import islice
 from sys import maxsize
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    import re
-    from collections.abc import Iterable, Iterator
-
-    from motionlang.lang.parsing.parser import Tables
-    from motionlang.source import Source
-
+from motionlang.lang.parsing.parser import Tables
+from motionlang.source import Source
 
 _SIGNS = frozenset("+-~")
 

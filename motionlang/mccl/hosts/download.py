@@ -5,21 +5,18 @@ Its lines run one after another, and the replies go to the sender.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TypeAlias
+
+from motionlang.errors import Diagnostic
+from motionlang.lang.waits import Wait
+from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.program import FileTask, MacroFile, locate
+from motionlang.mccl.runtime.task import CommandTask
+from motionlang.source import Source
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import TypeAlias
-
-    from motionlang.errors import Diagnostic
-    from motionlang.lang.waits import Wait
-    from motionlang.mccl.runtime.board import Board
-    from motionlang.mccl.runtime.task import CommandTask
-    from motionlang.source import Source
-
-    Write: TypeAlias = Callable[[str], None]
-    Complain: TypeAlias = Callable[[Diagnostic], None]
+Write: TypeAlias = Callable[[str], None]
+Complain: TypeAlias = Callable[[Diagnostic], None]
 
 
 class Download(FileTask):

@@ -5,19 +5,15 @@ They report outputs switched on input channels, and waits for inputs that nothin
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
 
 from motionlang.lang.lint import driven_inputs
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
+from motionlang.mccl.models import Model
+from motionlang.mccl.resolve.line import Line
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from motionlang.mccl.models import Model
-    from motionlang.mccl.resolve.line import Line
-
-    Add = Callable[[int, Fault], None]
+Add = Callable[[int, Fault], None]
 
 _SWITCHES = frozenset({"channel_on", "channel_off"})
 _WAITS = {"wait_on": "on", "wait_off": "off"}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator, Mapping
 
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import DEFAULT_AXES
@@ -12,20 +13,14 @@ from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
 from motionlang.mccl.lint.channels import check_channels
 from motionlang.mccl.lint.checks import CALLS, lint
-from motionlang.mccl.models import DEFAULT, MODELS, missing, written_for
+from motionlang.mccl.models import DEFAULT, MODELS, Model, missing, written_for
+from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.program import locate
 from motionlang.mccl.syntax.mistakes import stuck
 from motionlang.mccl.syntax.tables import COMMENT
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-
-    from motionlang.mccl.models import Model
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.source import Source
+from motionlang.source import Source
 
 # Jumps within a line.
 _JUMPS = frozenset({"jump", "jump_by"})

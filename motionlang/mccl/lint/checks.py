@@ -5,20 +5,16 @@ It reports commands that never run, motors never switched on, axes that never st
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator
 
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.lint.equalities import exact_positions
 from motionlang.mccl.lint.loops import endless_lines
 from motionlang.mccl.lint.running import running_axes
+from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.line import Line
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-
-    from motionlang.mccl.resolve.command import Command
-
-    Add = Callable[[int, Fault], None]
+Add = Callable[[int, Fault], None]
 
 _MOVES = frozenset(
     {

@@ -7,17 +7,13 @@ The axis may pass a count between two readings, so IE may never see it.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable
 
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.resolve.line import Line
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.resolve.line import Line
-
-    Add = Callable[[int, Fault], None]
+Add = Callable[[int, Fault], None]
 
 _POSITIONS = frozenset({"POSITION", "AUXPOSITION"})
 _READS = frozenset({"read_word", "read_long", "read_float", "read_double"})

@@ -5,17 +5,13 @@ Such a line cuts short the motion that it starts, or blocks the controller.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable
 
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.resolve.command import Command
+from motionlang.mccl.resolve.line import Line
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.resolve.line import Line
-
-    Add = Callable[[int, Fault], None]
+Add = Callable[[int, Fault], None]
 
 _MOVES = frozenset({"move_to", "move_by", "go_home", "move_to_point"})
 # Commands that jump, leave the line or skip commands, and those that take time.

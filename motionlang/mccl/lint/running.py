@@ -6,18 +6,13 @@ move.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable
 
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.resolve.command import NUMBER
+from motionlang.mccl.resolve.command import NUMBER, Command
+from motionlang.mccl.resolve.line import Line
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.resolve.line import Line
-
-    Add = Callable[[int, Fault], None]
+Add = Callable[[int, Fault], None]
 
 _SHAPES = {"shape_trapezoid": "", "shape_scurve": "S-curve", "shape_parabolic": "parabola"}
 _MOVES = frozenset({"move_to", "move_by", "go_home", "move_to_point"})

@@ -8,9 +8,7 @@ from __future__ import annotations
 
 from math import atan2, cos, degrees, hypot, radians, sin, sqrt
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    Point = tuple[float, float]
+Point = tuple[float, float]
 
 # The largest miss of an end point, as a fraction of the radius; a larger one is a mistake in the program.
 _MISS = 1e-3

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.decode import COMMANDS
 from motionlang.mccl.syntax.parser import MAX_LINE, pieces, spans, without_comment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.mccl.resolve.command import Command
-
 
 # Enough for any host and most programs; see `decode` for the commands.
 _MEMO_SIZE = 5_000

@@ -5,16 +5,12 @@ A loop is the commands between the target of a jump back and the jump.
 
 from __future__ import annotations
 
-from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
+from collections.abc import Callable, Iterator
+
+from motionlang.lang.loop_dependencies import InputRead, LoopDependencies, Read
+from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.line import Line, lines_of
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-
-    from motionlang.lang.loop_dependencies import Read
-    from motionlang.mccl.resolve.command import Command
-    from motionlang.source import Source
+from motionlang.source import Source
 
 _BACK = frozenset(("repeat", "jump", "jump_by", "jump_macro"))
 

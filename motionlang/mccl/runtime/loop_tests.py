@@ -10,19 +10,14 @@ condition has skipped it, and does so until the result of a test changes.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import ceil, floor
 
-from motionlang.mccl.resolve.command import NUMBER, REGISTER, TEXT
+from motionlang.mccl.resolve.command import NUMBER, REGISTER, TEXT, Command
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.mccl.resolve.command import Command
-
-    # By the index of a command that reads: the commands that test its value; None if it is used for anything else.
-    Tests = dict[int, tuple[Command, ...] | None]
+# By the index of a command that reads: the commands that test its value; None if it is used for anything else.
+Tests = dict[int, tuple[Command, ...] | None]
 
 # Commands that compare the whole accumulator with a number, those that test one of its bits, and commands without
 # effect on it.
@@ -97,7 +92,7 @@ class Reading:
 
 
 def readings_of(commands: Sequence[Command], governs: int) -> dict[int, Reading | None] | None:
-    """Return the values that an iteration reads, by index, in the manner of `tests_of`."""
+    """Return the values that an iteration reads, by index, as in `tests_of`."""
     found = tests_of(commands, governs)
     if found is None:
         return None

@@ -241,7 +241,7 @@ class Poll:
         return found
 
     def _tested_until(self, notes: list[Note], now: float, since: float) -> float:
-        """Return until when the tests of an iteration give the results that they had at `since`.
+        """Return until when the tests of an iteration give the same results as at `since`.
 
         `notes` are the dependencies that the iteration recorded, and `now` is the time at its end. If a value
         that has changed by then is used for more than tests, the loop may change at once.

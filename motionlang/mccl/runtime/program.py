@@ -5,7 +5,11 @@ Each line is sent when the previous one has ended.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from motionlang.controller.clock import INFINITY
+from motionlang.errors import Diagnostic
+from motionlang.lang.machine.machine import Machine
 from motionlang.lang.program import Program
 from motionlang.lang.waits import Wait
 from motionlang.mccl.codes import Fault
@@ -14,14 +18,7 @@ from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.task import CommandTask
 from motionlang.mccl.syntax.parser import spans
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from motionlang.errors import Diagnostic
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.source import Source
+from motionlang.source import Source
 
 
 class MacroFile(Program):

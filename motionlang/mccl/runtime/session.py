@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import Interactive
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.task import Task
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.program import TextTask, locate, override
 from motionlang.mccl.runtime.task import CommandTask
 from motionlang.source import Source
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Task
 
 
 class Session(Interactive):

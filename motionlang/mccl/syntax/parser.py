@@ -6,16 +6,13 @@ This module contains no mnemonic.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from motionlang.mccl.syntax.tables import COMMAND, PIECE, SEPARATORS, TERMINALS
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    # The parts of a command: the axis with the mnemonic, and at most one parameter, which is an integer, a
-    # real number, a register or a text in quotes. A missing part is None.
-    Parts = tuple[str | None, ...]
+# The parts of a command: the axis with the mnemonic, and at most one parameter, which is an integer, a
+# real number, a register or a text in quotes. A missing part is None.
+Parts = tuple[str | None, ...]
 
 _AXIS, _MNEMONIC = (re.compile(TERMINALS[name], re.ASCII) for name in ("AXIS", "MNEMONIC"))
 # The controller's input buffer, in characters.

@@ -5,13 +5,11 @@ Their kinds are axis, command, number, register, text, comment, separator and un
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from motionlang.mccl.keywords import table
 from motionlang.mccl.syntax.parser import head, spans, without_comment
 from motionlang.mccl.syntax.tables import BEGINS
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
 
 _DIGITS = "0123456789"
 # The kind of an argument, by the character with which it begins.

@@ -5,14 +5,10 @@ from __future__ import annotations
 from math import inf, isnan
 
 from motionlang.mint.compile import intervals
-from motionlang.mint.compile.body import Value
+from motionlang.mint.compile.body import Body, Value
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, TIME, Type
 from motionlang.mint.runtime.functions import MAX_TEXT
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.compile.body import Body
-    from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax import nodes
 
 # Replaces a wrong value, which has been reported, so that other errors are found. Its type is no error.
 NOTHING = Value("0", FLOAT, intervals.ANY)

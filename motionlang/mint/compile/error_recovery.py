@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from motionlang.errors import ProgramError
+from motionlang.errors import Diagnostic, ProgramError
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.keywords import table
-from motionlang.mint.resolve.recall import Recall
+from motionlang.mint.resolve.recall import Known, Recall
 from motionlang.mint.syntax.recovery import readable
 from motionlang.mint.syntax.tables import TABLES
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.errors import Diagnostic
-    from motionlang.mint.resolve.recall import Known
-    from motionlang.source import Source
+from motionlang.source import Source
 
 # Errors that concern a statement by itself. Other errors, such as an Exit outside a loop, may be caused by a
 # removed line.

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf
 
 from motionlang.mint.compile import intervals, operators
-from motionlang.mint.compile.body import Answer, Reading, Value
+from motionlang.mint.compile.body import Answer, Body, Reading, Value
 from motionlang.mint.compile.conversions import NOTHING, article, as_integer, converted, literal
 from motionlang.mint.resolve.folding import binary as fold_binary
 from motionlang.mint.resolve.folding import unary as fold_unary
@@ -23,12 +24,6 @@ from motionlang.mint.resolve.symbols import (
 from motionlang.mint.runtime.code_units import given_name
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.build import LINKS
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.compile.body import Body
 
 _SAME = frozenset((INTEGER, FLOAT, STRING))
 # Integers that have been written, up to a maximum number.

@@ -6,19 +6,14 @@ They are variables that its handler, or polling loops, only advance and compare.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable, Sequence
 
 from motionlang.mint.compile import operators
+from motionlang.mint.compile.body import Body
 from motionlang.mint.compile.polling import may_poll, reached
-from motionlang.mint.resolve.symbols import NUMERIC
+from motionlang.mint.resolve.symbols import NUMERIC, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from motionlang.mint.compile.body import Body
-    from motionlang.mint.resolve.symbols import Symbol
 
 HANDLERS = ("timer",)
 _LOOPS = nodes.While, nodes.Repeat, nodes.Loop, nodes.For

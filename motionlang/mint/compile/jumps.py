@@ -24,18 +24,15 @@ that contains `pc`. The group returns the number of the next stretch outside its
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.mint.compile import loop_times, polling
+from motionlang.mint.compile.body import Body
 from motionlang.mint.compile.calls import depth_below
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.compile.lines import LEAVES, Line
 from motionlang.mint.compile.splitting import SIZE, dispatcher, split_off
 from motionlang.mint.syntax import nodes
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.compile.body import Body
 
 # In a function with more stretches than this, no jump is watched, no loop of jumps is logged, and the stretches are
 # divided into groups.

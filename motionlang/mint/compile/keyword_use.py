@@ -6,27 +6,21 @@ The keyword's row in the table gives its access, index, unit and range. At run t
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import isnan
 
 from motionlang.errors import as_hint
+from motionlang.lang.keyword import Keyword
 from motionlang.mint.compile import intervals
-from motionlang.mint.compile.body import Reading, Value
+from motionlang.mint.compile.body import Body, Reading, Value
 from motionlang.mint.compile.conversions import NOTHING, article, as_float, as_integer, literal
 from motionlang.mint.compile.expressions import condition, number, value
 from motionlang.mint.compile.lines import LOOP
 from motionlang.mint.compile.terminal_use import line
 from motionlang.mint.resolve.folding import constant
-from motionlang.mint.resolve.symbols import FLOAT, INTEGER, STRING
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, STRING, Symbol
 from motionlang.mint.runtime.task import PARENT
 from motionlang.mint.syntax import nodes
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.lang.keyword import Keyword
-    from motionlang.mint.compile.body import Body
-    from motionlang.mint.resolve.symbols import Symbol
 
 # The text of an omitted value. No other value has this text.
 OMITTED = "None"

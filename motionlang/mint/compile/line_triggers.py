@@ -6,15 +6,12 @@ To the compiler it is a command like any other, so it is executed between statem
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from motionlang.errors import Diagnostic
+from motionlang.mint.resolve.problems import Problems
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.mint.resolve.problems import Problems
 
 WORD = "(line)"
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence
 
 # Kinds: LOOP is the head of a loop, BREAK leaves the innermost loop, LEAVES the function or the stretch
 # between labels, and HORIZON lets others run if they are due.

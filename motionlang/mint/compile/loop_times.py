@@ -21,13 +21,10 @@ loop.
 from __future__ import annotations
 
 from motionlang.lang.task import MIN_STATEMENTS
+from motionlang.mint.compile.body import Body
 from motionlang.mint.compile.lines import Line
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.compile.body import Body
 
 
 class Region:

@@ -7,14 +7,11 @@ delay the machine nor hang. `Next`, `End While`, `Until` and `End Loop` cost one
 from __future__ import annotations
 
 from motionlang.mint.compile import loop_times, polling, stops
+from motionlang.mint.compile.body import Body
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.compile.lines import BREAK, LOOP
+from motionlang.mint.compile.polling import Poll
 from motionlang.mint.syntax import nodes
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.compile.body import Body
-    from motionlang.mint.compile.polling import Poll
 
 COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 

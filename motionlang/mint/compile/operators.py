@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 from motionlang.mint.compile import intervals
-from motionlang.mint.compile.body import PRODUCT, SUM, Answer, Value
+from motionlang.mint.compile.body import PRODUCT, SUM, Answer, Body, Value
 from motionlang.mint.compile.conversions import NOTHING, article, as_float, as_integer, literal
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, STRING
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.compile.body import Body
-    from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax import nodes
 
 COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 ARITHMETIC = {"+": SUM, "-": SUM, "*": PRODUCT}

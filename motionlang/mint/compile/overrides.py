@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterable, Mapping
+
 from motionlang.errors import Diagnostic, ProgramError, nearest
 from motionlang.mint.keywords import table
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Mapping
 
 
 def override(

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
+from motionlang.lang.keyword import Keyword
 from motionlang.mint.compile import keyword_use
+from motionlang.mint.compile.body import Body
 from motionlang.mint.resolve.symbols import NUMERIC
 from motionlang.mint.syntax import nodes
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.keyword import Keyword
-    from motionlang.mint.compile.body import Body
 
 
 def write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:

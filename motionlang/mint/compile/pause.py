@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
+from motionlang.mint.compile.body import Body
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import meant, walk
 from motionlang.mint.syntax.unparse import shown
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.compile.body import Body
 
 
 def pause(b: Body, node: nodes.Pause) -> None:

@@ -17,25 +17,21 @@ the values that they have after the skipped iterations.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
+from motionlang.lang.keyword import Keyword
 from motionlang.mint.compile import operators
+from motionlang.mint.compile.body import Body
 from motionlang.mint.compile.lines import HORIZON, YIELDS
-from motionlang.mint.resolve.symbols import FLOAT, NUMERIC, STRING, TIME
+from motionlang.mint.resolve.symbols import FLOAT, NUMERIC, STRING, TIME, Symbol
 from motionlang.mint.runtime.code_units import SCRATCH
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 from motionlang.mint.syntax.unparse import shown
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from motionlang.lang.keyword import Keyword
-    from motionlang.mint.compile.body import Body
-    from motionlang.mint.resolve.symbols import Symbol
-
-    # Variables by the text of their values.
-    State = dict[str, Symbol]
+# Variables by the text of their values.
+State = dict[str, Symbol]
 
 # A loop that names more variables is not checked.
 MAX_VARIABLES = 100

@@ -14,15 +14,12 @@ its chunks are nested inside it.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+
 from motionlang.lang.task import CHUNK, DISPATCHER
+from motionlang.mint.compile.body import Body
 from motionlang.mint.compile.lines import BREAK, DEPTH, LEAVES, LOOP, YIELDS, Line, moved, names_in
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from motionlang.mint.compile.body import Body
-    from motionlang.mint.resolve.symbols import Function
+from motionlang.mint.resolve.symbols import Function
 
 # A block with more lines than MAX_LINES is split into parts of about SIZE lines. In a function with labels, which
 # may have many blocks below that, this holds from SIZE lines on after its first MANY lines.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.mint.compile import (
     for_loops,
     jumps,
@@ -14,7 +16,7 @@ from motionlang.mint.compile import (
     terminal_use,
     words,
 )
-from motionlang.mint.compile.body import Value
+from motionlang.mint.compile.body import Body, Value
 from motionlang.mint.compile.calls import call
 from motionlang.mint.compile.conversions import NOTHING, article, converted
 from motionlang.mint.compile.expressions import condition, reference, unknown, value
@@ -23,12 +25,6 @@ from motionlang.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, STRING, 
 from motionlang.mint.runtime.code_units import SCRATCH
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import meant
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.compile.body import Body
 
 
 def block(b: Body, body: list[nodes.Stmt]) -> None:

@@ -14,23 +14,19 @@ frame cannot be assigned before Python 3.13:
 
 from __future__ import annotations
 
-from motionlang.mint.resolve.symbols import RECORD
+from collections.abc import Iterable, Sequence
+
+from motionlang.mint.compile.body import Body
+from motionlang.mint.resolve.symbols import RECORD, Function, Symbol, Type
 from motionlang.mint.runtime.code_units import CELLS, COUNTING
 from motionlang.mint.syntax import nodes
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from motionlang.mint.compile.body import Body
-    from motionlang.mint.resolve.symbols import Function, Symbol, Type
-
-    # Word, dimensions, and the members of a user type, each with its name.
-    Shape = tuple[str, tuple[int, ...], tuple[tuple[str, "Shape"], ...]]
-    # Name, spelling in Python, shape, and how it is stored: "", "boxed" or "by_ref".
-    Described = tuple[str, str, Shape, str]
-    # The source offsets of the statements, and the title and the variables of each function.
-    Stops = tuple[list[int], dict[str, tuple[str, tuple[Described, ...]]]]
+# Word, dimensions, and the members of a user type, each with its name.
+Shape = tuple[str, tuple[int, ...], tuple[tuple[str, "Shape"], ...]]
+# Name, spelling in Python, shape, and how it is stored: "", "boxed" or "by_ref".
+Described = tuple[str, str, Shape, str]
+# The source offsets of the statements, and the title and the variables of each function.
+Stops = tuple[list[int], dict[str, tuple[str, tuple[Described, ...]]]]
 
 # Statements that write no code.
 _SILENT = (nodes.Const, nodes.Define, nodes.Label, nodes.Auto)

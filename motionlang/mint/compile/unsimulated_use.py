@@ -8,18 +8,15 @@ in brackets.
 from __future__ import annotations
 
 from motionlang.errors import as_hint
+from motionlang.lang.keyword import Keyword
 from motionlang.mint.compile import keyword_use
+from motionlang.mint.compile.body import Body, Value
 from motionlang.mint.compile.conversions import NOTHING
 from motionlang.mint.compile.expressions import value
 from motionlang.mint.keywords import unsimulated
 from motionlang.mint.keywords.no_effect import VERB as STORED
 from motionlang.mint.resolve.symbols import STRING
 from motionlang.mint.syntax import nodes
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.keyword import Keyword
-    from motionlang.mint.compile.body import Body, Value
 
 CODE = "not-simulated"
 # Follows the meaning of a keyword that ends the run when the program reaches it.

@@ -5,13 +5,10 @@ The name was resolved to the row of the keyword, which decides. Neither compiler
 
 from __future__ import annotations
 
+from motionlang.lang.keyword import Keyword
 from motionlang.mint.compile import keyword_use, unsimulated_use
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.keyword import Keyword
-    from motionlang.mint.compile.body import Body, Value
-    from motionlang.mint.syntax import nodes
+from motionlang.mint.compile.body import Body, Value
+from motionlang.mint.syntax import nodes
 
 
 def read(b: Body, node: nodes.Name, row: Keyword) -> Value:

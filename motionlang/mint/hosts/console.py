@@ -18,8 +18,9 @@ between two calls, when every axis is consistent.
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable, Mapping
 
-from motionlang.controller.accelerators import NO_ACCELERATORS
+from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
 from motionlang.controller.clock import INFINITY
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.machine.machine import Machine
@@ -36,12 +37,6 @@ from motionlang.mint.interactive import MintInteractive
 from motionlang.mint.runtime.errors import NUMBERS
 from motionlang.mint.runtime.printing import shows_float
 from motionlang.source import Source
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from motionlang.controller.accelerators import Accelerators
 
 # The number of moves, profiles and changes that a served controller stores, because it may run for days.
 MEMORY = 1000

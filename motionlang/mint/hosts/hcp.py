@@ -13,15 +13,12 @@ also Ctrl-E: it belongs to a frame only at the end of a read request.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import reduce
 from operator import xor
 from struct import pack, unpack
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.io.host_memory import HostMemory
+from motionlang.controller.io.host_memory import HostMemory
 
 STX, ETX, EOT, ENQ, ACK, NAK = 2, 3, 4, 5, 6, 21
 FIRST, LAST = 1, 99

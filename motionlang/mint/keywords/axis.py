@@ -4,13 +4,9 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.runtime.binding import of, scale_of, unchecked
+from motionlang.mint.runtime.binding import Maker, of, scale_of, unchecked
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Maker
 
 
 def do_default_axes(environment: Environment, axes: tuple[int, ...], line: int) -> None:

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
+from motionlang.controller.axis import Axis
 from motionlang.controller.triggers.watch import Watch, arm
 from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, Inputs, checked
 from motionlang.mint.keywords.motion import refuse_stopping
-from motionlang.mint.runtime.binding import axis_of, check, of
+from motionlang.mint.runtime.binding import Maker, Operation, axis_of, check, of
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.axis import Axis
-    from motionlang.mint.runtime.binding import Maker, Operation
-
 
 AUTO, AT_GO, AT_INPUT, AT_POSITION = range(4)
 _DEFAULTS = {"TRIGGERMODE": AT_GO, "TRIGGERINPUT": -1}

@@ -7,9 +7,11 @@ the counts at which it switches.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from itertools import pairwise
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.triggers.position_zones import Cells
@@ -19,14 +21,7 @@ from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.mint.keywords.sensing import Encoders, channel_of
 from motionlang.mint.keywords.table_motion_cams import elements
 from motionlang.mint.runtime.binding import ByNumber, axis_of, of, scale_of
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.controller.axis import Axis
-    from motionlang.mint.runtime.environment import Environment
-
+from motionlang.mint.runtime.environment import Environment
 
 LAST_BOX = 31
 # The sources, with the numbers of LATCHSOURCE.

@@ -5,27 +5,21 @@ Nothing is sampled during a capture. A point is computed from the exact motion w
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from math import ceil
 
+from motionlang.controller.clock import Event
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword, value
 from motionlang.mint.keywords import captures_quantities as quantities
 from motionlang.mint.keywords.captures_levels import watch
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.binding import Operation, of, of_word
+from motionlang.mint.runtime.environment import Environment
+from motionlang.planners import Profile
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.clock import Event
-    from motionlang.mint.runtime.binding import Operation
-    from motionlang.mint.runtime.environment import Environment
-    from motionlang.planners import Profile
-
 
 LAST_CHANNEL, LAST_TRIGGER = 7, 1
 MAX_POINTS, POINTS = 100_000, 1000

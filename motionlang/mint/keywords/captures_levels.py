@@ -5,23 +5,19 @@ The time is solved for, or is that of the event that changes the quantity.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.controller.faults import Rejected
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.mint.keywords import captures_quantities as quantities
-from motionlang.mint.keywords.camboxes import AUX_ENCODER, AXIS, ENCODER, source_of
+from motionlang.mint.keywords.camboxes import AUX_ENCODER, AXIS, ENCODER, Source, source_of
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.mint.keywords.io_outputs import Analogue
+from motionlang.mint.runtime.environment import Environment
+from motionlang.planners import Profile
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.keywords.camboxes import Source
-    from motionlang.mint.runtime.environment import Environment
-    from motionlang.planners import Profile
-
-    EdgeListener = Callable[[bool], None]
-    View = Callable[[Profile], Profile]
+EdgeListener = Callable[[bool], None]
+View = Callable[[Profile], Profile]
 
 _KINDS = {
     quantities.MEASURED: AXIS,

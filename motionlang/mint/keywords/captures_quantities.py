@@ -6,22 +6,19 @@ simulated again, and channels have a log of their changes.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from motionlang.controller.io.bits import signed
+from motionlang.controller.io.channels import Channels
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mint.keywords.following_auxiliary import AuxEncoders, checked_channel
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
 from motionlang.mint.keywords.sensing import Encoders, channel_of
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.environment import Environment
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.controller.io.channels import Channels
-    from motionlang.mint.runtime.environment import Environment
-
-    Datums = Sequence[tuple[float, float]]
+Datums = Sequence[tuple[float, float]]
 
 NAMES = (
     "Off",

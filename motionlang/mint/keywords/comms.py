@@ -4,14 +4,9 @@ from __future__ import annotations
 
 from motionlang.controller.io.host_memory import product
 from motionlang.lang.keyword import Actions, Keyword, constant
-from motionlang.mint.runtime.binding import of, with_first
+from motionlang.mint.runtime.binding import Maker, Operation, of, with_first
 from motionlang.mint.runtime.changes import repeatable
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Maker, Operation
-    from motionlang.mint.runtime.environment import Environment
-
+from motionlang.mint.runtime.environment import Environment
 
 # The elements that raise an event, by product (ABB AN00198 p. 19): first, last, and True if only a change of
 # value does.

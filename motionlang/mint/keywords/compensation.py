@@ -14,13 +14,10 @@ from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.sensing import Encoders
 from motionlang.mint.keywords.table_motion_cams import elements
 from motionlang.mint.runtime.binding import of_word, scale_of
+from motionlang.mint.runtime.environment import Environment
 from motionlang.planners.leadscrew import Leadscrew
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.environment import Environment
-
-    Array = list[float]
+Array = list[float]
 
 
 SINGLE, DUAL = 1, 2

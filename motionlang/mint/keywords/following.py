@@ -6,14 +6,9 @@ from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.buffer import loads
 from motionlang.mint.keywords.following_masters import MASTER_SETTING, Masters, distance
 from motionlang.mint.keywords.motion import finite
-from motionlang.mint.runtime.binding import by_axis, of, of_word, scale_of
+from motionlang.mint.runtime.binding import Operation, by_axis, of, of_word, scale_of
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation
-
 
 RAMPED = 1
 

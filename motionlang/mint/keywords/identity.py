@@ -5,18 +5,13 @@ The section `[mint.values]` of the machine file can override each value.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 from motionlang.lang.keyword import Actions, Keyword, constant, kind_of
 from motionlang.mint.keywords.no_effect import StoredValues
-from motionlang.mint.runtime.binding import axis_of, of
+from motionlang.mint.runtime.binding import Maker, Operation, axis_of, of
 from motionlang.mint.runtime.changes import always
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from motionlang.mint.runtime.binding import Maker, Operation
-
 
 # AXES is the item of NUMBEROF that counts axes. VIRTUAL is the name that WorkBench's library gives its own
 # simulated controller.

@@ -8,22 +8,16 @@ INPUTACTIVELEVEL. If the INPUTMODE bit of the input is set, they show whether an
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import ceil
 
+from motionlang.controller.clock import Event
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.bits import signed
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.defaults import PATTERNS
-from motionlang.mint.runtime.binding import of, of_word
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.clock import Event
-    from motionlang.mint.runtime.binding import Operation
-    from motionlang.mint.runtime.environment import Environment
-
+from motionlang.mint.runtime.binding import Operation, of, of_word
+from motionlang.mint.runtime.environment import Environment
 
 BANK = 32
 LAST_CHANNEL = 999

@@ -6,14 +6,9 @@ from motionlang.controller.clock import INFINITY
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.defaults import ANALOGUE
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.binding import Operation, of, of_word
 from motionlang.mint.runtime.changes import repeatable, reported
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation
-
 
 LAST_BANK = LAST_CHANNEL // BANK
 

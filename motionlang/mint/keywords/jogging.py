@@ -5,6 +5,7 @@ The commands are JOGCOMMAND, JOGSPEED, JOGMODE and JOGDURATION.
 
 from __future__ import annotations
 
+from motionlang.controller.clock import Event
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
@@ -13,11 +14,7 @@ from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.controller.clock import Event
-
-    Rates = tuple[float | None, float | None]
+Rates = tuple[float | None, float | None]
 
 
 CONTINUOUS, TIMED = range(2)

@@ -7,23 +7,17 @@ numbers are from memory.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.scale import Scale
 from motionlang.controller.triggers.homing import next_index
+from motionlang.controller.triggers.watch import Watch
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.runtime.binding import ByNumber, axis_of, scale_of, unchecked
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.scale import Scale
-    from motionlang.controller.triggers.watch import Watch
-    from motionlang.mint.runtime.binding import Maker, Operation
-    from motionlang.mint.runtime.environment import Environment
-
+from motionlang.mint.runtime.binding import ByNumber, Maker, Operation, axis_of, scale_of, unchecked
+from motionlang.mint.runtime.environment import Environment
 
 LAST_LATCH = 31
 BY_INPUT, BY_INDEX = 0, 1

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.controller.faults import Rejected
 from motionlang.controller.triggers.position_zones import Cells
+from motionlang.controller.triggers.watch import Watch
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.mint.runtime.binding import ByNumber, of, of_word, scale_of, unchecked
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.triggers.watch import Watch
-    from motionlang.mint.runtime.environment import Environment
-
+from motionlang.mint.runtime.environment import Environment
 
 # COMPAREMODE, from memory. AT: the output turns on at position 0 and remains on. BETWEEN: it is on between
 # positions 0 and 1.

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 
 from motionlang.lang.keyword import Keyword
 from motionlang.mint.keywords import no_effect, unsimulated
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
 
 _UNITS = {
     "int": "integer",

@@ -22,14 +22,9 @@ from motionlang.controller.triggers.limit import Limit
 from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
 from motionlang.mint.keywords.defaults import MODES
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.binding import Maker, Operation, of, of_word
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Maker, Operation
-
 
 ACTIONS = ("ignore", "abort", "off", "error-stop", "error-stop", "event")
 STOP_THEN_OFF = 4

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.axis_settings import Settings, setting_reader, setting_writer
@@ -9,11 +11,6 @@ from motionlang.mint.keywords.defaults import STOP_INPUT_MODE
 from motionlang.mint.runtime.binding import axis_of, of, on_axes, on_every_axis
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment, mint_settings
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
 
 # STOPMODE: how STOP brings an axis to rest.
 AT_DECEL, AT_ERROR_DECEL, CRASH = 0, 1, 2

@@ -6,6 +6,8 @@ function is carried out exactly when the state of the input changes.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.controller.axis import BY_INPUT
 from motionlang.controller.faults import ERROR_INPUT, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.lang.keyword import Actions, Keyword
@@ -15,11 +17,6 @@ from motionlang.mint.keywords.limits import ACTIONS, AxisErrors, switch_row
 from motionlang.mint.keywords.limits_resetting import AT_ERROR_DECEL, CRASH, StopModes, reset, stop
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
 
 NONE = -1
 

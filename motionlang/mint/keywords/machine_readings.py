@@ -9,14 +9,10 @@ They are in the section `[mint.values]`:
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import WHOLE_UNITS
+from collections.abc import Mapping
+
+from motionlang.lang.keyword import WHOLE_UNITS, Keyword
 from motionlang.mint.keywords import table
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from motionlang.lang.keyword import Keyword
 
 SECTION = "mint.values."
 # Groups of keywords with a value of their own that the machine file may override.

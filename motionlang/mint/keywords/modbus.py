@@ -6,6 +6,7 @@ registers, the lower half first, as in Mint's own server (ABB AN00198 p. 5). Req
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from functools import partial
 from math import inf
 from struct import pack, unpack
@@ -13,17 +14,11 @@ from struct import pack, unpack
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.channels import Channels
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.runtime.binding import of
+from motionlang.mint.runtime.binding import Maker, of
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
-    from motionlang.mint.runtime.binding import Maker
-
-    Entry = Mapping[str, object]
+Entry = Mapping[str, object]
 
 
 LAST = 65535

@@ -9,13 +9,8 @@ from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword, constant, kind_of
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.remote import ERROR_REGISTER, LAST_CHANNEL, Nodes
-from motionlang.mint.runtime.binding import of
+from motionlang.mint.runtime.binding import Maker, of
 from motionlang.mint.runtime.changes import repeatable
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Maker
-
 
 LAST_OBJECT, LAST_SUB = 0xFFFF, 255
 STATUS_REGISTER = 0x1002

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.motion import refuse_stopping
-from motionlang.mint.runtime.binding import axis_of, of, of_word, on_axes, scale_of
+from motionlang.mint.runtime.binding import Maker, Operation, axis_of, of, of_word, on_axes, scale_of
 from motionlang.mint.runtime.changes import moving, repeatable
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from motionlang.mint.runtime.binding import Maker, Operation
 
 
 def _ready(

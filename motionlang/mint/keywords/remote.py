@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from typing import Any
 
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.bits import signed
@@ -12,15 +14,9 @@ from motionlang.lang.keyword import Actions, Keyword, kind_of
 from motionlang.mint.keywords.io_inputs import BANK, bits_of, checked
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
-    from typing import Any
-
-    from motionlang.mint.runtime.environment import Environment
-
-    Entry = Mapping[str, Any]
+Entry = Mapping[str, Any]
 
 
 # Powerlink numbers its nodes beyond CAN's 127: its manager is 240.

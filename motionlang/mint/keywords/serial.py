@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from functools import partial
+from typing import Any
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import of
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-    from typing import Any
-
-    from motionlang.mint.runtime.environment import Environment
-
+from motionlang.mint.runtime.environment import Environment
 
 LAST_PORT = 8
 # The number of characters that a port stores for a program that does not read.

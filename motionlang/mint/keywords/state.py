@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.runtime.binding import by_axis, of_word, scale_of
+from motionlang.mint.runtime.binding import Maker, Operation, by_axis, of_word, scale_of
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Maker, Operation
 
 
 @by_axis

@@ -9,16 +9,11 @@ from __future__ import annotations
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword, constant
 from motionlang.lang.machine.machine import CONSOLE
-from motionlang.mint.runtime.binding import of
+from motionlang.lang.waits import Wait
+from motionlang.mint.runtime.binding import Maker, Operation, of
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.input_values import take, wait_for_answer
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.waits import Wait
-    from motionlang.mint.runtime.binding import Maker, Operation
-
 
 # All possible terminals, and the value that stands for those of TERMINAL.
 ALL = 255

@@ -3,12 +3,8 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.runtime.binding import of, unchecked
+from motionlang.mint.runtime.binding import Operation, of, unchecked
 from motionlang.mint.runtime.environment import MILLISECOND, Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation
 
 
 def read_time(environment: Environment, row: Keyword) -> Operation:

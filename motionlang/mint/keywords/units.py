@@ -6,13 +6,8 @@ Settings made before a change of a factor keep their counts.
 from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword
-from motionlang.mint.runtime.binding import of, scale_of
+from motionlang.mint.runtime.binding import Maker, of, scale_of
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Maker
-
 
 POSITION, SPEED, ACCELERATION = range(3)
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.collector import CollectorOff
@@ -27,13 +26,10 @@ from motionlang.mint.lint.names import check_names, check_tasks
 from motionlang.mint.lint.servers import check_servers
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
-from motionlang.mint.resolve.recall import Recall
+from motionlang.mint.resolve.recall import Known, Recall
 from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
-
-if TYPE_CHECKING:
-    from motionlang.mint.resolve.recall import Known
 
 # Finds the start of a comment, as group 1. An apostrophe inside a string in double quotes starts none.
 COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORECASE)

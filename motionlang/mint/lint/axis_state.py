@@ -6,7 +6,8 @@ which they disagree are dropped.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple
 
 from motionlang.mint.lint.effects import COMMANDS, Act, Facts, Key
 from motionlang.mint.resolve.flowgraph import TEST, Step
@@ -15,10 +16,7 @@ from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.record import record
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    Report = Callable[[str, Step, Act, Key, "Axis"], None]
+Report = Callable[[str, Step, Act, Key, "Axis"], None]
 
 IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
 # No buffer holds more entries, so larger counts are not distinguished.

@@ -5,15 +5,12 @@ A blend takes at most half of a path.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import hypot
-from typing import TYPE_CHECKING
 
 from motionlang.mint.lint.effects import Act, Facts, spelt
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    Add = Callable[..., None]
+Add = Callable[..., None]
 
 # The fraction of a path that a blend into the next one may take.
 SHARE = 0.5

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING
 
 from motionlang.mint.lint.axis_state import IDLE, Follower, State
 from motionlang.mint.lint.effects import Act, Facts, Key, spelt
+from motionlang.mint.resolve.flowgraph import Step
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.resolve.flowgraph import Step
-
-    Add = Callable[..., None]
+Add = Callable[..., None]
 
 DEFAULT_SIZE = 2
 GO = frozenset(("go",))

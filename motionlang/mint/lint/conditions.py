@@ -7,21 +7,17 @@ its moves never reach the position it waits for.
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator, Mapping
 
+from motionlang.lang.parsing.source_offsets import SourceOffsets
 from motionlang.mint.lint.axis_state import IDLE, MOVES, Axis, Follower, State
 from motionlang.mint.lint.effects import Facts, Key, spelt
 from motionlang.mint.resolve.flowgraph import TEST
+from motionlang.mint.resolve.symbols import Function
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import meant, walk
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
-
-    from motionlang.lang.parsing.source_offsets import SourceOffsets
-    from motionlang.mint.resolve.symbols import Function
-
-    Add = Callable[..., None]
+Add = Callable[..., None]
 
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _OPPOSITE = {"=": "<>", "<>": "=", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}

@@ -5,24 +5,19 @@ It also records the functions that run concurrently: the parent task, the tasks 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator
+from typing import TypeVar
 
-from motionlang.mint.resolve.folding import fold
+from motionlang.lang.keyword import Keyword
+from motionlang.lang.vocabulary import Vocabulary
+from motionlang.mint.resolve.flowgraph import Graph, Step
+from motionlang.mint.resolve.folding import Known, fold
+from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import by_kind, meant, walk
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-    from typing import TypeVar
-
-    from motionlang.lang.keyword import Keyword
-    from motionlang.lang.vocabulary import Vocabulary
-    from motionlang.mint.resolve.flowgraph import Graph, Step
-    from motionlang.mint.resolve.folding import Known
-    from motionlang.mint.resolve.names import Names
-
-    AnyNode = TypeVar("AnyNode", bound=nodes.Node)
+AnyNode = TypeVar("AnyNode", bound=nodes.Node)
 
 # An axis: its number, the parameter of a sub that holds it, or None if it is unknown.
 Key = int | Symbol | None

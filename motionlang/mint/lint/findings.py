@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from motionlang.errors import Diagnostic
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.mint.resolve.recorder import Recorder
-    from motionlang.mint.syntax.nodes import Module
+from motionlang.mint.resolve.recorder import Recorder
+from motionlang.mint.syntax.nodes import Module
 
 
 class Findings:

@@ -5,17 +5,14 @@ If no time passes in the loop, none of these motions is ever seen.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 from motionlang.mint.lint.effects import Facts, spelt
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    Add = Callable[..., None]
+Add = Callable[..., None]
 
 _LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
 # With one of these in its body, a loop may skip the statement, end, or take time.

@@ -6,26 +6,22 @@ of the other.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator
 
 from motionlang.controller.io.host_memory import named_product
 from motionlang.errors import as_hint
+from motionlang.lang.vocabulary import Vocabulary
 from motionlang.mint.keywords.comms import EVENTS
 from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.models import ABSENT, LARGEST, MINTMT, V4, age, named
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.tables import TABLES
 from motionlang.mint.syntax.traversal import walk
+from motionlang.source import Source
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-
-    from motionlang.lang.vocabulary import Vocabulary
-    from motionlang.mint.syntax.nodes import Module
-    from motionlang.source import Source
-
-    # A token, what it is, a hint, and the text that replaces it, "" if that is not certain.
-    Found = Iterator[tuple[int, str, str, str]]
+# A token, what it is, a hint, and the text that replaces it, "" if that is not certain.
+Found = Iterator[tuple[int, str, str, str]]
 
 # Kinds of tokens that only Mint v4 has: what they are, and the MintMT equivalent.
 _V4_TOKENS = {

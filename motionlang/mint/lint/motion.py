@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
 
 from motionlang.mint.lint.axis_state import Axis, Follower
 from motionlang.mint.lint.effects import Act, Facts, Key, spelt
+from motionlang.mint.resolve.flowgraph import Step
+from motionlang.mint.resolve.symbols import Function
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from motionlang.mint.resolve.flowgraph import Step
-    from motionlang.mint.resolve.symbols import Function
-
-    Add = Callable[..., None]
+Add = Callable[..., None]
 
 
 class Reach:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 from motionlang.errors import nearest
 from motionlang.mint.lint.effects import Facts, Key
@@ -11,10 +11,7 @@ from motionlang.mint.resolve.symbols import CONTROLLER, RECORD, SEMAPHORE, STRIN
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    Add = Callable[..., None]
+Add = Callable[..., None]
 
 _COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act"))
 # Verbs of the keywords by which tasks coordinate.

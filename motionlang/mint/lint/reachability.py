@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
 
 from motionlang.lang.lint import driven_inputs
 from motionlang.mint.keywords.event_kinds import kind_and_number, label_event
-from motionlang.mint.lint.axis_state import IDLE, State
+from motionlang.mint.lint.axis_state import IDLE, Follower, State
 from motionlang.mint.lint.effects import Facts
-from motionlang.mint.resolve.flowgraph import TEST
+from motionlang.mint.resolve.flowgraph import TEST, Step
 from motionlang.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from motionlang.mint.lint.axis_state import Follower
-    from motionlang.mint.resolve.flowgraph import Step
-
-    Add = Callable[..., None]
+Add = Callable[..., None]
 
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 # Statements that do nothing themselves, or that are commonly written as a precaution at the end of a block.

@@ -5,22 +5,18 @@ No move comes between such a setting and the next one, or between it and the end
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING
 
 from motionlang.mint.lint.axis_state import IDLE, Follower
 from motionlang.mint.lint.effects import COMMANDS, Act, Facts, Key, spelt
+from motionlang.mint.resolve.flowgraph import Step
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.resolve.flowgraph import Step
-
-    Add = Callable[..., None]
-    # A bit for each property of each axis.
-    Bits = dict[tuple[Key, str], int]
+Add = Callable[..., None]
+# A bit for each property of each axis.
+Bits = dict[tuple[Key, str], int]
 
 TOUCHES = COMMANDS | {"read", "slot", "use"}
 

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from motionlang.lang.nesting import MAX_DEPTH
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.mint.resolve.symbols import Function
+from motionlang.mint.resolve.symbols import Function
 
 
 def count_calls(functions: Sequence[Function], typed: bool) -> None:

@@ -15,16 +15,14 @@ more statement for a limit, and one for a step, that is not a plain number.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    # The loops and Selects around a statement, innermost last, each with the label behind it, or "" if it is
-    # not flattened.
-    Around = tuple[tuple[str, str], ...]
+# The loops and Selects around a statement, innermost last, each with the label behind it, or "" if it is
+# not flattened.
+Around = tuple[tuple[str, str], ...]
 
 _KINDS = {
     nodes.For: "for",

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.controller.faults import Rejected
+from motionlang.lang.keyword import Keyword
+from motionlang.mint.resolve.symbols import Symbol
 from motionlang.mint.runtime import functions
 from motionlang.mint.syntax import nodes
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.lang.keyword import Keyword
-    from motionlang.mint.resolve.symbols import Symbol
-
-    Meaning = tuple[Symbol | None, Keyword | None]
+Meaning = tuple[Symbol | None, Keyword | None]
 
 Known = float | str
 

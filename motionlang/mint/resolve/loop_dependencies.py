@@ -11,28 +11,23 @@ INKEY.
 
 from __future__ import annotations
 
-from motionlang.lang.loop_dependencies import InputRead, LoopDependencies
+from collections.abc import Callable, Iterable, Iterator
+
+from motionlang.lang.keyword import Keyword
+from motionlang.lang.loop_dependencies import InputRead, LoopDependencies, Read
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
-from motionlang.mint.resolve.symbols import TIME
+from motionlang.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.parser import parse
 from motionlang.mint.syntax.traversal import meant, walk
 from motionlang.mint.syntax.unparse import shown
+from motionlang.source import Source
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
-
-    from motionlang.lang.keyword import Keyword
-    from motionlang.lang.loop_dependencies import Read
-    from motionlang.mint.resolve.symbols import Function, Symbol
-    from motionlang.mint.syntax.nodes import Module
-    from motionlang.source import Source
-
-    Levels = Iterator[tuple[nodes.Name, int | None]]
+Levels = Iterator[tuple[nodes.Name, int | None]]
 
 LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
 LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End)

@@ -31,23 +31,19 @@ the functions use takes about a fifth of a parse.
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable, Hashable, Sequence
 from sys import maxsize
+from typing import Any
 
+from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.recorder import Recorder
+from motionlang.mint.resolve.symbols import Function, Symbol, Type
 from motionlang.mint.syntax import outline
+from motionlang.mint.syntax.nodes import Module
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Hashable, Sequence
-    from typing import Any
-
-    from motionlang.mint.resolve.names import Names
-    from motionlang.mint.resolve.symbols import Function, Symbol, Type
-    from motionlang.mint.syntax.nodes import Module
-
-    # Findings and a value of the stage by key.
-    Known = dict[object, Any]
-    Findings = list[dict[str, Any]]
+# Findings and a value of the stage by key.
+Known = dict[object, Any]
+Findings = list[dict[str, Any]]
 
 _FUNCTIONS = frozenset(("SUB", "FUNCTION", "TASK", "EVENT"))
 # Arguments of the functions that record a problem which are tokens.

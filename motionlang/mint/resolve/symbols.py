@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from motionlang.mint.resolve.flowgraph import Graph
+from motionlang.mint.syntax import nodes
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.mint.syntax import nodes
 
 INTEGER, FLOAT, STRING, TIME = "Integer", "Float", "String", "Time"
 SEMAPHORE, CONTROLLER, RECORD = "Semaphore", "Controller", "record"

@@ -34,6 +34,7 @@ one comparison more.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 from motionlang.controller.clock import INFINITY
@@ -42,23 +43,22 @@ from motionlang.controller.faults import Rejected
 from motionlang.mint.keywords import table
 from motionlang.mint.runtime.changes import repeatable
 
-# A function with its first arguments given, also for makers elsewhere.
-with_first: Callable[..., Operation] = partial
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from typing import TypeVar
 
     from motionlang.controller.scale import Scale
     from motionlang.lang.keyword import Keyword
     from motionlang.mint.runtime.environment import Environment
 
-    Operation = Callable[..., object]
-    Maker = Callable[["Environment", "Keyword"], Operation]
     Made = TypeVar("Made")
-    # Binds an operation to an axis.
-    Bound = Callable[["Environment", "Keyword"], Callable[[int], Operation]]
+
+Operation = Callable[..., object]
+Maker = Callable[["Environment", "Keyword"], Operation]
+# Binds an operation to an axis.
+Bound = Callable[["Environment", "Keyword"], Callable[[int], Operation]]
+# A function with its first arguments given, also for makers elsewhere.
+with_first: Callable[..., Operation] = partial
 
 # Factors from the controller's seconds and fractions to the unit of a setting.
 _TIMES = {"ms": 1000.0, "%": 100.0}

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.controller.faults import Rejected, names
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.environment import Environment
 
 # Diagnostic code -> number of the synchronous error and its short text. Numbers up to 999 are MintMT's:
 # positions in a table, see docs/contributing/assumptions.md. Errors of the virtual machine have no number that could be

@@ -7,16 +7,12 @@ Every function here is named by a row of the keyword table or called by compiled
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from motionlang.controller.faults import Rejected
 from motionlang.controller.io.bits import signed
+from motionlang.lang.machine.machine import Machine
 from motionlang.mint.runtime.printing import show_float, show_integer, shows_float
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.lang.machine.machine import Machine
 
 INT_LOW, INT_HIGH = -(2**31), 2**31 - 1
 _DEGREE = math.pi / 180.0

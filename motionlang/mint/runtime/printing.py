@@ -6,13 +6,10 @@ thresholds are not documented (docs/contributing/assumptions.md). Values are joi
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf, isnan
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.lang.machine.machine import Machine
+from motionlang.lang.machine.machine import Machine
 
 LARGE, SMALL = 1e9, 1e-4
 DECIMALS = 4

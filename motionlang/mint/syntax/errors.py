@@ -17,14 +17,18 @@ from motionlang.lang.parsing.linked_stack import empty, expected, feed, feed_all
 from motionlang.lang.parsing.parser import BAD, END
 from motionlang.lang.parsing.source_offsets import SourceOffsets
 from motionlang.mint.syntax import expectations
-from motionlang.mint.syntax.blocks import CLOSERS, DECLARATIONS, OPENERS, closing, opened_blocks, plain_lines
+from motionlang.mint.syntax.blocks import (
+    CLOSERS,
+    DECLARATIONS,
+    OPENERS,
+    Block,
+    closing,
+    opened_blocks,
+    plain_lines,
+)
 from motionlang.mint.syntax.build import MAX_DEPTH, number
 from motionlang.mint.syntax.tables import TABLES
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.syntax.blocks import Block
-    from motionlang.source import Source
+from motionlang.source import Source
 
 AFTER_A_NAME = {"EQUAL", "DOT", "LPAR", "LSQB"}
 MAX_ERRORS = 100  # more are not useful; a binary file has one on every line

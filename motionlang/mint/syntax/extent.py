@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from motionlang.mint.syntax.node import Node
+from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.parser import parse
 from motionlang.mint.syntax.traversal import children
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.mint.syntax.nodes import Module
-    from motionlang.source import Source
+from motionlang.source import Source
 
 
 def blocks(source: Source) -> list[tuple[str, int, int]]:

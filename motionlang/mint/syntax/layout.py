@@ -6,15 +6,12 @@ A v4 routine, from `#NAME` to its Return, is indented like a block.
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Iterator, Sequence
 
 from motionlang.lang.names import LineLayout
 from motionlang.lang.parsing.parser import BAD
 from motionlang.mint.syntax.outline import CLOSE, MIDDLE, OPEN, BlockToken, block_tokens
 from motionlang.mint.syntax.tables import TABLES
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
 
 
 def layout(text: str) -> list[LineLayout]:

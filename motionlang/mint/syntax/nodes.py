@@ -9,6 +9,7 @@ The grammar contains no keyword of the motion library: `SPEED(0) = 10` is an `As
 
 from __future__ import annotations
 
+from motionlang.lang.parsing.source_offsets import SourceOffsets
 from motionlang.mint.syntax.chain import Chain as Chain  # noqa: PLC0414
 from motionlang.mint.syntax.chain import Link as Link  # noqa: PLC0414
 from motionlang.mint.syntax.given import Cast as Cast  # noqa: PLC0414 - so are these
@@ -16,10 +17,6 @@ from motionlang.mint.syntax.given import Given as Given  # noqa: PLC0414
 from motionlang.mint.syntax.node import Node as Node  # noqa: PLC0414 - nodes.Node to everybody else
 from motionlang.mint.syntax.node import Resolved
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.lang.parsing.source_offsets import SourceOffsets
 
 # --------------------------------------------------------------------------------------------- expressions
 

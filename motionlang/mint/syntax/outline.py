@@ -6,12 +6,10 @@ them.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 from motionlang.mint.syntax.blocks import CLOSERS, DECLARATIONS, OPENERS
 from motionlang.record import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
 
 OPEN, MIDDLE, CLOSE = "open", "middle", "close"
 # Kinds of token before which a keyword of a block is something else: the end of a block, or a label.

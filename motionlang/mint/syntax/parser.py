@@ -3,19 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from motionlang.lang.parsing.parser import BAD, Stuck, TooDeep
 from motionlang.lang.parsing.source_offsets import SourceOffsets
 from motionlang.mint.syntax.build import MAX_EXPRESSION_DEPTH, Misuse
+from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.tables import TABLES
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.mint.syntax.nodes import Module
-    from motionlang.source import Source
-
+from motionlang.source import Source
 
 # The kinds of token as a reader sees them. A kind that is not listed is a control word or an operator.
 _CLASSES = {"NAME": "word", "DOTTED": "word", "NUMBER": "number", "STRING": "string", "CHARACTER": "string"}

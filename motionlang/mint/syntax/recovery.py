@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 from motionlang.errors import ProgramError
+from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.syntax.nodes import Module
 
 # The maximum number of attempts. Blanking a line that opens a block makes others unreadable: its end, then
 # the lines between.

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import inf
 
 from motionlang.planners.curve import Profile, from_curve
 from motionlang.planners.limits import check_finite, check_positive, too_large
 from motionlang.planners.pieces import velocity_in
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from motionlang.planners.ramps import Piece
+from motionlang.planners.ramps import Piece
 
 
 def pvt_segment(p0: float, v0: float, p1: float, v1: float, time: float) -> Profile:

@@ -9,15 +9,12 @@ P[n])/h[n].
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import isfinite
 
 from motionlang.planners.limits import check_finite, check_positive
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    Times = float | Sequence[float]
+Times = float | Sequence[float]
 
 METHODS: dict[str, str] = {
     "zero": "every velocity zero: the drive stops at each point",

@@ -371,7 +371,7 @@ AWAITED = {
 
 @pytest.mark.parametrize("name", AWAITED)
 def test_what_the_first_iteration_of_a_task_does_ends_the_wait_of_another_in_time(name: str) -> None:
-    """The task begins at 350 ms; the parent is checked at the end of its time slice of 1 ms."""
+    """The task begins at 350 ms; the parent goes on after its time slice of 1 ms."""
     act, awaited = AWAITED[name]
     text = "Dim flag As Integer\nSPEED(0) = 5 : ACCEL(0) = 5000 : DECEL(0) = 5000\nRun Act\n"
     text += f"PAUSE {awaited}\nPRINT TIME\nEnd\n"
