@@ -43,6 +43,13 @@ def test_a_value_is_that_of_the_position() -> None:
     assert sampling(move()).value(2550) == pytest.approx(0.5 * 43.5)
 
 
+def test_a_value_in_units_of_two_factors() -> None:
+    """At tick 2550 the axis is 475 · 3/10 = 142.5 uu from its zero."""
+    made = Sampling(3, PERIOD, 2.0, (2.0, 0.5, 4.0, 25.0, 3.0, 10.0), move())
+    assert made.value(2550) == pytest.approx(2.0 + 0.5 * 138.5)
+    assert made.rows([2550]) == one_by_one(made, range(2550, 2551))
+
+
 @cases(
     "profile, per_unit, first, last, is_distinct",
     (
@@ -106,6 +113,8 @@ def test_a_stream_reads_a_template_like_other_records() -> None:
         slice(3, 250, 7),
         slice(None, None, -1),
         slice(290, 1, -13),
+        slice(1, 40, 3),
+        slice(40, 1, -1),
         slice(500, 600),
     ),
 )

@@ -358,24 +358,26 @@ def test_a_task_beside_one_that_waits_polls_up_to_the_next_event_at_once(
     assert count <= 4 * 100 + 2
 
 
-# What a task does in its first iteration, and what the parent waits for.
+# What a task does before its loop and in it, and what the parent waits for.
 AWAITED = {
-    "an output": ("OUTX(3) = 1", "OUTX(3)"),
-    "an output wired to an input": ("OUTX(3) = 1", "INX(9)"),
-    "a variable": ("flag = 1", "flag = 1"),
-    "memory": ("COMMS(1) = 5", "COMMS(1) = 5"),
-    "a setting": ("SPEED(0) = 7", "SPEED(0) = 7"),
-    "motion": ("If INX(9) = 0 Then JOG(0) = 5 : OUTX(3) = 1", "VEL(0) > 0"),
+    "an output": ("", "OUTX(3) = 1", "OUTX(3)"),
+    "an output wired to an input": ("", "OUTX(3) = 1", "INX(9)"),
+    "a variable": ("", "flag = 1", "flag = 1"),
+    "a variable before the loop": ("flag = 1", "If INX(5) Then STOP(0)", "flag = 1"),
+    "an output before the loop": ("OUTX(3) = 1", "If INX(5) Then STOP(0)", "OUTX(3)"),
+    "memory": ("", "COMMS(1) = 5", "COMMS(1) = 5"),
+    "a setting": ("", "SPEED(0) = 7", "SPEED(0) = 7"),
+    "motion": ("", "If INX(9) = 0 Then JOG(0) = 5 : OUTX(3) = 1", "VEL(0) > 0"),
 }
 
 
 @pytest.mark.parametrize("name", AWAITED)
-def test_what_the_first_iteration_of_a_task_does_ends_the_wait_of_another_in_time(name: str) -> None:
+def test_what_a_task_does_before_it_only_polls_ends_the_wait_of_another_in_time(name: str) -> None:
     """The task begins at 350 ms; the parent goes on after its time slice of 1 ms."""
-    act, awaited = AWAITED[name]
+    before, act, awaited = AWAITED[name]
     text = "Dim flag As Integer\nSPEED(0) = 5 : ACCEL(0) = 5000 : DECEL(0) = 5000\nRun Act\n"
     text += f"PAUSE {awaited}\nPRINT TIME\nEnd\n"
-    text += f"Task Act\n  PAUSE INX(0)\n  Loop\n    {act}\n  End Loop\nEnd Task"
+    text += f"Task Act\n  PAUSE INX(0)\n  {before}\n  Loop\n    {act}\n  End Loop\nEnd Task"
     inputs = [{"channel": 0, "at": 0.35}, {"channel": 1, "at": 5.0}, {"channel": 9, "output": 3}]
     result = run(Source("a.mnt", text), machine={"input": inputs}, cache=False, until=9.0)
     assert result.output == ["351"]
