@@ -13,30 +13,15 @@ def cubic_root(
 ) -> float:
     """Return where a cubic, given by its coefficients from c0 on, is `wanted`.
 
-    It is monotone in [low, high]. The steps are those of `bracketed_root`, without calls: most positions of most
-    profiles are on a cubic.
+    It is monotone in [low, high].
     """
     c0, c1, c2, c3 = cubic
-    x = 0.5 * (low + high)
-    before = high - low
-    for _ in range(MAX_STEPS):
-        value = (((c3 * x + c2) * x + c1) * x + c0 if x != 0.0 else c0) - wanted
-        if value == 0.0:
-            return x
-        if (value < 0.0) is rising:
-            low = x
-        else:
-            high = x
-        slope = (3.0 * c3 * x + 2.0 * c2) * x + c1 if c2 or c3 else c1
-        step = value / slope if slope != 0.0 else before
-        following = x - step
-        if abs(step) > 0.5 * before or not low < following < high:
-            following = 0.5 * (low + high)
-        if following == x or following in (low, high):
-            return following
-        before = abs(following - x)
-        x = following
-    return x
+
+    def off(x: float) -> tuple[float, float]:
+        value = ((c3 * x + c2) * x + c1) * x + c0 if x != 0.0 else c0
+        return value - wanted, (3.0 * c3 * x + 2.0 * c2) * x + c1 if c2 or c3 else c1
+
+    return bracketed_root(off, low, high, rising)
 
 
 def bracketed_root(f: Callable[[float], tuple[float, float]], low: float, high: float, rising: bool) -> float:

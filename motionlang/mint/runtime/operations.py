@@ -38,7 +38,7 @@ class Operations:
     - `now` only sets the clock, for a statement that reads.
     """
 
-    __slots__ = ("_environment", "cells", "now", "reported", "set_time", "timed")
+    __slots__ = ("_environment", "cells", "now", "set_time", "timed")
 
     def __init__(self, environment: Environment) -> None:
         clock, statements = environment.clock, environment.statements
@@ -86,27 +86,22 @@ class Operations:
 
             return at
 
-        def reported(act: Callable[..., object]) -> Operation:
-            def at(paid: float, *arguments: Any) -> bool:
-                nonlocal t
-                t += paid
-                if t >= horizon:
-                    environment.put_off = at, arguments, None
-                    return True
-                clock.now = statements.base + t * cost
-                acts, switches = environment.acts, environment.switches
-                environment.acts = acts + 1
-                if not act(*arguments) and environment.dependencies.notes is not None:
-                    environment.acts, environment.switches = acts, switches
-                    return False
-                return clock.horizon < statements.until and nearer()
-
-            return at
-
-        self.now, self.timed, self.reported, self.set_time = now, timed, reported, set_time
+        self.now, self.timed, self.set_time = now, timed, set_time
         # The cells of `t` and `H`.
         self.cells: tuple[CellType, CellType] = cells_of(set_time, "t", "horizon")
         self._environment = environment
+
+    def reported(self, act: Callable[..., object]) -> Operation:
+        """Return the operation for a write that reports whether it changed anything."""
+        environment = self._environment
+        dependencies = environment.dependencies
+
+        def write(*arguments: object) -> None:
+            acts, switches = environment.acts, environment.switches
+            if not act(*arguments) and dependencies.notes is not None:
+                environment.acts, environment.switches = acts - 1, switches
+
+        return self.timed(write)
 
     def repeated(self, act: Callable[..., object], replaced: Callable[..., object]) -> Operation:
         """Return the operation for a write that a polling loop may repeat."""
