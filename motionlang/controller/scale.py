@@ -6,6 +6,12 @@ from __future__ import annotations
 POWERS = {"uu": 0, "uu/s": 1, "uu/s2": 2, "uu/s3": 3}
 
 
+def in_unit(value: float, factors: tuple[float, float]) -> float:
+    """Convert a value in counts and seconds to a user unit, given its `factors`."""
+    rate, per_unit = factors
+    return value * rate / per_unit
+
+
 class Scale:
     """`counts` per user unit, seconds per user time unit (`rate`), and the `zero`.
 
@@ -52,8 +58,7 @@ class Scale:
         power = POWERS.get(unit)
         if power is None:
             return value
-        rate, per_unit = self.factors[power]
-        return value * rate / per_unit
+        return in_unit(value, self.factors[power])
 
     def position_to_counts(self, position_uu: float) -> float:
         return position_uu * self.counts + self.zero

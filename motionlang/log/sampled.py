@@ -11,6 +11,7 @@ ends of the motion, are ordinary records before and after it.
 
 from __future__ import annotations
 
+from motionlang.controller.scale import in_unit
 from motionlang.planners.packed import unpacked
 
 TYPE_CHECKING = False
@@ -22,9 +23,9 @@ if TYPE_CHECKING:
 
     # Time, channel and value.
     Row = tuple[float, int, float]
-    # The value at the origin, the value of a length unit and the origin; the machine's zero, and the two factors
-    # that convert a length to user units.
-    Conversion = tuple[float, float, float, float, float, float]
+    # The value at the origin, the value of a length unit, the origin, the machine's zero, and the factors of lengths
+    # in the scale of the axis.
+    Conversion = tuple[float, float, float, float, tuple[float, float]]
     # The rows before, those after, the number of samples, the first tick, and the arguments of `Sampling`, with a
     # packed profile.
     Template = tuple[list[Row], list[Row], int, int, tuple[Any, ...]]
@@ -51,8 +52,8 @@ class Sampling:
 
     def value_at(self, position: float) -> float:
         """Return the value at a position, in counts."""
-        value, per_unit, origin, datum, rate, per_length = self.conversion
-        return value + per_unit * ((position - datum) * rate / per_length - origin)
+        value, per_unit, origin, datum, factors = self.conversion
+        return value + per_unit * (in_unit(position - datum, factors) - origin)
 
     def value(self, number: int) -> float:
         """Return the sample at a tick, given by its number."""
@@ -60,15 +61,10 @@ class Sampling:
 
     def rows(self, numbers: Sequence[int]) -> list[Row]:
         """Return the samples at successive ticks."""
-        channel, period, start = self.channel, self.period, self.start
-        value, per_unit, origin, datum, rate, per_length = self.conversion
-        times = [number * period for number in numbers]
-        return [
-            (time, channel, value + per_unit * ((position - datum) * rate / per_length - origin))
-            for time, position in zip(
-                times, self.profile.positions([time - start for time in times]), strict=True
-            )
-        ]
+        channel, value_at = self.channel, self.value_at
+        times = [number * self.period for number in numbers]
+        positions = self.profile.positions([time - self.start for time in times])
+        return [(time, channel, value_at(position)) for time, position in zip(times, positions, strict=True)]
 
     def is_distinct(self, first: int, last: int) -> bool:
         """True if successive samples from one tick to another certainly differ.
@@ -79,13 +75,13 @@ class Sampling:
         begin, finish = first * self.period - self.start, last * self.period - self.start
         if not profile.direction or not 0.0 <= begin < finish < profile.duration:
             return False
-        value, per_unit, origin, datum, rate, per_length = self.conversion
+        value, per_unit, origin, datum, factors = self.conversion
         speed = min(abs(profile.velocity(begin)), abs(profile.velocity(finish)))
         for knot in profile.knots:
             if begin < knot < finish:
                 speed = min(speed, abs(profile.velocity(knot)))
         farthest = abs(profile.position(begin)) + abs(profile.position(finish)) + abs(datum)
-        factor = abs(rate / per_length)
+        factor = abs(in_unit(1.0, factors))
         size = abs(value) + abs(per_unit) * (farthest * factor + abs(origin))
         return speed * self.period * factor * abs(per_unit) > _MARGIN * size
 

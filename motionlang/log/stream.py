@@ -75,8 +75,6 @@ DISK = 8_000_000_000
 MAX_TAIL, LEFT = 24_576, 8_192
 # Records of a packed chunk.
 CHUNK_SIZE = 2048
-# The length of a template of records that repeat; that of samples is longer.
-_REPEATED = 2
 
 
 class Store:
@@ -192,9 +190,12 @@ class Chunks:
                 del tail[: self.count + len(tail) - self._total]
             self._total = 0
 
-    def repeat(self, template: tuple[Shape, Pace] | Template, count: int) -> None:
-        """Store a chunk of `count` records that are created from a template on reading."""
-        self._locations.append(self._store.put(dumps(template)))
+    def add_template(self, kind: str, template: tuple[Any, ...], count: int) -> None:
+        """Store a chunk of `count` records that are created from a template on reading.
+
+        `kind` is "repeated" or "sampled".
+        """
+        self._locations.append(self._store.put(dumps((kind, template))))
         self.firsts.append(self.count)
         self.count += count
 
@@ -204,7 +205,8 @@ class Chunks:
         if self._cached[0] != first:
             rows: Any = loads(self._store.get(self._locations[number]))
             if rows.__class__ is tuple:
-                rows = _from_template(rows, lambda made: self._read(made, first))
+                kind, template = rows
+                rows = _from_template(kind, template, lambda made: self._read(made, first))
             else:
                 rows = self._read(rows, first)
             self._cached = first, rows
@@ -280,14 +282,14 @@ class Stream(_Of[T]):
 
         if length(shape):
             self.pack(len(self.tail))
-            self._chunks.repeat((shape, pace), length(shape))
+            self._chunks.add_template("repeated", (shape, pace), length(shape))
 
     def add_samples(self, template: Template) -> None:
         """Append samples of a moving axis, as one chunk (`sampled.py`)."""
         from motionlang.log.sampled import length
 
         self.pack(len(self.tail))
-        self._chunks.repeat(template, length(template))
+        self._chunks.add_template("sampled", template, length(template))
 
     @property
     def first(self) -> int:
@@ -386,9 +388,9 @@ class Stream(_Of[T]):
         return list(map(makers[self._kind], rows))
 
 
-def _from_template(template: tuple[Any, ...], make: Callable[[list[Any]], list[Any]]) -> Sequence[Any]:
+def _from_template(kind: str, template: Any, make: Callable[[list[Any]], list[Any]]) -> Sequence[Any]:
     """Return the records of a template, which are created on reading."""
-    if len(template) == _REPEATED:
+    if kind == "repeated":
         from motionlang.log.repeated import RepeatedRecords
 
         return RepeatedRecords(template, make)  # type: ignore[return-value]

@@ -15,7 +15,7 @@ from motionlang.planners.pieces import (
     still_points,
     velocity_in,
 )
-from motionlang.planners.root import bracketed_root, cubic_root
+from motionlang.planners.root import bracketed_root
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -154,8 +154,6 @@ def _first_in(
         if (y_a < wanted) is not (y_b < wanted):
             if a == b:
                 return a
-            if value is position_in and not piece[4]:
-                return cubic_root(piece[:4], wanted, a, b, y_b > y_a)
             return bracketed_root(lambda x: (value(piece, x) - wanted, slope(piece, x)), a, b, y_b > y_a)
         a, y_a = b, y_b
     return None

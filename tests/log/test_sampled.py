@@ -22,7 +22,7 @@ def move(end: float = 1000.0, shape: str = "trapezoid") -> Profile:
 
 def sampling(profile: Profile, per_unit: float = 0.5, value: float = 0.0) -> Sampling:
     """Return samples of a profile that begins at 2 s, in user units of 10 counts."""
-    return Sampling(3, PERIOD, 2.0, (value, per_unit, 4.0, 25.0, 1.0, 10.0), profile)
+    return Sampling(3, PERIOD, 2.0, (value, per_unit, 4.0, 25.0, (1.0, 10.0)), profile)
 
 
 def one_by_one(made: Sampling, numbers: range) -> list[tuple[float, int, float]]:
@@ -45,7 +45,7 @@ def test_a_value_is_that_of_the_position() -> None:
 
 def test_a_value_in_units_of_two_factors() -> None:
     """At tick 2550 the axis is 475 · 3/10 = 142.5 uu from its zero."""
-    made = Sampling(3, PERIOD, 2.0, (2.0, 0.5, 4.0, 25.0, 3.0, 10.0), move())
+    made = Sampling(3, PERIOD, 2.0, (2.0, 0.5, 4.0, 25.0, (3.0, 10.0)), move())
     assert made.value(2550) == pytest.approx(2.0 + 0.5 * 138.5)
     assert made.rows([2550]) == one_by_one(made, range(2550, 2551))
 

@@ -91,12 +91,8 @@ class Channels:
 
     def set_bank(self, first: int, count: int, bits: int) -> bool:
         """Set `count` channels from `first` on; return True if that changed one."""
-        values, changed = self._values, False
-        for channel in range(first, first + count):
-            if values.get(channel, 0) != bits & 1:
-                changed = self.set(channel, bits & 1)
-            bits >>= 1
-        return changed
+        changes = [self.set(first + k, bits >> k & 1) for k in range(count)]
+        return any(changes)
 
 
 class AnalogueInputs(Channels):
@@ -122,10 +118,6 @@ class AnalogueInputs(Channels):
         """Set a channel; return True if that changed it."""
         self.settle()
         return super().set(channel, value)
-
-    def stored(self) -> Callable[..., float]:
-        """Return the fast reader of a channel that no sensor computes: `read(channel, 0)`."""
-        return self._values.get
 
     @property
     def values(self) -> tuple[tuple[int, float], ...]:
@@ -153,7 +145,9 @@ class AnalogueInputs(Channels):
             return
         values, changes = self._values, self.changes
         assert changes is not None
-        if len(self.computed) == 1:
+        if (
+            len(self.computed) == 1
+        ):  # records are in the order of time, and those of a template belong to one sensor
             ((channel, sensor),) = self.computed.items()
             values[channel] = sensor.log_samples(changes, values.get(channel, 0))
             return

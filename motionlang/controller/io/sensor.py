@@ -84,9 +84,9 @@ class Sensor:
         """Use the new scale of the axis for further samples."""
         if self._inputs.computed.get(self.channel) is self:
             self._inputs.settle()
-            value, per_unit, origin, datum, *_ = self._sampling.conversion
+            value, per_unit, origin, datum, _ = self._sampling.conversion
             factors = self._controller.axes[self.axis].scale.factors[0]
-            self._sampling.conversion = value, per_unit, origin, datum, *factors
+            self._sampling.conversion = value, per_unit, origin, datum, factors
 
     def tick(self) -> None:
         """Turn the ticks into events from now on."""
@@ -185,7 +185,7 @@ class Sensor:
     def _sample(self) -> None:
         self._cancel()
         controller, a = self._controller, self._controller.axes[self.axis]
-        conversion = self.value, self.per_unit, self.origin, a.datum, *a.scale.factors[0]
+        conversion = self.value, self.per_unit, self.origin, a.datum, a.scale.factors[0]
         sampling = Sampling(self.channel, PERIOD, a.starts[-1], conversion, a.profiles[-1])
         self._inputs[self.channel] = sampling.value_at(controller.position(self.axis))
         if controller.is_still(self.axis):

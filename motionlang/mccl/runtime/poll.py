@@ -111,13 +111,13 @@ class Poll:
         elif not goes_on:
             self._alone = 0
             is_constant = before == position and accumulator == accumulated and not counters
-            if is_constant and self._unchanged_until(notes) == INFINITY:
+            if is_constant and dependencies.until(now, notes) == INFINITY:
                 self._give_up()
         else:
             until = now
             if repeats:
                 if accumulator == accumulated:
-                    until = self._unchanged_until(notes)
+                    until = dependencies.until(now, notes)
                     if until == INFINITY and not counters:
                         self._give_up()
                 if until < next_event:
@@ -230,15 +230,6 @@ class Poll:
             # The iteration that repeats began a period ago; half a command more is for rounding.
             began = first + task.count * task.cost - period - 0.5 * task.cost
             task.board.machine.log.repeat_waits(task.name, began, period, round((last - first) / period))
-
-    def _unchanged_until(self, notes: list[Note]) -> float:
-        """Return until when the values that an iteration read stay unchanged."""
-        found = INFINITY
-        for until, about in notes:
-            moment = about[0] if until is read_until else until(*about)
-            if moment < found:
-                found = moment
-        return found
 
     def _tested_until(self, notes: list[Note], now: float, since: float) -> float:
         """Return until when the tests of an iteration give the same results as at `since`.

@@ -118,16 +118,14 @@ def read_adc(environment: Environment, row: Keyword) -> Operation:
     analogue, dependencies = environment.component(Analogue), environment.dependencies
     inputs = environment.controller.analogue_inputs
     inputs.compute()
-    computed, stored, shown = inputs.computed, inputs.stored(), analogue.shown
+    computed, shown = inputs.computed, analogue.shown
 
     def read(channel: int, level: float | None = None) -> float:
-        if channel in computed:
-            if dependencies.notes is not None:
-                dependencies.note(analogue.until, channel, level)
-            return shown(channel, inputs[channel])
+        if dependencies.notes is not None and channel in computed:
+            dependencies.note(analogue.until, channel, level)
         if not 0 <= channel <= LAST_ANALOGUE:
             analogue_input(channel)
-        return shown(channel, stored(channel, 0))
+        return shown(channel, inputs[channel])
 
     return read
 

@@ -4,23 +4,13 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.runtime.binding import Operation, of, unchecked
-from motionlang.mint.runtime.environment import MILLISECOND, Environment
+from motionlang.mint.runtime.environment import Environment
 
 
 def read_time(environment: Environment, row: Keyword) -> Operation:
-    """TIME: make an operation that reads the count of the running task.
-
-    Like `Environment.elapsed`, it rounds up a count that is an integer up to rounding.
-    """
-    elapsed, clock, dependencies = environment.elapsed, environment.clock, environment.dependencies
-
-    def read(level: float | None = None) -> int:
-        base = environment.task.timer[0]
-        if dependencies.notes is None:
-            return int((clock.now - base) * 1000.0 + MILLISECOND)
-        return elapsed(base, level)
-
-    return read
+    """TIME: make an operation that reads the count of the running task."""
+    elapsed = environment.elapsed
+    return lambda level=None: elapsed(environment.task.timer[0], level)
 
 
 def write_time(environment: Environment, value: int) -> None:

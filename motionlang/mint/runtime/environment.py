@@ -92,9 +92,10 @@ class Environment(Waits):
         self.timer = [self.clock.now]
         # Counts the actions of the program. A polling loop performs none.
         self.acts = 0
-        # Counts the actions among them that did no more than write outputs, and the others before the running task
-        # was resumed.
-        self.switches = self.acts_before = 0
+        # Counts the actions among them that did no more than write outputs.
+        self.switches = 0
+        # The number of other actions as the running task was resumed.
+        self.acts_before = 0
         # The counters of handlers by their events: variables that decide nothing except by comparison with the
         # constants given. The first flag is true if a loop that may poll uses the variable, too, the second one
         # if the handler also sets it.

@@ -30,8 +30,8 @@ class Events:
     """The handlers of one program, active events (innermost last) and pending ones.
 
     `_raised_here` are the pending events that a statement of a handler has raised. `_rounds` counts the handlers
-    started for such events since a task last ran; `_in_row` counts all that have followed
-    another one since then, the first of them at `_row_began`.
+    started for such events since a task last ran. `_in_row` counts all handlers that have followed another one since
+    then, the first of them at `_row_began`.
     """
 
     def __init__(self, environment: Environment) -> None:
