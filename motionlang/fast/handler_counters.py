@@ -40,10 +40,7 @@ class HandlerCounters:
         self._levels = [levels for _, levels, _, _ in found]
         self._are_set = [is_set for _, _, is_set, _ in found]
         self._are_of_loops = [is_of_loop for *_, is_of_loop in found]
-        # The least and the greatest step of each counter so far.
-        self._least: list[float] = []
-        self._greatest: list[float] = []
-        self.forget()
+        self.count = len(self._cells)
 
     def values(self) -> tuple[float, ...]:
         """Return the present values."""
@@ -78,27 +75,12 @@ class HandlerCounters:
         """True if a counter of a loop advances."""
         return any(step and of_loop for step, of_loop in zip(steps, self._are_of_loops, strict=False))
 
-    def record(self, steps: Sequence[float]) -> None:
-        """Record how far the counters advance at once, for `most_recorded`."""
-        self._least = [min(each) for each in zip(self._least, steps, strict=True)]
-        self._greatest = [max(each) for each in zip(self._greatest, steps, strict=True)]
+    def most_in(self, range: tuple[Sequence[float], Sequence[float]], values: Sequence[float]) -> int:
+        """Return how often the counters may advance by any step of a range.
 
-    def forget(self) -> None:
-        """Forget the recorded steps."""
-        self._least = self._greatest = [0.0] * len(self._cells)
-
-    def most_recorded(self, values: Sequence[float]) -> int:
-        """Return how often the counters may advance by any recorded step.
-
-        Each stays on its side of a level until then.
+        The range has the least and the greatest step of each. Each stays on its side of a level until then.
         """
-        return int(
-            min(
-                counted(values, self._least, self._levels),
-                counted(values, self._greatest, self._levels),
-                1e9,
-            )
-        )
+        return int(min(*[counted(values, steps, self._levels) for steps in range], 1e9))
 
     def most(self, steps: Sequence[float]) -> float:
         """Return how often the counters may advance by `steps` before one passes a level."""

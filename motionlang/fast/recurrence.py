@@ -66,9 +66,6 @@ class Recurrence:
     def __init__(self, machine: Controller | Machine, pace: Callable[[float], None] | None) -> None:
         self._clock, self._pace, self._events = machine.clock, pace, machine.log.events
         self._statements: StatementTime = getattr(machine, "statements", None) or StatementTime(0.0)
-        cost_units = self._statements.cost * UNITS
-        # The duration of a statement in units, 0 if that is no integer.
-        self._cost_units = round(cost_units) if abs(cost_units - round(cost_units)) < 1e-6 else 0
         self._shared: Shared | None = None
         self._since: object = None
         self._read: set[Note] = set()
@@ -185,9 +182,9 @@ class Recurrence:
         clock, statements = self._clock, self._statements
         now, base, count = clock.now, statements.base, statements.count
         waits = [task.wait for task in tasks if isinstance(task.wait, Delay)]
-        elapsed = units(base) + int(count) * self._cost_units
+        elapsed = units(base) + int(count) * statements.cost_units
         remaining = [units(wait.ends) - elapsed for wait in waits]
-        if waits and not self._cost_units:
+        if waits and not statements.cost_units:
             remaining.append(count)  # type: ignore[arg-type]
         dues = [wait.due() for wait in others]
         key = (*state, *remaining, *dues)
@@ -238,9 +235,10 @@ class Recurrence:
         None if periods are not equal to the last bit. They are if statements continue their count from the
         same time, or equally far from another one, and each time is a whole unit.
         """
-        base, count = self._statements.base, self._statements.count
+        statements = self._statements
+        base, count, cost_units = statements.base, statements.count, statements.cost_units
         if base == before[1]:
-            return None if wait and not self._cost_units else int(count - before[2]) * self._cost_units
+            return None if wait and not cost_units else int(count - before[2]) * cost_units
         if count != before[2] or not _is_whole(base) or not _is_whole(before[1]):
             return None
         return units(base) - units(before[1])

@@ -27,12 +27,15 @@ class StatementTime:
     that continues from there continues the count. `until` is the horizon of the running task. Up to `free` no
     other task can act and the time is a whole number of units; it is `NEVER` if the task is not `alone`. `repeated`
     is the first progress that was repeated since it was set to None: its base, its first statement and its last one.
+    `cost_units` is `cost` in units, 0 if that is no integer.
     """
 
-    __slots__ = ("alone", "base", "cost", "count", "free", "reached", "repeated", "until")
+    __slots__ = ("alone", "base", "cost", "cost_units", "count", "free", "reached", "repeated", "until")
 
     def __init__(self, cost: float) -> None:
         self.cost = cost
+        whole = round(cost * UNITS)
+        self.cost_units = whole if abs(cost * UNITS - whole) < 1e-6 else 0
         self.base = self.count = 0.0
         self.reached, self.until = -1.0, INFINITY
         self.alone, self.free = False, NEVER

@@ -85,11 +85,12 @@ class Task:
         """The state shared by the tasks of its program; None if that cannot be compared."""
         return None
 
-    def state(self, alive: dict[int, object]) -> bytes | None:
+    def state(self, alive: dict[int, object], since: float = -INFINITY) -> bytes | None:
         """Return the state that decides the task's future, without wait and shared state.
 
         Returns None if it cannot be compared. Objects whose identity is part of the state are added to
-        `alive`.
+        `alive`. It does not matter when loops began that began by `since` and
+        are so long that they leave a record.
         """
         return None
 

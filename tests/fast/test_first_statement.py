@@ -6,7 +6,7 @@ from math import ceil
 
 import pytest
 
-from motionlang.fast.polled_ticks import TICK, _first
+from motionlang.fast.transitions import TICK, first_statement
 from motionlang.lang.waits import ROUNDING
 
 TASK = 0
@@ -17,7 +17,7 @@ TASK = 0
 )
 def test_the_first_statement_that_is_not_before_a_tick(moment: float, count: float) -> None:
     """Statements are at 1 s and each quarter of a second after it."""
-    assert _first((moment, TICK, 0.0), 1.0, 0.25) == count
+    assert first_statement((moment, TICK, 0.0), 1.0, 0.25) == count
 
 
 @pytest.mark.parametrize("cost", [1e-5, 0.7310585e-5, 3e-6, 1e-3 / 3.0])
@@ -27,7 +27,7 @@ def test_a_tick_at_the_time_of_a_statement_to_the_last_bit(cost: float, base: fl
     off = 0
     for count in range(1, 400):
         moment = base + count * cost
-        found = _first((moment, TICK, 0.0), base, cost)
+        found = first_statement((moment, TICK, 0.0), base, cost)
         assert found is not None
         assert base + found * cost >= moment
         assert base + (found - 1.0) * cost < moment
@@ -54,5 +54,5 @@ def test_the_first_statement_after_the_end_of_a_wait(distance: float, count: flo
 
     Within a tenth of a unit it counts as the end; up to two units rounding may decide.
     """
-    assert _first((2.0 - distance * ROUNDING, TASK, 0.0), 1.0, 0.25) == count
-    assert _first((2.0 - distance * ROUNDING, TASK, 0.0), 1.5, 0.125) == count
+    assert first_statement((2.0 - distance * ROUNDING, TASK, 0.0), 1.0, 0.25) == count
+    assert first_statement((2.0 - distance * ROUNDING, TASK, 0.0), 1.5, 0.125) == count

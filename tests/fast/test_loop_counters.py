@@ -8,6 +8,7 @@ import pytest
 
 from motionlang.fast.handler_counters import HandlerCounters
 from motionlang.fast.loop_counters import counted
+from motionlang.fast.transitions import Known
 
 
 # A counter, its step, the constant that it is compared with, and the iterations in which it does not pass it.
@@ -66,7 +67,6 @@ def counters_of(
     made = HandlerCounters.__new__(HandlerCounters)
     made._cells, made._levels = values, levels  # type: ignore[assignment]
     made._are_set, made._are_of_loops = are_set, are_of_loops
-    made.forget()
     return made
 
 
@@ -84,17 +84,20 @@ def test_the_counters_of_a_handler() -> None:
     assert found.most([1.0, 0.0]) == 1.0  # 2, since 3 is a level
 
 
-def test_recorded_steps_bound_how_often_counters_advance() -> None:
+def test_a_range_of_steps_bounds_how_often_counters_advance() -> None:
     """A counter stays below 10 three times by 3, above -8 three times by -2."""
     found = counters_of(cells(0.0), [[10.0, -8.0]], [False], [False])
-    assert found.most_recorded([0.0]) == 10**9
-    found.record([1.0])
-    assert found.most_recorded([0.0]) == 9
-    found.record([3.0])
-    assert found.most_recorded([0.0]) == 3
-    found.record([-2.0])
-    assert found.most_recorded([0.0]) == 3
-    found.record([-4.0])
-    assert found.most_recorded([0.0]) == 1
-    found.forget()
-    assert found.most_recorded([0.0]) == 10**9
+    assert found.most_in(([0.0], [0.0]), [0.0]) == 10**9
+    assert found.most_in(([0.0], [1.0]), [0.0]) == 9
+    assert found.most_in(([0.0], [3.0]), [0.0]) == 3
+    assert found.most_in(([-2.0], [3.0]), [0.0]) == 3
+    assert found.most_in(([-4.0], [3.0]), [0.0]) == 1
+
+
+def test_a_range_has_the_least_and_the_greatest_steps() -> None:
+    known = Known(2)
+    for steps in ((1.0, -3.0), (3.0, 0.0), (-2.0, 1.0)):
+        known.widen(steps)
+    assert known.range == ([-2.0, -3.0], [3.0, 1.0])
+    known.forget_transitions()
+    assert known.range == ([0.0, 0.0], [0.0, 0.0])

@@ -234,7 +234,7 @@ class Poller(Task):
     def shared(self) -> Any:
         return self._world.shared
 
-    def state(self, alive: dict[int, object]) -> bytes | None:
+    def state(self, alive: dict[int, object], since: float = 0.0) -> bytes | None:
         return self.contents
 
 

@@ -20,7 +20,7 @@ PERIODS = (1, 1, 1, 2, 5, 7, 10, 33)
 
 _HEAD = """\
 Dim a As Integer, b As Integer, c As Integer, x As Float
-Dim ticks As Integer, other As Integer
+Dim ticks As Integer, other As Integer, turns As Integer
 SPEED(0, 1) = 50; : ACCEL(0, 1) = 500; : DECEL(0, 1) = 500;
 """
 _STEPS = (
@@ -71,7 +71,9 @@ def program(seed: int) -> tuple[str, dict[str, object]]:
     lines += [
         f"  {random.choice(_MAIN)}".replace("@@", _poll(random, 0)) for _ in range(random.randint(1, 3))
     ]
-    lines += ["  If TIME > 900 Then Exit Loop", "End Loop", 'PRINT "end ", TIME, ticks, a, b, c, x', "End"]
+    # What is known can be used again after an event if the time does not decide.
+    end = random.choice(("If TIME > 900 Then Exit Loop", "turns = turns + 1\n  If turns > 5 Then Exit Loop"))
+    lines += [f"  {end}", "End Loop", 'PRINT "end ", TIME, ticks, a, b, c, x', "End"]
     for k in range(1, count + 1):
         body = random.choice(_BEATS) if random.random() < 0.3 else _poll(random, k)
         lines += [
@@ -83,6 +85,7 @@ def program(seed: int) -> tuple[str, dict[str, object]]:
             "channel": random.randint(0, 3),
             "at": round(random.uniform(0, 1.2), random.choice((1, 3, 4))),
             "for": round(random.uniform(0.001, 0.4), 3),
+            **({"every": round(random.uniform(0.41, 0.9), 3)} if random.random() < 0.3 else {}),
         }
         for _ in range(random.randint(0, 3))
     ]

@@ -415,8 +415,8 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/fast/command_rounds.py: CommandRounds: jumped: until - CLOSE - now -> until - CLOSE + now": (
         "the lines that follow come down to the rounds that fit"
     ),
-    "motionlang/fast/recurrence.py: Recurrence: __init__: abs(cost_units - round(cost_units)) < 1e-06 -> "
-    "abs(cost_units - round(cost_units)) <= 1e-06": "just at the size of rounding either is right",
+    "motionlang/lang/statement_time.py: StatementTime: __init__: abs(cost * UNITS - whole) < 1e-06 "
+    "-> abs(cost * UNITS - whole) <= 1e-06": ("just at the size of rounding either is right"),
     "motionlang/fast/recurrence.py: Recurrence: __init__: 0 -> 1 #2": "one byte more of ten million",
     "motionlang/fast/recurrence.py: Recurrence: _begin: 0 -> 1": "one byte more of ten million",
     "motionlang/analysis/proof/path_bounds.py: check_along: back < -SLACK * max(1.0, slow.came) -> back <= "
@@ -585,7 +585,9 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/servo/servo.py: Servo: _first_beyond: seen.first_beyond(limit) * self.loop.servo_rate -> "
     "seen.first_beyond(limit) / self.loop.servo_rate": ("the samples before it are then run one by one"),
     "motionlang/analysis/proof/flanks.py: begin: 0 -> 1": "both jerks are infinite, or neither is",
-    "motionlang/analysis/proof/path_bounds.py: _check_joins: 0 -> 1": "both jerks are infinite, or neither is",
+    "motionlang/analysis/proof/path_bounds.py: _check_joins: 0 -> 1": (
+        "both jerks are infinite, or neither is"
+    ),
     "motionlang/analysis/proof/paths.py: stops_within: 0 -> 1 #5": (
         "a stop from a positive speed only slows down"
     ),
@@ -1005,8 +1007,8 @@ EQUIVALENT: dict[str, str] = {
         "the first profile is at rest, and sets it"
     ),
     "motionlang/fast/command_rounds.py: 2000 -> 2001": ("one state more of two thousand"),
-    "motionlang/fast/polled_ticks.py: PolledTicks: reached: len(self._numbers) > MAX_STATES -> "
-    "len(self._numbers) >= MAX_STATES": ("one state fewer of a thousand"),
+    "motionlang/fast/polled_ticks.py: PolledTicks: reached: len(self._known) > MAX_STATES -> "
+    "len(self._known) >= MAX_STATES": ("one state fewer of a thousand"),
     "motionlang/fast/moves.py: FastAxis: loader: load: 1e+300 -> 1e+300": (
         "the same number, since 1 is below its last bit"
     ),
@@ -1631,54 +1633,31 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/fast/recurrence.py: 10000000 -> 10000001": ("one byte more of ten million"),
     "motionlang/fast/recurrence.py: 20000 -> 20001": ("one state more of twenty thousand"),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: 0 -> 1": (
+    "motionlang/fast/walks.py: Walker: walk_all: count * cost -> count / cost": (
         "only speed: the same transition is looked up"
     ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: count * cost -> count / cost": (
+    "motionlang/fast/walks.py: Walker: walk_all: step.length * cost -> step.length / cost": (
         "only speed: the same transition is looked up"
     ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: step.length * cost -> step.length / cost": (
-        "only speed: the same transition is looked up"
-    ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: step.length * cost -> step.length / cost #2": (
+    "motionlang/fast/walks.py: Walker: _repetitions: step.waits[0][2] / UNITS -> step.waits[0][2] * UNITS": (
         "only speed: how many repetitions are found at once"
     ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: min(dues[0][0], end) - step.length * cost - "
-    "APART -> min(dues[0][0], end) - step.length * cost + APART": (
-        "only speed: how many repetitions are found at once"
-    ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: step.waits[0][2] / UNITS -> step.waits[0][2] * "
-    "UNITS": ("only speed: how many repetitions are found at once"),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: 0 -> 1 #6": (
-        "only speed: how many repetitions are found at once"
-    ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: 0 -> 1 #7": (
-        "only speed: how many repetitions are found at once"
-    ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: 1 -> 2 #2": (
-        "only speed: how many repetitions are found at once"
-    ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: 1 -> 2 #3": (
-        "only speed: how many repetitions are found at once"
-    ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: times > 0 -> times >= 0": (
+    "motionlang/fast/walks.py: Walker: walk_all: times > 0 -> times >= 0": (
         "no repetition leaves the time as it is"
     ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: moment > base + count * cost + APART -> moment "
-    ">= base + count * cost + APART": ("just at the size of rounding either is right"),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _walk: dues[1][0] > moment + step.length * cost + "
-    "APART -> dues[1][0] >= moment + step.length * cost + APART": (
+    "motionlang/fast/walks.py: Walker: walk_all: moment > base + count * cost + APART -> moment >= "
+    "base + count * cost + APART": ("just at the size of rounding either is right"),
+    "motionlang/fast/walks.py: Walker: walk_all: dues[1][0] > moment + step.length * cost + APART "
+    "-> dues[1][0] >= moment + step.length * cost + APART": ("just at the size of rounding either is right"),
+    "motionlang/fast/walks.py: Walker: next: dues[depth][0] > base + (origin + step.length) * cost "
+    "+ APART -> dues[depth][0] >= base + (origin + step.length) * cost + APART": (
         "just at the size of rounding either is right"
     ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _next: dues[depth][0] <= base + (origin + "
-    "step.length) * cost + APART -> dues[depth][0] < base + (origin + step.length) * cost + APART": (
+    "motionlang/fast/walks.py: Walker: next: due[0] > base + (count + step.length) * cost + APART "
+    "-> due[0] >= base + (count + step.length) * cost + APART": (
         "just at the size of rounding either is right"
     ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _next: dues[0][0] <= base + (count + step.length) * "
-    "cost + APART -> dues[0][0] < base + (count + step.length) * cost + APART": (
-        "just at the size of rounding either is right"
-    ),
-    "motionlang/fast/polled_ticks.py: PolledTicks: _origin: due[0] > now + APART -> due[0] >= now + APART": (
+    "motionlang/fast/walks.py: Walker: origin: due[0] > now + APART -> due[0] >= now + APART": (
         "just at the size of rounding either is right"
     ),
     "motionlang/fast/polled_ticks.py: PolledTicks: _path: due[0] > end -> due[0] >= end": (
@@ -1686,8 +1665,6 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/fast/polled_ticks.py: PolledTicks: _observe: due[0] <= self._environment.clock.now + "
     "APART -> due[0] < self._environment.clock.now + APART": ("just at the size of rounding either is right"),
-    "motionlang/fast/polled_ticks.py: PolledTicks: __init__: abs(cost_units - round(cost_units)) < 1e-06 "
-    "-> abs(cost_units - round(cost_units)) <= 1e-06": ("just at the size of rounding either is right"),
     "motionlang/fast/polled_ticks.py: PolledTicks: _learn_period: 0.0 -> 1.0": (
         "only the beginning of a known period is compared"
     ),
@@ -1695,17 +1672,16 @@ EQUIVALENT: dict[str, str] = {
         "a wait whose end is not known gets none later"
     ),
     "motionlang/fast/polled_ticks.py: PolledTicks: _checkpoint: True -> False": ("either marks a WAIT"),
-    "motionlang/fast/polled_ticks.py: _Walk: __init__: 0.0 -> 1.0": ("the first good transition sets it"),
-    "motionlang/fast/polled_ticks.py: _Walk: __init__: 0.0 -> 1.0 #2": ("the first good transition sets it"),
-    "motionlang/fast/polled_ticks.py: _Walk: __init__: 0 -> 1 #2": ("the first good transition sets it"),
+    "motionlang/fast/walks.py: Walk: __init__: 0.0 -> 1.0": "the first good transition sets it",
+    "motionlang/fast/walks.py: Walk: __init__: 0.0 -> 1.0 #2": "the first good transition sets it",
+    "motionlang/fast/walks.py: Walk: __init__: 0 -> 1 #2": "the first good transition sets it",
     "motionlang/fast/polled_ticks.py: PolledTicks: _transition: 0 -> 1": (
         "the ticks of these rows are not used"
     ),
-    "motionlang/fast/polled_ticks.py: _first: distance > 0.0 -> distance >= 0.0": (
+    "motionlang/fast/transitions.py: first_statement: distance > 0.0 -> distance >= 0.0": (
         "a distance of 0 has returned in the lines before"
     ),
-    "motionlang/fast/polled_ticks.py: 1 -> 2": ("either is the index of no task"),
-    "motionlang/fast/polled_ticks.py: 0.0 -> 1.0": ("nothing reads the beginning of what is never due"),
+    "motionlang/fast/transitions.py: 0.0 -> 1.0": "nothing reads the beginning of what is never due",
     "motionlang/fast/moves.py: FastAxis: velocity: time > self.ends -> time >= self.ends": (
         "at its end the profile has the same velocity"
     ),

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 
-from motionlang.mint.compile import operators
+from motionlang.mint.compile import operators, outcomes
 from motionlang.mint.compile.body import Body
 from motionlang.mint.compile.polling import may_poll, reached
 from motionlang.mint.resolve.symbols import NUMERIC, Symbol
@@ -36,6 +36,7 @@ def describe(b: Body) -> None:
         return
     if function.kind == "event" and function.name.lower() in HANDLERS:
         _describe(b, function.name.lower(), [function.body], _shared, _polled(b))
+        outcomes.describe(b)
     elif function.kind in ("main", "task") and not function.jumps and b.whole.debugging is None:
         key = "main" if function.kind == "main" else f"task {function.name.lower()}"
         loops = [[node] for node in walk(function.body) if isinstance(node, _LOOPS) and may_poll(node.body)]

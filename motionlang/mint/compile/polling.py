@@ -132,7 +132,7 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
 
 def may_poll(body: Sequence[nodes.Stmt]) -> bool:
     """True unless a statement of a loop obviously does something in every iteration."""
-    return not any(map(_plainly_acts, body))
+    return not any(map(plainly_acts, body))
 
 
 def left_behind(
@@ -295,7 +295,7 @@ def is_repeated(row: Keyword) -> bool:
     return row.kind != "move" and (row.access == "RW" or row.effect.startswith("stop"))
 
 
-def _plainly_acts(node: nodes.Stmt) -> bool:
+def plainly_acts(node: nodes.Stmt) -> bool:
     """True if a statement obviously does something in every iteration."""
     if not isinstance(node, (nodes.Assign, nodes.Call)):
         # A LINE may print the text that its row shows already.

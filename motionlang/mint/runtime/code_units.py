@@ -37,6 +37,8 @@ COUNTING = ("n", "N", "D")
 CELLS = "m_"
 # The prefix of variables that hold no data of the program, or none beyond the next `yield`.
 SCRATCH = "m"
+# The prefixes of variables that have when a loop began, followed by its source position.
+LOOPS = "lr"
 
 
 def given_name(name: str) -> str:

@@ -100,8 +100,11 @@ class Environment(Waits):
         # constants given. The first flag is true if a loop that may poll uses the variable, too, the second one
         # if the handler also sets it.
         self.handler_counters: dict[str, dict[str, tuple[tuple[float, ...], tuple[bool, bool]]]] = {}
-        # Counts writes to host memory that are no actions.
-        self.copies = 0
+        # The readings that alone decide its course, with their indices and the constants that they are compared with;
+        # None if there may be others.
+        self.outcomes: tuple[tuple[str, tuple[int, ...], float | None], ...] | None = None
+        # Counts writes to host memory that are no actions, and writes that changed nothing.
+        self.copies = self.repeats = 0
         # Counts calls of subs that may wait, made with part of an expression evaluated.
         self.midways = 0
         # The values of the variables that functions of the program share.
@@ -211,6 +214,9 @@ class Environment(Waits):
             handler, names, levels, facts = details
             counters = zip(names, zip(levels, facts, strict=True), strict=True)  # type: ignore[call-overload]
             return self.handler_counters.setdefault(str(handler), dict(counters))
+        if how == "outcomes":
+            (self.outcomes,) = details  # type: ignore[assignment]
+            return None
         if how == "env":
             return getattr(self, str(details[0]))
         if how == "wait":

@@ -117,6 +117,7 @@ class Operations:
             act(*arguments)
             if clock.made == made and replaced(*arguments) == before:
                 environment.acts, environment.switches = acts - 1, switches
+                environment.repeats += 1
 
         return self.timed(write)
 

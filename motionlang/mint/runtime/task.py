@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.lang.task import GeneratorTask
+from motionlang.lang.task import MIN_STATEMENTS, GeneratorTask
 from motionlang.lang.waits import Wait
 from motionlang.mint.runtime.loop_log import open_loops
 
@@ -165,10 +165,18 @@ class MintTask(GeneratorTask):
     def shared(self) -> Environment:
         return self.environment
 
-    def state(self, alive: dict[int, object]) -> bytes | None:
+    def state(self, alive: dict[int, object], since: float = -INFINITY) -> bytes | None:
+        """Return the state that decides its future, as `Task.state`."""
         from motionlang.mint.runtime.task_state import of_task
 
-        return of_task(self._generator, self._put_off, alive)
+        base, cost = self.environment.statements.base, self.environment.statements.cost
+        count = self.environment.statements.count
+
+        def is_old(began: tuple[float, float]) -> bool:
+            is_logged = began[1] != base or count - began[0] > MIN_STATEMENTS
+            return is_logged and began[1] + began[0] * cost <= since
+
+        return of_task(self._generator, self._put_off, alive, is_old)
 
     @property
     def running(self) -> bool:

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from marshal import dumps
 
-from motionlang.mint.runtime.code_units import SCRATCH, TIME
+from motionlang.mint.runtime.code_units import LOOPS, SCRATCH, TIME
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from types import CodeType
     from typing import Any
 
@@ -28,20 +29,29 @@ _PARAMETER = "p_"
 
 
 class Names:
-    """The names of local variables of some code; `parameters` is a subset of `all`."""
+    """The names of local variables of some code.
+
+    `parameters` are a subset of `all`; `loops` are those that have when a loop began (`loop_times.py`).
+    """
 
     def __init__(self, code: CodeType) -> None:
         names = dict.fromkeys(code.co_varnames + code.co_cellvars)
-        self.all = [each for each in names if each not in _PASSING and not each.startswith(SCRATCH)]
+        self.loops = [each for each in names if each[0] in LOOPS and each[1:].isdecimal()]
+        self.all = [
+            each for each in names if each not in (*_PASSING, *self.loops) and not each.startswith(SCRATCH)
+        ]
         self.parameters = [each for each in self.all if each.startswith(_PARAMETER)]
 
 
 _names_of: dict[CodeType, Names] = {}
 
 
-def of_task(generator: Any, put_off: PutOff | None, alive: dict[int, object]) -> bytes | None:
+def of_task(
+    generator: Any, put_off: PutOff | None, alive: dict[int, object], is_old: Callable[[Any], bool]
+) -> bytes | None:
     """Return the state of a task that is suspended in `generator`.
 
+    The beginnings of loops for which `is_old` returns true are alike.
     Returns None if it is suspended in code that is not compiled Mint. Objects whose identity is part of the state are
     added to `alive`, so that no other object gets the same identity.
     """
@@ -60,6 +70,9 @@ def of_task(generator: Any, put_off: PutOff | None, alive: dict[int, object]) ->
         values = frame.f_locals
         state += [_identity(code, alive), frame.f_lasti]
         state += [values.get(name) for name in names.all]
+        for name in names.loops:
+            began = values.get(name)
+            state.append(began if began is None or not is_old(began) else True)
         for name in names.parameters:
             if isinstance(values.get(name), list):
                 state.append(_identity(values[name], alive))

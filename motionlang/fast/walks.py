@@ -1,0 +1,288 @@
+"""Walks along known transitions, from a checkpoint on, for `polled_ticks.py`.
+
+A walk computes times only: it has no effect on the program. It ends before a transition that is not known, and
+at a given time.
+"""
+
+from __future__ import annotations
+
+from bisect import insort
+from collections import Counter
+from functools import partial
+
+from motionlang.fast.rounds import Round, Rounds
+from motionlang.fast.transitions import (
+    APART,
+    NO_DUE,
+    ONE_TIME,
+    TICK,
+    Checkpoint,
+    Due,
+    Known,
+    Transition,
+    first_statement,
+)
+from motionlang.lang.statement_time import UNITS, StatementTime, units
+
+# Base, count, ticks and ends, and the number of the next tick.
+Reached = tuple[float, float, list[Due], int]
+# The number of a transition that switches outputs, its base, its origin, and what its base is (`Mark.source`).
+Switching = tuple[int, float, float, tuple[int, int] | None]
+
+# The most transitions of a walk, without those that are repeated in rounds.
+MAX_WALK = 4096
+# Ticks of whole units are less than half a unit from them up to this time, s.
+LATEST_TICK = 3e4
+# A part of a transition for which rounding does not decide whether one more fits.
+CLOSE = 1e-6
+# The transitions of a state from which none is known.
+_NO_GAPS: dict[float, Transition] = {}
+
+
+class Pace:
+    """The times of ticks, every `period` s since `started`, and of statements."""
+
+    def __init__(self, started: float, period: float, statements: StatementTime) -> None:
+        self.started, self.period, self.statements = started, period, statements
+        self.cost = statements.cost
+        # True if each tick is nearest to a whole unit.
+        is_whole = units(started) / UNITS == started and units(period) / UNITS == period
+        self.is_whole = is_whole and statements.base < LATEST_TICK
+
+    def tick(self, number: int) -> float:
+        """Return the time of a tick."""
+        return self.started + number * self.period
+
+
+class Walk:
+    """Transitions in a row; the first `good` ones lead to the present state.
+
+    `rounds` are those that repeat, and `switching` those that switch outputs. `polling` has the number of each before
+    whose origin a task polls, the task and the statements of that. `reached` is where the good ones lead.
+    """
+
+    __slots__ = ("good", "polling", "reached", "rounds", "steps", "switching")
+
+    def __init__(self) -> None:
+        self.steps: list[Transition] = []
+        self.rounds: list[Round] = []
+        self.switching: list[Switching] = []
+        self.polling: list[tuple[int, str, float]] = []
+        self.good = 0
+        self.reached: Reached = 0.0, 0.0, [], 0
+
+    def times(self) -> Counter[Transition]:
+        """Return how often each transition passes."""
+        times = Counter(self.steps[: self.good])
+        for each in self.rounds:
+            for step in self.steps[each.first : each.past]:
+                times[step] += each.times
+        return times
+
+    def polled(self, first: int) -> list[tuple[str, float]]:
+        """Return the tasks that poll, from one on, and their statements."""
+        return [(task, count) for _, task, count in self.polling[first:]]
+
+
+class Walker:
+    """Walks along `known` transitions at the `pace` of a program."""
+
+    def __init__(self, known: Known, pace: Pace) -> None:
+        self._known, self._pace = known, pace
+
+    def walk(self, own: Checkpoint, end: float, most: int) -> Walk | None:
+        """Return the next transitions before `end`, at most so many.
+
+        They end with the last one that leads to the present state; None if there is none.
+        """
+        by_tick = len(own.dues) == 1 and not self._known.are_idle[own.state]
+        return (self.walk_ticks if by_tick else self.walk_all)(own, end, most)
+
+    def walk_all(self, own: Checkpoint, end: float, most: int) -> Walk | None:
+        """Return the same as `walk`, whatever the tasks do."""
+        alone, pace, cost = self._known.alone, self._pace, self._pace.cost
+        cost_units = pace.statements.cost_units
+        state, base, count, number = own.state, own.base, own.count, own.number
+        dues = [*own.dues, NO_DUE]
+        # What `base` is, as in `Mark`; None if it is that of the checkpoint.
+        source: tuple[int, int] | None = None
+        walk = Walk()
+        steps = walk.steps
+        rounds = Rounds(walk, pace, end, partial(self._again, own.state, end))
+        limit = min(most, MAX_WALK)
+        while len(steps) < limit:
+            moment, index, _ = dues[0]
+            step = alone.get((state, index))
+            if (
+                step is not None
+                and moment > base + count * cost + APART
+                and dues[1][0] > moment + step.length * cost + APART
+            ):
+                base, origin = moment, 0.0
+                del dues[0]
+                if step.state == state and step.is_proved and not step.switches:
+                    times = self._repetitions(step, min(dues[0][0], end) - moment)
+                    times = min(times, limit - len(steps) - 1)
+                    if times > 0:
+                        steps += [step] * times
+                        number += times if index == TICK else 0
+                        ends = units(moment) + times * step.waits[0][2] if step.waits else 0
+                        base = pace.tick(number) if index == TICK else ends / UNITS
+                source = index, number
+            else:
+                known = self.next(state, base, count, dues)
+                if known is None:
+                    break
+                step, since, origin, depth = known
+                if since != base:
+                    base, source = since, (index, number)
+                elif origin > count:
+                    walk.polling.append((len(steps), self._known.polling[state], origin - count))
+                passed, dues = dues[:depth], dues[depth:]
+                if _rounding_decides([*passed, dues[0]], base):
+                    rounds.unsure = len(steps) + 1
+                for due in passed:
+                    if due[1] in step.open:
+                        insort(dues, due)
+            count = origin + step.length
+            if not step.is_proved or base + count * cost >= end:
+                break
+            if step.switches:
+                walk.switching.append((len(steps), base, origin, source))
+            steps.append(step)
+            for task, offset, wait_units in step.waits:
+                time = (units(base) + int(origin) * cost_units + wait_units) / UNITS
+                insort(dues, (time, task, base + (origin + offset) * cost))
+                if source is not None and source[0] == TICK and not pace.is_whole:
+                    rounds.unsure = len(steps)
+            if step.handler is not None:
+                number += 1
+                insort(dues, (pace.tick(number), TICK, 0.0))
+            state = step.state
+            if state == own.state:
+                walk.good, walk.reached = len(steps), (base, count, dues[:-1], number)
+                if rounds.found(source, most - len(steps)):
+                    source = None if source is None else (source[0], source[1] + walk.reached[3] - number)
+                    base, count, dues, number = walk.reached
+                    dues = [*dues, NO_DUE]
+                    most -= walk.rounds[-1].total
+                    limit = min(most, MAX_WALK)
+        return walk if walk.good else None
+
+    def _again(self, state: int, end: float, reached: Reached, most: int) -> Walk | None:
+        """Return the next transitions from where a walk leads."""
+        return self.walk_all(Checkpoint(state, *reached, ()), end, most)
+
+    def _repetitions(self, step: Transition, left: float) -> int:
+        """Return how often a transition to its own state fits before another tick or end."""
+        length = step.waits[0][2] / UNITS if step.waits else self._pace.period
+        return int((left - step.length * self._pace.cost - APART) / length - CLOSE)
+
+    def walk_ticks(self, own: Checkpoint, end: float, most: int) -> Walk | None:
+        """Return the same as `walk` while no task is in a WAIT, in less time."""
+        known, statements = self._known.gaps, self._pace.statements
+        base, cost, started, period = statements.base, statements.cost, self._pace.started, self._pace.period
+        count, number, last = own.count, own.number, statements.first(end)
+        present = own.state
+        gaps = known.get(present)
+        if gaps is None:
+            return None
+        walk = Walk()
+        steps, switching = walk.steps, walk.switching
+        good, ratio = count, float(round(period / cost))
+        first = statements.first(own.dues[0][0]) - ratio
+        for each in range(number, number + min(most, MAX_WALK)):
+            # The same statement as that of `StatementTime.first`, without a division: a tick is at most one statement
+            # off the whole number of them in a period.
+            moment = started + each * period
+            first += ratio
+            if base + first * cost < moment:
+                first += 1.0
+            elif base + (first - 1.0) * cost >= moment:
+                first -= 1.0
+            step = gaps.get(first - count)
+            if step is None or not step.is_proved:
+                break
+            if step.switches:
+                switching.append((len(steps), base, count, None))
+            count += step.length
+            if count >= last:
+                break
+            steps.append(step)
+            state = step.state
+            if state == present:
+                walk.good, good = len(steps), count
+            gaps = known.get(state, _NO_GAPS)
+        if not walk.good:
+            return None
+        number += walk.good
+        walk.reached = base, good, [(started + number * period, TICK, 0.0)], number
+        return walk
+
+    def origin(
+        self, state: int, base: float, count: float, due: Due, by_tick: bool
+    ) -> tuple[float, float, float] | None:
+        """Return the origin of a transition, and the first statement after `due`.
+
+        The origin is a base and the statement from which it counts. None if rounding might decide. `by_tick`: no task
+        is in a WAIT, so the distances to the tick are few.
+        """
+        cost, known = self._pace.cost, self._known
+        is_idle = known.are_idle[state]
+        if is_idle:
+            now = base + count * cost
+            if due[0] > now + APART:
+                return due[0], 0.0, 0.0
+            if due[0] > now and (due[1] == TICK or due[0] > now + ONE_TIME):
+                return None
+        statement = first_statement(due, base, cost)
+        if statement is None:
+            return None
+        period = None if is_idle or by_tick else known.periods.get(state)
+        if period is None:
+            return base, count, statement
+        begin, length = period
+        return base, count + max(0.0, (statement - count - begin) // length * length), statement
+
+    def next(
+        self, state: int, base: float, count: float, dues: list[Due]
+    ) -> tuple[Transition, float, float, int] | None:
+        """Return the transition that comes next, None if it is not known.
+
+        The result has its base and its origin, and how many of the ticks and ends are in its path.
+        """
+        node, cost = self._known.trees.get(state), self._pace.cost
+        if node is None:
+            return None
+        step, due = node.transition, dues[0]
+        if step is not None and due[0] > base + (count + step.length) * cost + APART:
+            return step, base, count, 0
+        found = self.origin(state, base, count, due, len(dues) == 2)
+        if found is None:
+            return None
+        base, origin, statement = found
+        node = node.next.get((due[1], statement - origin))
+        first, depth = statement - origin, 1
+        while node is not None:
+            step = node.transition
+            if step is not None and dues[depth][0] > base + (origin + step.length) * cost + APART:
+                # Nothing may happen before the iterations that are left out.
+                return None if origin > count and step.earliest < first else (step, base, origin, depth)
+            due = dues[depth]
+            later = first_statement(due, base, cost)
+            node = None if later is None else node.next.get((due[1], later - origin))
+            depth += 1
+        return None
+
+
+def _rounding_decides(dues: list[Due], base: float) -> bool:
+    """True if a tick comes between statements, or as a WAIT ends.
+
+    All but the last of `dues` have come.
+    """
+    for number, due in enumerate(dues[:-1]):
+        if due[1] == TICK and (due[0] != base or dues[number + 1][0] - due[0] < APART):
+            return True
+        if dues[number + 1][1] == TICK and dues[number + 1][0] - due[0] < APART:
+            return True
+    return False

@@ -1,0 +1,79 @@
+"""Find the readings that alone decide the course of a program with a TIMER.
+
+Its tasks and handlers do the same whenever they are in the same state and these readings have the same outcomes. The
+outcome of a reading that changes by itself is the side on which it is of each constant that it is compared with.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from motionlang.mint.compile import operators
+from motionlang.mint.compile.body import Body
+from motionlang.mint.compile.polling import plainly_acts, reached
+from motionlang.mint.resolve.symbols import TIME
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
+
+# A keyword, its indices, and the constant that it is compared with.
+Reading = tuple[str, tuple[float, ...], float | None]
+
+
+def describe(b: Body) -> None:
+    """Describe to the runtime the readings of a program, if each has outcomes.
+
+    What is read in a statement that acts does not matter, because no statement that acts is ever repeated.
+    """
+    found: dict[Reading, None] = {}
+    for function in b.whole.names.functions:
+        for reading in _readings(list(reached(b, function.body))):
+            if reading is None:
+                return
+            found[reading] = None
+    b.whole.use("outcomes", tuple(found))
+
+
+def _readings(iteration: list[nodes.Node]) -> Iterator[Reading | None]:
+    """Yield the readings in some nodes; None for one without an outcome."""
+    levels = _levels(iteration)
+    # The time is no outcome, but a statement that stores it is never repeated either.
+    stored = {id(value) for node in iteration if isinstance(node, nodes.Assign) for value in node.values}
+    written = {id(node.target) for node in iteration if isinstance(node, (nodes.Assign, nodes.Call))}
+    acting = {
+        id(each)
+        for node in iteration
+        if isinstance(node, (nodes.Assign, nodes.Call, nodes.Print, nodes.Input)) and plainly_acts(node)
+        for each in walk([node])
+    }
+    for node in iteration:
+        if id(node) in acting or id(node) in written:
+            continue
+        if isinstance(node, nodes.Print):
+            yield None  # a LINE compares with the text of its row
+        elif isinstance(node, nodes.Name) and node.symbol is not None and node.symbol.type.name == TIME:
+            yield None
+        elif isinstance(node, nodes.Name) and node.row is not None:
+            row, indices = node.row, _numbers(node.args or [])
+            is_time = row.solved and row.index == "none"
+            if row.kind not in ("reading", "setting") or (is_time and id(node) in stored):
+                continue
+            level = levels.get(id(node)) if row.solved and not is_time else None
+            is_known = indices is not None and (row.actions.outcome is not None or level is not None)
+            yield (row.name, indices, level) if is_known and indices is not None else None
+
+
+def _numbers(indices: list[nodes.Expr]) -> tuple[float, ...] | None:
+    """Return the values of constant indices; None if one is not constant."""
+    found = tuple([each.value for each in indices if isinstance(each, nodes.Number)])
+    return found if len(found) == len(indices) else None
+
+
+def _levels(iteration: list[nodes.Node]) -> dict[int, float]:
+    """Return the constants that nodes are compared with, by the identity of each."""
+    return {
+        id(side): float(other.value)
+        for node in iteration
+        if isinstance(node, nodes.Binary) and node.op in operators.COMPARISONS
+        for side, other in ((node.left, node.right), (node.right, node.left))
+        if isinstance(other, nodes.Number)
+    }
