@@ -88,6 +88,8 @@ class Rounds:
     ) -> None:
         self._walk, self._pace, self._end, self._again = walk, pace, end, again
         self._marks: list[Mark] = []
+        # How many returns are still compared.
+        self._left = LOOK_BACK
         # The number of transitions before which the returns cannot be compared.
         self.unsure = 0
 
@@ -96,10 +98,13 @@ class Rounds:
 
         Called at each return to the present state.
         """
-        if len(self._marks) == LOOK_BACK:
+        if not self._left:
             return False  # a walk without rounds costs little
+        self._left -= 1
         mark = Mark(self._walk, source, self._pace.cost)
-        before = self._similar(mark)
+        if self._marks and self._marks[-1].steps < self.unsure:
+            self._marks.clear()
+        before = self._similar(mark) if self._marks else None
         self._marks.append(mark)
         if before is None:
             return False
@@ -126,7 +131,7 @@ class Rounds:
         shortest = min([self._pace.period, *waits])
         most, dues = shortest * DRIFT, mark.dues
         for one in reversed(self._marks):
-            if -most < one.distance - mark.distance < most and one.steps >= self.unsure:
+            if -most < one.distance - mark.distance < most:
                 later = mark.now - one.now
                 if all(
                     due[1] == other[1] and -most < due[0] - other[0] - later < most
@@ -177,6 +182,7 @@ class Rounds:
         walk.rounds.append(Round(one.steps, two.steps, times, shift, switching))
         walk.polling += [(number, task, times * count) for number, task, count in walk.polling[one.polled :]]
         walk.reached = reached
+        self._left = LOOK_BACK
         return True
 
 
