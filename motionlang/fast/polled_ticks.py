@@ -83,7 +83,7 @@ from motionlang.fast.transitions import (
     Transition,
     first_statement,
 )
-from motionlang.fast.walks import Pace, Walker
+from motionlang.fast.walks import MAX_WALK, Pace, Walker
 from motionlang.lang.dependencies import CLOSE
 from motionlang.lang.statement_time import UNITS, units
 from motionlang.log.repeated import rows_of
@@ -487,6 +487,8 @@ class PolledTicks:
             if walk is None:
                 return
             self._pass(walk, scheduler)
+            if len(walk.steps) < MAX_WALK:
+                return  # there is none after it
 
     def _walker(self) -> Walker:
         """Return a walker along the transitions."""

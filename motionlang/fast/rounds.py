@@ -126,18 +126,20 @@ class Rounds:
         return False
 
     def _similar(self, mark: Mark) -> Mark | None:
-        """Return the last mark with the same ticks and ends at about the same distances."""
+        """Return the last mark with the same ticks and ends, or others at the same distances."""
         waits = [end - since for end, index, since in mark.dues if index != TICK]
-        shortest = min([self._pace.period, *waits])
-        most, dues = shortest * DRIFT, mark.dues
+        most = min([self._pace.period, *waits]) * DRIFT
         for one in reversed(self._marks):
-            if -most < one.distance - mark.distance < most:
-                later = mark.now - one.now
-                if all(
-                    due[1] == other[1] and -most < due[0] - other[0] - later < most
-                    for due, other in zip(dues, one.dues, strict=False)
-                ):
-                    return one
+            if not -most < one.distance - mark.distance < most:
+                continue
+            later = mark.now - one.now
+            # An end that stays must be far enough for some rounds.
+            last = mark.now + (LEAST + 1) * later
+            if all(
+                due[1] == other[1] and (-most < due[0] - other[0] - later < most or last < due[0] == other[0])
+                for due, other in zip(mark.dues, one.dues, strict=False)
+            ):
+                return one
         return None
 
     def _estimate(self, steps: list[Transition], one: Mark, two: Mark, shift: Shift, most: int) -> float:
