@@ -174,6 +174,8 @@ class PolledTicks:
             self._left -= by_tick
             scheduler.is_observed = False
             return
+        if self._events.active or self._events.pending or scheduler.interrupts:
+            return  # the next checkpoint is the end of a handler
         if not polls or not self._is_regular(scheduler):
             self._forget(scheduler)
             return
@@ -204,13 +206,10 @@ class PolledTicks:
         return self._environment.dependencies.until(self._begun - CLOSE, self._read) - CLOSE
 
     def _is_regular(self, scheduler: Any) -> bool:
-        """True if no handler is active or due, and nothing outside may act."""
+        """True if nothing outside may act."""
         events, environment = self._events, self._environment
         return (
-            not events.active
-            and not events.pending
-            and events.tick_event is not None
-            and not scheduler.interrupts
+            events.tick_event is not None
             and scheduler.pace is None
             and scheduler.outside is None
             and not any(task.busy or task.suspended for task in scheduler.tasks)

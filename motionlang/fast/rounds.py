@@ -126,7 +126,7 @@ class Rounds:
         return False
 
     def _similar(self, mark: Mark) -> Mark | None:
-        """Return the last mark with the same ticks and ends, or others at the same distances."""
+        """Return the last mark at the same distances from ticks and ends."""
         waits = [end - since for end, index, since in mark.dues if index != TICK]
         most = min([self._pace.period, *waits]) * DRIFT
         for one in reversed(self._marks):

@@ -185,7 +185,7 @@ def test_tasks_that_poll_beside_the_timer_are_skipped(skipped: Callable[[], int]
         ("n = n + 1\n  WAIT(5)", 10, 12),
         ("WAIT(1)", 10, 10),
         ("WAIT(0.3)", 7, 17),
-        ("If INX(5) Then STOP(0)\n  WAIT(5)", 1, 52),
+        ("If INX(5) Then STOP(0)\n  WAIT(5)", 1, 34),
         ("WAIT(1)", 1, 52),
     ),
 )
