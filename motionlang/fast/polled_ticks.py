@@ -73,6 +73,7 @@ from functools import partial
 from itertools import groupby
 
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.faults import Rejected
 from motionlang.fast.handler_counters import HandlerCounters
 from motionlang.fast.transitions import (
     APART,
@@ -150,13 +151,13 @@ class PolledTicks:
             return None
         return [self._bound(*each) for each in self._environment.outcomes]
 
-    def _bound(self, name: str, indices: tuple[int, ...], level: float | None) -> Callable[[], object]:
+    def _bound(self, name: str, index: int, level: float | None) -> Callable[[], object]:
         """Return a function for the outcome of a reading, or for its side of a level."""
         row = row_of(name)
         if row.actions.outcome is not None:
-            return partial(row.actions.outcome(self._environment, row), *indices)
+            return partial(row.actions.outcome(self._environment, row), index)
         assert level is not None
-        read: Any = partial(bind(self._environment, "read", row), *indices)
+        read: Any = partial(bind(self._environment, "read", row), index)
         return lambda: (read() > level) - (read() < level)
 
     @property
@@ -275,15 +276,20 @@ class PolledTicks:
     def _outcomes_now(self) -> tuple[object, ...] | None:
         """Return all else that decides; None if there may be more."""
         environment, events = self._environment, self._events
-        if self._readings is None:
+        if self._readings is None or environment.outcomes is None:
             return None
         environment.dependencies.notes = None  # these readings are no dependencies
+        try:
+            outcomes = [read() for read in self._readings]
+        except Rejected:  # of an axis or a channel that does not exist
+            self._readings = None
+            return None
         return (
             events.timer,
             events.disabled,
             tuple(self._counters.sides()),
             tuple(sorted(environment.controller.outputs.active_low)),
-            *[read() for read in self._readings],
+            *outcomes,
         )
 
     def _observe(self, scheduler: Any) -> None:

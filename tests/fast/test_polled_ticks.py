@@ -153,6 +153,27 @@ def test_what_was_executed_before_an_event_is_known_after_it(
     assert handlers - skipped() == count
 
 
+@pytest.mark.parametrize(
+    "body",
+    [
+        "If IDLE(0, 1) Then m = m + 1",
+        "If IDLE And OUT = 0 Then m = m + 1",
+        "If n > 90000 And IDLE(99) Then m = 5",
+        "If n > 90000 And INX(9999) Then m = 5",
+        "If n > 90000 And POS(99) > 5 Then m = 5",
+        "If INX(m) Then m = 1",
+        "If IN And 4 Then OUTX(1) = 1",
+        "If POS(0) > m Then OUTX(1) = 1",
+        "If TIME > 500 Then OUTX(1) = 1",
+        "m = TIME",
+    ],
+)
+def test_readings_without_outcomes_are_read_after_each_event(body: str) -> None:
+    moves = "".join(f"MOVEA(0) = {to} : GO(0)\nWhile Not IDLE(0)\n  WAIT(5)\nEnd While\n" for to in (20, 0))
+    marks = [{"channel": 2, "at": 0.1, "every": 0.6, "for": 0.3}]
+    ran("AXES(0, 1)\n" + handled(moves * 3, f"n = n + 1\n{body}"), input=marks)
+
+
 def test_a_loop_that_polls_the_counter_sees_each_value(skipped: Callable[[], int]) -> None:
     """The loop ends by the counter, so ticks that change it are not skipped."""
     found = ran(handled("While n < 700\nEnd While\nm = n\n", "n = n + 1"))

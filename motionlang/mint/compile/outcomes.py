@@ -15,8 +15,8 @@ from motionlang.mint.resolve.symbols import TIME
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
-# A keyword, its indices, and the constant that it is compared with.
-Reading = tuple[str, tuple[float, ...], float | None]
+# A keyword, its index, and the constant that it is compared with.
+Reading = tuple[str, int, float | None]
 
 
 def describe(b: Body) -> None:
@@ -53,19 +53,19 @@ def _readings(iteration: list[nodes.Node]) -> Iterator[Reading | None]:
         elif isinstance(node, nodes.Name) and node.symbol is not None and node.symbol.type.name == TIME:
             yield None
         elif isinstance(node, nodes.Name) and node.row is not None:
-            row, indices = node.row, _numbers(node.args or [])
+            row, index = node.row, _index(node)
             is_time = row.solved and row.index == "none"
             if row.kind not in ("reading", "setting") or (is_time and id(node) in stored):
                 continue
             level = levels.get(id(node)) if row.solved and not is_time else None
-            is_known = indices is not None and (row.actions.outcome is not None or level is not None)
-            yield (row.name, indices, level) if is_known and indices is not None else None
+            is_known = row.actions.outcome is not None or level is not None
+            yield (row.name, index, level) if is_known and index is not None else None
 
 
-def _numbers(indices: list[nodes.Expr]) -> tuple[float, ...] | None:
-    """Return the values of constant indices; None if one is not constant."""
-    found = tuple([each.value for each in indices if isinstance(each, nodes.Number)])
-    return found if len(found) == len(indices) else None
+def _index(node: nodes.Name) -> int | None:
+    """Return the only index of a reading; None if it has others, or is no constant."""
+    index = node.args[0] if node.args and len(node.args) == 1 else None
+    return index.value if isinstance(index, nodes.Number) and isinstance(index.value, int) else None
 
 
 def _levels(iteration: list[nodes.Node]) -> dict[int, float]:

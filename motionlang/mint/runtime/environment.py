@@ -102,7 +102,7 @@ class Environment(Waits):
         self.handler_counters: dict[str, dict[str, tuple[tuple[float, ...], tuple[bool, bool]]]] = {}
         # The readings that alone decide its course, with their indices and the constants that they are compared with;
         # None if there may be others.
-        self.outcomes: tuple[tuple[str, tuple[int, ...], float | None], ...] | None = None
+        self.outcomes: tuple[tuple[str, int, float | None], ...] | None = None
         # Counts writes to host memory that are no actions, and writes that changed nothing.
         self.copies = self.repeats = 0
         # Counts calls of subs that may wait, made with part of an expression evaluated.
@@ -203,6 +203,7 @@ class Environment(Waits):
 
     def make_operations(self, specs: Sequence[tuple[object, ...]]) -> tuple[object, ...]:
         """Return the object for each `kN` of the generated code."""
+        self.outcomes = None  # a line typed at a prompt may read anything
         return tuple(self._operation(str(spec[0]), *spec[1:]) for spec in specs)
 
     def _operation(self, how: str, *details: object) -> object:
