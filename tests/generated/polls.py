@@ -38,7 +38,8 @@ _POLLS = (
     "k@ = 1 - k@", "c = 0", "If INX(0) Then b = 1\n    If INX(1) Then b = 0", "WAIT(1)", "WAIT(3)", "Nothing",
     "k@ = k@ + 1 : If k@ > 200 Then k@ = 0", "COMMS(1) = 4", "c = other",
     "k@ = k@ + 1 : If k@ > 70 Then OUTX(6) = 1", "k@ = k@ + 2\n    WAIT(5)", "WAIT(10)", "WAIT(5)", "WAIT(0.3)",
-    "WAIT(wait@)",
+    "WAIT(wait@)", "If IDLE(0, 1) Then c = 3", "If AXISMODE(0) = 0 Then b = 3", "STOP(1)",
+    "If VEL(0) > 20 Then OUTX(7) = 1 Else OUTX(7) = 0", "If OUT(0) And 8 Then c = 4",
 )  # fmt: skip
 _MAIN = (
     "MOVER(0) = 9 : GO(0)\n  While Not IDLE(0)\n    @@\n  End While",
