@@ -58,17 +58,8 @@ class Mark:
     """
 
     __slots__ = (
-        "base",
-        "count",
-        "distance",
-        "dues",
-        "now",
-        "number",
-        "polled",
-        "source",
-        "steps",
-        "switched",
-    )
+        "base", "count", "distance", "dues", "now", "number", "polled", "source", "steps", "switched",
+    )  # fmt: skip
 
     def __init__(self, walk: Walk, source: tuple[int, int] | None, cost: float) -> None:
         self.base, self.count, self.dues, self.number = walk.reached
