@@ -18,7 +18,7 @@ from motionlang.lang.task import Task
 from motionlang.lang.waits import Wait
 from motionlang.mcapi import constants as mc
 from motionlang.mcapi.errors import code_of
-from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.runtime.task import FORMS, CommandTask
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -119,6 +119,16 @@ class Interface(CommandTask):
                 self.current_call.code = code_of(trouble)
                 self.current_call.more.clear()
             self.abandon()
+
+    def tell(self, axis: int, text: str) -> None:
+        """Report a value in the default form.
+
+        The form and the base of ASCII replies do not apply to binary ones.
+        """
+        self.write(FORMS["01 1234"].format(axis, text))
+
+    def whole_text(self, value: int) -> str:
+        return str(value)
 
     def _replied(self, text: str) -> None:
         if len(self.reply_text) < MAX_BUFFERED:

@@ -109,6 +109,16 @@ def test_numeric_codes_come_from_the_machine_file() -> None:
     assert host.GetError() == mc.MCERR_NOTSUPPORTED
 
 
+def test_binary_replies_are_numbers_whatever_the_ascii_form() -> None:
+    """4096 is 1000 in hexadecimal, and 255 has no decimal digit."""
+    host = opened({"mccl.codes.TP": 20, "mccl.codes.HM": 21, "assumptions.mccl.reply-form": "01=1234"})
+    host.SetPosition(1, 255.0)
+    host.pmccmdex(0, 21, 0, mc.MC_TYPE_NONE)
+    assert host.pmccmdrpyex(1, 20, 0, mc.MC_TYPE_NONE, mc.MC_TYPE_LONG) == 255
+    host.SetPosition(1, 4096.0)
+    assert host.pmccmdrpyex(1, 20, 0, mc.MC_TYPE_NONE, mc.MC_TYPE_LONG) == 4096
+
+
 def test_a_compound_block_runs_as_one_line(host: Mcapi) -> None:
     """Nothing moves before the end of the block, whose wait delays the call."""
     host.EnableAxis(1, True)

@@ -12,6 +12,8 @@ from motionlang.mccl.axis.flags import FAULTS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from motionlang.controller.controller import Controller
     from motionlang.controller.readers import Writer
     from motionlang.mccl.axis.backlash import Backlash
@@ -203,10 +205,13 @@ class AxisState:
             value = self.scale.to_user(counts, unit)
         return value if self.scaled else nearest_whole(value)
 
-    def say(self, counts: float, unit: str = "position") -> str:
-        """Format a quantity as the board does: integer counts, or user units, 6 decimals."""
+    def say(self, counts: float, unit: str = "position", whole: Callable[[int], str] = str) -> str:
+        """Format a quantity as the board does: whole counts, or user units, 6 decimals.
+
+        `whole` formats the counts.
+        """
         value = self.reported(counts, unit)
-        return real(value) if self.scaled else str(int(value))
+        return real(value) if self.scaled else whole(int(value))
 
 
 def real(value: float) -> str:

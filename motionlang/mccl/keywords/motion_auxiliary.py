@@ -31,12 +31,12 @@ def define_auxiliary(task: CommandTask, command: Command) -> None:
 
 def tell_auxiliary(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
-        task.tell(axis.number, axis.say(nearest_whole(_counts(task, axis) - axis.aux_zero), "uu"))
+        task.tell(axis.number, task.quantity(axis, nearest_whole(_counts(task, axis) - axis.aux_zero), "uu"))
 
 
 def tell_auxiliary_index(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
-        task.tell(axis.number, axis.say(axis.aux_index, "uu"))
+        task.tell(axis.number, task.quantity(axis, axis.aux_index, "uu"))
 
 
 def find_auxiliary_index(task: CommandTask, command: Command) -> Wait:

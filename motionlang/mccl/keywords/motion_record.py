@@ -70,11 +70,13 @@ def _taken(elapsed: float, most: int) -> int:
 
 def _optimal(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:
     a = task.board.controller.axes[axis.number]
-    return [axis.say(a.position(time)) for time in times]
+    return [task.quantity(axis, a.position(time)) for time in times]
 
 
 def _actual(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:
-    return [axis.say(counts) for counts in task.board.controller.recall(axis.number, "actual", times)]
+    return [
+        task.quantity(axis, counts) for counts in task.board.controller.recall(axis.number, "actual", times)
+    ]
 
 
 def _torque(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:

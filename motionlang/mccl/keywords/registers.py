@@ -47,7 +47,7 @@ def complement(task: CommandTask, command: Command) -> None:
 
 def tell_register(task: CommandTask, command: Command) -> None:
     value = task.register(task.whole(command))
-    task.reply(task.board.whole(value) if isinstance(value, int) else real(value))
+    task.reply(task.whole_text(value) if isinstance(value, int) else real(value))
 
 
 def wrapped(value: float | int) -> float | int:

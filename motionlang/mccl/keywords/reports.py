@@ -30,39 +30,41 @@ def _each(reader: Reader) -> Action:
 
 
 def _position(task: CommandTask, axis: AxisState) -> str:
-    return axis.say(task.board.controller.position(axis.number) + axis.shift)
+    return task.quantity(axis, task.board.controller.position(axis.number) + axis.shift)
 
 
 def _target(task: CommandTask, axis: AxisState) -> str:
-    return axis.say(aim(task.board.controller, axis))
+    return task.quantity(axis, aim(task.board.controller, axis))
 
 
 def _optimal(task: CommandTask, axis: AxisState) -> str:
-    return axis.say(task.board.controller.demand(axis.number) + axis.shift)
+    return task.quantity(axis, task.board.controller.demand(axis.number) + axis.shift)
 
 
 def _following(task: CommandTask, axis: AxisState) -> str:
-    return axis.say(task.board.controller.following_error(axis.number), "uu")
+    return task.quantity(axis, task.board.controller.following_error(axis.number), "uu")
 
 
 def _velocity(task: CommandTask, axis: AxisState) -> str:
-    return axis.say(task.board.controller.velocity(axis.number), "uu/s")
+    return task.quantity(axis, task.board.controller.velocity(axis.number), "uu/s")
 
 
 def _breakpoint(task: CommandTask, axis: AxisState) -> str:
     if axis.breakpoint is None:
-        return "NONE" if task.board.assumptions.get("mccl.no-breakpoint") == "NONE" else axis.say(0.0)
-    return axis.say(axis.breakpoint)
+        return (
+            "NONE" if task.board.assumptions.get("mccl.no-breakpoint") == "NONE" else task.quantity(axis, 0.0)
+        )
+    return task.quantity(axis, axis.breakpoint)
 
 
 def _index(task: CommandTask, axis: AxisState) -> str:
-    return axis.say(axis.index_position)
+    return task.quantity(axis, axis.index_position)
 
 
 def _stored_value(name: str) -> Reader:
     def reader(task: CommandTask, axis: AxisState) -> str:
         value = axis.stored.get(name, STORED_DEFAULTS.get(name, 0.0))
-        return str(int(value)) if axis.model.whole_gains else real(value)
+        return task.whole_text(int(value)) if axis.model.whole_gains else real(value)
 
     return reader
 
@@ -76,18 +78,18 @@ def tell_status(task: CommandTask, command: Command) -> None:
     which = task.whole(command)
     for axis in task.axes(command):
         value, _ = word(task.board, axis, which)
-        task.tell(axis.number, task.board.whole(value))
+        task.tell(axis.number, task.whole_text(value))
 
 
 def tell_error(task: CommandTask, command: Command) -> None:
-    task.reply(str(task.board.last_error))
+    task.reply(task.whole_text(task.board.last_error))
     if task.board.assumptions.get("mccl.error-told") == "cleared":
         task.board.last_error = 0
 
 
 def tell_segment(task: CommandTask, command: Command) -> None:
     axis = task.axis(command)
-    task.tell(axis.number, str(axis.segments))
+    task.tell(axis.number, task.whole_text(axis.segments))
 
 
 # ------------------------------------------------------------------------------------------------- keywords

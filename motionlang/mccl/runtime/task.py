@@ -223,6 +223,14 @@ class CommandTask(Task):
         """
         self.write(FORMS[self.board.assumptions.get("mccl.reply-form", "01 1234")].format(axis, text))
 
+    def whole_text(self, value: int) -> str:
+        """Format an integer of a reply in the base set by DM or HM."""
+        return self.board.whole(value)
+
+    def quantity(self, axis: AxisState, counts: float, unit: str = "position") -> str:
+        """Format a quantity of an axis: integer counts, or user units with 6 decimals."""
+        return axis.say(counts, unit, self.whole_text)
+
     def value(self, command: Command) -> float | int:
         """Return the parameter as a number, or the register's value after `@`; 0 if none."""
         if command.kind == REGISTER:

@@ -17,6 +17,12 @@ CHOICES: list[tuple[str, object, str, list[str], list[str]]] = [
     ("no-breakpoint", "NONE", "1TB,1IP5,1TB", ["01 0", "01 5"], ["01 NONE", "01 5"]),
     ("hex-letters", "small", "HM,AL-17,TR0,AL171,TR0", ["FFFFFFEF", "AB"], ["ffffffef", "ab"]),
     ("error-told", "cleared", "1XX\nTE,TE", ["?1", "1", "1"], ["?1", "1", "0"]),
+    # Every whole number is hexadecimal, positions and velocities, too; real numbers stay decimal.
+    ("hex-letters", "small", "HM,1DH255,1TP,1TT,1TO,1TV,1TB,TE,1TX,1PR1,1DO1,1AH171,1AT,1TG",
+     ["01 FF", "01 FF", "01 FF", "01 0", "01 0", "0", "01 0", "01 FF", "01 AB", "01 0.000000"],
+     ["01 ff", "01 ff", "01 ff", "01 0", "01 0", "0", "01 0", "01 ff", "01 ab", "01 0.000000"]),
+    ("hex-letters", "small", "1DH-1,HM,1TP,1US2,1MN,1TP,1XX\nTE,DM,1TP,TE", ["01 FFFFFFFF", "01 -0.500000", "?1",
+     "1", "01 -0.500000", "1"], ["01 ffffffff", "01 -0.500000", "?1", "1", "01 -0.500000", "1"]),
     # The condition fails: 2, 1 or 3 commands are skipped. It holds: none is.
     ("skipped", 1, "AL0,IE1,AA1,AA2,AA4,TR0\nAL0,IE0,AA1,AA2,AA4,TR0", ["4", "7"], ["6", "7"]),
     ("skipped", 3, "AL0,IE1,AA1,AA2,AA4,TR0\nAL0,IE0,AA1,AA2,AA4,TR0", ["4", "7"], ["0", "7"]),
