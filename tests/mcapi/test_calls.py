@@ -148,6 +148,23 @@ def test_a_task_runs_in_the_background(host: Mcapi) -> None:
         host.CancelTask(task)
 
 
+def test_an_axis_whose_path_waits_has_not_stopped(host: Mcapi) -> None:
+    """The paths of different axes run one after another; axis 1 is last."""
+    for axis in (1, 2):
+        host.EnableAxis(axis, True)
+        host.SetOperatingMode(axis, 1, mc.MC_MODE_CONTOUR)
+    for axis in (2, 1):
+        host.BlockBegin(mc.MC_BLOCK_CONTR_LIN, 1)
+        host.MoveRelative(axis, SHORT)
+        host.BlockEnd()
+    assert (host.IsStopped(1, 0.0), host.IsAtTarget(1, 0.0), host.GetTargetEx(1)) == (0, 0, SHORT)
+    assert host.DecodeStatus(host.GetStatus(1), mc.MC_STAT_TRAJ) == 0
+    began = host.now
+    assert host.IsStopped(1, 10.0) == 1
+    assert host.now - began == pytest.approx(2.0 * SHORT_TIME, abs=0.02)
+    assert host.GetPositionEx(1) == SHORT
+
+
 def test_a_quarter_circle_from_a_contour_block(host: Mcapi) -> None:
     """The arc ends on the other axis; its length r·π/2 is covered at vector velocity."""
     radius, velocity, accel = 1000.0, 1000.0, 1e6

@@ -141,8 +141,8 @@ def is_stopped(session: Session, call: Call, axis: int, timeout: float) -> Polle
         call,
         axis,
         timeout,
-        lambda board, each: board.controller.is_at_standstill(each.number),
-        lambda board, each: board.controller.idle_time(each.number),
+        lambda board, each: board.is_complete(each),
+        lambda board, each: inf if board.awaits_path(each) else board.controller.idle_time(each.number),
     )
 
 
@@ -154,8 +154,8 @@ def is_at_target(session: Session, call: Call, axis: int, timeout: float) -> Pol
         call,
         axis,
         timeout,
-        lambda board, each: at_target_time(board.controller, each) <= board.controller.clock.now,
-        lambda board, each: at_target_time(board.controller, each),
+        lambda board, each: at_target_time(board, each) <= board.controller.clock.now,
+        at_target_time,
     )
 
 

@@ -52,7 +52,7 @@ _of_axis(
 _of_axis(
     "MCGetOptimalEx", lambda board, axis: axis.reported(board.controller.demand(axis.number) + axis.shift)
 )
-_of_axis("MCGetTargetEx", lambda board, axis: axis.reported(aim(board.controller, axis)))
+_of_axis("MCGetTargetEx", lambda board, axis: axis.reported(aim(board, axis)))
 _of_axis(
     "MCGetFollowingError",
     lambda board, axis: axis.reported(board.controller.following_error(axis.number), "uu"),

@@ -24,13 +24,14 @@ def check_unslaved(board: Board, axis: AxisState) -> None:
         raise Fault(codes.INVALID, words, f"{axis.number}SM0 frees it", "moving")
 
 
-def aim(controller: Controller, axis: AxisState) -> float:
+def aim(board: Board, axis: AxisState) -> float:
     """Return the target of an axis, counts.
 
-    For a slave it follows from the target of its master. While the axis runs without a target, it is the
-    current position.
+    In a contour it is the end of the last path. For a slave it follows from the target of its master. While the
+    axis runs without a target, it is the current position.
     """
-    target = controller.target(axis.number)
+    controller = board.controller
+    target = board.path_end(axis) if board.awaits_path(axis) else controller.target(axis.number)
     if abs(target) == INFINITY and controller.master_of(axis.number) is not None:
         target = controller.axes[axis.number].profiles[-1].end
     return target if abs(target) < INFINITY else controller.demand(axis.number)

@@ -8,6 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.runtime.board import Board
 
 
 def phase(controller: Controller, axis: int) -> tuple[str, float]:
@@ -62,12 +63,14 @@ def band_entry(controller: Controller, axis: int, band: float) -> float:
     return INFINITY if found is None else start + found
 
 
-def at_target_time(controller: Controller, axis: AxisState) -> float:
+def at_target_time(board: Board, axis: AxisState) -> float:
     """Return when the axis was or will be at target, if nothing else happens.
 
-    At target means within DB of it for DT.
+    At target means within DB of it for DT. The time is infinite while a contour path of the axis waits.
     """
-    number = axis.number
+    if board.awaits_path(axis):
+        return INFINITY
+    controller, number = board.controller, axis.number
     a = controller.axes[number]
     if a.feedback is not None:
         return controller.settled_time(number)

@@ -69,14 +69,14 @@ def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
         bits |= PHASE
     if axis.breakpoint_reached:
         bits |= REACHED
-    if a.is_at_standstill:
+    if board.is_complete(axis):
         bits |= TRAJECTORY_COMPLETE
     else:
         until = next_reversal(controller, number)
     if is_backward(controller, number):
         bits |= DIRECTION
     if board.model.at_target:
-        time = at_target_time(controller, axis)
+        time = at_target_time(board, axis)
         if time <= controller.clock.now:
             bits |= AT_TARGET
         else:

@@ -50,8 +50,8 @@ def _following(board: Board, axis: AxisState) -> tuple[float, float]:
 
 def _target(board: Board, axis: AxisState) -> tuple[float, float]:
     if abs(board.controller.target(axis.number)) < INFINITY:
-        return aim(board.controller, axis), INFINITY
-    return _moving(board, axis, aim(board.controller, axis))
+        return aim(board, axis), INFINITY
+    return _moving(board, axis, aim(board, axis))
 
 
 def _index(board: Board, axis: AxisState) -> tuple[float, float]:

@@ -6,7 +6,7 @@ Each wait ends at its exact time, without polling.
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.lang.waits import Wait, wait_idle, wait_until
+from motionlang.lang.waits import Wait, until_idle, wait_idle, wait_until
 from motionlang.mccl.axis.motion_phase import at_target_time
 from motionlang.mccl.keywords.row import Group, pure
 
@@ -34,9 +34,20 @@ def wait(task: CommandTask, command: Command) -> Wait | None:
 
 def wait_stop(task: CommandTask, command: Command) -> Wait | None:
     """Wait until the trajectory is complete, then for the given time."""
-    controller = task.board.controller
+    board, controller = task.board, task.board.controller
     now = controller.clock.now
-    axes = tuple([axis.number for axis in task.axes(command)])
+    stopping = task.axes(command)
+    axes = tuple([axis.number for axis in stopping])
+    if board.contours and any(map(board.awaits_path, stopping)):
+        task.then = lambda time: wait_stop(task, command)
+        return Wait(
+            now,
+            lambda: not any(map(board.awaits_path, stopping)),
+            lambda: INFINITY,
+            until_idle(axes),
+            "axis",
+            axes,
+        )
     for number in axes:
         if not controller.is_at_standstill(number) and not task.comes_to_rest(axes):
             task.then = lambda time: _dwell(task, command, time)
@@ -103,7 +114,7 @@ def _next_target(task: CommandTask, command: Command, axes: list[AxisState], now
     board = task.board
     while axes:
         axis = axes[0]
-        until = at_target_time(board.controller, axis)
+        until = at_target_time(board, axis)
         if until > now:
             return _until_target(task, command, axes, now, until)
         axes.pop(0)
@@ -122,8 +133,8 @@ def _until_target(
         return Wait(now, lambda: clock.now >= until, lambda: until, why, "axis", (axis.number,))
     return Wait(
         now,
-        lambda: at_target_time(board.controller, axis) <= (clock.now if has_motor else BEFORE_NEVER),
-        lambda: at_target_time(board.controller, axis),
+        lambda: at_target_time(board, axis) <= (clock.now if has_motor else BEFORE_NEVER),
+        lambda: at_target_time(board, axis),
         f"for axis {axis.number} to be at target",
         "axis",
         (axis.number,),

@@ -57,11 +57,10 @@ def move_by(task: CommandTask, command: Command) -> Wait | None:
     On a path, the move is relative to the end of the path so far.
     """
     value = float(task.value(command))
-    controller = task.board.controller
     path = task.path_open
     targets = []
     for axis in movable(task, command):
-        target = path.end_of(axis) if path is not None else aim(controller, axis)
+        target = path.end_of(axis) if path is not None else aim(task.board, axis)
         targets.append((axis, target + axis.distance(value)))
     return start_moves(task, command, targets)
 
@@ -95,8 +94,8 @@ def stop(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.running = False
         board.joysticks.switch_off(axis)
-        contour = board.contour_of(axis)
-        if contour is not None:
+        contour = board.contours.get(axis.controlling) if axis.controlling is not None else None
+        if contour is not None and contour.includes(axis.number):
             contour.stop()
         else:
             board.controller.stop(axis.number)

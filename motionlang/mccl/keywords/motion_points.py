@@ -28,7 +28,7 @@ def learn_target(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         if abs(task.board.controller.target(axis.number)) == inf:
             raise Fault(codes.PARAMETER, f"axis {axis.number} runs without a target", "LP learns where it is")
-        task.board.points[point, axis.number] = aim(task.board.controller, axis)
+        task.board.points[point, axis.number] = aim(task.board, axis)
 
 
 def move_to_point(task: CommandTask, command: Command) -> Wait | None:

@@ -34,7 +34,7 @@ def _position(task: CommandTask, axis: AxisState) -> str:
 
 
 def _target(task: CommandTask, axis: AxisState) -> str:
-    return task.quantity(axis, aim(task.board.controller, axis))
+    return task.quantity(axis, aim(task.board, axis))
 
 
 def _optimal(task: CommandTask, axis: AxisState) -> str:

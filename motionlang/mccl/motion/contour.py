@@ -103,6 +103,16 @@ class Contour:
         end = self._ends.get(axis.number)
         return self._board.controller.target(axis.number) if end is None else end
 
+    def waits_for(self, number: int) -> bool:
+        """True if a waiting path will move the axis when the current ones have ended."""
+        return bool(self._members) and any(number in axes for axes, *_ in self._queue)
+
+    def includes(self, number: int) -> bool:
+        """True while paths run that the axis is on, waits for or controls."""
+        if number in self._members:
+            return True
+        return bool(self._members) and (number == self._axis.number or self.waits_for(number))
+
     def add(self, path: Described, ends: Mapping[int, float]) -> None:
         """Queue a path; without synchronization it starts as soon as possible."""
         if len(self._queue) + self._handed >= MAX_QUEUE:

@@ -151,6 +151,20 @@ class Board:
         found = self.contours.get(axis.controlling)
         return found if found is not None and axis.number in found.members else None
 
+    def awaits_path(self, axis: AxisState) -> bool:
+        """True if a contour path of the axis waits for the current ones to end."""
+        contour = self.contours.get(axis.controlling) if axis.controlling is not None else None
+        return contour is not None and contour.waits_for(axis.number)
+
+    def is_complete(self, axis: AxisState) -> bool:
+        """True if the axis is at rest and no path of it waits."""
+        return self.controller.is_at_standstill(axis.number) and not self.awaits_path(axis)
+
+    def path_end(self, axis: AxisState) -> float:
+        """Return the position of the axis after all paths of its contour, counts."""
+        assert axis.controlling is not None
+        return self.contours[axis.controlling].end(axis)
+
     def leave_contour(self, axis: AxisState) -> None:
         """End the path of an axis that changes to another mode."""
         contour = self.contour_of(axis)

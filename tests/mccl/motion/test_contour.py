@@ -68,6 +68,46 @@ def test_stop_stays_on_the_path_and_forgets_the_rest(mccl: Runner) -> None:
     assert {move.ended for move in result.controller.log.moves} == {"stop"}
 
 
+# Paths that do not have the same axes run one after another, each from rest to rest.
+APART = "1CP1,1MR1000,1CP1,2MR1000,1CP1,1MR1000,"
+
+
+@pytest.mark.parametrize("wait", ["1WS", "1WT", "1SN,1NS,1WS", "1WA0.1,1WS", 'LU"STATUS",1RL@0,IC3,JR-3,NO'])
+def test_an_axis_whose_path_waits_has_not_stopped(mccl: Runner, wait: str) -> None:
+    """Axis 1 is at rest while axis 2 moves, but its target is 2000."""
+    result = mccl(f"{HEAD}{APART}{wait},1TP,2TP,1TX")
+    assert result.output == ["01 2000", "02 1000", "01 3"]
+
+
+def test_the_target_is_the_end_of_the_path_that_waits(mccl: Runner) -> None:
+    """Bit 3 of the status word is clear: 4098 is motor on and amplifier on."""
+    result = mccl(f"{HEAD}{APART}1TT,2TT,2TO,2TS,2WS,2TO,2TS,1WS,1TT,1TS")
+    assert result.output == [
+        "01 2000",
+        "02 1000",
+        "02 0",
+        "02 4098",
+        "02 1000",
+        "02 4110",
+        "01 2000",
+        "01 4110",
+    ]
+
+
+@pytest.mark.parametrize("axis", [1, 2, 3])
+def test_stop_of_an_axis_that_waits_or_controls_stops_the_contour(mccl: Runner, axis: int) -> None:
+    """After 0.1 s at 100000 counts/s² axis 3 is at 500, and needs as much to stop."""
+    paths = "1CP1,3MR10000,1CP1,2MR1000,"
+    result = mccl(f"{HEAD}3MN,3CM1,1VA100000,1VD100000,{paths}WA0.1,{axis}ST,3TT,1WS,2WS,3WS,1TP,2TP,3TP,1TX")
+    assert [int(line.split()[1]) for line in result.output] == [
+        pytest.approx(1000, abs=5),
+        0,
+        0,
+        pytest.approx(1000, abs=5),
+        0,
+    ]
+
+
 @pytest.mark.parametrize("wait", [0.45 + k * 0.0043 for k in range(34)])
 def test_a_path_given_while_another_one_stops_waits_until_it_rests(mccl: Runner, wait: float) -> None:
     """The stop may end at the end of its path, which rounding must not decide."""
