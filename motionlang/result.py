@@ -334,6 +334,7 @@ def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
         result.controller.clock.advance(until)
         return
     from motionlang.lang.ends import what_ends
+    from motionlang.lang.waits import endless
 
     hints = (
         what_ends(result.dialect, result.source, result.machine, task, wait)
@@ -341,7 +342,7 @@ def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
         if wait is not None
     )
     start = "start a move first, or add a machine file with the event it waits for and a time limit run.until"
-    hint = next(filter(None, hints), start)
+    hint = endless(result.controller, stuck.wait) or next(filter(None, hints), start)
     result.status = "fault"
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
 

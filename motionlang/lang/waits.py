@@ -195,6 +195,14 @@ def until_idle(axes: tuple[int, ...]) -> str:
     return f"for axis {', '.join(map(str, axes))} to be idle"
 
 
+def endless(controller: Controller, wait: Wait) -> str:
+    """Return the hint if a wait for idle axes has one that runs without an end."""
+    if wait.why != until_idle(wait.what):
+        return ""
+    running = [axis for axis in wait.what if abs(controller.target(axis)) == INFINITY]
+    return f"stop axis {running[0]} first: it runs without an end" if running else ""
+
+
 def next_tick(now: float) -> float:
     """Return the first tick of the profiler after a time."""
     return (int(now / TICK + 1e-6) + 1) * TICK
