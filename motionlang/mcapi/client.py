@@ -262,9 +262,13 @@ class Binding:
             self._do("MCDLG_DownloadFile", 0, 0, file.read())
 
     def ProcessException(self, error: int = -1) -> int:  # noqa: N802
-        """Raise McapiException for an error, by default the last one; return its code."""
+        """Raise McapiException for an error, by default the last one; return its code.
+
+        An error that is raised is no longer the last error, or a later 0 would raise it again.
+        """
         code = self.GetError() if error == -1 else error
         if code not in QUIET:
+            self.GetError()
             raise McapiException(code)
         return code
 

@@ -148,6 +148,14 @@ def test_a_task_runs_in_the_background(host: Mcapi) -> None:
         host.CancelTask(task)
 
 
+def test_an_error_that_was_raised_is_not_raised_again(host: Mcapi) -> None:
+    """A 0 of MCDecodeStatus may be an error, of which MCGetError knows."""
+    with pytest.raises(McapiException):
+        host.MoveToPoint(1, 4)
+    assert host.DecodeStatus(host.GetStatus(1), mc.MC_STAT_BREAKPOINT) == 0
+    assert host.GetError() == 0
+
+
 def test_an_axis_whose_path_waits_has_not_stopped(host: Mcapi) -> None:
     """The paths of different axes run one after another; axis 1 is last."""
     for axis in (1, 2):
