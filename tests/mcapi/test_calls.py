@@ -149,7 +149,7 @@ def test_a_task_runs_in_the_background(host: Mcapi) -> None:
 
 
 def test_an_error_that_was_raised_is_not_raised_again(host: Mcapi) -> None:
-    """A 0 of MCDecodeStatus may be an error, of which MCGetError knows."""
+    """MCDecodeStatus answers 0 for a clear bit and for an error."""
     with pytest.raises(McapiException):
         host.MoveToPoint(1, 4)
     assert host.DecodeStatus(host.GetStatus(1), mc.MC_STAT_BREAKPOINT) == 0

@@ -31,7 +31,9 @@ def aim(board: Board, axis: AxisState) -> float:
     axis runs without a target, it is the current position.
     """
     controller = board.controller
-    target = board.path_end(axis) if board.awaits_path(axis) else controller.target(axis.number)
+    target = board.path_end(axis)
+    if target is None:
+        target = controller.target(axis.number)
     if abs(target) == INFINITY and controller.master_of(axis.number) is not None:
         target = controller.axes[axis.number].profiles[-1].end
     return target if abs(target) < INFINITY else controller.demand(axis.number)

@@ -66,9 +66,10 @@ def band_entry(controller: Controller, axis: int, band: float) -> float:
 def at_target_time(board: Board, axis: AxisState) -> float:
     """Return when the axis was or will be at target, if nothing else happens.
 
-    At target means within DB of it for DT. The time is infinite while a contour path of the axis waits.
+    At target means within DB of it for DT. The time is infinite before the last contour path of the axis.
     """
-    if board.awaits_path(axis):
+    contour = board.contour_including(axis)
+    if contour is not None and contour.continues(axis.number):
         return INFINITY
     controller, number = board.controller, axis.number
     a = controller.axes[number]

@@ -78,10 +78,13 @@ def go(task: CommandTask, command: Command) -> None:
         elif axis.mode == CONTOUR and axis.controlling == axis.number:
             task.board.contour(axis).go()
         elif command.axis:
+            hint = f"{axis.number}VM switches it; position moves start with MA or MR"
+            if axis.mode == CONTOUR:
+                hint = f"{axis.controlling}GO starts the paths of its contour"
             raise Fault(
                 codes.INVALID,
                 f"GO needs axis {axis.number} in velocity mode; it is in {axis.mode} mode",
-                f"{axis.number}VM switches it; position moves start with MA or MR",
+                hint,
             )
 
 
@@ -94,8 +97,8 @@ def stop(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.running = False
         board.joysticks.switch_off(axis)
-        contour = board.contours.get(axis.controlling) if axis.controlling is not None else None
-        if contour is not None and contour.includes(axis.number):
+        contour = board.contour_including(axis)
+        if contour is not None:
             contour.stop()
         else:
             board.controller.stop(axis.number)
@@ -105,6 +108,9 @@ def abort(task: CommandTask, command: Command) -> None:
     """Stop the axes instantly (AB), or decelerate them at DS if so configured."""
     for axis in task.axes(command):
         axis.running = False
+        contour = task.board.contour_including(axis)
+        if contour is not None:
+            contour.abort()
         task.board.release(axis)
         if task.board.assumptions.get("mccl.abort-rate") == "DS":
             task.board.controller.stop(axis.number)
@@ -189,10 +195,13 @@ def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisSta
     for axis, _ in targets:
         _check_fit(task, axis)
         if axis.mode != POSITION:
+            hint = f"{axis.number}PM switches it back"
+            if axis.mode == CONTOUR:
+                hint = f"{axis.controlling}CP1 begins a path and comes before it on the line; {hint}"
             raise Fault(
                 codes.INVALID,
                 f"{command.name} needs axis {axis.number} in position mode; it is in {axis.mode} mode",
-                f"{axis.number}PM switches it back",
+                hint,
             )
     stalled = [axis.number for axis, target in targets if _must_rest(task, axis, target)]
     if not stalled:

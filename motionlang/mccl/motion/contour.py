@@ -107,6 +107,10 @@ class Contour:
         """True if a waiting path will move the axis when the current ones have ended."""
         return bool(self._members) and any(number in axes for axes, *_ in self._queue)
 
+    def continues(self, number: int) -> bool:
+        """True if the axis is on a path before the last one, or waits for one."""
+        return (self._handed > 0 and number in self._members) or self.waits_for(number)
+
     def includes(self, number: int) -> bool:
         """True while paths run that the axis is on, waits for or controls."""
         if number in self._members:

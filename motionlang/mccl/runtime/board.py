@@ -151,6 +151,11 @@ class Board:
         found = self.contours.get(axis.controlling)
         return found if found is not None and axis.number in found.members else None
 
+    def contour_including(self, axis: AxisState) -> Contour | None:
+        """Return the contour in motion that the axis is on, waits for or controls."""
+        found = self.contours.get(axis.controlling) if axis.controlling is not None else None
+        return found if found is not None and found.includes(axis.number) else None
+
     def awaits_path(self, axis: AxisState) -> bool:
         """True if a contour path of the axis waits for the current ones to end."""
         contour = self.contours.get(axis.controlling) if axis.controlling is not None else None
@@ -160,10 +165,10 @@ class Board:
         """True if the axis is at rest and no path of it waits."""
         return self.controller.is_at_standstill(axis.number) and not self.awaits_path(axis)
 
-    def path_end(self, axis: AxisState) -> float:
-        """Return the position of the axis after all paths of its contour, counts."""
-        assert axis.controlling is not None
-        return self.contours[axis.controlling].end(axis)
+    def path_end(self, axis: AxisState) -> float | None:
+        """Return the end of the last path of the axis, counts; None without paths."""
+        contour = self.contours.get(axis.controlling) if axis.controlling is not None else None
+        return contour.end(axis) if contour is not None and contour.members else None
 
     def leave_contour(self, axis: AxisState) -> None:
         """End the path of an axis that changes to another mode."""

@@ -94,6 +94,17 @@ def test_the_target_is_the_end_of_the_path_that_waits(mccl: Runner) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    "paths", ["1CP1,1MR1000,1CP1,1MR1000,1CP1,1MR-1000", "1CP1,1MR1500,RP1,1CP1,1MR-2000"]
+)
+def test_the_target_is_the_end_of_the_last_path(mccl: Runner, paths: str) -> None:
+    """The axis is at target within 100 of it, on its last path only."""
+    start = f"{HEAD}1DB100,{paths},1TT,"
+    for wait in ("1WT,", 'LU"STATUS",1RL@0,IC2,JR-3,NO,'):
+        run = mccl(f"{start}{wait}1TO,1TX,1WS,1TT,1TP")
+        assert run.output == ["01 1000", "01 1100", "01 2", "01 1000", "01 1000"]
+
+
 @pytest.mark.parametrize("axis", [1, 2, 3])
 def test_stop_of_an_axis_that_waits_or_controls_stops_the_contour(mccl: Runner, axis: int) -> None:
     """After 0.1 s at 100000 counts/s² axis 3 is at 500, and needs as much to stop."""
@@ -106,6 +117,13 @@ def test_stop_of_an_axis_that_waits_or_controls_stops_the_contour(mccl: Runner, 
         pytest.approx(1000, abs=5),
         0,
     ]
+
+
+@pytest.mark.parametrize("axis", [1, 2, 3])
+def test_abort_of_an_axis_that_waits_or_controls_aborts_the_contour(mccl: Runner, axis: int) -> None:
+    paths = "1CP1,3MR10000,1CP1,2MR1000,"
+    result = mccl(f"{HEAD}3MN,3CM1,1VA100000,1VD100000,{paths}WA0.1,{axis}AB,3TV,3TP,1WS,2WS,3WS,2TP,3TP,1TX")
+    assert result.output == ["03 0", "03 500", "02 0", "03 500", "01 0"]
 
 
 @pytest.mark.parametrize("wait", [0.45 + k * 0.0043 for k in range(34)])
