@@ -151,6 +151,8 @@ def _no_command(text: str) -> Command:
                 "a number alone is not a command",
                 "no blank separates a command from its number: 1MR1000",
             )
+        elif text.startswith(("#", "'", "//")):
+            hint = "; begins a comment"
         fault = Fault(codes.FORMAT, wrong, hint, "syntax")
         digits = len(text) - len(text.lstrip(_DIGITS))
         name, axis = text[digits : digits + 2].upper(), int(text[:digits][:9] or 0)

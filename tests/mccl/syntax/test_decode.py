@@ -66,6 +66,8 @@ WRONG: list[tuple[str, str, int, int, str, str, str]] = [
     ("12345678901", "", 123456789, 2, "syntax", "a number alone is not a command", ALONE),
     ("1M", "M", 1, 2, "syntax", "1M is not a command", FORM),
     ("??", "??", 0, 2, "syntax", "?? is not a command", FORM),
+    ("#", "#", 0, 2, "syntax", "# is not a command", "; begins a comment"),
+    ("//start", "//", 0, 2, "syntax", "//start is not a command", "; begins a comment"),
     ("1 MR5", " M", 1, 2, "syntax", "1 MR5 is not a command", FORM),
     ("1MR1.2.3", "MR", 1, 2, "syntax", "1.2.3 is not a number", ""),
     ("1MR10002MR5", "MR", 1, 2, "syntax", "10002MR5 is not a number", COMMAS),
