@@ -12,7 +12,7 @@ from motionlang.mccl.keywords.row import Group, pure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
@@ -50,9 +50,17 @@ def wait_stop(task: CommandTask, command: Command) -> Wait | None:
         )
     for number in axes:
         if not controller.is_at_standstill(number) and not task.comes_to_rest(axes):
-            task.then = lambda time: _dwell(task, command, time)
+            task.then = lambda time: _stopped(task, command, stopping, time)
             return wait_idle(controller, now, axes)
-    return _dwell(task, command, controller.clock.now)
+    return _stopped(task, command, stopping, controller.clock.now)
+
+
+def _stopped(task: CommandTask, command: Command, axes: Iterable[AxisState], now: float) -> Wait | None:
+    """Dwell, unless a contour path of an axis waits."""
+    board = task.board
+    if board.contours and any(map(board.awaits_path, axes)):
+        return wait_stop(task, command)
+    return _dwell(task, command, now)
 
 
 def wait_target(task: CommandTask, command: Command) -> Wait | None:

@@ -77,8 +77,11 @@ class Contour:
     def __init__(self, board: Board, axis: AxisState) -> None:
         self._board, self._axis = board, axis
         self._queue: list[Described] = []
-        # The end of all paths so far, counts, by axis.
+        # The number of paths at the head of the queue that do not wait for GO.
+        self._released = 0
+        # The end of all paths so far, and of those that do not wait for GO, counts, by axis.
         self._ends: dict[int, float] = {}
+        self._aims: dict[int, float] = {}
         # The axes of the controller's paths, the number of paths that wait in its buffers, and the current
         # path.
         self._members: tuple[int, ...] = ()
@@ -103,9 +106,16 @@ class Contour:
         end = self._ends.get(axis.number)
         return self._board.controller.target(axis.number) if end is None else end
 
+    def aim(self, number: int) -> float | None:
+        """Return the target of the axis, counts, or None if no path of it runs or waits.
+
+        Paths that wait for GO do not count.
+        """
+        return self._aims.get(number) if self._members else None
+
     def waits_for(self, number: int) -> bool:
         """True if a waiting path will move the axis when the current ones have ended."""
-        return bool(self._members) and any(number in axes for axes, *_ in self._queue)
+        return bool(self._members) and any(number in axes for axes, *_ in self._queue[: self._released])
 
     def continues(self, number: int) -> bool:
         """True if the axis is on a path before the last one, or waits for one."""
@@ -132,13 +142,20 @@ class Contour:
             self.go()
 
     def go(self) -> None:
-        """Pass queued paths to the controller as long as they may follow the current ones."""
+        """Let all queued paths start, each as soon as possible."""
+        self._released = len(self._queue)
+        self._aims.update(self._ends)
+        self._start()
+
+    def _start(self) -> None:
+        """Pass the released paths to the controller that may follow the current ones."""
         controller, handed = self._board.controller, False
-        while self._queue:
+        while self._released:
             axes, geometry, vector, word, line = self._queue[0]
             if self._members and not self._may_follow(axes, vector):
                 break
             del self._queue[0]
+            self._released -= 1
             if vector.length == 0.0:
                 self._axis.segments += 1
                 continue
@@ -147,6 +164,11 @@ class Contour:
             self._handed += 1
         if handed:
             controller.go([self._members[0]])
+        elif not self._members:
+            # The ends of axes without a path are no longer known: they may leave the contour.
+            waiting = {axis for axes, *_ in self._queue for axis in axes}
+            self._ends = {axis: end for axis, end in self._ends.items() if axis in waiting}
+            self._aims.clear()
 
     def _may_follow(self, axes: tuple[int, ...], vector: Vector) -> bool:
         """True if a path may follow the paths that the controller has.
@@ -180,8 +202,9 @@ class Contour:
 
         Their physical positions stay the same.
         """
-        if number in self._ends:
-            self._ends[number] += by
+        for ends in (self._ends, self._aims):
+            if number in ends:
+                ends[number] += by
         for axes, geometry, *_ in self._queue:
             if number in axes:
                 geometry.shift(axes.index(number), by)
@@ -197,9 +220,7 @@ class Contour:
             return
         if all(self._board.controller.is_idle(each) for each in self._members):
             self._members, self._handed, self._stopping = (), 0, False
-            if not self._queue:
-                self._ends.clear()
-            self.go()
+            self._start()
 
     # ----------------------------------------------------------------------------------- called by the planner
 
@@ -228,4 +249,6 @@ class Contour:
         for axes, _, _, word, line in self._queue:
             self._board.controller.drop(axes, word, line, ended)
         self._queue.clear()
+        self._released = 0
         self._ends.clear()
+        self._aims.clear()

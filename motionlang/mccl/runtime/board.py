@@ -168,7 +168,7 @@ class Board:
     def path_end(self, axis: AxisState) -> float | None:
         """Return the end of the last path of the axis, counts; None without paths."""
         contour = self.contours.get(axis.controlling) if axis.controlling is not None else None
-        return contour.end(axis) if contour is not None and contour.members else None
+        return contour.aim(axis.number) if contour is not None else None
 
     def leave_contour(self, axis: AxisState) -> None:
         """End the path of an axis that changes to another mode."""

@@ -126,6 +126,25 @@ def test_abort_of_an_axis_that_waits_or_controls_aborts_the_contour(mccl: Runner
     assert result.output == ["03 0", "03 500", "02 0", "03 500", "01 0"]
 
 
+@pytest.mark.parametrize("second", ["1CP1,1MR500", "1CP1,2MR500,1CP1,1MR500", "1CP1,1MR500,2MR0"])
+def test_a_path_that_is_commanded_after_go_waits_for_the_next_one(mccl: Runner, second: str) -> None:
+    """It waits, also if the path before it runs at that time; NS lets it start."""
+    for release in ("1GO", "1NS"):
+        run = mccl(f"{HEAD}1SN,1CP1,1MR1000,1GO,{second},1TT,1WS,WA1,1TP,1TX,{release},1TT,1WS,1TP")
+        assert run.output == ["01 1000", "01 1000", "01 1", "01 1500", "01 1500"]
+
+
+def test_a_wait_goes_on_to_paths_that_another_task_commands(mccl: Runner) -> None:
+    text = "MD1,WA0.05,1CP1,2MR500,1CP1,1MR500\n1MN,2MN,1CM1,2CM1,GT1,1CP1,1MR1000,1WS,1TP,2TP"
+    assert mccl(text).output == ["01 1500", "02 500"]
+
+
+@pytest.mark.parametrize("path", ["1CP1,2MR0", "1SN,1CP1,2MR0,1GO,1CP1,1MR500"])
+def test_a_path_starts_where_the_axis_is_after_it_left_the_contour(mccl: Runner, path: str) -> None:
+    run = mccl(f"{HEAD}{path},2PM,2MA300,2WS,2CM1,1CP1,2MR100,1GO,1WS,2WS,2TP")
+    assert run.output == ["02 400"]
+
+
 @pytest.mark.parametrize("wait", [0.45 + k * 0.0043 for k in range(34)])
 def test_a_path_given_while_another_one_stops_waits_until_it_rests(mccl: Runner, wait: float) -> None:
     """The stop may end at the end of its path, which rounding must not decide."""
@@ -407,22 +426,21 @@ def test_a_path_may_follow_those_of_the_same_axes(
 
 
 @pytest.mark.parametrize(
-    ("number", "in_progress", "idle", "queued", "goes_on"),
+    ("number", "in_progress", "idle", "goes_on"),
     [
-        (1, False, (1, 2), True, True),
-        (1, False, (1, 2), False, True),
-        (1, False, (1,), True, False),  # the other axis still moves
-        (1, True, (1, 2), True, False),
-        (3, False, (1, 2), True, False),
+        (1, False, (1, 2), True),
+        (1, False, (1,), False),  # the other axis still moves
+        (1, True, (1, 2), False),
+        (3, False, (1, 2), False),
     ],
 )
 def test_the_next_paths_begin_when_all_axes_are_at_rest(
-    number: int, in_progress: bool, idle: tuple[int, ...], queued: bool, goes_on: bool
+    number: int, in_progress: bool, idle: tuple[int, ...], goes_on: bool
 ) -> None:
     gone: list[bool] = []
     contour: Any = SimpleNamespace(
-        _members=(1, 2), _handed=3, _stopping=True, _queue=["a path"] * queued, _ends={1: 5.0},
-        _in_progress="a path" if in_progress else None, go=lambda: gone.append(True),
+        _members=(1, 2), _handed=3, _stopping=True, _start=lambda: gone.append(True),
+        _in_progress="a path" if in_progress else None,
         _board=SimpleNamespace(controller=SimpleNamespace(is_idle=lambda each: each in idle)),
     )  # fmt: skip
     Contour.rested(contour, number)
@@ -430,4 +448,3 @@ def test_the_next_paths_begin_when_all_axes_are_at_rest(
     assert (contour._members, contour._handed, contour._stopping) == (
         ((), 0, False) if goes_on else ((1, 2), 3, True)
     )
-    assert contour._ends == ({} if goes_on and not queued else {1: 5.0})
