@@ -1,8 +1,8 @@
 """Motion mathematics: planners, and the `Profile` that each of them returns.
 
 A `Profile` is position as an exact function of time. Planners are imported on first use, so a program without
-motion does not load them. `sample` and `verify` need NumPy, and the modules of `pvt` serve drives. Import
-these three by name, never from here.
+motion does not load them. `sample` needs NumPy, and the modules of `pvt` serve drives. Import both by name, never
+from here.
 
 Units. The unit of length, L, is the caller's: counts for an axis, user units along a path.
 

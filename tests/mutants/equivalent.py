@@ -136,9 +136,6 @@ EQUIVALENT: dict[str, str] = {
         "the frequency of a wave of no height"
     ),
     "motionlang/planners/transition.py: profile_of_steps: 0.0 -> 1.0 #4": "the phase of a wave of no height",
-    "motionlang/planners/verify.py: _Span: _wave_extrema: abs(offset) > 1.0 -> abs(offset) >= 1.0": (
-        "a derivative that touches 0 keeps its sign, so there is no extremum"
-    ),
     "motionlang/servo/response.py: _gain_margin: ring.imag[:-1] < 0.0 -> ring.imag[:-1] <= 0.0": (
         "a response that is real exactly on the grid is found in the interval before"
     ),
@@ -1369,9 +1366,6 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/mint/keywords/captures.py: Capture: _report_progress: step: 100 -> 101 #2": (
         "one event more at the last point, where the capture ends"
-    ),
-    "motionlang/planners/verify.py: _Span: _wave_extrema: b + 2 * math.pi * k -> b - 2 * math.pi * k": (
-        "k runs from -2 to 2"
     ),
     "motionlang/planners/root.py: bracketed_root: value < 0.0 -> value <= 0.0": (
         "a value of 0 has been returned before"

@@ -8,7 +8,7 @@ from math import cos, pi, sin
 import pytest
 
 from motionlang.notes import tn1069
-from motionlang.planners.verify import verify
+from tests.planners.verify import verify
 
 EXACT = {
     "T_A": (400, 628.3185307, 444.4444444, 800),

@@ -8,7 +8,7 @@ import pytest
 from motionlang.planners import Profile
 from motionlang.planners.pvt.motion import plan_pvt, pvt_segment
 from motionlang.planners.pvt.velocities import average_velocities, refined_velocities, smooth_velocities
-from motionlang.planners.verify import verify
+from tests.planners.verify import verify
 
 POINTS = [0.0, 100, 150, 200, 300, 240, 0, -100, -50, 40]
 T = 0.01

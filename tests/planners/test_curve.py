@@ -14,8 +14,8 @@ from motionlang.planners.curve import from_curve, relabelled
 from motionlang.planners.evaluate import positions
 from motionlang.planners.pvt.motion import plan_pvt
 from motionlang.planners.table_motion import KINDS, table_curve
-from motionlang.planners.verify import verify
 from tests.planners.cases import Move, moves, quick
+from tests.planners.verify import verify
 
 fractions = st.floats(0.0, 1.0)
 

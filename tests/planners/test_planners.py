@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 
 from motionlang.planners import plan_jerk, plan_trapezoid
-from motionlang.planners.verify import verify
 from tests.planners.cases import SHAPES, Move, integrated, moves, quick
+from tests.planners.verify import verify
 
 STRETCH = {"trapezoid": 1.0, "sinusoidal": math.pi / 2, "parabolic": 2.0}
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from motionlang.planners.curve import relabelled
 from motionlang.planners.reference import Slope, plan_reference
-from motionlang.planners.verify import verify
+from tests.planners.verify import verify
 
 speeds = st.floats(-1000.0, 1000.0)
 rates = st.floats(10.0, 1e5)

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.planners import plan_stop, plan_velocity
-from motionlang.planners.verify import verify
 from tests.planners.cases import quick, sizes
+from tests.planners.verify import verify
 
 SHAPES = ("trapezoid", "sinusoidal", "scurve", "parabolic")
 velocities = st.floats(-1000.0, 1000.0).map(lambda v: v if abs(v) > 1e-60 else 0.0)

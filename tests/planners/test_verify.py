@@ -8,7 +8,7 @@ import pytest
 
 from motionlang.planners import Profile, plan_jerk, plan_sinusoidal, plan_trapezoid
 from motionlang.planners.curve import from_curve
-from motionlang.planners.verify import _Span, verify
+from tests.planners.verify import _Span, verify
 
 LINE = (0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 

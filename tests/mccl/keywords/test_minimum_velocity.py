@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from motionlang import run
 from motionlang.mccl.axis.launch import _going_on, _stepped
 from motionlang.planners import Profile
-from motionlang.planners.verify import verify
 from motionlang.source import Source
 from tests.cases import cases, examples
+from tests.planners.verify import verify
 
 rates = st.floats(100.0, 1e5)
 
