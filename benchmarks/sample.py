@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from motionlang.planners import Profile, plan_jerk, plan_sinusoidal
-from motionlang.planners.sample import PieceTable, sample_profile
+from motionlang.planners.sample import PieceTable
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -56,8 +56,10 @@ def main() -> None:
         40,
         {
             "fill": lambda: out.fill(1.0),
-            "one profile": lambda: sample_profile(scurve, POINTS, dt_long, 0, out),
-            "one sine profile": lambda: sample_profile(sine, POINTS, sine.duration / POINTS, 0, out),
+            "one profile": lambda: PieceTable((0.0,), (scurve,)).sample(0.0, dt_long, POINTS, 0, out),
+            "one sine profile": lambda: PieceTable((0.0,), (sine,)).sample(
+                0.0, sine.duration / POINTS, POINTS, 0, out
+            ),
             "2000 moves": lambda: table.sample(0.0, dt, POINTS, 0, out),
             "table of 2000 moves": lambda: PieceTable(starts, profiles),
         },

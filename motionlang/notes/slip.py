@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import asin, inf, pi
+from math import asin, pi
 from typing import TYPE_CHECKING
 
 from motionlang.planners.dissect import slip_acceleration
@@ -17,11 +17,8 @@ from motionlang.planners.limits import check_positive
 from motionlang.planners.pieces import acceleration_in, crest_points
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from motionlang.planners import Profile
     from motionlang.planners.ramps import Piece
-    from motionlang.servo.demand import Demanded
     from motionlang.servo.trace import ServoTrace
 
 
@@ -44,35 +41,33 @@ class Slip:
         return bool(self.spans)
 
     @property
-    def first(self) -> float:
-        """The time of the first slip in seconds; inf if there is none."""
-        return self.spans[0][0] if self.spans else inf
-
-    @property
     def margin(self) -> float:
         """The fraction of the limit left at the peak; negative if the load slips."""
         return 1.0 - self.peak / self.limit
 
 
-_BRACKETS = 64
 _EPSILON = 1e-9
 """An acceleration planned at exactly the limit does not exceed it."""
 
 
 def check_profile(profile: Profile, friction: float, gravity: float, scale: float = 1.0) -> Slip:
-    """Check one profile.
+    """Check one planned profile, which has pieces.
 
     `scale` is counts (the length unit of the profile) per length unit of `gravity`.
     """
-    return _merged(slip_acceleration(friction, gravity), scale, [(0.0, profile, inf)])
-
-
-def check_track(track: Demanded, friction: float, gravity: float, scale: float = 1.0) -> Slip:
-    """Check a whole sequence of profiles."""
-    ends = [*track.starts[1:], inf]
-    return _merged(
-        slip_acceleration(friction, gravity), scale, zip(track.starts, track.profiles, ends, strict=True)
-    )
+    limit = slip_acceleration(friction, gravity)
+    check_positive(scale=scale)
+    most = limit * scale * (1.0 + _EPSILON)
+    spans: list[tuple[float, float]] = []
+    peak = peak_time = 0.0
+    for piece, begin, end in zip(profile.pieces, profile.knots, profile.knots[1:], strict=False):
+        length = end - begin
+        for x in (0.0, *crest_points(piece, length), length):
+            value = abs(acceleration_in(piece, x))
+            if value > peak * (1.0 + 1e-12):
+                peak, peak_time = value, begin + x
+        spans += [(begin + a, begin + b) for a, b in _beyond(piece, length, most)]
+    return Slip(limit, peak / scale, peak_time, tuple(_joined(spans)))
 
 
 def check_trace(trace: ServoTrace, friction: float, gravity: float, scale: float = 1.0) -> Slip:
@@ -99,63 +94,6 @@ def _slid(velocities: list[float], reach: float, period: float) -> float:
         load = max(load - reach, min(load + reach, carrier))
         total += abs(carrier - load) * period
     return total
-
-
-def _merged(limit: float, scale: float, moves: Iterable[tuple[float, Profile, float]]) -> Slip:
-    check_positive(scale=scale)
-    most = limit * scale * (1.0 + _EPSILON)
-    spans: list[tuple[float, float]] = []
-    peak = peak_time = 0.0
-    for start, profile, end in moves:
-        if not profile.pieced:
-            found, worst, when = _sampled(profile, min(profile.duration, end - start), most)
-            spans += [(start + a, start + b) for a, b in found]
-            if worst > peak * (1.0 + 1e-12):
-                peak, peak_time = worst, start + when
-            continue
-        knots = profile.knots
-        for piece, begin, finish in zip(profile.pieces, knots, knots[1:], strict=False):
-            last = min(finish, end - start)
-            if last <= begin:
-                break
-            for x in (0.0, *crest_points(piece, last - begin), last - begin):
-                value = abs(acceleration_in(piece, x))
-                if value > peak * (1.0 + 1e-12):
-                    peak, peak_time = value, start + begin + x
-            spans += [(start + begin + a, start + begin + b) for a, b in _beyond(piece, last - begin, most)]
-    return Slip(limit, peak / scale, peak_time, tuple(_joined(spans)))
-
-
-def _sampled(profile: Profile, last: float, most: float) -> tuple[list[tuple[float, float]], float, float]:
-    """Return the spans beyond `most`, the peak and its time.
-
-    This is for profiles without pieces: the acceleration is sampled between the knots.
-    """
-    edges = [knot for knot in profile.knots if knot < last] + [last]
-    times = [a + (b - a) * k / _BRACKETS for a, b in pairwise(edges) for k in range(_BRACKETS)] + [last]
-    sizes = [abs(profile.acceleration(time)) for time in times]
-    worst = max(range(len(times)), key=sizes.__getitem__)
-    spans = []
-    for (a, b), (at_a, at_b) in zip(pairwise(times), pairwise(sizes), strict=True):
-        if at_a > most or at_b > most:
-            begin = a if at_a > most else _crossing(profile, a, b, most)
-            end = b if at_b > most else _crossing(profile, b, a, most)
-            spans.append((begin, end))
-    return spans, sizes[worst], times[worst]
-
-
-def _crossing(profile: Profile, inside: float, beyond: float, most: float) -> float:
-    """Return the time at which the acceleration crosses `most`.
-
-    It is between `inside`, a time within the limit, and `beyond`, a time outside it.
-    """
-    for _ in range(50):
-        middle = 0.5 * (inside + beyond)
-        if abs(profile.acceleration(middle)) > most:
-            beyond = middle
-        else:
-            inside = middle
-    return beyond
 
 
 def _beyond(piece: Piece, span: float, most: float) -> list[tuple[float, float]]:

@@ -33,7 +33,6 @@ from motionlang.planners.curve import Phase, Profile, State, hold
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.planners.jerk import plan_jerk
-    from motionlang.planners.joint import on_line, path_length, scaled
     from motionlang.planners.parabolic import plan_parabolic
     from motionlang.planners.scurve import plan_ratio, plan_sinusoidal
     from motionlang.planners.shapes import plan
@@ -42,9 +41,6 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "plan_jerk": "jerk",
-    "on_line": "joint",
-    "path_length": "joint",
-    "scaled": "joint",
     "plan_parabolic": "parabolic",
     "plan": "shapes",
     "plan_ratio": "scurve",
@@ -68,8 +64,6 @@ __all__ = [
     "Profile",
     "State",
     "hold",
-    "on_line",
-    "path_length",
     "plan",
     "plan_jerk",
     "plan_parabolic",
@@ -78,5 +72,4 @@ __all__ = [
     "plan_stop",
     "plan_trapezoid",
     "plan_velocity",
-    "scaled",
 ]

@@ -209,17 +209,6 @@ def buildup(time: float, time_constant: float) -> float:
     return 1.0 - exp(-time / time_constant) if time < inf else 1.0
 
 
-def pid_dac(kp: int, ki: int, kd: int, error: int, total: int, last_error: int, bits: int = BITS) -> int:
-    """Return the chapter's PID output, clamped to the DAC's range.
-
-    It is (Kp E + (Ki/256) E_T + Kd (E - E_L))/16 for 12 bits; in general the last divisor is 2 to the power of 16 less
-    the DAC's bits. Divisions truncate towards zero, like those of C.
-    """
-    value = divided(kp * error + divided(ki * total, 256) + kd * (error - last_error), 1 << (16 - bits))
-    top = 1 << (bits - 1)
-    return max(-top, min(top - 1, value))
-
-
 def divided(value: int, divisor: int) -> int:
     """Return a quotient that is truncated towards zero."""
     whole = abs(value) // divisor

@@ -34,23 +34,6 @@ LONG = 1024
 """From this many points a piece is worth a matrix product of its own."""
 
 
-def sample_profile(profile: Profile, n: int, dt: float, order: int = 0, out: Array | None = None) -> Array:
-    """Sample position (order 0), velocity (1) or acceleration (2) at 0, dt, 2 dt, …"""
-    return PieceTable((0.0,), (profile,)).sample(0.0, dt, n, order, out)
-
-
-def sample_track(
-    starts: Sequence[float], profiles: Sequence[Profile], t0: float, dt: float, n: int, quantity: str
-) -> Array:
-    """Sample a history of moves at n times t0, t0 + dt, …
-
-    `quantity` is position, velocity, acceleration or jerk. `starts` (seconds, rising) are the start times of
-    the profiles. Each profile ends when the next one starts, wherever it is by then, and between moves the
-    axis rests where the last one ended. To sample one history several times, create its `PieceTable` once.
-    """
-    return PieceTable(starts, profiles).sample(t0, dt, n, ORDERS[quantity])
-
-
 class PieceTable:
     """The pieces of a history as columns: start times and coefficients (7 x pieces).
 

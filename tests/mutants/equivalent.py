@@ -126,9 +126,6 @@ EQUIVALENT: dict[str, str] = {
     "self.function.scope.find(text.partition('.')[0]) is not None": (
         "a name that is not cached is looked up again, with the same result"
     ),
-    "motionlang/planners/joint.py: on_line: 0.0 -> 1.0": (
-        "a path without length has a profile without motion, at any scale"
-    ),
     "motionlang/planners/table.py: _expand: time >= MOMENT -> time > MOMENT": (
         "exactly at the size of rounding both are right"
     ),
@@ -850,18 +847,6 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/notes/chapter12.py: Settings: True -> False": "nothing assigns to one or hashes one",
     "motionlang/notes/chapter12.py: ListingRun: True -> False": "nothing assigns to one or hashes one",
     "motionlang/notes/tn1069_servo.py: Row: True -> False": "nothing assigns to one or hashes one",
-    "motionlang/notes/slip.py: _sampled: knot < last -> knot <= last": (
-        "an interval of no length has no acceleration of its own"
-    ),
-    "motionlang/notes/slip.py: _sampled: at_a > most -> at_a >= most #2": (
-        "the crossing is found where the acceleration is at the limit"
-    ),
-    "motionlang/notes/slip.py: _sampled: at_b > most -> at_b >= most #2": (
-        "the crossing is found where the acceleration is at the limit"
-    ),
-    "motionlang/notes/slip.py: _crossing: 50 -> 51": "the interval is one number after 50 halvings",
-    "motionlang/notes/slip.py: _crossing: abs(profile.acceleration(middle)) > most -> "
-    "abs(profile.acceleration(middle)) >= most": ("just at the size of rounding either is right"),
     "motionlang/notes/slip.py: _joined: begin <= made[-1][1] + 1e-12 -> begin < made[-1][1] + 1e-12": (
         "just at the size of rounding either is right"
     ),

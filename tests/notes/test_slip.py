@@ -5,16 +5,15 @@ With a friction of 0.5 at a gravity of 10 the limit is 5.
 
 from __future__ import annotations
 
-from math import asin, inf, pi, sin
+from math import asin, pi, sin
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from motionlang.notes.slip import Slip, check_profile, check_trace, check_track
+from motionlang.notes.slip import Slip, check_profile, check_trace
 from motionlang.planners import hold, plan
-from motionlang.servo.demand import Track
 
 # A sine ramp to 5 at 10 takes (π/2) 5/10 s: its acceleration is 10 sin(4 t), above 5 where sin(4 t) exceeds 0.5.
 SINE = plan("sinusoidal", 0.0, 10.0, 5.0, 10.0, 10.0)
@@ -23,18 +22,13 @@ RAMP, RISE = pi / 4.0, asin(0.5) / 4.0
 RISING = plan("scurve", 0.0, 10.0, 5.0, 10.0, 10.0, ramp=0.2)
 
 
-def test_each_profile_of_a_sequence_slips_at_its_own_times() -> None:
-    """The second one, from 100 s on, is cut after 0.3 s; equal peaks count once."""
-    track = Track([3.0, 100.0, 100.3], [SINE, SINE, hold(0.0)])
-    found = check_track(track, 0.5, 10.0)
-    assert (found.limit, found.peak, found.peak_time) == pytest.approx((5.0, 10.0, 3.0 + RAMP / 2.0))
-    slowing = 3.0 + 10.0 / 5.0
-    assert np.array(found.spans) == pytest.approx(
-        np.array([
-            (3.0 + RISE, 3.0 + RAMP - RISE), (slowing + RISE, slowing + RAMP - RISE), (100.0 + RISE, 100.3),
-        ])
-    )  # fmt: skip
-    assert (found.first, found.slips) == (found.spans[0][0], True)
+def test_a_sine_slips_around_the_crests_of_both_ramps() -> None:
+    found = check_profile(SINE, 0.5, 10.0)
+    assert (found.limit, found.peak, found.peak_time) == pytest.approx((5.0, 10.0, RAMP / 2.0))
+    slowing = 10.0 / 5.0
+    expected = [(RISE, RAMP - RISE), (slowing + RISE, slowing + RAMP - RISE)]
+    assert np.array(found.spans) == pytest.approx(np.array(expected))
+    assert found.slips
     assert found.margin == pytest.approx(-1.0)
 
 
@@ -62,9 +56,9 @@ def test_both_ramps_slip_in_both_directions(direction: float, scale: float) -> N
 
 @pytest.mark.parametrize(("until", "end"), [(0.5, 0.5), (0.59, 0.5625), (5.0, 0.5625), (0.05, None)])
 def test_a_linear_acceleration_slips_between_the_times_at_the_limit(until: float, end: float | None) -> None:
-    found = check_track(Track([0.0, until], [RISING, hold(0.0)]), 0.5, 10.0)
+    found = check_profile(RISING.cut(until), 0.5, 10.0)
     if end is None:
-        assert (found.spans, found.first) == ((), inf)
+        assert found.spans == ()
         assert found.peak == pytest.approx(80.0 * 0.05)
     else:
         assert found.spans[0] == pytest.approx((0.0625, end))
@@ -72,10 +66,8 @@ def test_a_linear_acceleration_slips_between_the_times_at_the_limit(until: float
 
 
 def test_the_larger_of_two_peaks_has_the_time() -> None:
-    gentle = plan("trapezoid", 0.0, 10.0, 5.0, 4.0, 3.0)
-    rough = plan("trapezoid", 0.0, 10.0, 5.0, 2.0, 8.0)
-    found = check_track(Track([1.0, 11.0], [gentle, rough]), 0.5, 10.0)
-    slowing = 11.0 + 2.5 + (10.0 - 0.5 * 5.0 * (2.5 + 0.625)) / 5.0
+    found = check_profile(plan("trapezoid", 0.0, 10.0, 5.0, 2.0, 8.0), 0.5, 10.0)
+    slowing = 2.5 + (10.0 - 0.5 * 5.0 * (2.5 + 0.625)) / 5.0
     assert (found.peak, found.peak_time) == pytest.approx((8.0, slowing))
     (span,) = found.spans
     assert span == pytest.approx((slowing, slowing + 0.625))
@@ -88,68 +80,21 @@ def test_ramps_that_touch_are_one_slip() -> None:
     assert span == pytest.approx((0.0, 1.0))
 
 
-def wave(duration: float = 2.0) -> Any:
-    """Return a profile without pieces whose acceleration is 10 sin(π t)."""
-    return SimpleNamespace(
-        pieced=False, knots=(0.0, 1.0, duration), duration=duration, acceleration=lambda t: 10.0 * sin(pi * t)
-    )
-
-
-@pytest.mark.parametrize(("until", "spans"), [
-    (9.0, [(1 / 6, 5 / 6), (7 / 6, 11 / 6)]),
-    (1.5, [(1 / 6, 5 / 6), (7 / 6, 1.5)]),
-    (1.1, [(1 / 6, 5 / 6)]),
-    (0.1, []),
-])  # fmt: skip
-def test_a_profile_without_pieces_is_searched_between_its_knots(
-    until: float, spans: list[tuple[float, float]]
-) -> None:
-    """|10 sin(π t)| exceeds 5 from 1/6 to 5/6, and from 7/6 to 11/6."""
-    track: Any = SimpleNamespace(starts=[3.0, 3.0 + until], profiles=[wave(), hold(0.0)])
-    found = check_track(track, 0.5, 10.0)
-    assert found.spans == tuple(pytest.approx((3.0 + a, 3.0 + b)) for a, b in spans)
-    if until > 1.0:
-        assert (found.peak, found.peak_time) == pytest.approx((10.0, 3.5))
-    else:
-        assert (found.peak, found.peak_time) == pytest.approx((10.0 * sin(pi * 0.1), 3.1))
-
-
-def test_the_largest_of_several_profiles_without_pieces_has_the_peak() -> None:
-    """10 at 3.5 s is above the 7 before it; the 10 at 13.5 s is not above that."""
-    before = plan("trapezoid", 0.0, 1.0, 5.0, 7.0, 7.0)
-    track: Any = SimpleNamespace(starts=[0.0, 3.0, 13.0], profiles=[before, wave(), wave()])
-    found = check_track(track, 0.5, 10.0)
-    assert (found.peak, found.peak_time) == pytest.approx((10.0, 3.5))
-    quiet: Any = SimpleNamespace(starts=[0.0, 3.0], profiles=[wave(), before])
-    assert (check_track(quiet, 0.5, 10.0).peak, check_track(quiet, 0.5, 10.0).peak_time) == (10.0, 0.5)
-
-
-def flat(acceleration: float) -> Any:
-    """Return a profile of 1 s without pieces whose acceleration is constant."""
-    return SimpleNamespace(pieced=False, knots=(0.0, 1.0), duration=1.0, acceleration=lambda _: acceleration)
-
-
 def test_an_acceleration_at_the_limit_does_not_slip() -> None:
-    assert check_profile(flat(-5.0), 0.5, 10.0) == Slip(5.0, 5.0, 0.0, (), 0.0)
     assert check_profile(plan("trapezoid", 0.0, 10.0, 5.0, 5.0, 5.0), 0.5, 10.0).spans == ()
 
 
 @pytest.mark.parametrize(("excess", "slips"), [(1e-9, False), (1.001e-9, True)])
 def test_a_billionth_of_the_limit_is_rounding(excess: float, slips: bool) -> None:
-    """It applies to profiles with and without pieces, and to samples."""
+    """It applies to profiles and to samples."""
     size = 5.0 * (1.0 + excess)
     trapezoid = check_profile(plan("trapezoid", 0.0, 10.0, 5.0, size, size), 0.5, 10.0)
-    formula = check_profile(flat(size), 0.5, 10.0)
     samples = sampled([0.0, size, -size], [0.0, 1.25, 0.0])
-    assert [each.slips for each in (trapezoid, formula, samples)] == [slips] * 3
-    assert bool(formula.spans) is slips
-    assert (formula.spans or ((0.0, 1.0),)) == ((0.0, 1.0),)
+    assert [each.slips for each in (trapezoid, samples)] == [slips] * 2
 
 
-@pytest.mark.parametrize("still", [hold(7.0), flat(0.0)])
-def test_a_standstill_has_no_peak(still: Any) -> None:
-    track: Any = SimpleNamespace(starts=[3.0], profiles=[still])
-    assert check_track(track, 0.5, 10.0) == Slip(5.0, 0.0, 0.0, (), 0.0)
+def test_a_standstill_has_no_peak() -> None:
+    assert check_profile(hold(7.0, 1.0), 0.5, 10.0) == Slip(5.0, 0.0, 0.0, (), 0.0)
 
 
 @pytest.mark.parametrize(
@@ -166,7 +111,7 @@ def test_an_acceleration_after_the_end_of_a_move_does_not_count(
     """
     profile = plan(shape, 0.0, 50.0, 5.0, 4.0, 10.0, ramp=0.2)
     end = profile.knots[knot] + after
-    found = check_track(Track([0.0, end], [profile, hold(0.0)]), 0.5, 10.0)
+    found = check_profile(profile.cut(end), 0.5, 10.0)
     assert (found.peak, found.peak_time) == pytest.approx((peak, end if after else 0.0))
 
 
@@ -211,4 +156,4 @@ def test_a_load_in_motion_begins_at_the_speed_of_its_carrier() -> None:
 def test_a_trace_without_samples_has_no_slip() -> None:
     found = sampled([], [])
     assert found == Slip(5.0, 0.0, 0.0, (), 0.0)
-    assert (found.slips, found.first, found.margin) == (False, inf, 1.0)
+    assert (found.slips, found.margin) == (False, 1.0)

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.planners import Profile, hold, on_line, path_length, plan, plan_trapezoid, scaled
+from motionlang.planners import hold, plan, plan_trapezoid
 from motionlang.planners.curve import from_curve, relabelled
 from motionlang.planners.evaluate import positions
 from motionlang.planners.pvt.motion import plan_pvt
@@ -163,7 +161,7 @@ def test_the_state_at_a_time() -> None:
 @given(moves(), st.sampled_from([-2.5, -1.0, 0.5, 3.0]), fractions)
 def test_scaling(move: Move, factor: float, when: float) -> None:
     made = move.planned()
-    other, t = scaled(made, 7.0, factor), when * made.duration
+    other, t = made.scaled(7.0, factor), when * made.duration
     size = max(abs(x) for x in made.extrema()) + 10.0
     assert other.position(t) - 7.0 == pytest.approx((made.position(t) - made.start) * factor, abs=1e-9 * size)
     assert verify(other, end=7.0 + made.distance * factor) == []
@@ -172,21 +170,6 @@ def test_scaling(move: Move, factor: float, when: float) -> None:
 def test_shifting_keeps_the_motion() -> None:
     move = plan_trapezoid(0.0, 12.0, 8.0, 16.0, 16.0)
     assert [move.shifted(5.0).position(t) for t in (0.0, 0.5, 2.0)] == [5.0, 7.0, 17.0]
-
-
-def test_a_straight_line_of_two_axes() -> None:
-    length = path_length((0.0, 0.0), (3.0, -4.0))
-    path = plan_trapezoid(0.0, length, 8.0, 16.0, 16.0)
-    x, y = on_line(path, (0.0, 0.0), (3.0, -4.0))
-    assert (length, x.end, y.end) == (5.0, 3.0, -4.0)
-    for t in (0.1, 0.3, 0.6, path.duration):
-        assert math.hypot(x.velocity(t), y.velocity(t)) == pytest.approx(abs(path.velocity(t)))
-
-
-def test_a_line_of_no_length() -> None:
-    path = plan_trapezoid(0.0, 0.0, 8.0, 16.0, 16.0)
-    made: list[Profile] = on_line(path, (2.0,), (2.0,))
-    assert (made[0].duration, made[0].end) == (0.0, 2.0)
 
 
 def test_hold() -> None:

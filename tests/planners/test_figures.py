@@ -17,7 +17,6 @@ from motionlang.planners.dissect import (
     equal_time_accel,
     fastest_time,
     friction_force,
-    pid_dac,
     s_curve_times,
     step_segments,
     trapezoid_times,
@@ -358,29 +357,6 @@ def test_the_answer_to_steps_of_a_dac() -> None:
     assert (second.from_velocity, second.to_velocity) == pytest.approx((share, 1.0 - exp(-2.0)))
     assert (second.onset, second.steps) == pytest.approx((exp(-1.0), 0))
     assert (buildup(2.0, 2.0), buildup(inf, 2.0), buildup(0.0, 2.0)) == pytest.approx((share, 1.0, 0.0))
-
-
-@pytest.mark.parametrize(
-    ("given", "output"),
-    [
-        # (16 · 10 + (256/256) · 32 + 8 · (10 - 6)) / 16 = (160 + 32 + 32) / 16.
-        ((16, 256, 8, 10, 32, 6), 14),
-        ((-16, 0, 0, 10, 0, 0), -10),
-        ((1, 0, 0, 15, 0, 0), 0),
-        ((1, 0, 0, -15, 0, 0), 0),
-        ((1, 0, 0, -17, 0, 0), -1),
-        ((0, 1, 0, 0, 256 * 16, 0), 1),
-        ((0, 1, 0, 0, 255, 0), 0),
-        ((0, 1, 0, 0, -255, 0), 0),
-        ((16, 0, 0, 2047, 0, 0), 2047),
-        ((16, 0, 0, 2048, 0, 0), 2047),
-        ((16, 0, 0, -2048, 0, 0), -2048),
-        ((16, 0, 0, -9999, 0, 0), -2048),
-    ],
-)
-def test_the_pid_of_the_chapter(given: tuple[int, int, int, int, int, int], output: int) -> None:
-    """12 bits reach from -2048 to 2047, and divisions drop the fraction."""
-    assert pid_dac(*given) == output
 
 
 def test_the_updates_of_the_discrete_trapezoid() -> None:

@@ -20,7 +20,7 @@ from motionlang.planners.curve import from_curve
 from motionlang.planners.dwell import with_rest
 from motionlang.planners.evaluate import evaluate
 from motionlang.planners.reparametrised import Reparametrised, crossings, travelled
-from motionlang.planners.sample import sample_profile, sample_track
+from motionlang.planners.sample import PieceTable
 from motionlang.planners.sequence import ProfileSequence
 from motionlang.planners.superposition import Superposed, added
 from motionlang.planners.table_motion import table_curve
@@ -191,7 +191,7 @@ def test_every_kind_answers_as_its_samples_say(index: int) -> None:
         np.array([read(x) for x in t.tolist()]) for read in (made.position, made.velocity, made.acceleration)
     ]
     for order, column in enumerate(by_hand):
-        found = sample_profile(made, n, duration / (n - 1), order)
+        found = PieceTable((0.0,), (made,)).sample(0.0, duration / (n - 1), n, order)
         assert np.abs(found - column)[:-1].max() <= 1e-9
     if made.duration < math.inf:
         low, high = made.extrema()
@@ -244,7 +244,7 @@ def test_a_track_mixes_formulas_and_pieces() -> None:
         plan_trapezoid(arc.position(2.0), 0.0, 10.0, 50.0, 50.0, arc.velocity(2.0)),
         circle().shifted(-10.0),
     ]
-    found = sample_track(starts, profiles, 0.0, 0.01, 1200, "position")
+    found = PieceTable(starts, profiles).sample(0.0, 0.01, 1200)
     assert found[100] == arc.position(1.0)
     assert found[300] == pytest.approx(profiles[1].position(1.0), abs=1e-12)
     assert found[800] == pytest.approx(profiles[2].position(1.0), abs=1e-12)

@@ -20,7 +20,7 @@ from motionlang.planners import (
 )
 from motionlang.planners.curve import from_curve
 from motionlang.planners.evaluate import evaluate
-from motionlang.planners.sample import PieceTable, sample_profile, sample_track
+from motionlang.planners.sample import ORDERS, PieceTable
 from tests.cases import examples
 from tests.planners.cases import Move, moves, quick
 
@@ -37,7 +37,9 @@ def test_a_profile_sampled_is_the_profile(move: Move, order: int, n: int) -> Non
     dt = 1.1 * made.duration / n + 1e-9
     expected = by_hand(made, [i * dt for i in range(n)], order)
     size = max(abs(x) for x in made.extrema()) if order == 0 else made.peak_speed
-    assert np.abs(sample_profile(made, n, dt, order) - expected).max() <= 1e-9 * size + 1e-12
+    assert (
+        np.abs(PieceTable((0.0,), (made,)).sample(0.0, dt, n, order) - expected).max() <= 1e-9 * size + 1e-12
+    )
 
 
 @pytest.mark.parametrize("shape", ["trapezoid", "sinusoidal", "scurve", "parabolic"])
@@ -48,7 +50,9 @@ def test_long_pieces(shape: str, order: int) -> None:
     picked = np.arange(7, n, 331)
     expected = by_hand(made, [i * dt for i in picked.tolist()], order)
     scale = (100.0, 10.0, 40.0)[order]
-    assert np.abs(sample_profile(made, n, dt, order)[picked] - expected).max() <= 1e-9 * scale
+    assert (
+        np.abs(PieceTable((0.0,), (made,)).sample(0.0, dt, n, order)[picked] - expected).max() <= 1e-9 * scale
+    )
 
 
 def track() -> tuple[list[float], list[Profile]]:
@@ -73,7 +77,7 @@ def in_track(starts: list[float], profiles: list[Profile], t: float, quantity: s
 @pytest.mark.parametrize(("t0", "dt", "n"), [(0.0, 0.00137, 12_000), (0.5, 0.11, 140), (4.0, 1e-5, 30_000)])
 def test_a_track_of_moves(quantity: str, t0: float, dt: float, n: int) -> None:
     starts, profiles = track()
-    found = sample_track(starts, profiles, t0, dt, n, quantity)
+    found = PieceTable(starts, profiles).sample(t0, dt, n, ORDERS[quantity])
     for i in range(0, n, max(1, n // 400)):
         assert found[i] == pytest.approx(in_track(starts, profiles, t0 + i * dt, quantity), abs=1e-8)
 
@@ -85,9 +89,10 @@ def test_a_table_fills_the_array_it_is_given() -> None:
 
 
 def test_nothing_to_sample() -> None:
-    assert sample_track([], [], 0.0, 0.1, 3, "position").tolist() == [0.0, 0.0, 0.0]
-    assert sample_track(*track(), 0.0, 0.1, 0, "position").shape == (0,)
-    assert sample_profile(plan_trapezoid(2.0, 2.0, 1.0, 1.0, 1.0), 3, 0.1).tolist() == [2.0, 2.0, 2.0]
+    assert PieceTable([], []).sample(0.0, 0.1, 3).tolist() == [0.0, 0.0, 0.0]
+    assert PieceTable(*track()).sample(0.0, 0.1, 0).shape == (0,)
+    still = plan_trapezoid(2.0, 2.0, 1.0, 1.0, 1.0)
+    assert PieceTable((0.0,), (still,)).sample(0.0, 0.1, 3).tolist() == [2.0, 2.0, 2.0]
 
 
 @settings(quick, max_examples=examples(40))

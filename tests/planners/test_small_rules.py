@@ -11,8 +11,6 @@ import pytest
 from motionlang.notes import tn1069
 from motionlang.planners import (
     Profile,
-    on_line,
-    path_length,
     plan_jerk,
     plan_parabolic,
     plan_ratio,
@@ -31,7 +29,7 @@ from motionlang.planners.jerk_limited import jerk_limited_approach
 from motionlang.planners.limits import LARGEST, SMALLEST
 from motionlang.planners.lookahead import Pace, plan_course
 from motionlang.planners.pieces import position_in
-from motionlang.planners.pvt.fit import Rounding, fit_profile, fit_track
+from motionlang.planners.pvt.fit import Rounding, fit_track
 from motionlang.planners.ramps import MOMENT
 from motionlang.planners.rate import Rate
 from motionlang.planners.reach import remedies
@@ -206,7 +204,7 @@ def test_the_peaks_of_a_formula_that_runs_on_are_of_their_own_kind() -> None:
 def test_a_fit_has_the_velocity_of_every_knot() -> None:
     top = 1000.0  # counts/s in the middle of two milliseconds
     motion = plan_trapezoid(0.0, top * 1e-3, top, top * 1e3, top * 1e3)
-    fit = fit_profile(motion, 1e-3, Rounding(1e-6, 1e-6))
+    fit = fit_track([0.0], [motion], 1e-3, 0.0, motion.duration, Rounding(1e-6, 1e-6))
     assert [point.velocity for point in fit.points] == pytest.approx([0.0, top, 0.0], abs=1e-3)
 
 
@@ -359,19 +357,6 @@ def test_an_axis_of_a_line_rises_evenly() -> None:
     assert (made.start, made.end, made.start_velocity, made.end_velocity) == (3.0, 1.0, -0.5, -0.5)
     assert made.pieces == ((3.0, -0.5, 0.0, 0.0, 0.0, 0.0, 0.0),)
     assert made.knots == (0.0, 4.0)
-
-
-def test_axes_on_a_line_share_the_profile_of_the_path() -> None:
-    """The path has a length of 5: 3 for the first axis, -4 for the second."""
-    starts, targets = [1.0, 5.0], [4.0, 1.0]
-    assert path_length(starts, targets) == 5.0
-    path = plan_trapezoid(0.0, 5.0, 5.0, 10.0, 10.0)
-    x, y = on_line(path, starts, targets)
-    assert [(each.start, each.end, each.duration) for each in (x, y)] == [(1.0, 4.0, 1.5), (5.0, 1.0, 1.5)]
-    assert (x.velocity(0.75), y.velocity(0.75)) == pytest.approx((3.0, -4.0))
-    assert (x.position(0.75), y.position(0.75)) == pytest.approx((2.5, 3.0))
-    still = plan_trapezoid(0.0, 0.0, 5.0, 10.0, 10.0)
-    assert [(each.start, each.end) for each in on_line(still, starts, starts)] == [(1.0, 1.0), (5.0, 5.0)]
 
 
 @pytest.mark.parametrize(

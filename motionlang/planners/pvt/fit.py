@@ -79,11 +79,6 @@ class Rounding:
 WIRE = Rounding()
 
 
-def fit_profile(profile: Profile, tolerance: float, rounding: Rounding = WIRE) -> Fit:
-    """Fit one profile; its duration must be finite."""
-    return fit_track([0.0], [profile], tolerance, 0.0, profile.duration, rounding)
-
-
 def fit_track(
     starts: Sequence[float],
     profiles: Sequence[Profile],

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.planners import Profile, hold, plan_jerk, plan_parabolic, plan_sinusoidal, plan_trapezoid
-from motionlang.planners.pvt.fit import OutOfTolerance, fit_profile, fit_track, least_tolerance
+from motionlang.planners.pvt.fit import Fit, OutOfTolerance, fit_track, least_tolerance
 from motionlang.planners.pvt.points import plan_points
 from tests.cases import examples
 
@@ -21,6 +21,10 @@ SHAPES = {
     "parabolic": plan_parabolic(0.0, 40_000.0, *LIMITS),
     "scurve": plan_jerk(0.0, -40_000.0, *LIMITS, 1e6, 1e6),
 }
+
+
+def fit_profile(profile: Profile, tolerance: float) -> Fit:
+    return fit_track([0.0], [profile], tolerance, 0.0, profile.duration)
 
 
 def error_of(fit_points: Profile, motion: Profile, span: float) -> float:
