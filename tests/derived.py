@@ -13,7 +13,7 @@ import sys
 WRITERS = (
     "motionlang.lang.parsing.generate",
     "tests.keyword_index",
-    "motionlang.assumptions.indexing",
+    "tests.assumption_index",
     "tests.keyword_pages",
     "tests.mint_manual",
     "tests.machine_page",

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from motionlang.assumptions.page import markdown, summary
+from tests.assumptions_page import markdown, summary
 
 DOCS = Path(__file__).parent.parent / "docs"
 LIST = DOCS / "contributing" / "assumptions.md"

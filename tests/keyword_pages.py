@@ -14,8 +14,8 @@ from motionlang import run
 from motionlang.execution import dialect, dialects
 from motionlang.lang.keyword import Keyword
 from motionlang.source import Source
-from motionlang.views.keyword_pages import menu, pages
 from motionlang.views.words import dialect_name
+from tests.keyword_page_texts import menu, pages
 
 ROOT = Path(__file__).parent.parent
 FOLDER = ROOT / "docs" / "keywords"

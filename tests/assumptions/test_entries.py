@@ -7,8 +7,8 @@ import subprocess
 import sys
 
 from motionlang.assumptions.entries import assumptions, chapters, entries_naming
-from motionlang.assumptions.page import markdown
 from motionlang.execution import dialect, dialects
+from tests.assumptions_page import markdown
 from tests.fidelity_page import LIST, PAGE, written
 
 # Names outside the tables and grammars: a machine with a motor, any program, the name of a handler.

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
-from motionlang.assumptions import indexing
 from motionlang.assumptions.entries import assumptions
 from motionlang.assumptions.used import depended_on
 from motionlang.cli import main
 from motionlang.execution import dialect
 from motionlang.source import Source
+from tests import assumption_index
 
 
 def used(text: str, language: str = "mint", **settings: object) -> list[str]:
@@ -21,14 +21,14 @@ def used(text: str, language: str = "mint", **settings: object) -> list[str]:
 
 
 def test_the_table_is_what_the_entries_say() -> None:
-    assert indexing.TABLES.read_text(encoding="utf-8") == indexing.written(), (
+    assert assumption_index.TABLES.read_text(encoding="utf-8") == assumption_index.written(), (
         "python -m tests.derived writes it"
     )
 
 
 @pytest.mark.parametrize(("words", "text"), [("x" * 69, '"{}"'), ("x" * 70, '"""\n{}\n"""')])
 def test_a_long_text_has_lines_of_its_own(words: str, text: str) -> None:
-    assert indexing._text([words]) == text.format(words)
+    assert assumption_index._text([words]) == text.format(words)
 
 
 def test_keywords_bring_their_assumptions_in_every_spelling_and_not_in_texts() -> None:

@@ -118,10 +118,11 @@ def _row(assumption: Assumption) -> str:
         basis_of(assumption),
         f"`{assumption.name}`{marks}",
     )
-    return f"| {' | '.join(map(_cell, row))} |\n"
+    return f"| {' | '.join(map(cell, row))} |\n"
 
 
-def _cell(text: str) -> str:
+def cell(text: str) -> str:
+    """Return the text of a cell of a table in Markdown."""
     return text.replace("|", "\\|").replace("\n", " ")
 
 

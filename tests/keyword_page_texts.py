@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from motionlang.assumptions.keyword_facts import facts
-from motionlang.assumptions.page import anchor
 from motionlang.assumptions.questions import of_word
 from motionlang.lang.keyword import Keyword
 from motionlang.views.words import dialect_name
+from tests.assumptions_page import anchor, cell
 
 # The largest number of output lines shown for an example.
 MAX_EXAMPLES = 12
@@ -98,7 +98,7 @@ def _not_simulated(known: list[Keyword], dialect: str, simulated: set[str]) -> s
     for group, members in groups.items():
         title = ["", f"## {_title(group)}"] if group else []
         lines += [*title, "", "| keyword | meaning |", "|---|---|"]
-        lines += [f"| `{row.name}` | {_cell(row.help)} |" for row in members]
+        lines += [f"| `{row.name}` | {cell(row.help)} |" for row in members]
     return "\n".join(lines) + "\n"
 
 
@@ -133,7 +133,3 @@ def _open(row: Keyword, dialect: str) -> list[str]:
         marked = f"`{each.name}`" if each.probe is None else f"`motionlang probe {each.name}`"
         lines.append(f"* {each.question}: {each.chosen}{others} ({marked})")
     return ["", "open", "", *lines] if lines else []
-
-
-def _cell(text: str) -> str:
-    return text.replace("|", "\\|").replace("\n", " ")
