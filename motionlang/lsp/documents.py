@@ -105,10 +105,6 @@ class Document:
         """Return the range between two offsets in the source."""
         return types.Range(self.position(span[0]), self.position(span[1]))
 
-    def span(self, range: types.Range) -> Span:
-        """Return the offsets of a range in the source."""
-        return self.offset(range.start), self.offset(range.end)
-
     @property
     def last_line(self) -> int:
         """The number of the last line, counted from 1."""

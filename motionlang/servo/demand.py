@@ -54,11 +54,6 @@ class Track:
             raise ValueError("a track needs one start for each profile, and at least one profile")
         self.starts, self.profiles = list(starts), list(profiles)
 
-    @property
-    def end(self) -> float:
-        """The end of the last profile, seconds."""
-        return self.starts[-1] + self.profiles[-1].duration
-
 
 class Generator:
     """Points of a track, cycle by cycle; `period` is the trajectory cycle in seconds.

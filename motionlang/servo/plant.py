@@ -100,11 +100,6 @@ class Motor:
         return self.amplifier_gain / damping * self.counts_per_radian
 
     @property
-    def electrical_time_constant(self) -> float:
-        """L/R in seconds."""
-        return self.inductance / self.resistance
-
-    @property
     def mechanical_time_constant(self) -> float:
         """Time constant of the speed if the current does not lag, s (inf: no damping)."""
         damping = self.viscous

@@ -115,11 +115,6 @@ class Servo:
         return self._row["current"] * constant
 
     @property
-    def is_closed(self) -> bool:
-        """True if the loop controls the output."""
-        return self._open_output is None
-
-    @property
     def trace(self) -> ServoTrace:
         """The record so far; imports numpy."""
         from motionlang.servo.trace import joined

@@ -103,9 +103,9 @@ def test_a_replay_applies_each_change_at_its_time() -> None:
 def test_a_change_is_a_voltage_a_profile_or_a_loop() -> None:
     servo = Servo(LOOP, Motor(), AT_REST)
     apply(servo, (0.0, 2.0))
-    assert not servo.is_closed
+    assert servo._open_output == 2.0
     apply(servo, (0.0, 0))
-    assert servo.is_closed
+    assert servo._open_output is None
     stiff = Loop(proportional=0.02, servo_rate=4096.0, trajectory_rate=1024.0)
     apply(servo, (0.0, stiff))
     assert servo.loop is stiff

@@ -85,10 +85,6 @@ class Channels:
         for channel in sorted(before ^ self.active_low):
             self._notify(channel)
 
-    def bank(self, first: int, count: int) -> int:
-        """Return `count` channels from `first` on as a number; `first` is the lowest bit."""
-        return sum(1 << k for k in range(count) if self[first + k])
-
     def set_bank(self, first: int, count: int, bits: int) -> bool:
         """Set `count` channels from `first` on; return True if that changed one."""
         changes = [self.set(first + k, bits >> k & 1) for k in range(count)]

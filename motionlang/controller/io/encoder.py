@@ -32,8 +32,3 @@ def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None
 def wrapped(position: float, wrap: float) -> float:
     """Return a position as shown by a register that wraps at `wrap`; 0 means no wrap."""
     return position % wrap if wrap > 0.0 else position
-
-
-def turns(position: float, wrap: float) -> int:
-    """Return how often the register has wrapped at a position."""
-    return int(position // wrap) if wrap > 0.0 else 0

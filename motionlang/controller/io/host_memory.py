@@ -58,16 +58,6 @@ class HostMemory:
             value = inf if value > 0 else -inf if value < 0 else value
         self._floats[area][_checked(area, element)] = value
 
-    def text(self, area: str, element: int, length: int) -> str:
-        """Return the text of at most `length` characters that begins at an element."""
-        elements = range(element, element + -(-length // 4))
-        packed = b"".join(self.integer(area, each).to_bytes(4, "big", signed=True) for each in elements)
-        return packed[:length].partition(b"\0")[0].decode("latin-1")
-
-    def set_text(self, area: str, element: int, text: str) -> None:
-        for offset, word in enumerate(packed(text)):
-            self.set_integer(area, element + offset, word)
-
     # ------------------------------------------------------------------------------------------ the host's side
 
     def write(self, area: str, first: int, words: Sequence[int]) -> None:

@@ -81,28 +81,6 @@ def test_which_registers_exist() -> None:
     assert not memory.has_registers("netdata", 1999, 2)
 
 
-def test_texts_are_packed_first_character_highest() -> None:
-    memory = HostMemory()
-    memory.set_text("comms", 1, "ABCDEF")
-    assert [memory.integer("comms", n) for n in (1, 2)] == [0x41424344, 0x45460000]
-
-
-@pytest.mark.parametrize(
-    ("words", "text"),
-    [
-        ((0x41424344, 0x45464748, 0x494A7691), "ABCDEFGHIJ"),
-        ((0x41424344, 0, 0x494A7691), "ABCD"),
-        ((0x41420044, 0x45464748, 0x494A7691), "AB"),
-        ((0, 0x45464748, 0x494A7691), ""),
-    ],
-)
-def test_texts_are_read_up_to_a_zero(words: tuple[int, ...], text: str) -> None:
-    memory = HostMemory()
-    for k, word in enumerate(words):
-        memory.set_integer("comms", 1 + k, word)
-    assert memory.text("comms", 1, 10) == text
-
-
 def test_listeners_are_notified_of_host_writes_and_of_changes() -> None:
     memory = HostMemory()
     changes: list[tuple[str, int, bool]] = []
@@ -119,11 +97,8 @@ def test_the_machine_file_writes_at_its_time() -> None:
     memory.schedule(clock, "netdata", {"element": 3, "value": 3, "as": "float"})
     memory.schedule(clock, "comms", {"element": 8, "text": "ABCDE"})
     clock.advance(0.5)
-    assert (memory.real("comms", 1), memory.real("netdata", 3), memory.text("comms", 8, 8)) == (
-        0.0,
-        3.0,
-        "ABCDE",
-    )
+    assert (memory.real("comms", 1), memory.real("netdata", 3)) == (0.0, 3.0)
+    assert [memory.integer("comms", n) for n in (8, 9)] == [0x41424344, 0x45000000]
     clock.advance(1.5)
     assert (memory.real("comms", 1), memory.integer("netdata", 2)) == (3.0, 3)
 
@@ -163,23 +138,6 @@ def test_no_number_stays_no_number() -> None:
     memory = HostMemory()
     memory.set_real("comms", 1, math.nan)
     assert math.isnan(memory.real("comms", 1))
-
-
-@cases(
-    "length, text",
-    [(0, ""), (1, "A"), (3, "ABC"), (4, "ABCD"), (5, "ABCDE"), (7, "ABCDEFG"), (8, "ABCDEFGH"),
-     (9, "ABCDEFGH"), (12, "ABCDEFGH")],
-)  # fmt: skip
-def test_a_text_is_cut_off_at_its_length(length: int, text: str) -> None:
-    memory = HostMemory()
-    memory.set_text("netdata", 998, "ABCDEFGH")
-    if length <= 8:
-        assert memory.text("netdata", 998, length) == text
-    else:
-        with pytest.raises(Rejected):
-            memory.text("netdata", 998, length)
-    memory.set_text("netdata", 1, "ABCDEFGH")
-    assert memory.text("netdata", 1, length) == text
 
 
 @cases("text, expected", [("", []), ("A", [0x41000000]), ("ABCD", [0x41424344]), ("ABCDE", [0x41424344, 0x45000000]),
