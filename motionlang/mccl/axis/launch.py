@@ -35,8 +35,18 @@ def aim(board: Board, axis: AxisState) -> float:
     if target is None:
         target = controller.target(axis.number)
     if abs(target) == INFINITY and controller.master_of(axis.number) is not None:
-        target = controller.axes[axis.number].profiles[-1].end
+        target = controller.axes[axis.number].profiles[-1].end + _later_paths(board, axis)
     return target if abs(target) < INFINITY else controller.demand(axis.number)
+
+
+def _later_paths(board: Board, axis: AxisState) -> float:
+    """Return how far the paths after the current one take the axis, counts."""
+    controller = board.controller
+    master = controller.master_of(axis.number)
+    if master is not None and master in board.axes:
+        return axis.slave_ratio * _later_paths(board, board.axes[master])
+    end = board.path_end(axis)
+    return 0.0 if end is None else end - controller.target(axis.number)
 
 
 def launch(board: Board, axis: AxisState, target: float, word: str, line: int) -> None:

@@ -69,7 +69,7 @@ def at_target_time(board: Board, axis: AxisState) -> float:
     At target means within DB of it for DT. The time is infinite before the last contour path of the axis.
     """
     contour = board.contour_including(axis)
-    if contour is not None and contour.continues(axis.number):
+    if board.awaits_path(axis) or (contour is not None and contour.continues(axis.number)):
         return INFINITY
     controller, number = board.controller, axis.number
     a = controller.axes[number]

@@ -157,7 +157,12 @@ class Board:
         return found if found is not None and found.includes(axis.number) else None
 
     def awaits_path(self, axis: AxisState) -> bool:
-        """True if a contour path of the axis waits for the current ones to end."""
+        """True if a path of the axis, or of its master, waits for the current ones to end."""
+        if not self.contours:
+            return False
+        master = self.controller.master_of(axis.number)
+        if master is not None and master in self.axes:
+            return self.awaits_path(self.axes[master])
         contour = self.contours.get(axis.controlling) if axis.controlling is not None else None
         return contour is not None and contour.waits_for(axis.number)
 

@@ -105,6 +105,14 @@ def test_the_target_is_the_end_of_the_last_path(mccl: Runner, paths: str) -> Non
         assert run.output == ["01 1000", "01 1100", "01 2", "01 1000", "01 1000"]
 
 
+@pytest.mark.parametrize("wait", ["3WS", "3WT", "4WS", 'LU"STATUS",4RL@0,IC3,JR-3,NO'])
+def test_a_slave_waits_for_the_paths_of_its_master(mccl: Runner, wait: str) -> None:
+    """Axis 3 follows axis 1 at a ratio of 2, and axis 4 follows axis 3 at -1."""
+    gears = "3MN,4MN,3SS2,3SM1,4SS-1,4SM3\n"
+    run = mccl(f"{gears}{HEAD}{APART}3TT,4TT,{wait},1TP,3TP,4TP,3TT,4TT")
+    assert run.output == ["03 4000", "04 -4000", "01 2000", "03 4000", "04 -4000", "03 4000", "04 -4000"]
+
+
 @pytest.mark.parametrize("axis", [1, 2, 3])
 def test_stop_of_an_axis_that_waits_or_controls_stops_the_contour(mccl: Runner, axis: int) -> None:
     """After 0.1 s at 100000 counts/s² axis 3 is at 500, and needs as much to stop."""
