@@ -195,11 +195,9 @@ def until_idle(axes: tuple[int, ...]) -> str:
     return f"for axis {', '.join(map(str, axes))} to be idle"
 
 
-def endless(controller: Controller, wait: Wait) -> str:
-    """Return the hint if a wait for idle axes has one that runs without an end."""
-    if wait.why != until_idle(wait.what):
-        return ""
-    running = [axis for axis in wait.what if abs(controller.target(axis)) == INFINITY]
+def endless(controller: Controller, axes: Iterable[int]) -> str:
+    """Return the hint if one of some axes runs without an end."""
+    running = [axis for axis in axes if abs(controller.target(axis)) == INFINITY]
     return f"stop axis {running[0]} first: it runs without an end" if running else ""
 
 
