@@ -231,7 +231,10 @@ def _lost(result: Run) -> list[Diagnostic]:
             text = result.source.line(homing.line)
             column, length = len(text) - len(text.lstrip()) + 1, max(1, len(text.strip()))
             keys = f"axis.{axis}.home_switch, travel and index_every"
-            other = "home in the other direction, or " if homing.provided else ""
+            if homing.has_passed_switch:
+                other = "home more slowly, so that the axis stops on its switch, or "
+            else:
+                other = "home in the other direction, or " if homing.provided else ""
             hint = f"{other}give its position in the machine file: {keys}"
             found.append(
                 Diagnostic("never", homing.endless_motion, homing.line, column, length=length, hint=hint)

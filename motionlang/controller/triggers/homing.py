@@ -143,9 +143,16 @@ class Homing:
         if ahead:
             return ""
         what = "limit switch" if self._switch == LIMIT else "switch"
+        if self.has_passed_switch:
+            return f"axis {self.axis} ran past its {what} while stopping and does not meet it again"
         if not self.provided and self.state == "search":
             return f"axis {self.axis} homes towards a {what} that does not exist"
         return f"axis {self.axis} {_ENDLESS[self.state].format(what)}"
+
+    @property
+    def has_passed_switch(self) -> bool:
+        """True while the axis returns to a switch that opened during the stop."""
+        return self.state == "back-off" and not self._on_switch()
 
     def _take(self, step: Callable[[], None]) -> None:
         """Take the next step; one that is rejected ends the homing with a run-time fault."""

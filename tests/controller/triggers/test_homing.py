@@ -314,3 +314,15 @@ def test_the_reason_why_a_homing_never_leaves_its_switch() -> None:
     assert c.velocity(0) == pytest.approx(0.8)
     c.set_home_switch(0, False)
     assert homing.endless_motion == ""
+
+
+def test_the_reason_why_a_homing_never_returns_to_its_switch() -> None:
+    """The switch opened during the stop, so the axis is past it."""
+    c = machine({})
+    homing = Homing(c, 0, -1, 8.0, 0.8, 0.8)
+    c.clock.advance(1.0)
+    c.set_home_switch(0, True)
+    c.set_home_switch(0, False)
+    c.clock.advance(10.0)
+    assert homing.state == "back-off"
+    assert homing.endless_motion == "axis 0 ran past its switch while stopping and does not meet it again"
