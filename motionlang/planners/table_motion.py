@@ -52,14 +52,14 @@ def spline_slopes(widths: Sequence[float], rises: Sequence[float], cyclic: bool)
 
     m[i-1]/h[i-1] + 2 m[i] (1/h[i-1] + 1/h[i]) + m[i+1]/h[i] = 3 (r[i-1]/h[i-1] + r[i]/h[i]).
     """
-    n = len(widths)
+    still = [0.0, *_inner(widths, rises, 0.0), 0.0]
     if not cyclic:
-        return [0.0, *_inner(widths, rises, 0.0, 0.0, homogeneous=False), 0.0]
+        return still
     # The slope at the seam is free. The curvature there is linear in it, so two solutions give the third.
-    still = [0.0, *_inner(widths, rises, 0.0, 0.0, homogeneous=False), 0.0]
-    unit = [1.0, *_inner(widths, rises, 1.0, 1.0, homogeneous=True), 1.0]
+    flat = [0.0] * len(widths)
+    unit = [1.0, *_inner(widths, flat, 1.0), 1.0]
     jump = _seam(widths, rises, still)
-    change = _seam(widths, [0.0] * n, unit)
+    change = _seam(widths, flat, unit)
     seam = -jump / change
     return [a + seam * b for a, b in zip(still, unit, strict=True)]
 
@@ -71,17 +71,15 @@ def _seam(widths: Sequence[float], rises: Sequence[float], slopes: Sequence[floa
     return after - before
 
 
-def _inner(
-    widths: Sequence[float], rises: Sequence[float], first: float, last: float, homogeneous: bool
-) -> list[float]:
-    """Return the slopes between two given end slopes, by tridiagonal elimination."""
+def _inner(widths: Sequence[float], rises: Sequence[float], end: float) -> list[float]:
+    """Return the slopes between two ends with the same slope, by tridiagonal elimination."""
     diagonal: list[float] = []
     right: list[float] = []
     for i, (h, k) in enumerate(pairwise(widths)):
         d = 2.0 * (1.0 / h + 1.0 / k)
-        r = 0.0 if homogeneous else 3.0 * (rises[i] / h + rises[i + 1] / k)
+        r = 3.0 * (rises[i] / h + rises[i + 1] / k)
         if i == 0:
-            r -= first / h
+            r -= end / h
         else:
             factor = 1.0 / h / diagonal[-1]
             d -= factor / h
@@ -89,7 +87,7 @@ def _inner(
         diagonal.append(d)
         right.append(r)
     found: list[float] = []
-    following = last
+    following = end
     for i in range(len(diagonal) - 1, -1, -1):
         following = (right[i] - following / widths[i + 1]) / diagonal[i]
         found.append(following)
