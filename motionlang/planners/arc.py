@@ -9,6 +9,8 @@ from motionlang.planners.ramps import Piece
 
 # Exact rotations: degrees to cosine and sine.
 _RIGHT = {0.0: (1.0, 0.0), 90.0: (0.0, 1.0), 180.0: (-1.0, 0.0), 270.0: (0.0, -1.0)}
+# The sine of a multiple of pi is less than this, by the rounding of pi.
+NO_SINE = 1e-15
 
 
 def line_over(length: float, start: float, end: float) -> Profile:
@@ -43,7 +45,8 @@ def arc_over(
         half_turn += 1
         finish = (half_turn * pi - phase) / omega
         knots.append(finish if finish < length * (1.0 - 1e-12) else length)
-    start = centre + radius * sin(phase)
+    sine = sin(phase)
+    start = centre + (radius * sine if abs(sine) > NO_SINE else 0.0)
     velocities = (radius * omega * cos(phase), radius * omega * cos(phase + omega * length))
     return from_curve("arc", start, end, (tuple(knots), tuple(pieces), (("arc", 0),)), *velocities)
 

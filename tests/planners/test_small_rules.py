@@ -352,6 +352,12 @@ def test_an_axis_of_an_arc_consists_of_half_waves(name: str) -> None:
     assert [piece[4:] for piece in made.pieces] == [pytest.approx(wave, abs=1e-12) for wave in waves]
 
 
+@pytest.mark.parametrize("angle", [pi, -pi, 2.0 * pi, 0.0])
+def test_an_axis_of_an_arc_that_starts_level_with_the_centre_starts_there(angle: float) -> None:
+    """The sine of pi is 1.2e-16 in floats; the report showed that as the start of the move."""
+    assert arc_over(50.0 * pi, 0.0, 50.0, angle, pi, 0.0, cosine=False).start == 0.0
+
+
 def test_an_axis_of_a_line_rises_evenly() -> None:
     made = line_over(4.0, 3.0, 1.0)
     assert (made.start, made.end, made.start_velocity, made.end_velocity) == (3.0, 1.0, -0.5, -0.5)
