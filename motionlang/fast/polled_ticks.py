@@ -84,7 +84,8 @@ from motionlang.fast.transitions import (
     Transition,
     first_statement,
 )
-from motionlang.fast.walks import MAX_WALK, Pace, Walker
+from motionlang.fast.walk import Pace
+from motionlang.fast.walks import MAX_WALK, Walker
 from motionlang.lang.dependencies import CLOSE
 from motionlang.lang.statement_time import UNITS, units
 from motionlang.log.repeated import rows_of
@@ -96,7 +97,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.fast.transitions import Due
-    from motionlang.fast.walks import Walk
+    from motionlang.fast.walk import Walk
     from motionlang.lang.dependencies import Note
     from motionlang.lang.waits import Wait
     from motionlang.log.repeated import Row

@@ -14,39 +14,17 @@ a tick at which a WAIT ends, and a WAIT that begins at a tick whose time is no w
 
 from __future__ import annotations
 
-from motionlang.fast.transitions import TICK
+from collections.abc import Callable
+
+from motionlang.fast.transitions import TICK, Due, Transition
+from motionlang.fast.walk import Pace, Reached, Round, Shift, Walk
 from motionlang.lang.statement_time import UNITS, units
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.fast.transitions import Due, Transition
-    from motionlang.fast.walks import Pace, Reached, Switching, Walk
 
 # How many returns to a state are compared, how far a round may move the ticks and ends, as a part of the shortest WAIT
 # or period, and how often it must repeat.
 LOOK_BACK, DRIFT, LEAST = 32, 0.1, 3
 # A round that moves an end by less than this against the ticks, s, does not move it.
 STILL = 1e-12
-
-
-class Round:
-    """Transitions of a walk that repeat.
-
-    Those from `first` to `past` follow `times` more often. Each time advances by `shift`. `switching` are those of the
-    walk between `first` and `past`.
-    """
-
-    __slots__ = ("first", "past", "shift", "switching", "times")
-
-    def __init__(self, first: int, past: int, times: int, shift: Shift, switching: list[Switching]) -> None:
-        self.first, self.past, self.times, self.shift, self.switching = first, past, times, shift, switching
-
-    @property
-    def total(self) -> int:
-        """The number of repeated transitions."""
-        return (self.past - self.first) * self.times
 
 
 class Mark:
@@ -100,7 +78,7 @@ class Rounds:
         if before is None:
             return False
         self._marks.clear()
-        shift = Shift.between(before, mark)
+        shift = _shift(before, mark)
         steps = self._walk.steps[before.steps :]
         if shift is None or (len(set(steps)) == 1 and not steps[0].switches):
             return False  # a single transition that repeats has been repeated already
@@ -179,45 +157,24 @@ class Rounds:
         return True
 
 
-class Shift:
-    """How far a round advances.
-
-    `statements` are those since a base that stays; `ends` are the units of each end, by index.
-    """
-
-    __slots__ = ("ends", "statements", "ticks")
-
-    def __init__(self, statements: float, ticks: int, ends: dict[int, int]) -> None:
-        self.statements, self.ticks, self.ends = statements, ticks, ends
-
-    def base(self, base: float, source: tuple[int, int] | None, times: int, pace: Pace) -> float:
-        """Return a base of statements some rounds later."""
-        if source is None:
-            return base
-        index, number = source
-        if index == TICK:
-            return pace.tick(number + times * self.ticks)
-        return (units(base) + times * self.ends[index]) / UNITS
-
-    @staticmethod
-    def between(one: Mark, two: Mark) -> Shift | None:
-        """Return the shift from one mark to another; None if more than times differs."""
-        ticks, statements = two.number - one.number, two.count - one.count
-        ends = {
-            index: units(end) - units(before)
-            for (end, index, _), (before, _, _) in zip(two.dues, one.dues, strict=True)
-        }
-        ends[TICK] = 0
-        if two.source is None or one.source is None:
-            return Shift(statements, ticks, ends) if two.source is one.source else None
-        index, number = two.source
-        if statements or one.source[0] != index or (index == TICK and number - one.source[1] != ticks):
+def _shift(one: Mark, two: Mark) -> Shift | None:
+    """Return the shift from one mark to another; None if more than times differs."""
+    ticks, statements = two.number - one.number, two.count - one.count
+    ends = {
+        index: units(end) - units(before)
+        for (end, index, _), (before, _, _) in zip(two.dues, one.dues, strict=True)
+    }
+    ends[TICK] = 0
+    if two.source is None or one.source is None:
+        return Shift(statements, ticks, ends) if two.source is one.source else None
+    index, number = two.source
+    if statements or one.source[0] != index or (index == TICK and number - one.source[1] != ticks):
+        return None
+    if index != TICK:
+        moved = units(two.base) - units(one.base)
+        if ends.setdefault(index, moved) != moved:
             return None
-        if index != TICK:
-            moved = units(two.base) - units(one.base)
-            if ends.setdefault(index, moved) != moved:
-                return None
-        return Shift(0.0, ticks, ends)
+    return Shift(0.0, ticks, ends)
 
 
 def _times(reached: Reached) -> tuple[object, ...]:

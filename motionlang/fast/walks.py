@@ -7,10 +7,9 @@ at a given time.
 from __future__ import annotations
 
 from bisect import insort
-from collections import Counter
 from functools import partial
 
-from motionlang.fast.rounds import Round, Rounds
+from motionlang.fast.rounds import Rounds
 from motionlang.fast.transitions import (
     APART,
     NO_DUE,
@@ -22,66 +21,15 @@ from motionlang.fast.transitions import (
     Transition,
     first_statement,
 )
-from motionlang.lang.statement_time import UNITS, StatementTime, units
-
-# Base, count, ticks and ends, and the number of the next tick.
-Reached = tuple[float, float, list[Due], int]
-# The number of a transition that switches outputs, its base, its origin, and what its base is (`Mark.source`).
-Switching = tuple[int, float, float, tuple[int, int] | None]
+from motionlang.fast.walk import Pace, Reached, Walk
+from motionlang.lang.statement_time import UNITS, units
 
 # The most transitions of a walk, without those that are repeated in rounds.
 MAX_WALK = 4096
-# Ticks of whole units are less than half a unit from them up to this time, s.
-LATEST_TICK = 3e4
 # A part of a transition for which rounding does not decide whether one more fits.
 CLOSE = 1e-6
 # The transitions of a state from which none is known.
 _NO_GAPS: dict[float, Transition] = {}
-
-
-class Pace:
-    """The times of ticks, every `period` s since `started`, and of statements."""
-
-    def __init__(self, started: float, period: float, statements: StatementTime) -> None:
-        self.started, self.period, self.statements = started, period, statements
-        self.cost = statements.cost
-        # True if each tick is nearest to a whole unit.
-        is_whole = units(started) / UNITS == started and units(period) / UNITS == period
-        self.is_whole = is_whole and statements.base < LATEST_TICK
-
-    def tick(self, number: int) -> float:
-        """Return the time of a tick."""
-        return self.started + number * self.period
-
-
-class Walk:
-    """Transitions in a row; the first `good` ones lead to the present state.
-
-    `rounds` are those that repeat, and `switching` those that switch outputs. `polling` has the number of each before
-    whose origin a task polls, the task and the statements of that. `reached` is where the good ones lead.
-    """
-
-    __slots__ = ("good", "polling", "reached", "rounds", "steps", "switching")
-
-    def __init__(self) -> None:
-        self.steps: list[Transition] = []
-        self.rounds: list[Round] = []
-        self.switching: list[Switching] = []
-        self.polling: list[tuple[int, str, float]] = []
-        self.good = 0
-        self.reached: Reached = 0.0, 0.0, [], 0
-
-    def times(self) -> Counter[Transition]:
-        """Return how often each transition passes."""
-        times = Counter(self.steps[: self.good])
-        for each in self.rounds:
-            for step in self.steps[each.first : each.past]:
-                times[step] += each.times
-        return times
-
-    def polled(self, first: int) -> list[tuple[str, float]]:
-        """Return the tasks that poll, from one on, and their statements."""
-        return [(task, count) for _, task, count in self.polling[first:]]
 
 
 class Walker:

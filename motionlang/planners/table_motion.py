@@ -72,7 +72,7 @@ def _seam(widths: Sequence[float], rises: Sequence[float], slopes: Sequence[floa
 
 
 def _inner(widths: Sequence[float], rises: Sequence[float], end: float) -> list[float]:
-    """Return the slopes between two ends with the same slope, by tridiagonal elimination."""
+    """Return the slopes between two ends with one slope, by tridiagonal elimination."""
     diagonal: list[float] = []
     right: list[float] = []
     for i, (h, k) in enumerate(pairwise(widths)):

@@ -1651,9 +1651,9 @@ EQUIVALENT: dict[str, str] = {
         "a wait whose end is not known gets none later"
     ),
     "motionlang/fast/polled_ticks.py: PolledTicks: _checkpoint: True -> False": ("either marks a WAIT"),
-    "motionlang/fast/walks.py: Walk: __init__: 0.0 -> 1.0": "the first good transition sets it",
-    "motionlang/fast/walks.py: Walk: __init__: 0.0 -> 1.0 #2": "the first good transition sets it",
-    "motionlang/fast/walks.py: Walk: __init__: 0 -> 1 #2": "the first good transition sets it",
+    "motionlang/fast/walk.py: Walk: __init__: 0.0 -> 1.0": "the first good transition sets it",
+    "motionlang/fast/walk.py: Walk: __init__: 0.0 -> 1.0 #2": "the first good transition sets it",
+    "motionlang/fast/walk.py: Walk: __init__: 0 -> 1 #2": "the first good transition sets it",
     "motionlang/fast/polled_ticks.py: PolledTicks: _transition: 0 -> 1": (
         "the ticks of these rows are not used"
     ),

@@ -354,7 +354,7 @@ def test_an_axis_of_an_arc_consists_of_half_waves(name: str) -> None:
 
 @pytest.mark.parametrize("angle", [pi, -pi, 2.0 * pi, 0.0])
 def test_an_axis_of_an_arc_that_starts_level_with_the_centre_starts_there(angle: float) -> None:
-    """The sine of pi is 1.2e-16 in floats; the report showed that as the start of the move."""
+    """The sine of pi is 1.2e-16 in floats, which the report showed as the start."""
     assert arc_over(50.0 * pi, 0.0, 50.0, angle, pi, 0.0, cosine=False).start == 0.0
 
 

@@ -1,0 +1,100 @@
+"""A walk along transitions, its rounds and its pace, for `polled_ticks.py`."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from motionlang.fast.transitions import TICK, Due, Transition
+from motionlang.lang.statement_time import UNITS, StatementTime, units
+
+# Base, count, ticks and ends, and the number of the next tick.
+Reached = tuple[float, float, list[Due], int]
+# The number of a transition that switches outputs, its base, its origin, and what its base is (`Mark.source`).
+Switching = tuple[int, float, float, tuple[int, int] | None]
+
+# Ticks of whole units are less than half a unit from them up to this time, s.
+LATEST_TICK = 3e4
+
+
+class Pace:
+    """The times of ticks, every `period` s since `started`, and of statements."""
+
+    def __init__(self, started: float, period: float, statements: StatementTime) -> None:
+        self.started, self.period, self.statements = started, period, statements
+        self.cost = statements.cost
+        # True if each tick is nearest to a whole unit.
+        is_whole = units(started) / UNITS == started and units(period) / UNITS == period
+        self.is_whole = is_whole and statements.base < LATEST_TICK
+
+    def tick(self, number: int) -> float:
+        """Return the time of a tick."""
+        return self.started + number * self.period
+
+
+class Shift:
+    """How far a round advances.
+
+    `statements` are those since a base that stays; `ends` are the units of each end, by index.
+    """
+
+    __slots__ = ("ends", "statements", "ticks")
+
+    def __init__(self, statements: float, ticks: int, ends: dict[int, int]) -> None:
+        self.statements, self.ticks, self.ends = statements, ticks, ends
+
+    def base(self, base: float, source: tuple[int, int] | None, times: int, pace: Pace) -> float:
+        """Return a base of statements some rounds later."""
+        if source is None:
+            return base
+        index, number = source
+        if index == TICK:
+            return pace.tick(number + times * self.ticks)
+        return (units(base) + times * self.ends[index]) / UNITS
+
+
+class Round:
+    """Transitions of a walk that repeat.
+
+    Those from `first` to `past` follow `times` more often. Each time advances by `shift`. `switching` are those of the
+    walk between `first` and `past`.
+    """
+
+    __slots__ = ("first", "past", "shift", "switching", "times")
+
+    def __init__(self, first: int, past: int, times: int, shift: Shift, switching: list[Switching]) -> None:
+        self.first, self.past, self.times, self.shift, self.switching = first, past, times, shift, switching
+
+    @property
+    def total(self) -> int:
+        """The number of repeated transitions."""
+        return (self.past - self.first) * self.times
+
+
+class Walk:
+    """Transitions in a row; the first `good` ones lead to the present state.
+
+    `rounds` are those that repeat, and `switching` those that switch outputs. `polling` has the number of each before
+    whose origin a task polls, the task and the statements of that. `reached` is where the good ones lead.
+    """
+
+    __slots__ = ("good", "polling", "reached", "rounds", "steps", "switching")
+
+    def __init__(self) -> None:
+        self.steps: list[Transition] = []
+        self.rounds: list[Round] = []
+        self.switching: list[Switching] = []
+        self.polling: list[tuple[int, str, float]] = []
+        self.good = 0
+        self.reached: Reached = 0.0, 0.0, [], 0
+
+    def times(self) -> Counter[Transition]:
+        """Return how often each transition passes."""
+        times = Counter(self.steps[: self.good])
+        for each in self.rounds:
+            for step in self.steps[each.first : each.past]:
+                times[step] += each.times
+        return times
+
+    def polled(self, first: int) -> list[tuple[str, float]]:
+        """Return the tasks that poll, from one on, and their statements."""
+        return [(task, count) for _, task, count in self.polling[first:]]
