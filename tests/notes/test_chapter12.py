@@ -116,6 +116,27 @@ def test_the_progression_ends_exactly(distance: int, speed: int, accel: int) -> 
 # ------------------------------------------------------------------------------------------------------ the listing
 
 
+@pytest.mark.parametrize(
+    ("error", "total", "last", "steps"),
+    [
+        (16, 0, 0, 16 + 10),
+        (-16, 0, 0, -26),
+        (1, 2560, 1, 1 + 6),
+        (0, 255, 0, 0),
+        (30_000, 0, 0, 2047),
+        (-30_000, 0, 0, -2048),
+    ],
+)
+def test_pid_to_dac(error: int, total: int, last: int, steps: int) -> None:
+    """(Kp E + (Ki/256) E_T + Kd (E - E_L))/16, truncated as in C.
+
+    Kp is 16, Ki 10, Kd 10.
+    """
+    routine = Listing(Settings(10, 1, 1, 16, ki=10, kd=10, max_steps=0))
+    routine.error_sum, routine.last_error = total - error, last
+    assert routine._overridden(routine._pid(error), 0) == steps
+
+
 def test_the_listing_arrives() -> None:
     made = run_listing(Settings(20_000, 50, 1, 40, kd=80, hold=4, max_steps=32), 100.0, 2.0, 1500)
     assert made.demand[-1] == 20_000
