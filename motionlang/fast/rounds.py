@@ -57,8 +57,8 @@ class Rounds:
     ) -> None:
         self._walk, self._pace, self._end, self._again = walk, pace, end, again
         self._marks: list[Mark] = []
-        # How many returns are still compared.
-        self._left = LOOK_BACK
+        # How many returns are still compared, so that a walk without rounds costs little.
+        self.left = LOOK_BACK
         # The number of transitions before which the returns cannot be compared.
         self.unsure = 0
 
@@ -67,9 +67,7 @@ class Rounds:
 
         Called at each return to the present state.
         """
-        if not self._left:
-            return False  # a walk without rounds costs little
-        self._left -= 1
+        self.left -= 1
         mark = Mark(self._walk, source, self._pace.cost)
         if self._marks and self._marks[-1].steps < self.unsure:
             self._marks.clear()
@@ -153,7 +151,7 @@ class Rounds:
         walk.rounds.append(Round(one.steps, two.steps, times, shift, switching))
         walk.polling += [(number, task, times * count) for number, task, count in walk.polling[one.polled :]]
         walk.reached = reached
-        self._left = LOOK_BACK
+        self.left = LOOK_BACK
         return True
 
 

@@ -87,7 +87,7 @@ class Walker:
                 elif origin > count:
                     walk.polling.append((len(steps), self._known.polling[state], origin - count))
                 passed, dues = dues[:depth], dues[depth:]
-                if _rounding_decides([*passed, dues[0]], base):
+                if rounds.left and _rounding_decides([*passed, dues[0]], base):
                     rounds.unsure = len(steps) + 1
                 for due in passed:
                     if due[1] in step.open:
@@ -109,7 +109,7 @@ class Walker:
             state = step.state
             if state == own.state:
                 walk.good, walk.reached = len(steps), (base, count, dues[:-1], number)
-                if rounds.found(source, most - len(steps)):
+                if rounds.left and rounds.found(source, most - len(steps)):
                     source = None if source is None else (source[0], source[1] + walk.reached[3] - number)
                     base, count, dues, number = walk.reached
                     dues = [*dues, NO_DUE]
