@@ -57,11 +57,6 @@ class Listing:
         self.derivative_wait = 0
         self.dac = 0
 
-    @property
-    def is_done(self) -> bool:
-        """True if the trajectory has reached its end."""
-        return self.position >= self.settings.distance
-
     def update(self, actual_position: int, actual_velocity: int) -> int:
         """Execute one interrupt and return the output value of the DAC.
 

@@ -6,8 +6,6 @@ error in print.
 
 from __future__ import annotations
 
-from math import pi, sin
-
 from motionlang.planners.curve import Profile
 from motionlang.planners.parabolic import plan_parabolic
 from motionlang.planners.scurve import plan_ratio, plan_sinusoidal
@@ -164,14 +162,3 @@ def comparison(demand: Demand = NOTE) -> tuple[Row, ...]:
 
 def _row(demand: Demand, name: str, unit: str, exact: tuple[float | None, ...]) -> Row:
     return Row(name, unit, exact, PRINTED.get(name) if demand.printed else None)
-
-
-def printed_sinusoidal_position(share: float) -> tuple[float, float]:
-    """Return the printed and the exact position at a fraction of T_A, in counts.
-
-    The profile is the sinusoidal S-curve.
-    """
-    move = profiles()[1]
-    ramp = move.phases[0].duration
-    sine = VELOCITY * ramp / (2.0 * pi) * sin(pi * share)
-    return 0.5 * VELOCITY * share * ramp + sine, move.position(share * ramp)

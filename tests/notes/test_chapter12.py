@@ -163,7 +163,7 @@ def test_the_listing_never_overshoots_its_trajectory(
         if last == distance:
             break
         last = routine.position
-    assert routine.is_done
+    assert routine.position == distance
 
 
 @pytest.mark.parametrize(
@@ -188,11 +188,11 @@ def test_the_listing_never_overshoots_its_trajectory(
 def test_the_listing_steps_through_its_velocities(listing: Settings, velocities: list[int]) -> None:
     routine, position = Listing(listing), 0
     for velocity in velocities:
-        assert not routine.is_done
+        assert routine.position < listing.distance
         routine.update(routine.position, 0)
         position += velocity
         assert (routine.velocity, routine.position) == (velocity, position)
-    assert routine.is_done
+    assert routine.position == listing.distance
 
 
 def test_the_listings_derivative_is_that_of_the_last_updates() -> None:

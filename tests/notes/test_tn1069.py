@@ -150,7 +150,8 @@ def test_the_printed_sinusoidal_position_has_a_wrong_sign() -> None:
     steps, ramp = 100_000, 0.6283185307179586
     width = 0.3 * ramp / steps
     area = sum(20e3 * (1.0 - cos(pi * (i + 0.5) * width / ramp)) for i in range(steps)) * width
-    printed, exact = tn1069.printed_sinusoidal_position(0.3)
+    exact = tn1069.profiles()[1].position(0.3 * ramp)
+    printed = 20e3 * 0.3 * ramp + 40e3 * ramp / (2.0 * pi) * sin(pi * 0.3)
     assert exact == pytest.approx(area, rel=1e-8)
     assert f"{printed:.2f} {exact:.2f}" == "7005.98 533.84"
 
