@@ -166,12 +166,6 @@ class Feedback:
         return self._read("output")
 
     @property
-    def torque(self) -> float:
-        """Motor torque, N m."""
-        constant: float = getattr(self.plant, "torque_constant", 0.0)
-        return self._read("current") * constant
-
-    @property
     def current(self) -> float:
         """Motor current, A."""
         return self._read("current")

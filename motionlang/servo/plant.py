@@ -91,15 +91,6 @@ class Motor:
         return not (self.coulomb or self.breakaway or self.backlash or self.quantised)
 
     @property
-    def speed_per_volt(self) -> float:
-        """Final speed in counts/s per volt, without Coulomb friction; may be inf."""
-        if self.amplifier == "current":
-            torque = self.torque_constant * self.amplifier_gain
-            return torque / self.viscous * self.counts_per_radian if self.viscous else inf
-        damping = self.torque_constant + self.viscous * self.resistance / self.torque_constant
-        return self.amplifier_gain / damping * self.counts_per_radian
-
-    @property
     def mechanical_time_constant(self) -> float:
         """Time constant of the speed if the current does not lag, s (inf: no damping)."""
         damping = self.viscous

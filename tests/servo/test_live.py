@@ -152,7 +152,7 @@ def test_everything_done_to_a_loop_is_in_its_history() -> None:
         end = controller.clock.now + seconds
         while controller.clock.now < end:
             controller.clock.advance(controller.clock.now + 0.0037)
-            seen.append((controller.clock.now, controller.position(0), feedback.error, feedback.torque))
+            seen.append((controller.clock.now, controller.position(0), feedback.error, feedback.current))
 
     controller.move_to(0, 4000.0)
     pass_time(0.05)
@@ -170,10 +170,10 @@ def test_everything_done_to_a_loop_is_in_its_history() -> None:
     pass_time(0.2)
     replayed = servo_trace(controller.axes[0], controller.clock.now)
     assert replayed is not None
-    for time, position, error, torque in seen:
+    for time, position, error, current in seen:
         k = int(time * RATE + 1e-6)
-        assert (position, error, torque) == pytest.approx(
-            (replayed.measured[k], replayed.error[k], replayed.torque[k]), abs=1e-9
+        assert (position, error, current) == pytest.approx(
+            (replayed.measured[k], replayed.error[k], replayed.current[k]), abs=1e-9
         )
 
 

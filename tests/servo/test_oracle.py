@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import pi
+
 import numpy as np
 import pytest
 
@@ -44,7 +46,8 @@ PLANTS: dict[str, Motor | Drive] = {
     "drive": Drive(5_000.0, 2e-3),
     "drive with encoder": Drive(5_000.0, 2e-3, quantised=True),
 }
-FULL_SPEED = 10.0 * Motor().speed_per_volt
+# Of the motor at 10 V, counts/s.
+FULL_SPEED = 10.0 * 2.4 / (0.05 + 1e-5 / 0.05) * 4000.0 / (2.0 * pi)
 CHAPTER12 = Loop(100, 4, 600, integral_limit=2000, arithmetic="chapter12", dac_bits=12, servo_rate=1000.0)
 WHOLE = {
     "chapter 12": CHAPTER12,

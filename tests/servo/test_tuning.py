@@ -27,13 +27,14 @@ from motionlang.servo.tuning import (
 def test_feed_forward_is_the_output_that_the_motion_needs(amplifier: str, resistance: float) -> None:
     """A volt gives gain / R amperes in a voltage amplifier and gain in a current one.
 
-    Each ampere gives 0.05 N m, on 2e-5 kg m².
+    Each ampere gives 0.05 N m, on 2e-5 kg m². The damping is 1e-5 N m s; a voltage amplifier adds that of the back-EMF.
     """
     motor = Motor(amplifier=amplifier, resistance=2.0, inductance=0.0, coulomb=0.01)
     loop = suggest(motor, 20.0).loop
     per_volt = 2.4 / resistance * 0.05 / 2e-5 * 4000.0 / (2.0 * pi)  # counts/s²
     assert loop.accel_ff == loop.decel_ff == pytest.approx(1.0 / per_volt)
-    assert loop.velocity_ff == pytest.approx(1.0 / motor.speed_per_volt)
+    damping = 1e-5 + (0.05**2 / resistance if amplifier == "voltage" else 0.0)
+    assert loop.velocity_ff == pytest.approx(damping / 2e-5 / per_volt)
 
 
 @pytest.mark.parametrize("inductance", [10.0, 1e6, 1e12])
