@@ -18,6 +18,8 @@ from motionlang.mccl.keywords import table
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "motionlang" / "mcapi"
 PYTHON = {"": "None", "d": "float", "str": "str", "v": "Any", "memory": "object", "buf": "str"}
+# C functions whose first argument is a window, not the handle.
+WINDOW_FIRST = ("MCEnableInterrupt", "MCErrorNotify", "MCDLG_DownloadFile")
 # Arguments of PMC's binding that C does not have, and defaults.
 SIGNATURES = {
     "MCReset": "axis: int, distance: float = 0.0",
@@ -278,11 +280,16 @@ def c_type(each: Argument) -> str:
     return C_TYPES[each.kind] + pointer
 
 
+def handle_index(function: Function) -> int:
+    """Return the index of the handle in the C argument list."""
+    return int(function.name in WINDOW_FIRST)
+
+
 def c_arguments(function: Function) -> list[tuple[str, str]]:
     """Return type and name of each C argument, with the handle at its position."""
     found = [(c_type(each), each.name) for each in function.arguments]
     if function.has_handle:
-        found.insert(function.handle_index, ("HCTRLR ", "hCtlr"))
+        found.insert(handle_index(function), ("HCTRLR ", "hCtlr"))
     return found
 
 
@@ -330,7 +337,7 @@ def handle_first(function: Function) -> list[tuple[str, str]]:
     """Return type and name of each C argument, with the handle moved to the front."""
     found = c_arguments(function)
     if function.has_handle:
-        found.insert(0, found.pop(function.handle_index))
+        found.insert(0, found.pop(handle_index(function)))
     return found
 
 

@@ -103,20 +103,12 @@ class Function:
         return self.name not in ("MCOpen", "MCTranslateErrorEx")
 
     @property
-    def handle_index(self) -> int:
-        """The index of the handle in the C argument list."""
-        return 1 if self.name in _WINDOW_FIRST else 0
-
-    @property
     def inputs(self) -> tuple[Argument, ...]:
         return tuple(each for each in self.arguments if not each.out)
 
     @property
     def outputs(self) -> tuple[Argument, ...]:
         return tuple(each for each in self.arguments if each.out)
-
-
-_WINDOW_FIRST = ("MCEnableInterrupt", "MCErrorNotify", "MCDLG_DownloadFile")
 
 
 def _structure(name: str, fields: str, older: tuple[int, ...] = ()) -> Structure:
