@@ -72,7 +72,7 @@ def main() -> None:
     positions, points = winding()
     gc.disable()
     for tolerance in (0.6, 2.0, 20.0):
-        count = fit_track(starts, profiles, tolerance, 0.0, end).segments
+        count = len(fit_track(starts, profiles, tolerance, 0.0, end).points) - 1
         seconds = best(3, lambda t=tolerance: fit_track(starts, profiles, t, 0.0, end))  # type: ignore[misc]
         print(f"fit, tolerance {tolerance:g} {end / seconds:.0f} x real time ({count} segments)")
     print(f"exact velocities {POINTS / best(5, lambda: smooth_velocities(positions, 0.002)):.0f} points/s")

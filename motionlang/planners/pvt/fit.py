@@ -63,10 +63,6 @@ class Fit:
     error: float
     error_time: float
 
-    @property
-    def segments(self) -> int:
-        return len(self.points) - 1
-
 
 @dataclass(frozen=True, slots=True)
 class Rounding:
