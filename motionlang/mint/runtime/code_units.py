@@ -138,11 +138,6 @@ class Code:
         """The generated Python of the program, without the head lines of its units."""
         return "\n".join(unit.text for unit in self.units)
 
-    def compile_all(self) -> None:
-        """Compile the units that are still text."""
-        for unit in self.units:
-            unit.compile()
-
     def payload(self) -> tuple[object, ...]:
         """Return all data in a form that `marshal` accepts, for `loaded`."""
         units = [unit.payload() for unit in self.units]

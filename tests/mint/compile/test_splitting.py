@@ -151,8 +151,8 @@ def test_functions_that_were_not_called_are_stored_as_text() -> None:
     long = program(f"PRINT 1\nSub Never()\n{STATEMENTS}\nEnd Sub\n")
     again = load(long.payload())
     assert [unit.is_compiled for unit in again.code.units] == [unit.is_compiled for unit in long.code.units]
-    again.code.compile_all()
-    long.code.compile_all()
+    for unit in (*again.code.units, *long.code.units):
+        unit.compile()
     again = load(again.payload())
     assert again.size == len(long.code.units)
     assert again.code.units[-1].compile() == long.code.units[-1].codes
