@@ -110,64 +110,37 @@ def wait_edge(interface: Interface, axis: int, state: int) -> list[Command]:
 
 
 def _condition(
-    session: Session,
-    call: Call,
-    axis: int,
-    seconds: float,
     holds: Callable[[Board, AxisState], bool],
-    due: Callable[[Board, AxisState], float],
-) -> Polled:
-    """Return the poll of a condition for one axis, or for all."""
-    board = session.desk.board
-    axes = board.all_axes if axis == 0 else (board.axis(axis),)
+    due: Callable[[Board, AxisState], float] = lambda board, each: inf,
+) -> Callable[[Session, Call, int, float], Polled]:
+    """Return the function that polls a condition for one axis, or for all."""
 
-    def ready() -> bool:
-        return all(holds(board, each) for each in axes)
+    def begin(session: Session, call: Call, axis: int, timeout: float) -> Polled:
+        board = session.desk.board
+        axes = board.all_axes if axis == 0 else (board.axis(axis),)
 
-    def next_time() -> float:
-        return max(due(board, each) for each in axes)
+        def ready() -> bool:
+            return all(holds(board, each) for each in axes)
 
-    def finish(is_ready: bool) -> None:
-        call.value = int(is_ready)
+        def next_time() -> float:
+            return max(due(board, each) for each in axes)
 
-    return ready, next_time, seconds, finish
+        def finish(is_ready: bool) -> None:
+            call.value = int(is_ready)
+
+        return ready, next_time, timeout, finish
+
+    return begin
 
 
-@poll("MCIsStopped")
-def is_stopped(session: Session, call: Call, axis: int, timeout: float) -> Polled:
-    """Poll until the trajectory is complete."""
-    return _condition(
-        session,
-        call,
-        axis,
-        timeout,
+poll("MCIsStopped")(
+    _condition(
         lambda board, each: board.is_complete(each),
         lambda board, each: inf if board.awaits_path(each) else board.controller.idle_time(each.number),
     )
-
-
-@poll("MCIsAtTarget")
-def is_at_target(session: Session, call: Call, axis: int, timeout: float) -> Polled:
-    """Poll until the axis is at target."""
-    return _condition(
-        session,
-        call,
-        axis,
-        timeout,
-        lambda board, each: at_target_time(board, each) <= board.controller.clock.now,
-        at_target_time,
-    )
-
-
-@poll("MCIsIndexFound")
-def is_index_found(session: Session, call: Call, axis: int, timeout: float) -> Polled:
-    return _condition(
-        session, call, axis, timeout, lambda board, each: each.index_found, lambda board, each: inf
-    )
-
-
-@poll("MCIsEdgeFound")
-def is_edge_found(session: Session, call: Call, axis: int, timeout: float) -> Polled:
-    return _condition(
-        session, call, axis, timeout, lambda board, each: each.edge_found, lambda board, each: inf
-    )
+)
+poll("MCIsAtTarget")(
+    _condition(lambda board, each: at_target_time(board, each) <= board.controller.clock.now, at_target_time)
+)
+poll("MCIsIndexFound")(_condition(lambda board, each: each.index_found))
+poll("MCIsEdgeFound")(_condition(lambda board, each: each.edge_found))
