@@ -9,7 +9,7 @@ from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.following_auxiliary import AuxEncoders, checked_channel
-from motionlang.mint.keywords.latches import FastLatches, Latch
+from motionlang.mint.keywords.latches import FastLatches, Latch, reading_row
 from motionlang.mint.keywords.sensing import channel_of
 from motionlang.mint.runtime.binding import of, of_word, unchecked
 from motionlang.mint.runtime.environment import Environment
@@ -194,13 +194,6 @@ def _setting(name: str, unit: str, actions: Actions, value: str, help: str, high
                    f"{name}(0) = {value}\nPRINT {name}(0)", default=0.0, low=0, high=high, group="latches")  # fmt: skip
 
 
-def _reading(
-    name: str, short: str, index: str, unit: str, actions: Actions, help: str, example: str
-) -> Keyword:
-    return Keyword(name, short, "reading", "R", index, unit, actions, help, example.format(name),
-                   default=0.0, group="latches")  # fmt: skip
-
-
 def _enable(name: str, actions: Actions, help: str, example: str) -> Keyword:
     return Keyword(name, "", "setting", "W", "auxchannel", "bool", actions, help, example,
                    low=0, high=1, group="latches")  # fmt: skip
@@ -217,22 +210,22 @@ ROWS = (
              "1", "0: the latch catches once; 1: it stays armed.", 1),
     _setting("FASTAUXLATCHDISTANCE", "number", _setting_of("inhibit_distance"), "5",
              "Distance from the last latched position within which edges are ignored.", 8388607.0),
-    _reading("FASTAUXLATCH", "", "auxchannel", "bool", _CAUGHT,
-             "1 when the latch of an auxiliary encoder has caught.",
-             _FAST),
-    _reading("FASTAUXENCODER", "", "auxchannel", "number", Actions(read=of(AuxLatches, read_encoder)),
-             "AUXENCODER at the moment of its latch.",
-             _FAST),
-    _reading("ENCODERZLATCH", "", "channel", "bool", _PASSED,
-             "1 when an encoder has passed an index mark since this was read last.",
-             "MOVER(0) = 100\nGO(0)\nPRINT ENCODERZLATCH(0)"),
-    _reading("AUXENCODERZLATCH", "aez", "auxchannel", "bool", _AUX_PASSED,
-             "1 when an auxiliary encoder has passed an index mark since this was read last.", _MARK),
+    reading_row("FASTAUXLATCH", "auxchannel", "bool", _CAUGHT,
+                "1 when the latch of an auxiliary encoder has caught.",
+                _FAST),
+    reading_row("FASTAUXENCODER", "auxchannel", "number", Actions(read=of(AuxLatches, read_encoder)),
+                "AUXENCODER at the moment of its latch.",
+                _FAST),
+    reading_row("ENCODERZLATCH", "channel", "bool", _PASSED,
+                "1 when an encoder has passed an index mark since this was read last.",
+                "MOVER(0) = 100\nGO(0)\nPRINT ENCODERZLATCH(0)"),
+    reading_row("AUXENCODERZLATCH", "auxchannel", "bool", _AUX_PASSED,
+                "1 when an auxiliary encoder has passed an index mark since this was read last.", _MARK, short="aez"),
     _enable("AUXENCODERZEROENABLE", Actions(write=of(Indexes, write_armed)),
             "Catch the position of an auxiliary encoder at its next index mark.",
             _MARK.format("AUXENCODERZEROPOSITION")),
     _setting("AUXENCODERZEROLATCHMODE", "integer", _ZERO_MODE, "1",
              "0: AUXENCODERZEROENABLE is for one mark; 1: for every one from then on.", 1),
-    _reading("AUXENCODERZEROPOSITION", "", "auxchannel", "number", Actions(read=of(Indexes, read_zero_position)),
-             "AUXENCODER at the index mark.", _MARK),
+    reading_row("AUXENCODERZEROPOSITION", "auxchannel", "number", Actions(read=of(Indexes, read_zero_position)),
+                "AUXENCODER at the index mark.", _MARK),
 )  # fmt: skip

@@ -226,8 +226,11 @@ def _setting(
                    group="latches")  # fmt: skip
 
 
-def _reading(name: str, index: str, unit: str, actions: Actions, help: str, example: str) -> Keyword:
-    return Keyword(name, "", "reading", "R", index, unit, actions, help, example.format(name), default=0.0,
+def reading_row(
+    name: str, index: str, unit: str, actions: Actions, help: str, example: str, short: str = ""
+) -> Keyword:
+    """Return the row of what a latch has caught; `example` has {} for the keyword."""
+    return Keyword(name, short, "reading", "R", index, unit, actions, help, example.format(name), default=0.0,
                    group="latches")  # fmt: skip
 
 
@@ -250,8 +253,8 @@ ROWS = (
     Keyword("LATCHENABLE", "", "setting", "RW", "latch", "bool", _ENABLE,
             "Arm a latch; it forgets what it had caught.",
             _ARMED.format("LATCHENABLE"), default=0.0, low=0, high=1, group="latches"),
-    _reading("LATCH", "latch", "bool", _CAUGHT, "1 when a latch has caught a position.", _ARMED),
-    _reading("LATCHVALUE", "latch", "number", _VALUE, "Captured value of a latch.", _ARMED),
+    reading_row("LATCH", "latch", "bool", _CAUGHT, "1 when a latch has caught a position.", _ARMED),
+    reading_row("LATCHVALUE", "latch", "number", _VALUE, "Captured value of a latch.", _ARMED),
     _setting("FASTSELECT", "input", "axis", "integer", "3", "The input that triggers the fast latch of the axis.", 999),
     Keyword("FASTENABLE", "", "setting", "W", "axis", "integer", _ENABLE,
             "Arm the fast latch of the axis; it forgets what it had caught.",
@@ -261,10 +264,10 @@ ROWS = (
     _setting("FASTLATCHMODE", "again", "axis", "integer", "1", "0: the fast latch catches once; 1: it stays armed.", 1),
     _setting("FASTLATCHDISTANCE", "inhibit_distance", "axis", "uu", "5",
              "Distance from the last latched position within which edges are ignored.", 8388607.0),
-    _reading("FASTLATCH", "axis", "bool", _CAUGHT, "1 when the fast latch of the axis has caught.", _FAST),
-    _reading("FASTPOS", "axis", "number", _VALUE, "The position that the fast latch has caught.", _FAST),
-    _reading("FASTENCODER", "axis", "number", Actions(read=on_latch(read_encoder)),
-             "Encoder value captured by the fast latch.", _FAST),
+    reading_row("FASTLATCH", "axis", "bool", _CAUGHT, "1 when the fast latch of the axis has caught.", _FAST),
+    reading_row("FASTPOS", "axis", "number", _VALUE, "The position that the fast latch has caught.", _FAST),
+    reading_row("FASTENCODER", "axis", "number", Actions(read=on_latch(read_encoder)),
+                "Encoder value captured by the fast latch.", _FAST),
 )  # fmt: skip
 # The event sources of each kind, created for programs that handle these events.
 SOURCES = {"latch": Latches, "fastin": FastLatches}
