@@ -107,7 +107,7 @@ class Walker:
                 number += 1
                 insort(dues, (pace.tick(number), TICK, 0.0))
             state = step.state
-            if state == own.state:
+            if state == own.state and pace.tick(number) > base + count * cost:
                 walk.good, walk.reached = len(steps), (base, count, dues[:-1], number)
                 if rounds.left and rounds.found(source, most - len(steps)):
                     source = None if source is None else (source[0], source[1] + walk.reached[3] - number)
@@ -131,15 +131,15 @@ class Walker:
         known, statements = self._known.gaps, self._pace.statements
         base, cost, started, period = statements.base, statements.cost, self._pace.started, self._pace.period
         count, number, last = own.count, own.number, statements.first(end)
-        present = own.state
+        state = present = own.state
         gaps = known.get(present)
         if gaps is None:
             return None
         walk = Walk()
-        steps, switching = walk.steps, walk.switching
+        steps, switching, limit = walk.steps, walk.switching, min(most, MAX_WALK)
         good, ratio = count, float(round(period / cost))
         first = statements.first(own.dues[0][0]) - ratio
-        for each in range(number, number + min(most, MAX_WALK)):
+        for each in range(number, number + limit + 1):
             # The same statement as that of `StatementTime.first`, without a division: a tick is at most one statement
             # off the whole number of them in a period.
             moment = started + each * period
@@ -148,8 +148,12 @@ class Walker:
                 first += 1.0
             elif base + (first - 1.0) * cost >= moment:
                 first -= 1.0
+            if first <= count:
+                break  # the tick comes before the end of the handler has been seen
+            if state == present:
+                walk.good, good = len(steps), count
             step = gaps.get(first - count)
-            if step is None or not step.is_proved:
+            if step is None or not step.is_proved or len(steps) == limit:
                 break
             if step.switches:
                 switching.append((len(steps), base, count, None))
@@ -158,8 +162,6 @@ class Walker:
                 break
             steps.append(step)
             state = step.state
-            if state == present:
-                walk.good, good = len(steps), count
             gaps = known.get(state, _NO_GAPS)
         if not walk.good:
             return None

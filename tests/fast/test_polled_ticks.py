@@ -64,6 +64,15 @@ def printed(found: Run) -> list[int]:
     return [int(each) for each in found.machine.terminal.lines[-1].split()]
 
 
+def test_a_tick_at_the_end_of_a_handler_interrupts_no_loop() -> None:
+    """A handler of four statements of 0.25 ms ends with the next tick."""
+    move = "MOVEA(0) = 12 : GO(0)\nWhile Not IDLE(0)\n  If VEL(0) > 30 Then OUTX(2) = 1 Else OUTX(2) = 0\nEnd While\n"
+    ran(
+        handled(f"SPEED(0) = 50 : {move}", "If VEL(0) > 30 Then n = n + 1"),
+        **{"controller.instruction_time": 2.5e-4},
+    )
+
+
 def test_a_counter_has_counted_every_tick_of_a_move(skipped: Callable[[], int]) -> None:
     """The move takes 0.1 s for the 5 uu at each end, and 3.9 s for the other 390."""
     found = ran(handled(_MOVE.format(""), "n = n + 1"))
