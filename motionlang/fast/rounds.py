@@ -80,13 +80,14 @@ class Rounds:
         steps = self._walk.steps[before.steps :]
         if shift is None or (len(set(steps)) == 1 and not steps[0].switches):
             return False  # a single transition that repeats has been repeated already
-        polls = self._walk.polled(before.polled)
+        polls, origins = self._walk.polled(before.polled), self._walk.origins[before.steps :]
         times = int(self._estimate(steps, before, mark, shift, most))
         for count in (times, times - 1, times // 2, times // 4):
             if count < LEAST:
                 break
             last = self._again(self._after(mark, shift, count), len(steps))
-            if last is None or last.steps != steps or last.polled(0) != polls:
+            # The same transition may count from a tick in one round and from the end of a WAIT in another.
+            if last is None or last.steps != steps or last.origins != origins or last.polled(0) != polls:
                 continue
             if _times(last.reached) == _times(self._after(mark, shift, count + 1)):
                 return self._repeat(before, mark, shift, count + 1, last.reached)

@@ -77,15 +77,22 @@ class Walk:
     whose origin a task polls, the task and the statements of that. `reached` is where the good ones lead.
     """
 
-    __slots__ = ("good", "polling", "reached", "rounds", "steps", "switching")
+    __slots__ = ("good", "origins", "polling", "reached", "rounds", "steps", "switching")
 
     def __init__(self) -> None:
         self.steps: list[Transition] = []
+        # The statement from which each transition counts.
+        self.origins: list[float] = []
         self.rounds: list[Round] = []
         self.switching: list[Switching] = []
         self.polling: list[tuple[int, str, float]] = []
         self.good = 0
         self.reached: Reached = 0.0, 0.0, [], 0
+
+    def add(self, step: Transition, origin: float, times: int = 1) -> None:
+        """Add a transition, so many times in a row."""
+        self.steps += [step] * times
+        self.origins += [origin] * times
 
     def times(self) -> Counter[Transition]:
         """Return how often each transition passes."""

@@ -72,7 +72,7 @@ class Walker:
                     times = self._repetitions(step, min(dues[0][0], end) - moment)
                     times = min(times, limit - len(steps) - 1)
                     if times > 0:
-                        steps += [step] * times
+                        walk.add(step, origin, times)
                         number += times if index == TICK else 0
                         ends = units(moment) + times * step.waits[0][2] if step.waits else 0
                         base = pace.tick(number) if index == TICK else ends / UNITS
@@ -97,7 +97,7 @@ class Walker:
                 break
             if step.switches:
                 walk.switching.append((len(steps), base, origin, source))
-            steps.append(step)
+            walk.add(step, origin)
             for task, offset, wait_units in step.waits:
                 time = (units(base) + int(origin) * cost_units + wait_units) / UNITS
                 insort(dues, (time, task, base + (origin + offset) * cost))
