@@ -74,7 +74,7 @@ def test_a_tick_at_the_end_of_a_handler_interrupts_no_loop() -> None:
 
 
 def test_a_round_counts_from_the_same_end_each_time() -> None:
-    """At some ticks a handler ends just as a WAIT is over, whose iteration then counts from the tick."""
+    """A handler may end just as a WAIT is over, whose iteration counts from the tick."""
     ran(
         "Run T0\nTIMEREVENT = 2\nLoop\nOUTX(5) = Not OUTX(5)\nWAIT(1)\nIf TIME > 900 Then Exit Loop\nEnd Loop\nEnd\n"
         "Event TIMER\n  n = n + 1\nEnd Event\nTask T0\nLoop\n  PAUSE INX(1)\n  WAIT(5)\nEnd Loop\nEnd Task\n"
