@@ -337,7 +337,7 @@ def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
         result.controller.clock.advance(until)
         return
     from motionlang.lang.ends import what_ends
-    from motionlang.lang.waits import endless, until_idle
+    from motionlang.lang.waits import endless
 
     hints = (
         what_ends(result.dialect, result.source, result.machine, task, wait)
@@ -345,12 +345,8 @@ def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
         if wait is not None
     )
     start = "start a move first, or add a machine file with the event it waits for and a time limit run.until"
-    wait = stuck.wait
-    idle = wait.what if wait.why == until_idle(wait.what) else ()
     controller = result.controller
-    hint = endless(controller, idle) or next(
-        filter(None, hints), endless(controller, controller.axes) or start
-    )
+    hint = next(filter(None, hints), endless(controller, controller.axes) or start)
     result.status = "fault"
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
 

@@ -97,7 +97,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.fast.transitions import Due
-    from motionlang.fast.walk import Walk
+    from motionlang.fast.walk import Switching, Walk
     from motionlang.lang.dependencies import Note
     from motionlang.lang.waits import Wait
     from motionlang.log.repeated import Row
@@ -238,7 +238,7 @@ class PolledTicks:
         )
 
     def _forget(self, scheduler: Any) -> None:
-        """Drop all states, or store them."""
+        """End the search."""
         self._store()
         if self._read is not None:
             self._environment.dependencies.end_longest(self._read)
@@ -544,7 +544,9 @@ class PolledTicks:
         """Log the switches of a walk; those of rounds become a template if ticks switch."""
         first, stream, pace = 0, self._log.outputs, self._pace()
         for each in walk.rounds:
-            stream.extend(self._switches(walk, first, each.past))
+            stream.extend(
+                self._switches(walk, [found for found in walk.switching if first <= found[0] < each.past])
+            )
             first = each.past
             if all(source is not None and source[0] == TICK for *_, source in each.switching):
                 ticks = each.shift.ticks
@@ -556,27 +558,17 @@ class PolledTicks:
                 ]
                 stream.repeat((rows, each.times, ticks, 0.0), (pace.started, 0, pace.period, pace.cost))
             else:
-                stream.extend(
-                    [
-                        (
-                            each.shift.base(base, source, k, pace)
-                            + (origin + k * each.shift.statements + offset) * pace.cost,
-                            *rest,
-                        )
-                        for k in range(1, each.times + 1)
-                        for number, base, origin, source in each.switching
-                        for offset, rest in walk.steps[number].switches
-                    ]
-                )
-        stream.extend(self._switches(walk, first, walk.good))
+                stream.extend(self._switches(walk, each.repeated(pace)))
+        stream.extend(
+            self._switches(walk, [found for found in walk.switching if first <= found[0] < walk.good])
+        )
 
-    def _switches(self, walk: Walk, first: int, past: int) -> list[tuple[object, ...]]:
+    def _switches(self, walk: Walk, switching: list[Switching]) -> list[tuple[object, ...]]:
         """Return the records of the switches of some transitions."""
         cost = self._environment.statements.cost
         return [
             (base + (origin + offset) * cost, *rest)
-            for number, base, origin, _ in walk.switching
-            if first <= number < past
+            for number, base, origin, _ in switching
             for offset, rest in walk.steps[number].switches
         ]
 

@@ -69,6 +69,19 @@ class Round:
         """The number of repeated transitions."""
         return (self.past - self.first) * self.times
 
+    def repeated(self, pace: Pace) -> list[Switching]:
+        """Return the transitions that switch outputs in the repetitions."""
+        return [
+            (
+                number,
+                self.shift.base(base, source, k, pace),
+                origin + k * self.shift.statements,
+                source,
+            )
+            for k in range(1, self.times + 1)
+            for number, base, origin, source in self.switching
+        ]
+
 
 class Walk:
     """Transitions in a row; the first `good` ones lead to the present state.
@@ -81,7 +94,7 @@ class Walk:
 
     def __init__(self) -> None:
         self.steps: list[Transition] = []
-        # The statement from which each transition counts.
+        # The statement from which each transition counts; those of a walk along ticks alone are not needed.
         self.origins: list[float] = []
         self.rounds: list[Round] = []
         self.switching: list[Switching] = []

@@ -267,11 +267,11 @@ def walked(made: Walker, end: float, own: Checkpoint, most: int = 10**9) -> tupl
             if each.past != number + 1:
                 continue
             length = each.past - each.first
+            repeated = iter(each.repeated(made._pace))
             for k in range(1, each.times + 1):
-                switching += [
-                    (k * length + at + more, each.shift.base(base, source, k, made._pace), origin)
-                    for at, base, origin, source in each.switching
-                ]
+                for _ in each.switching:
+                    at, base, origin, _source = next(repeated)
+                    switching.append((k * length + at + more, base, origin))
                 states += [step.state for step in walk.steps[each.first : each.past]]
             more += each.total
     return tuple(states), walk.good + more, walk.reached, switching, walk.polling
