@@ -31,10 +31,10 @@ def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int
     pool = Workers(jobs)
     try:
         yield from pool.map(work, items)
+        pool.shutdown()
     except BaseException:
         pool.stop()
         raise
-    pool.shutdown()
 
 
 def add_jobs(parser: ArgumentParser) -> None:

@@ -58,6 +58,10 @@ class Signals:
             signal.signal(*self._before.popitem())
         if self._hook is not None:
             sys.unraisablehook, self._hook = self._hook, None
+        if self._lost:
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
+            number, self._lost = self._lost, 0
+            raise error_of(number)
 
     @property
     def status(self) -> int:
@@ -103,7 +107,8 @@ class Signals:
         signal.setitimer(signal.ITIMER_REAL, AGAIN)
 
     def _come_again(self, number: int, frame: FrameType | None) -> None:
-        self._end(self._lost, frame)
+        number, self._lost = self._lost, 0
+        self._end(number, frame)
 
 
 class Deferral:

@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -68,7 +69,7 @@ def test_a_signal_at_any_stage(
 ) -> None:
     owner, name, outcome = STAGES[stage]
     if isinstance(owner, str):
-        owner = sys.modules[owner]
+        owner = import_module(owner)
     monkeypatch.setattr(owner, name, sending(number, getattr(owner, name)))
     cell.write("a.mnt", MOVE)
     ran = cell("run", "a.mnt", "--format", "json", "--no-cache")
@@ -151,24 +152,33 @@ def test_handlers_are_put_back(cell: Cell) -> None:
     assert sys.unraisablehook is hook
 
 
+class Falls:
+    """Python prints and drops an exception that is raised in a `__del__`."""
+
+    def __del__(self) -> None:
+        raise Terminated(signal.SIGTERM)
+
+
+def dropped(waits: float) -> None:
+    """Run a command in which Python drops a signal, then wait for another one."""
+    with signals.SIGNALS:
+        signals.SIGNALS._raised = signal.SIGTERM
+        Falls()
+        signal.sigtimedwait([], waits)
+
+
 def test_a_signal_that_python_drops_comes_again() -> None:
-    """Python prints and drops an exception that is raised in a `__del__`.
-
-    Our hook for such exceptions raises the signal again.
-    """
-
-    class Falls:
-        def __del__(self) -> None:
-            raise Terminated(signal.SIGTERM)
-
-    def lose() -> None:
-        with signals.SIGNALS:
-            signals.SIGNALS._raised = signal.SIGTERM
-            Falls()
-            signal.sigtimedwait([], 5)
-
+    """Our hook for such exceptions raises the signal again."""
     with pytest.raises(Terminated):
-        lose()
+        dropped(5.0)
+
+
+def test_a_signal_that_python_drops_at_the_end_ends_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Otherwise it would come again after the end, when nothing handles it."""
+    monkeypatch.setattr(signals, "AGAIN", 60.0)
+    with pytest.raises(Terminated):
+        dropped(0.0)
+    assert signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
 
 
 @pytest.mark.parametrize(("number", "who", "status"), SIGNALS)

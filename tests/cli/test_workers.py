@@ -42,7 +42,7 @@ def folder(tmp_path: Path) -> Path:
     )
     for name in ("a", "b"):
         os.mkfifo(tmp_path / f"{name}.mnt")
-        (tmp_path / f"{name}.golden").write_text("")
+        (tmp_path / f"{name}.golden.json").write_text("{}")
     return tmp_path
 
 
