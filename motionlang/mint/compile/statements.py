@@ -263,7 +263,7 @@ def _call(b: Body, node: nodes.Call) -> None:
 
 
 # Words of the grammar that begin a statement and are often misspelled.
-_FIRST_WORDS = ("Pause", "Print", "Return", "Input", "Repeat")
+_FIRST_WORDS = ("Const", "Pause", "Print", "Return", "Input", "Repeat")
 
 
 def unknown_command(b: Body, target: nodes.Name) -> None:

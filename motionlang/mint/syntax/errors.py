@@ -4,14 +4,14 @@ The text is parsed again with a stack that can be rolled back (`motionlang.lang.
 faulty line is reported once. The line is then dropped, or replaced by the shortest line that opens or closes
 the same block, so that one error gives one message. Missing and surplus closers are repaired in the same way. A block
 that is still open when the block around it closes is reported at its opener and closed. A closer without an open block
-is dropped.
+is dropped. If a line has an error and none with a similar keyword in place of its first word, that word is the error.
 """
 
 from __future__ import annotations
 
 from math import inf
 
-from motionlang.errors import Diagnostic, ProgramError
+from motionlang.errors import Diagnostic, ProgramError, nearest
 from motionlang.lang import typography
 from motionlang.lang.parsing.linked_stack import empty, expected, feed, feed_all
 from motionlang.lang.parsing.parser import BAD, END
@@ -27,10 +27,12 @@ from motionlang.mint.syntax.blocks import (
     plain_lines,
 )
 from motionlang.mint.syntax.build import MAX_DEPTH, number
-from motionlang.mint.syntax.tables import TABLES
+from motionlang.mint.syntax.tables import SPELLINGS, TABLES
 from motionlang.source import Source
 
 AFTER_A_NAME = {"EQUAL", "DOT", "LPAR", "LSQB"}
+KEYWORDS = {spelling: kind for kind, spelling in SPELLINGS.items() if kind.isalpha()}
+MAX_BACK = 2000  # a misspelt opener is looked for among so many tokens before its closer
 MAX_ERRORS = 100  # more are not useful; a binary file has one on every line
 
 
@@ -67,6 +69,7 @@ class _Reader:
         self.before = self.line = self.mark = self.top
         self.start = 0  # the token at which the statement began
         self.spent: dict[int, int] = {}  # maps an opener to the inner opener that took its closer
+        self.misspelt: set[int] = set()  # the words that are reported as misspelt keywords
 
     def read(self) -> None:
         """Find the errors, up to `MAX_ERRORS`."""
@@ -104,8 +107,13 @@ class _Reader:
                 "syntax", message, blocks[min(1, len(blocks) - 1)].at, hint
             )  # the last one has no body yet
 
-    def report(self, code: str, message: str, at: int, hint: str = "", last: int | None = None) -> None:
-        """Record an error at token `at`, or from `at` to `last` on the same line."""
+    def report(
+        self, code: str, message: str, at: int, hint: str = "", last: int | None = None, candidate: str = ""
+    ) -> None:
+        """Record an error at token `at`, or from `at` to `last` on the same line.
+
+        `candidate` is a text that may have been meant instead.
+        """
         start, end = self.offsets.span(at)
         if last is not None:
             end = self.offsets.span(last)[1]
@@ -115,7 +123,10 @@ class _Reader:
         if self.kinds[at] == BAD:
             replaced, fix = typography.plain(self.offsets.source.line(line)[column - 1 :])
             length = replaced or length
-        self.diagnostics.append(Diagnostic(code, message, line, column, length=length, hint=hint, fix=fix))
+        candidates = (candidate,) if candidate else ()
+        self.diagnostics.append(
+            Diagnostic(code, message, line, column, length=length, hint=hint, fix=fix, candidates=candidates)
+        )
 
     def _after(self, at: int) -> int:
         """Accept the token `at`, record where lines and statements begin, return the next."""
@@ -209,13 +220,54 @@ class _Reader:
             message = f"`{words}` does not close `{OPENERS[blocks[0].kind]}`"
             self.report("stray-end", message, self.start, f"write {closing(blocks[0].kind)}", at)
             self._close(blocks[:1])
-        else:
+        elif not self._is_opener_misspelt(closer):
             message = f"`{words}` without {_article(name)}"
             hint = self._else_if(at) if closer == "IF" and self.kinds[self.start] in ("END", "ENDIF") else ""
             hint = hint or (self._one_line_if() if closer == "IF" else "")
             hint = hint or f"remove it, or add the {name} it belongs to"
             self.report("stray-end", message, self.start, hint, at)
         return self._skip(at)
+
+    def _is_opener_misspelt(self, closer: str) -> bool:
+        """True if the opener of a closer is misspelt; the word is then reported.
+
+        The word was read as the name of a sub.
+        """
+        for token in range(self.start - 1, max(-1, self.start - MAX_BACK), -1):
+            if self.kinds[token] in DECLARATIONS:
+                return False
+            if self.kinds[token - 1] not in ("_NL", "COLON") and token:
+                continue
+            if self._keyword(token, {OPENERS[closer]: closer}):
+                self._report_misspelt(token, OPENERS[closer])
+                return True
+        return False
+
+    def _keyword(self, at: int, keywords: dict[str, str]) -> str:
+        """Return the keyword that a word was meant to be, "" if there is none.
+
+        The word begins a statement that is valid with the keyword, and is not the name of a sub.
+        """
+        word = self.texts[at]
+        is_name = self.kinds[at] == "NAME" and at not in self.misspelt
+        found = nearest(word, keywords) if is_name else None
+        if found is None or word.lower() in self._subs:
+            return ""
+        return found if feed_all(self.mark, self._with(at, keywords[found]), at) is not None else ""
+
+    def _with(self, at: int, kind: str) -> tuple[str, ...]:
+        """Return the rest of a line with another kind of token at its beginning."""
+        return (kind, *self.kinds[at + 1 : self._line_end(at)], "_NL")
+
+    @property
+    def _subs(self) -> set[str]:
+        """The names of the program's subs, in lower case."""
+        return {name.lower() for kind, name in zip(self.kinds, self.texts[1:], strict=False) if kind == "SUB"}
+
+    def _report_misspelt(self, at: int, keyword: str) -> None:
+        self.misspelt.add(at)
+        message = f"{self.texts[at]} is neither a keyword nor a sub of this program"
+        self.report("unknown-word", message, at, f"did you mean {keyword}?", candidate=keyword)
 
     def _else_if(self, at: int) -> str:
         """Return a hint for a surplus `End If` if an `Else If` was read as ElseIf."""
@@ -293,6 +345,13 @@ class _Reader:
 
     def _wrong(self, at: int) -> int:
         """Report an error inside a statement that no other method has reported."""
+        end = self._line_end(at)
+        if keyword := self._keyword(self.start, KEYWORDS):
+            self._report_misspelt(self.start, keyword)
+            repaired = feed_all(self.mark, self._with(self.start, KEYWORDS[keyword]), self.start)
+            assert repaired is not None
+            self.top = repaired
+            return self._after_line(end)
         kind, text = self.kinds[at], self.texts[at]
         before = self.texts[at - 1] if at else ""
         kinds = expected(TABLES, self.top)
@@ -301,7 +360,6 @@ class _Reader:
         self.report(
             "syntax", expectations.message(kinds, kind, text), at, expectations.hint(kinds, before, text)
         )
-        end = self._line_end(at)
         for plain in plain_lines(self.kinds[self.start : end]):
             if top := feed_all(self.mark, plain, self.start):
                 self.top = top
