@@ -214,9 +214,10 @@ class _Reader:
                 self._missing(block)
             if self._close(blocks[:index]):
                 return self.start
-        if index is not None:
+        is_wrong_end = self.kinds[self.start] == "END" and closing(closer) != f"End {name}"
+        if index is not None and not is_wrong_end:
             self.report("syntax", f"`{words}` is not allowed here", self.start, last=at)
-        elif blocks and self._under(blocks[0]):
+        elif blocks and (index is not None or self._under(blocks[0])):
             message = f"`{words}` does not close `{OPENERS[blocks[0].kind]}`"
             self.report("stray-end", message, self.start, f"write {closing(blocks[0].kind)}", at)
             self._close(blocks[:1])
@@ -357,9 +358,8 @@ class _Reader:
         kinds = expected(TABLES, self.top)
         if kinds <= AFTER_A_NAME:  # in `Run 3` the keyword was read as a name, which was not intended
             kinds = expected(TABLES, self.before)
-        self.report(
-            "syntax", expectations.message(kinds, kind, text), at, expectations.hint(kinds, before, text)
-        )
+        hint = expectations.hint(kinds, before, text, self.kinds[self.start])
+        self.report("syntax", expectations.message(kinds, kind, text), at, hint)
         for plain in plain_lines(self.kinds[self.start : end]):
             if top := feed_all(self.mark, plain, self.start):
                 self.top = top

@@ -46,8 +46,11 @@ def message(kinds: set[str], kind: str, text: str) -> str:
     return f"{sentence}, found {found(kind, text)}"
 
 
-def hint(kinds: set[str], before: str, text: str) -> str:
-    """Return a suggested fix, "" if none is likely."""
+def hint(kinds: set[str], before: str, text: str, first: str) -> str:
+    """Return a suggested fix, "" if none is likely.
+
+    `before` is the token before `text`, and `first` the kind of the statement's first one.
+    """
     if text[:1] == '"' and not text.endswith('"', 1):
         misprint = unclosed(text)
         return misprint[1] if misprint else 'add the closing "'
@@ -74,7 +77,13 @@ def hint(kinds: set[str], before: str, text: str) -> str:
         return "a Function gives its value to its own name: name = value"
     if before in (")", "]") and text[:1].isdigit():
         return f"write = before the value: = {text}"
+    if before.lower() in ("goto", "gosub") and text.isdigit():
+        return f"a label is a name: #begin on a line of its own, and {before} begin"
+    if "`)`" in wanted and not text.strip():
+        return "add )"
     if wanted == ["the end of the line"] and text.strip():
+        if first == "PRINT":
+            return "values are separated by , or ; and statements by : or by a new line"
         return "statements are separated by : or by a new line"
     return ""
 
