@@ -182,8 +182,9 @@ def _no_parameter(rest: str, row: Keyword) -> Fault:
     if row.unit == "text" and row.access == "W":
         return _wants_text(row)
     hint = "commands are separated by commas" if any(c.isascii() and c.isalpha() for c in rest) else ""
-    if rest[0] == "=":
-        hint = f"write the number without =: {row.name}{rest[1:].strip()}"
+    number = rest.strip("=()[] \t")
+    if rest[0] in "=([" and number.replace(".", "", 1).removeprefix("-").isdecimal():
+        hint = f"write the number alone: {row.name}{number}"
     return Fault(codes.FORMAT, f"{rest} is not a number", hint, "syntax")
 
 
