@@ -114,7 +114,7 @@ test("the program is run, profiled and compared with the saved one", async () =>
   await button("Stop").waitFor({ state: "hidden" });
   await palette("Run program");
   await terminal("--allow limit accepts it");
-  await terminal("terminated with exit code");  // the next command takes the same terminal
+  await terminal("exit code");  // the next command takes the same terminal
   await palette("Show where the time goes");
   await terminal("4.5764  65.9%");
   await to(28);
