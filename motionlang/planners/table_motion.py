@@ -1,7 +1,4 @@
-"""Curves through tables of slave positions over master positions.
-
-Between the points they are straight lines or cubics.
-"""
+"""Curves of straight lines through tables, and the slopes of splines."""
 
 from __future__ import annotations
 
@@ -10,16 +7,11 @@ from itertools import pairwise
 
 from motionlang.planners.curve import Profile, from_curve
 
-KINDS = ("linear", "cubic")
 
-
-def table_curve(
-    positions: Sequence[float], values: Sequence[float], kind: str = "linear", cyclic: bool = False
-) -> Profile:
+def table_curve(positions: Sequence[float], values: Sequence[float]) -> Profile:
     """Return the curve with `values` at `positions`, which rise from 0.
 
-    "cubic" is the spline with continuous slope and curvature. At its ends the slope is zero; if it is `cyclic`, its end
-    continues into its beginning instead. Raises ValueError for an invalid table.
+    Raises ValueError for an invalid table.
     """
     if len(positions) != len(values) or len(positions) < 2:
         raise ValueError("a table needs two points or more, and a value for each")
@@ -27,22 +19,10 @@ def table_curve(
         raise ValueError("the positions of a table must rise from 0")
     if not all(abs(x) < 1e300 for x in (*positions, *values)):
         raise ValueError("the numbers of a table must be finite")
-    if kind not in KINDS:
-        raise ValueError(f"there is no table of kind {kind!r}")
-    rises = [(d - c) / (b - a) for (a, b), (c, d) in zip(pairwise(positions), pairwise(values), strict=True)]
-    widths = [b - a for a, b in pairwise(positions)]
-    if kind == "linear":
-        pieces = [(value, rise, 0.0, 0.0, 0.0, 0.0, 0.0) for value, rise in zip(values, rises, strict=False)]
-        ends = rises[0], rises[-1]
-    else:
-        slopes = spline_slopes(widths, rises, cyclic)
-        pieces = [
-            (value, m, (3.0 * rise - 2.0 * m - n) / h, (m + n - 2.0 * rise) / (h * h), 0.0, 0.0, 0.0)
-            for value, rise, h, (m, n) in zip(values, rises, widths, pairwise(slopes), strict=False)
-        ]
-        ends = slopes[0], slopes[-1]
+    slopes = [(d - c) / (b - a) for (a, b), (c, d) in zip(pairwise(positions), pairwise(values), strict=True)]
+    pieces = [(value, slope, 0.0, 0.0, 0.0, 0.0, 0.0) for value, slope in zip(values, slopes, strict=False)]
     curve = (tuple(positions), tuple(pieces), tuple(("segment", i) for i in range(len(pieces))))
-    return from_curve("table", values[0], values[-1], curve, *ends)
+    return from_curve("table", values[0], values[-1], curve, slopes[0], slopes[-1])
 
 
 def spline_slopes(widths: Sequence[float], rises: Sequence[float], cyclic: bool) -> list[float]:

@@ -9,6 +9,7 @@ from motionlang.controller.motion.offset import offset as begin_offset
 from motionlang.controller.moves.cam import Cam
 from motionlang.controller.moves.path import run_of
 from motionlang.planners.table_motion import table_curve
+from tests.planners.splines import cubic_table
 
 
 def machine(axes: int = 2, **settings: float | str) -> Controller:
@@ -43,17 +44,18 @@ def cam(
     positions: list[float],
     values: list[float],
     *,
-    kind: str = "linear",
+    smooth: bool = False,
     cyclic: bool = False,
 ) -> None:
     """Let an axis follow a table over the positions of its master from here, counts."""
     a, tied = controller.movable(axis), controller.axes[master]
     check_chain(a, tied)
-    here, curve = a.position(controller.clock.now), table_curve(positions, values, kind, cyclic)
+    here = a.position(controller.clock.now)
+    curve = cubic_table(positions, values, cyclic) if smooth else table_curve(positions, values)
     move = FollowMove(axis, "CAM", 0, "cam", INFINITY if cyclic else here + curve.end)
     controller.end_move(a, "retarget")
     made = Cam(controller, a, tied, move, curve, cyclic, 0)
-    made.lift, made.ordered = here, (tuple(positions), tuple(values), kind)
+    made.lift, made.ordered = here, (tuple(positions), tuple(values), "smooth" if smooth else "linear")
     made.engage()
 
 

@@ -78,7 +78,7 @@ def perform(c: Controller, step: tuple[Any, ...]) -> None:
         run_on(c, c.clock.now + rest[0])
     elif verb == "cam":
         slave, master, kind, cyclic = rest
-        cam(c, slave, master, *TABLE, kind=kind, cyclic=cyclic)
+        cam(c, slave, master, *TABLE, smooth=kind == "cubic", cyclic=cyclic)
     elif verb == "offset":
         offset(c, *rest)
     elif verb == "load_line_by":

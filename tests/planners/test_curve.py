@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.planners import hold, plan, plan_trapezoid
+from motionlang.planners import Profile, hold, plan, plan_trapezoid
 from motionlang.planners.curve import from_curve, relabelled
 from motionlang.planners.evaluate import positions
 from motionlang.planners.pvt.motion import plan_pvt
-from motionlang.planners.table_motion import KINDS, table_curve
+from motionlang.planners.table_motion import table_curve
 from tests.planners.cases import Move, moves, quick
+from tests.planners.splines import cubic_table
 from tests.planners.verify import verify
 
 fractions = st.floats(0.0, 1.0)
@@ -33,9 +36,15 @@ def test_the_crossing_of_a_position_is_where_it_is_first_reached(move: Move, fra
 
 
 @quick
-@given(st.lists(st.floats(-100.0, 100.0), min_size=3, max_size=30), st.sampled_from(KINDS), fractions)
-def test_no_crossing_of_a_table_is_missed(values: list[float], kind: str, fraction: float) -> None:
-    made = table_curve([float(n) for n in range(len(values))], values, kind)
+@given(
+    st.lists(st.floats(-100.0, 100.0), min_size=3, max_size=30),
+    st.sampled_from((table_curve, cubic_table)),
+    fractions,
+)
+def test_no_crossing_of_a_table_is_missed(
+    values: list[float], make: Callable[..., Profile], fraction: float
+) -> None:
+    made = make([float(n) for n in range(len(values))], values)
     reached = fraction * made.duration
     wanted = made.position(reached)
     time = made.crossing(wanted)

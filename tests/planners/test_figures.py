@@ -44,6 +44,7 @@ from motionlang.planners.solve import solve_move
 from motionlang.planners.superposition import added
 from motionlang.planners.table_motion import table_curve
 from motionlang.planners.total import exact_terms, total
+from tests.planners.splines import cubic_table
 
 Piece = tuple[float, float, float, float, float, float, float]
 # x³ - 6x² + 9x + 2, with extrema at 1 and 3 and an inflection at 2.
@@ -495,22 +496,19 @@ def test_figures_that_make_no_move(rule: str | None, given: dict[str, float], me
 
 
 @pytest.mark.parametrize(
-    ("positions", "values", "kind", "message"),
+    ("positions", "values", "message"),
     [
-        ([0.0], [0.0], "linear", "two points or more, and a value for each"),
-        ([0.0, 1.0], [0.0], "linear", "two points or more, and a value for each"),
-        ([0.0, 0.0], [0.0, 1.0], "linear", "must rise from 0"),
-        ([1.0, 2.0], [0.0, 1.0], "linear", "must rise from 0"),
-        ([0.0, inf], [0.0, 1.0], "linear", "must be finite"),
-        ([0.0, 1.0], [0.0, 1e300], "linear", "must be finite"),
-        ([0.0, 1.0], [0.0, 1.0], "round", "no table of kind 'round'"),
+        ([0.0], [0.0], "two points or more, and a value for each"),
+        ([0.0, 1.0], [0.0], "two points or more, and a value for each"),
+        ([0.0, 0.0], [0.0, 1.0], "must rise from 0"),
+        ([1.0, 2.0], [0.0, 1.0], "must rise from 0"),
+        ([0.0, inf], [0.0, 1.0], "must be finite"),
+        ([0.0, 1.0], [0.0, 1e300], "must be finite"),
     ],
 )
-def test_a_table_that_makes_no_curve(
-    positions: list[float], values: list[float], kind: str, message: str
-) -> None:
+def test_a_table_that_makes_no_curve(positions: list[float], values: list[float], message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        table_curve(positions, values, kind)
+        table_curve(positions, values)
 
 
 def test_a_table_of_two_kinds() -> None:
@@ -518,7 +516,7 @@ def test_a_table_of_two_kinds() -> None:
 
     A quarter of the way it is at 3/16 - 1/32 of the rise, 0.625.
     """
-    line, cubic = table_curve([0.0, 2.0], [0.0, 4.0]), table_curve([0.0, 2.0], [0.0, 4.0], "cubic")
+    line, cubic = table_curve([0.0, 2.0], [0.0, 4.0]), cubic_table([0.0, 2.0], [0.0, 4.0])
     assert (line.position(0.5), line.start_velocity, line.end_velocity) == (1.0, 2.0, 2.0)
     assert [cubic.position(x) for x in (0.0, 0.5, 1.0, 2.0)] == pytest.approx([0.0, 0.625, 2.0, 4.0])
     assert [cubic.velocity(x) for x in (0.0, 1.0)] == pytest.approx([0.0, 3.0])
@@ -529,7 +527,7 @@ def test_a_cyclic_table_continues_into_its_beginning() -> None:
 
     The condition at 0 is 2 · 0 + 4 m + 0 = 3 (1 + 1), so m is 1.5.
     """
-    wave = table_curve([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, -1.0, 0.0], "cubic", cyclic=True)
+    wave = cubic_table([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, -1.0, 0.0], True)
     assert [wave.velocity(x) for x in (0.0, 1.0, 2.0, 3.0)] == pytest.approx([1.5, 0.0, -1.5, 0.0])
     assert (wave.start_velocity, wave.end_velocity) == pytest.approx((1.5, 1.5))
 
@@ -564,11 +562,11 @@ def test_a_table_with_unequal_distances() -> None:
     The condition at 1 is 2 m (1/1 + 1/2) - m/2 = 3 (1/1 + 0/2), so m is 1.2. With two segments, from 0 by 1 to 1 and by
     2 to 0, it is 2 m (1/1 + 1/2) = 3 (1/1 - 0.5/2), so m is 0.75.
     """
-    made = table_curve([0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 1.0, 0.0], "cubic")
+    made = cubic_table([0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 1.0, 0.0])
     assert [made.velocity(x) for x in (0.0, 1.0, 3.0)] == pytest.approx([0.0, 1.2, -1.2])
-    assert table_curve([0.0, 1.0, 3.0], [0.0, 1.0, 0.0], "cubic").velocity(1.0) == pytest.approx(0.75)
+    assert cubic_table([0.0, 1.0, 3.0], [0.0, 1.0, 0.0]).velocity(1.0) == pytest.approx(0.75)
     # The same mirrored: 2 m (1/2 + 1/1) = 3 (0.5/2 - 1/1).
-    assert table_curve([0.0, 2.0, 3.0], [0.0, 1.0, 0.0], "cubic").velocity(2.0) == pytest.approx(-0.75)
+    assert cubic_table([0.0, 2.0, 3.0], [0.0, 1.0, 0.0]).velocity(2.0) == pytest.approx(-0.75)
 
 
 def test_a_sum_of_formulas_adds_their_states() -> None:

@@ -25,6 +25,7 @@ from motionlang.planners.sequence import ProfileSequence
 from motionlang.planners.superposition import Superposed, added
 from motionlang.planners.table_motion import table_curve
 from tests.planners.cases import Move, moves, quick
+from tests.planners.splines import cubic_table
 
 CIRCLE = 2.0 * math.pi * 10.0
 # A rise by 10 over 4 with no slope at its ends: 3 * 10/4² x² - 2 * 10/4³ x³.
@@ -345,7 +346,7 @@ def test_a_table_that_ends_at_rest_is_just_before_it_once(position: float) -> No
 
     Its last cubic is 10 + 7.5·u - 45·u² + 27.5·u³ up to u = 1.
     """
-    table = table_curve([0.0, 3.0, 3.5, 4.5], [0.0, 0.0, 10.0, 0.0], "cubic")
+    table = cubic_table([0.0, 3.0, 3.5, 4.5], [0.0, 0.0, 10.0, 0.0])
     found = crossings(table, position)
     assert len(found) == 2
     assert found[1] == pytest.approx(4.5 - math.sqrt(position / 37.5), abs=2e-5)

@@ -39,8 +39,9 @@ from motionlang.planners.sequence import ProfileSequence
 from motionlang.planners.solve import solve_move
 from motionlang.planners.stop import ramps_of
 from motionlang.planners.superposition import Superposed, added
-from motionlang.planners.table_motion import spline_slopes, table_curve
+from motionlang.planners.table_motion import spline_slopes
 from motionlang.planners.trapezoid import from_rest
+from tests.planners.splines import cubic_table
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -180,7 +181,7 @@ def test_a_curve_has_no_turning_points_beyond_its_pieces() -> None:
 
 
 def test_each_cubic_of_a_table_ends_where_the_next_one_begins() -> None:
-    made = table_curve([0.0, 1.0, 3.0, 4.0], [0.0, 5.0, 2.0, 8.0], "cubic")
+    made = cubic_table([0.0, 1.0, 3.0, 4.0], [0.0, 5.0, 2.0, 8.0])
     ends = [
         position_in(piece, b - a)
         for piece, a, b in zip(made.pieces, made.knots, made.knots[1:], strict=False)

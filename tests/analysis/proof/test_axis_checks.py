@@ -282,7 +282,7 @@ def test_the_time_of_a_speed_reference(v0: float, a0: float, v1: float, time: fl
 def test_a_curve_goes_on_straight_at_its_ends(along: float, value: float) -> None:
     """From 3 to 8 over 2, and to 10 over 2 more."""
     positions, values = (0.0, 2.0, 4.0), (3.0, 8.0, 10.0)
-    curve = table_curve(list(positions), list(values), "linear")
+    curve = table_curve(list(positions), list(values))
     master: Any = None
     assert _on(curve, along) == pytest.approx(value)
     assert _wanted(Tie(master, table=(positions, values, "linear")), hold(0.0), along) == pytest.approx(value)

@@ -333,7 +333,7 @@ def test_a_linear_cam_repeats_and_advances() -> None:
 
 def test_a_cam_once_ends_by_itself() -> None:
     c = machine()
-    cam(c, 1, 0, [0.0, 10.0, 20.0], [0.0, 4.0, 3.0], kind="cubic")
+    cam(c, 1, 0, [0.0, 10.0, 20.0], [0.0, 4.0, 3.0], smooth=True)
     c.move_to(0, 30.0)
     until(c, 9.0)
     assert c.position(1) == pytest.approx(3.0)
@@ -361,18 +361,18 @@ def test_a_slave_that_leaves_its_cam_in_motion_brakes_beyond_it(rise: float) -> 
 @quick
 @given(st.lists(st.floats(-9.0, 9.0), min_size=2, max_size=7), st.floats(-60.0, 60.0), st.booleans())
 def test_a_cyclic_cubic_cam_is_where_its_spline_is(values: list[float], distance: float, back: bool) -> None:
-    from motionlang.planners.table_motion import table_curve
+    from tests.planners.splines import cubic_table
 
     values = [0.0, *values]
     positions = [3.0 * k for k in range(len(values))]
     c = machine()
-    cam(c, 1, 0, positions, values, kind="cubic", cyclic=True)
+    cam(c, 1, 0, positions, values, smooth=True, cyclic=True)
     c.move_to(0, distance)
     if back:
         until(c, 1.0)
         c.move_to(0, -distance)
     until(c, 99.0)
-    curve = table_curve(positions, values, "cubic", True)
+    curve = cubic_table(positions, values, True)
     length, rise = positions[-1], values[-1]
     for k in range(200):
         t = k * c.axes[0].starts[-1] / 200.0
@@ -383,15 +383,15 @@ def test_a_cyclic_cubic_cam_is_where_its_spline_is(values: list[float], distance
 
 
 def test_the_spline_is_smooth_and_closes() -> None:
-    from motionlang.planners.table_motion import table_curve
+    from tests.planners.splines import cubic_table
 
-    curve = table_curve([0.0, 1.0, 3.0, 4.0, 6.0], [0.0, 2.0, -1.0, 4.0, 3.0], "cubic", True)
+    curve = cubic_table([0.0, 1.0, 3.0, 4.0, 6.0], [0.0, 2.0, -1.0, 4.0, 3.0], True)
     for knot in (1.0, 3.0, 4.0):
         for read, slack in ((curve.position, 1e-6), (curve.velocity, 1e-6), (curve.acceleration, 1e-6)):
             assert read(knot - 1e-9) == pytest.approx(read(knot + 1e-9), abs=slack)
     assert curve.velocity(0.0) == pytest.approx(curve.velocity(6.0))
     assert curve.acceleration(0.0) == pytest.approx(curve.acceleration(6.0 - 1e-9), abs=1e-6)
-    level = table_curve([0.0, 1.0, 3.0], [0.0, 2.0, -1.0], "cubic")
+    level = cubic_table([0.0, 1.0, 3.0], [0.0, 2.0, -1.0])
     assert (level.velocity(0.0), level.velocity(3.0)) == (0.0, 0.0)
 
 
@@ -492,10 +492,10 @@ def test_a_triangle_of_16_a_second_squared_is_done_where_both_limits_allow_it(
 
 def test_an_offset_on_a_cam() -> None:
     c = machine()
-    cam(c, 1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], kind="cubic", cyclic=True)
+    cam(c, 1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], smooth=True, cyclic=True)
     c.jog(0, 10.0)
     plain = machine()
-    cam(plain, 1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], kind="cubic", cyclic=True)
+    cam(plain, 1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], smooth=True, cyclic=True)
     plain.jog(0, 10.0)
     offset(until(c, 1.0), 1, 3.0)
     until(plain, 6.0)
@@ -538,7 +538,7 @@ def test_a_second_offset_on_a_cam_replaces_the_first_on_its_way() -> None:
     """
     c, plain = machine(), machine()
     for each in (c, plain):
-        cam(each, 1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], kind="cubic", cyclic=True)
+        cam(each, 1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], smooth=True, cyclic=True)
         each.jog(0, 10.0)
     offset(until(c, 1.0), 1, 6.0)
     until(c, 1.35)

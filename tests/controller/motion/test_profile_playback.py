@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.motion.profile_playback import Playback
-from motionlang.planners.table_motion import table_curve
 from tests.cases import examples
 from tests.controller.machines import machine, until
+from tests.planners.splines import cubic_table
 
 quick = settings(max_examples=examples(60))
 TIMES = [0.0, 0.5, 1.0, 1.5, 2.0]
@@ -21,8 +21,8 @@ TIMES = [0.0, 0.5, 1.0, 1.5, 2.0]
 def playing(on_path: bool = True) -> Controller:
     """Return two axes on a spline of half a second per point."""
     c = machine(suspend_time=0.2)
-    c.play(0, table_curve(TIMES, [0.0, 3.0, 5.0, 2.0, 8.0], "cubic"), "SPLINE", 3, on_path)
-    c.play(1, table_curve(TIMES, [0.0, -1.0, 4.0, 4.0, 1.0], "cubic"), "SPLINE", 3, on_path)
+    c.play(0, cubic_table(TIMES, [0.0, 3.0, 5.0, 2.0, 8.0]), "SPLINE", 3, on_path)
+    c.play(1, cubic_table(TIMES, [0.0, -1.0, 4.0, 4.0, 1.0]), "SPLINE", 3, on_path)
     return c
 
 
@@ -168,7 +168,7 @@ def test_a_new_zero_shifts_the_points_that_are_left(name: str, begin: float) -> 
         c.move_to(0, 1.0)
         until(c, 4.0).move_to(0, 0.0)
     until(c, begin)
-    c.play(0, table_curve(UNEVEN, [0.0, 3.0, 5.0, 2.0], "cubic"), "SPLINE", 3, True)
+    c.play(0, cubic_table(UNEVEN, [0.0, 3.0, 5.0, 2.0]), "SPLINE", 3, True)
     axis, playback = until(c, time).axes[0], Playback()
     playback.ordered = [0.0, 3.0, 5.0, 2.0], [0.0, 10.0, 20.0, 0.0], [0.5, 1.0, 0.25]
     playback.shift(c, axis, 100.0)
@@ -183,7 +183,7 @@ def test_a_profile_played_on_a_suspended_axis_waits_at_its_beginning() -> None:
     """The first segment takes the 0.2 s of suspending, the others 1.5 s."""
     c = machine(suspend_time=0.2)
     c.suspend(0)
-    c.play(0, table_curve(TIMES, [0.0, 3.0, 5.0, 2.0, 8.0], "cubic"), "SPLINE", 3, on_path=True)
+    c.play(0, cubic_table(TIMES, [0.0, 3.0, 5.0, 2.0, 8.0]), "SPLINE", 3, on_path=True)
     assert until(c, 1.0).position(0) == 0.0
     assert (c.idle_time(0), c.velocity(0), c.target(0)) == (float("inf"), 0.0, 8.0)
     c.resume(0)

@@ -139,7 +139,7 @@ def _slave(c: Controller) -> None:
 
 
 def _cam(c: Controller) -> None:
-    cam(c, 0, 1, [0.0, 10.0, 20.0, 30.0, 60.0], [0.0, 10.0, 20.0, 10.0, 0.0], kind="cubic")
+    cam(c, 0, 1, [0.0, 10.0, 20.0, 30.0, 60.0], [0.0, 10.0, 20.0, 10.0, 0.0], smooth=True)
     c.jog(1, 10.0)
 
 
