@@ -60,6 +60,10 @@ def named() -> dict[str, set[str]]:
         # Placeholders of options.
         apart = {
             each.value for each in nodes_of(path) if isinstance(each, ast.keyword) and each.arg == "metavar"
+        } | {
+            each.args[1]
+            for each in nodes_of(path)
+            if isinstance(each, ast.Call) and isinstance(each.func, ast.Name) and each.func.id == "option"
         }
         for node in nodes_of(path):
             text = node.value if isinstance(node, ast.Constant) and node not in apart else None

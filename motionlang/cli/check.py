@@ -13,7 +13,7 @@ from motionlang.cli.findings_options import add_form
 from motionlang.cli.fix import Fixed, fix
 from motionlang.cli.input_files import read_source
 from motionlang.cli.parallel import add_jobs, in_parallel
-from motionlang.cli.parser import Commands, add_command, arrange
+from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.cli.program_files import programs
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import dialect, dialect_of, machine_of
@@ -68,57 +68,35 @@ class CheckOptions:
     quiet: bool = False
 
 
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang check` and its options."""
-    parser = add_command(commands, "check", summary, _check_files, EPILOG)
-    parser.add_argument(
-        "files",
-        metavar="FILE",
-        nargs="*",
-        default=["."],
-        help="programs, or folders of programs; default: this folder; - reads standard input",
-    )
-    add_dialect(parser)
-    parser.add_argument(
-        "--machine",
-        metavar="M.toml",
-        help="the machine file; default: pick.machine.toml next to pick.mnt, if it exists",
-    )
-    parser.add_argument(
-        "--model",
-        type=_model,
-        metavar="MODEL",
-        help=(
-            "the controller model: mint4, mintmt or a product name such as NextMove ESB; for MCCL one of "
-            f"{', '.join(MODELS)}"
-        ),
-    )
-    parser.add_argument("--strict", action="store_true", help="treat warnings as errors")
-    parser.add_argument(
-        "--evidence",
-        action="store_true",
-        help="list the unconfirmed assumptions that each program depends on, and the evidence for each",
-    )
-    parser.add_argument(
-        "--literals",
-        action="store_true",
-        help="list the numbers of each program by the addresses that --set and --vary take, such as SPEED[0]@12",
-    )
-    parser.add_argument(
-        "--fix",
-        action="store_true",
-        help="fix what has only one possible fix, in the files, then report the rest",
-    )
-    add_form(parser, "print the diagnostics only")
-    add_jobs(parser)
-    arrange(parser, GROUPS)
-
-
 def _model(text: str) -> str:
     problem = unknown_model(text)
     if problem is not None:
         raise argparse.ArgumentTypeError("; ".join(problem))
     return text
+
+
+_OPTIONS = (
+    option("files", "FILE", "programs, or folders of programs; default: this folder; - reads standard input",
+           nargs="*", default=["."]),
+    option("--machine", "M.toml", "the machine file; default: pick.machine.toml next to pick.mnt, if it exists"),
+    option("--model", "MODEL", "the controller model: mint4, mintmt or a product name such as NextMove ESB; for MCCL "
+           f"one of {', '.join(MODELS)}", _model),
+    flag("--strict", "treat warnings as errors"),
+    flag("--evidence", "list the unconfirmed assumptions that each program depends on, and the evidence for each"),
+    flag("--literals", "list the numbers of each program by the addresses that --set and --vary take, such as "
+         "SPEED[0]@12"),
+    flag("--fix", "fix what has only one possible fix, in the files, then report the rest"),
+)  # fmt: skip
+
+
+def add_parser(commands: Commands, summary: str) -> None:
+    """Add `motionlang check` and its options."""
+    parser = add_command(commands, "check", summary, _check_files, EPILOG)
+    add_dialect(parser)
+    add_all(parser, _OPTIONS)
+    add_form(parser, "print the diagnostics only")
+    add_jobs(parser)
+    arrange(parser, GROUPS)
 
 
 def _check_files(arguments: argparse.Namespace) -> int:

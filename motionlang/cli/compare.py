@@ -16,7 +16,7 @@ from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.numbers import machine_time, real
 from motionlang.cli.options import Options
 from motionlang.cli.output_files import written
-from motionlang.cli.parser import add_command, arrange
+from motionlang.cli.parser import add_all, add_command, arrange, flag, option
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 
@@ -44,51 +44,6 @@ examples:
 """
 
 
-def add_parser(commands: Commands, summary: str) -> None:
-    """Add `motionlang compare` and its options."""
-    parser = add_command(commands, "compare", summary, _command, EPILOG)
-    parser.add_argument("file", metavar="FILE", help="the program")
-    parser.add_argument("recording", metavar="CSV", help="the recording, in columns; - reads standard input")
-    add_machine(parser)
-    add_mapping(parser)
-    parser.add_argument(
-        "--tolerance",
-        action="append",
-        default=[],
-        type=_tolerance,
-        metavar="WHAT=SIZE",
-        help=(
-            "the largest residual allowed: position=0.05uu for every axis, position.0=0.05uu for one; may "
-            "be repeated"
-        ),
-    )
-    parser.add_argument(
-        "--until", type=machine_time, metavar="S", help="end the run after S seconds of machine time"
-    )
-    parser.add_argument("--plot", metavar="PAGE", help="draw both into an .html page")
-    parser.add_argument("--all", action="store_true", help="list every move with its phases")
-    add_format(parser)
-    arrange(parser, GROUPS)
-
-
-def add_mapping(parser: argparse.ArgumentParser) -> None:
-    """Add the options for the columns of a recording and for its delay."""
-    parser.add_argument(
-        "--map",
-        action="append",
-        default=[],
-        type=_mapped,
-        metavar="WHAT=COLUMN",
-        help="assign a column, by name or number, to time, position.0, velocity.1 …; may be repeated",
-    )
-    parser.add_argument(
-        "--delay",
-        type=real("a number of seconds", -float_info.max),
-        metavar="S",
-        help="the delay of the recording behind the run, s; default: fitted",
-    )
-
-
 def _mapped(text: str) -> Mapped:
     from motionlang.analysis.compare.comparison import Mapped
 
@@ -113,6 +68,40 @@ def _tolerance(text: str) -> tuple[str, float]:
     if not 0.0 <= value < inf:
         raise argparse.ArgumentTypeError(f"{text!r} is not a tolerance such as position=0.05uu")
     return (what.strip() if equals else "position"), value
+
+
+_OPTIONS = (
+    option("--tolerance", "WHAT=SIZE", "the largest residual allowed: position=0.05uu for every axis, "
+           "position.0=0.05uu for one; may be repeated", _tolerance, action="append", default=[]),
+    option("--until", "S", "end the run after S seconds of machine time", machine_time),
+    option("--plot", "PAGE", "draw both into an .html page"),
+    flag("--all", "list every move with its phases"),
+)  # fmt: skip
+
+
+def add_parser(commands: Commands, summary: str) -> None:
+    """Add `motionlang compare` and its options."""
+    parser = add_command(commands, "compare", summary, _command, EPILOG)
+    parser.add_argument("file", metavar="FILE", help="the program")
+    parser.add_argument("recording", metavar="CSV", help="the recording, in columns; - reads standard input")
+    add_machine(parser)
+    add_mapping(parser)
+    add_all(parser, _OPTIONS)
+    add_format(parser)
+    arrange(parser, GROUPS)
+
+
+_MAPPING = (
+    option("--map", "WHAT=COLUMN", "assign a column, by name or number, to time, position.0, velocity.1 …; may be "
+           "repeated", _mapped, action="append", default=[]),
+    option("--delay", "S", "the delay of the recording behind the run, s; default: fitted",
+           real("a number of seconds", -float_info.max)),
+)  # fmt: skip
+
+
+def add_mapping(parser: argparse.ArgumentParser) -> None:
+    """Add the options for the columns of a recording and for its delay."""
+    add_all(parser, _MAPPING)
 
 
 def _command(arguments: argparse.Namespace) -> int:

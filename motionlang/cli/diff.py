@@ -24,7 +24,7 @@ from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import set_values
 from motionlang.cli.numbers import machine_time
 from motionlang.cli.output_files import written
-from motionlang.cli.parser import Commands, add_command, arrange
+from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.cli.world_options import add_world, with_world, world_of
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
@@ -63,6 +63,15 @@ GROUPS = {
 }
 
 
+_OPTIONS = (
+    option("--tolerance", "WHAT=SIZE", "ignore smaller differences: time=1ms, position=0.01uu, speed=2%%; may be "
+           "repeated", action="append", default=[]),
+    option("--until", "S", "end the runs after S seconds of machine time", machine_time),
+    option("--plot", "PAGE", "draw both runs into an .html page"),
+    flag("--all", "list every difference, not only the first ones of each kind"),
+)  # fmt: skip
+
+
 def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang diff` and its options."""
     parser = add_command(commands, "diff", summary, diff_command, EPILOG)
@@ -93,11 +102,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     for side in "ab":
         add_world(parser, side)
     add_mapping(parser)
-    add("--tolerance", action="append", default=[], metavar="WHAT=SIZE",
-        help="ignore smaller differences: time=1ms, position=0.01uu, speed=2%%; may be repeated")  # fmt: skip
-    add("--until", type=machine_time, metavar="S", help="end the runs after S seconds of machine time")
-    add("--plot", metavar="PAGE", help="draw both runs into an .html page")
-    add("--all", action="store_true", help="list every difference, not only the first ones of each kind")
+    add_all(parser, _OPTIONS)
     add_format(parser)
     arrange(parser, GROUPS)
 

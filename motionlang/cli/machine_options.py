@@ -6,27 +6,22 @@ import argparse
 from collections.abc import Sequence
 
 from motionlang.cli.dialect_option import add_dialect
+from motionlang.cli.parser import add_all, option
 from motionlang.errors import ProgramError, clipped, shown
 from motionlang.lang.literals import canonical
 from motionlang.lang.machine.file import check_setting, current_key, read_value
+
+_MACHINE = (
+    option("--machine", "M.toml", "the machine file; default: pick.machine.toml next to pick.mnt, if it exists"),
+    option("--set", "NAME=VALUE", "set a name of the program, or a key of the machine file by its dotted name, such "
+           "as controller.axes; may be repeated", action="append", default=[]),
+)  # fmt: skip
 
 
 def add_machine(parser: argparse.ArgumentParser) -> None:
     """Add the machine options of `run`, `repl` and `serve`."""
     add_dialect(parser)
-    parser.add_argument(
-        "--machine",
-        metavar="M.toml",
-        help="the machine file; default: pick.machine.toml next to pick.mnt, if it exists",
-    )
-    parser.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        metavar="NAME=VALUE",
-        help="set a name of the program, or a key of the machine file by its dotted name, such as "
-        "controller.axes; may be repeated",
-    )
+    add_all(parser, _MACHINE)
 
 
 def set_values(

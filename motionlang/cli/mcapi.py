@@ -13,8 +13,8 @@ from motionlang.cli.machine_options import add_machine
 from motionlang.cli.mcapi_run import run_host
 from motionlang.cli.numbers import real
 from motionlang.cli.options import Options
-from motionlang.cli.parser import add_command, arrange, sentence
-from motionlang.cli.serve import GROUPS, add_addresses, add_board, read_board
+from motionlang.cli.parser import add_all, add_command, arrange, option, sentence
+from motionlang.cli.serve import ADDRESSES, BOARD, GROUPS, read_board
 from motionlang.errors import Diagnostic
 
 if TYPE_CHECKING:
@@ -65,29 +65,24 @@ def _add_run(commands: Commands) -> None:
         "program", metavar="PROGRAM", nargs="+", help="the host program and its arguments, after --"
     )
     parser.add_argument("--record", metavar="FILE", help="write every call with its answer into FILE")
-    add_addresses(parser)
-    add_board(parser)
+    add_all(parser, (*ADDRESSES, *BOARD))
+    add_machine(parser)
     arrange(parser, GROUPS)
+
+
+_REPLAY = (
+    option("file", "FILE", "the log"),
+    option("--skew", "S", "how far the times of the log may be from those here, in seconds (0.01)",
+           _NOT_NEGATIVE, default=0.01),
+    option("--tolerance", "COUNTS", "how far a position may be from the one here, in counts (0)",
+           _NOT_NEGATIVE, default=0.0),
+)  # fmt: skip
 
 
 def _add_replay(commands: Commands) -> None:
     summary = "carry out a log of calls in virtual time and compare the answers"
     parser = add_command(commands, "replay", summary, replay_command)
-    parser.add_argument("file", metavar="FILE", help="the log")
-    parser.add_argument(
-        "--skew",
-        type=_NOT_NEGATIVE,
-        default=0.01,
-        metavar="S",
-        help="how far the times of the log may be from those here, in seconds (0.01)",
-    )
-    parser.add_argument(
-        "--tolerance",
-        type=_NOT_NEGATIVE,
-        default=0.0,
-        metavar="COUNTS",
-        help="how far a position may be from the one here, in counts (0)",
-    )
+    add_all(parser, _REPLAY)
     add_machine(parser)
 
 

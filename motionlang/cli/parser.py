@@ -6,12 +6,12 @@ import argparse
 import os
 import re
 import sys
-from typing import TYPE_CHECKING, NoReturn, TypeAlias
+from typing import TYPE_CHECKING, Any, NoReturn, TypeAlias
 
 from motionlang.errors import nearest, renamed
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
 
     from _typeshed import SupportsWrite
 
@@ -189,6 +189,8 @@ def _in_our_words(message: str, noun: str) -> str:
     return f"argument {wrong[1]}: {wrong[2]!r} is not one of {choices}"
 
 
+# The names of an option, and the other arguments of `add_argument`.
+Row: TypeAlias = "tuple[list[str], dict[str, Any]]"
 Commands: TypeAlias = "argparse._SubParsersAction[Parser]"
 
 
@@ -198,6 +200,27 @@ def add_command(
     parser = commands.add_parser(name, help=summary, description=sentence(summary), epilog=epilog)
     parser.set_defaults(command=call, parser=parser)
     return parser
+
+
+def option(
+    names: str, metavar: str | None, help: str, type: Callable[[str], object] | None = None, **more: object
+) -> Row:
+    """Return an option or argument with a value; `more` goes to `add_argument`."""
+    if type is not None:
+        more["type"] = type
+    if metavar is not None:
+        more["metavar"] = metavar
+    return names.split(), {"help": help, **more}
+
+
+def flag(name: str, help: str) -> Row:
+    """Return an option without a value."""
+    return [name], {"action": "store_true", "help": help}
+
+
+def add_all(parser: argparse._ActionsContainer, rows: Iterable[Row]) -> None:
+    for names, options in rows:
+        parser.add_argument(*names, **options)
 
 
 def arrange(parser: argparse.ArgumentParser, groups: Mapping[str, str]) -> None:

@@ -13,7 +13,7 @@ import sys
 from motionlang.analysis.planning import WRITERS, number, solve_plan
 from motionlang.cli.format_options import add_format
 from motionlang.cli.output_files import need_writer
-from motionlang.cli.parser import Commands, add_command, arrange
+from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.cli.plan_scale import add_scale_arguments, scale_of
 from motionlang.execution import dialects
 from motionlang.notes.an00115 import formulas
@@ -67,6 +67,14 @@ GROUPS = {
 }
 
 
+_OPTIONS = (
+    option("--axis", "N", "the axis of the program; default: the first of the language", int),
+    flag("--use-times", "write ACCELTIME and DECELTIME instead of rates (Mint)"),
+    option("--dialect", None, "the language of the program; default: both", choices=dialects()),
+    option("--plot", "FILE", "draw the move into a .png or .svg file"),
+)  # fmt: skip
+
+
 def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang plan` and its options."""
     parser = add_command(commands, "plan", summary, plan_command)
@@ -74,14 +82,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         parser.add_argument(f"--{name.replace('_', '-')}", type=float, metavar="X", help=HELP[name])
     parser.add_argument("--rule", choices=tuple(RULES), help="how to split the time if the figures do not")
     add_scale_arguments(parser)
-    parser.add_argument(
-        "--axis", type=int, metavar="N", help="the axis of the program; default: the first of the language"
-    )
-    parser.add_argument(
-        "--use-times", action="store_true", help="write ACCELTIME and DECELTIME instead of rates (Mint)"
-    )
-    parser.add_argument("--dialect", choices=dialects(), help="the language of the program; default: both")
-    parser.add_argument("--plot", metavar="FILE", help="draw the move into a .png or .svg file")
+    add_all(parser, _OPTIONS)
     add_format(parser)
     parser.epilog = EPILOG
     arrange(parser, GROUPS)

@@ -7,31 +7,35 @@ from __future__ import annotations
 
 import argparse
 
+from motionlang.cli.parser import add_all, flag, option
 from motionlang.planners.counts import linear_scale, rotary_scale
 
 MIN_VALUE, MAX_VALUE = 1e-6, 1e12
 
 
+def _ratio(text: str) -> float:
+    """Parse a ratio in usual notation: 3, 3:1 or 7:2."""
+    above, _, below = text.partition(":")
+    try:
+        return float(above) / float(below or 1)
+    except ZeroDivisionError:
+        raise ValueError(text) from None
+
+
+_ARGUMENTS = (
+    option("--scale", "COUNTS", "counts per user unit (1)", float),
+    option("--encoder-lines", "N", "encoder lines per motor revolution, to compute the scale", float),
+    option("--quadrature", "N", "counts per encoder line: 1, 2 or 4 (4)", int),
+    option("--gear", "N[:M]", "motor revolutions per load revolution (1)", _ratio),
+    option("--pitch", "X", "user units per load revolution", float),
+    flag("--degrees", "user units are degrees, 360 per load revolution"),
+    option("--resolution", "X", "user units per count of a linear encoder", float),
+)  # fmt: skip
+
+
 def add_scale_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options for the counts per user unit."""
-    parser.add_argument("--scale", type=float, metavar="COUNTS", help="counts per user unit (1)")
-    parser.add_argument(
-        "--encoder-lines",
-        type=float,
-        metavar="N",
-        help="encoder lines per motor revolution, to compute the scale",
-    )
-    parser.add_argument("--quadrature", type=int, metavar="N", help="counts per encoder line: 1, 2 or 4 (4)")
-    parser.add_argument(
-        "--gear", type=_ratio, metavar="N[:M]", help="motor revolutions per load revolution (1)"
-    )
-    parser.add_argument("--pitch", type=float, metavar="X", help="user units per load revolution")
-    parser.add_argument(
-        "--degrees", action="store_true", help="user units are degrees, 360 per load revolution"
-    )
-    parser.add_argument(
-        "--resolution", type=float, metavar="X", help="user units per count of a linear encoder"
-    )
+    add_all(parser, _ARGUMENTS)
 
 
 def scale_of(arguments: argparse.Namespace) -> tuple[float, str]:
@@ -65,12 +69,3 @@ def _rotary(arguments: argparse.Namespace) -> tuple[float, str]:
     per_turn = 360.0 if arguments.degrees else arguments.pitch
     how = f"{lines:g} lines · {quadrature}" + (f" · {gear:g}" if gear != 1.0 else "") + f" / {per_turn:g}"
     return rotary_scale(lines, per_turn, gear, quadrature), how
-
-
-def _ratio(text: str) -> float:
-    """Parse a ratio in usual notation: 3, 3:1 or 7:2."""
-    above, _, below = text.partition(":")
-    try:
-        return float(above) / float(below or 1)
-    except ZeroDivisionError:
-        raise ValueError(text) from None

@@ -23,7 +23,7 @@ from motionlang.assumptions.questions import of_word, questions
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.input_files import read_source
 from motionlang.cli.numbers import real
-from motionlang.cli.parser import Commands, add_command, arrange
+from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.errors import nearest
 from motionlang.execution import dialect, dialects
 from motionlang.source import STDIN, STDIN_NAME, name_of
@@ -53,33 +53,21 @@ examples:
 DEFAULT, SHOWN = "-default", 6
 
 
+_OPTIONS = (
+    option("what", "mint|mccl|NAME", "the language of the controller, or the name of one question", nargs="?"),
+    flag("--list", "list the questions of a language or about a keyword, one per line"),
+    option("--answers", "LOG", "read the controller's terminal output; - reads standard input"),
+    option("--motion", "DISTANCE", "include questions that need motion; the axis moves at most this far, in user "
+           "units, from its position", real("a distance above 0", 0.0, above=True)),
+    option("--axis", "N", "the axis to test; default: the first", int),
+    option("--skip", "NAME", "leave a question out; may be repeated", action="append", default=[]),
+)  # fmt: skip
+
+
 def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang probe` and its options."""
     parser = add_command(commands, "probe", summary, _probe, EPILOG)
-    add = parser.add_argument
-    add(
-        "what",
-        metavar="mint|mccl|NAME",
-        nargs="?",
-        help="the language of the controller, or the name of one question",
-    )
-    add(
-        "--list",
-        action="store_true",
-        help="list the questions of a language or about a keyword, one per line",
-    )
-    add("--answers", metavar="LOG", help="read the controller's terminal output; - reads standard input")
-    add(
-        "--motion",
-        type=real("a distance above 0", 0.0, above=True),
-        metavar="DISTANCE",
-        help=(
-            "include questions that need motion; the axis moves at most this far, in user units, from "
-            "its position"
-        ),
-    )
-    add("--axis", type=int, metavar="N", help="the axis to test; default: the first")
-    add("--skip", action="append", default=[], metavar="NAME", help="leave a question out; may be repeated")
+    add_all(parser, _OPTIONS)
     arrange(parser, {"questions": "list skip motion axis", "answers": "answers"})
 
 

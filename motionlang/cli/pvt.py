@@ -11,9 +11,9 @@ import sys
 from collections.abc import Callable, Sequence
 
 from motionlang.cli.output_files import need_writer
-from motionlang.cli.parser import Commands, arrange, sentence
+from motionlang.cli.parser import Commands, add_all, arrange, sentence
 from motionlang.cli.pvt_input import Move, SourceError, UsageError, diagnose, read_move, spans_of
-from motionlang.cli.pvt_options import OPTIONS, add_input
+from motionlang.cli.pvt_options import INPUT, OPTIONS
 from motionlang.errors import Diagnostic, ProgramError, need
 from motionlang.files import reason
 from motionlang.planners.curve import Profile
@@ -48,7 +48,7 @@ def add_parser(family: Commands, summary: str) -> None:
         ("stream", "send a move to a simulated drive over CANopen and compare the motion", stream),
     ):
         parser = commands.add_parser(name, help=help_text, description=sentence(help_text))
-        add_input(parser)
+        add_all(parser, INPUT)
         OPTIONS[name](parser)
         arrange(parser, GROUPS)
         parser.set_defaults(command=_guarded(handler))

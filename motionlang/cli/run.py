@@ -335,12 +335,11 @@ def _report(result: Run, options: Options) -> None:
 
 
 def _assumptions_of(result: Run, options: Options) -> str:
-    from motionlang.report import assumptions
-
     """Return the number of open assumptions of the run, for a complete report only.
 
     Every program depends on some.
     """
+    from motionlang.report import assumptions
 
     count = len(assumptions(result))
     note = f"{count} unconfirmed assumptions; motionlang check --evidence {options.file} lists them"

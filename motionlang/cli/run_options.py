@@ -13,7 +13,7 @@ from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.numbers import machine_time, real
 from motionlang.cli.options import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
 from motionlang.cli.output_files import refused, wrong_target
-from motionlang.cli.parser import Commands, add_command, arrange, either
+from motionlang.cli.parser import Commands, add_all, add_command, arrange, either, flag, option
 from motionlang.cli.run import run_command
 from motionlang.cli.world_options import add_world, world_of
 from motionlang.errors import need
@@ -75,247 +75,10 @@ def add_run(
         parser.add_argument(out[0], metavar="OUT", help=out[1])
     add_machine(parser)
     add_world(parser)
-    _add_report(parser)
-    _add_trace(parser, out)
-    _add_picture(parser, out)
-    _add_checks(parser)
-    _add_code(parser)
+    add_format(parser, REPORTS, "the report after the program's output, which json replaces")
+    add_all(parser, [row for row in _OPTIONS if out is None or row[0] != [f"--{out[0]}"]])
     arrange(parser, GROUPS)
     return parser
-
-
-def _add_report(parser: argparse.ArgumentParser) -> None:
-    """Add the options of the report and of the time limits of the run."""
-    add_format(parser, REPORTS, "the report after the program's output, which json replaces")
-    parser.add_argument("--all", action="store_true", help="list every move, phase and line in the table")
-    parser.add_argument(
-        "--until",
-        type=machine_time,
-        metavar="S",
-        help=(
-            "end the run after S seconds of machine time; default: run.until of the machine file, or "
-            f"{ONE_SHIFT:.0f} s = 8 h"
-        ),
-    )
-    parser.add_argument(
-        "--realtime",
-        type=real("a factor above 0: --realtime 10 is ten times as fast", 0.0, above=True),
-        nargs="?",
-        const=1.0,
-        metavar="FACTOR",
-        help="run at FACTOR × real time; FACTOR defaults to 1",
-    )
-
-
-def _add_trace(parser: argparse.ArgumentParser, out: tuple[str, str] | None) -> None:
-    """Add the options of the trace."""
-    if out is None or out[0] != "trace":
-        parser.add_argument("--trace", metavar="OUT", help=f"sample the motion into a file: {either(TRACES)}")
-    parser.add_argument(
-        "--rate",
-        type=_RATE,
-        metavar="HZ",
-        help=f"samples per second of the trace ({RATE:g}; with --trajectory-points {SERVO_RATE:g})",
-    )
-    parser.add_argument(
-        "--columns",
-        type=_columns,
-        metavar="NAME,…",
-        help=(
-            "columns of the trace in addition to time, for every axis or for one, such as position,velocity.0"
-        ),
-    )
-    parser.add_argument(
-        "--trajectory-points",
-        action="store_true",
-        help=(
-            "trace the controller's trajectory points, joined by straight lines, as the servo loop "
-            "receives them, instead of the exact curve"
-        ),
-    )
-    parser.add_argument(
-        "--trajectory-rate",
-        type=_RATE,
-        metavar="HZ",
-        help=f"trajectory points per second ({TRAJECTORY_RATE:g}, as on PMC's MultiFlex boards)",
-    )
-
-
-def _add_picture(parser: argparse.ArgumentParser, out: tuple[str, str] | None) -> None:
-    """Add the options of the picture."""
-    if out is None or out[0] != "plot":
-        parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {either(PLOTS)}")
-    parser.add_argument(
-        "--from",
-        dest="begin",
-        type=machine_time,
-        metavar="S",
-        help="start of the time span that --plot shows, s; an .html page also has the rest",
-    )
-    parser.add_argument(
-        "--to", dest="end", type=machine_time, metavar="S", help="end of the time span that --plot shows, s"
-    )
-    parser.add_argument(
-        "--axes",
-        type=_axes,
-        metavar="N,…",
-        help="the axes that --plot shows, such as 0,2; default: all that moved",
-    )
-    parser.add_argument(
-        "--path",
-        type=_path,
-        metavar="X,Y",
-        help="draw the path of two or three axes, coloured by speed, instead of curves over time",
-    )
-
-
-def _add_checks(parser: argparse.ArgumentParser) -> None:
-    """Add the options of files, of checks and of the time profile."""
-    parser.add_argument(
-        "--nv",
-        metavar="FILE",
-        help="keep nv variables, NVLONG and NVFLOAT in FILE between runs",
-    )
-    parser.add_argument(
-        "--log-size",
-        metavar="GB",
-        type=real("a number of gigabytes, 0 or more", 0.0, 1e6),
-        help="disk space that the log may take before the run ends, GB (8)",
-    )
-    parser.add_argument(
-        "--allow",
-        metavar="KIND,…",
-        type=_allowed,
-        default=frozenset(),
-        help="events that do not make the exit status 1: limit, soft-limit, following-error, fault or all",
-    )
-    parser.add_argument(
-        "--prove",
-        action="store_true",
-        help="verify the motion against the commanded limits; exit 1 on a violation",
-    )
-    parser.add_argument(
-        "--paths",
-        action="store_true",
-        help=(
-            "list the paths of several axes: length, path speed, corner angle and the reason for each stop"
-        ),
-    )
-    parser.add_argument(
-        "--profile",
-        action="store_true",
-        help="show where the time goes, by cause, line and sub, along the critical path",
-    )
-    parser.add_argument(
-        "--profile-to",
-        metavar="FILE",
-        help="write the time profile into FILE: .json, .trace.json (Perfetto) or .speedscope.json",
-    )
-    parser.add_argument(
-        "--certify",
-        action="store_true",
-        help=(
-            "check what each axis reached against [axis.N.limits] of the machine file and print a table "
-            "to sign; exit 1 if a limit is exceeded. FILE may be a folder. Includes --prove"
-        ),
-    )
-
-
-def _add_code(parser: argparse.ArgumentParser) -> None:
-    """Add the options that show the generated code."""
-    parser.add_argument(
-        "--show-code",
-        action="store_true",
-        help=(
-            "print the generated Python next to each line of a Mint program, or the function behind each "
-            "command of an MCCL program, without running it"
-        ),
-    )
-    parser.add_argument(
-        "--show-tree", action="store_true", help="print the syntax tree of the program; do not run it"
-    )
-    parser.add_argument("--no-cache", action="store_true", help="compile again and do not store the result")
-
-
-def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:
-    """Return the options of a `run` line."""
-    options = Options(arguments.file)
-    for name in (
-        "dialect",
-        "machine",
-        "until",
-        "realtime",
-        "trace",
-        "plot",
-        "nv",
-        "prove",
-        "paths",
-        "profile",
-        "profile_to",
-        "certify",
-        "allow",
-        "log_size",
-        "show_code",
-        "show_tree",
-    ):
-        setattr(options, name, getattr(arguments, name))
-    options.prove = options.prove or options.certify
-    options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.trajectory_points else None
-    options.rate = arguments.rate or (SERVO_RATE if arguments.trajectory_points else RATE)
-    options.window = (arguments.begin or 0.0, arguments.end, arguments.axes, arguments.path)
-    options.columns, options.everything = arguments.columns, arguments.all
-    options.report = arguments.format
-    options.cache = not arguments.no_cache
-    options.world = world_of(arguments)
-    set_values(arguments.set, options.settings, options.overrides, parser)
-    return options
-
-
-def _run(arguments: argparse.Namespace) -> int:
-    parser = arguments.parser
-    check_options(arguments, parser)
-    for name in ("certify", "prove", "paths"):
-        if getattr(arguments, name):
-            need(f"--{name}", "numpy")
-    options = run_options(arguments, parser)
-    written = (("--trace", options.trace), ("--plot", options.plot), ("--profile-to", options.profile_to))
-    for option, path in written:
-        if path is not None:
-            problem = wrong_target(option, path)
-            if problem is not None:
-                parser.error(problem)
-            diagnostic = refused(path, options)
-            if diagnostic is not None:
-                return refuse(options, [diagnostic], None, 1)
-    options.given = arguments.given
-    if options.certify and os.path.isdir(options.file):
-        return certify_folder(options.file, options)
-    return run_command(options)
-
-
-def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
-    """Reject options that would have no effect."""
-    if arguments.show_code or arguments.show_tree:
-        shown = "--show-code" if arguments.show_code else "--show-tree"
-        for action in parser._actions:
-            if action.dest not in FOR_CODE and getattr(arguments, action.dest, None) != action.default:
-                parser.error(f"{action.option_strings[0]} has no effect with {shown}, which runs nothing")
-    if arguments.trace is None:
-        for name in ("rate", "columns", "trajectory_points"):
-            if getattr(arguments, name):
-                parser.error(f"--{name.replace('_', '-')} needs --trace OUT")
-    if arguments.plot is None:
-        for option, name in (("from", "begin"), ("to", "end"), ("axes", "axes"), ("path", "path")):
-            if getattr(arguments, name) is not None:
-                parser.error(f"--{option} needs --plot OUT")
-    elif arguments.end is not None and arguments.end <= (arguments.begin or 0.0):
-        parser.error("--to must be after --from")
-    if arguments.format != "table":
-        for name in ("all", "paths", "profile"):
-            if getattr(arguments, name) and (name, arguments.format) != ("profile", "json"):
-                parser.error(f"--{name} needs the table, which --format {arguments.format} omits")
-    if arguments.trajectory_rate and not arguments.trajectory_points:
-        parser.error("--trajectory-rate needs --trajectory-points")
 
 
 def _columns(text: str) -> list[str]:
@@ -354,3 +117,108 @@ def _path(text: str) -> tuple[int, ...]:
     if len(axes) not in (2, 3) or len(set(axes)) != len(axes):
         raise argparse.ArgumentTypeError(f"{text!r} is not a path: give two or three axes, such as 0,1")
     return axes
+
+
+_OPTIONS = (
+    flag("--all", "list every move, phase and line in the table"),
+    option("--until", "S", "end the run after S seconds of machine time; default: run.until of the machine file, or "
+           f"{ONE_SHIFT:.0f} s = 8 h", machine_time),
+    option("--realtime", "FACTOR", "run at FACTOR × real time; FACTOR defaults to 1",
+           real("a factor above 0: --realtime 10 is ten times as fast", 0.0, above=True), nargs="?", const=1.0),
+    option("--trace", "OUT", f"sample the motion into a file: {either(TRACES)}"),
+    option("--rate", "HZ", f"samples per second of the trace ({RATE:g}; with --trajectory-points {SERVO_RATE:g})",
+           _RATE),
+    option("--columns", "NAME,…", "columns of the trace in addition to time, for every axis or for one, such as "
+           "position,velocity.0", _columns),
+    flag("--trajectory-points", "trace the controller's trajectory points, joined by straight lines, as the servo "
+         "loop receives them, instead of the exact curve"),
+    option("--trajectory-rate", "HZ", f"trajectory points per second ({TRAJECTORY_RATE:g}, as on PMC's MultiFlex "
+           "boards)", _RATE),
+    option("--plot", "OUT", f"draw the motion into a file: {either(PLOTS)}"),
+    option("--from", "S", "start of the time span that --plot shows, s; an .html page also has the rest",
+           machine_time, dest="begin"),
+    option("--to", "S", "end of the time span that --plot shows, s", machine_time, dest="end"),
+    option("--axes", "N,…", "the axes that --plot shows, such as 0,2; default: all that moved", _axes),
+    option("--path", "X,Y", "draw the path of two or three axes, coloured by speed, instead of curves over time",
+           _path),
+    option("--nv", "FILE", "keep nv variables, NVLONG and NVFLOAT in FILE between runs"),
+    option("--log-size", "GB", "disk space that the log may take before the run ends, GB (8)",
+           real("a number of gigabytes, 0 or more", 0.0, 1e6)),
+    option("--allow", "KIND,…", "events that do not make the exit status 1: limit, soft-limit, following-error, fault "
+           "or all", _allowed, default=frozenset()),
+    flag("--prove", "verify the motion against the commanded limits; exit 1 on a violation"),
+    flag("--paths", "list the paths of several axes: length, path speed, corner angle and the reason for each stop"),
+    flag("--profile", "show where the time goes, by cause, line and sub, along the critical path"),
+    option("--profile-to", "FILE", "write the time profile into FILE: .json, .trace.json (Perfetto) or "
+           ".speedscope.json"),
+    flag("--certify", "check what each axis reached against [axis.N.limits] of the machine file and print a table to "
+         "sign; exit 1 if a limit is exceeded. FILE may be a folder. Includes --prove"),
+    flag("--show-code", "print the generated Python next to each line of a Mint program, or the function behind each "
+         "command of an MCCL program, without running it"),
+    flag("--show-tree", "print the syntax tree of the program; do not run it"),
+    flag("--no-cache", "compile again and do not store the result"),
+)  # fmt: skip
+
+
+def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:
+    """Return the options of a `run` line."""
+    options = Options(arguments.file)
+    for name in vars(options).keys() & vars(arguments).keys():
+        setattr(options, name, getattr(arguments, name))
+    options.prove = options.prove or options.certify
+    options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.trajectory_points else None
+    options.rate = arguments.rate or (SERVO_RATE if arguments.trajectory_points else RATE)
+    options.window = (arguments.begin or 0.0, arguments.end, arguments.axes, arguments.path)
+    options.columns, options.everything = arguments.columns, arguments.all
+    options.report = arguments.format
+    options.cache = not arguments.no_cache
+    options.world = world_of(arguments)
+    set_values(arguments.set, options.settings, options.overrides, parser)
+    return options
+
+
+def _run(arguments: argparse.Namespace) -> int:
+    parser = arguments.parser
+    check_options(arguments, parser)
+    for name in ("certify", "prove", "paths"):
+        if getattr(arguments, name):
+            need(f"--{name}", "numpy")
+    options = run_options(arguments, parser)
+    written = (("--trace", options.trace), ("--plot", options.plot), ("--profile-to", options.profile_to))
+    for name, path in written:
+        if path is not None:
+            problem = wrong_target(name, path)
+            if problem is not None:
+                parser.error(problem)
+            diagnostic = refused(path, options)
+            if diagnostic is not None:
+                return refuse(options, [diagnostic], None, 1)
+    options.given = arguments.given
+    if options.certify and os.path.isdir(options.file):
+        return certify_folder(options.file, options)
+    return run_command(options)
+
+
+def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
+    """Reject options that would have no effect."""
+    if arguments.show_code or arguments.show_tree:
+        shown = "--show-code" if arguments.show_code else "--show-tree"
+        for action in parser._actions:
+            if action.dest not in FOR_CODE and getattr(arguments, action.dest, None) != action.default:
+                parser.error(f"{action.option_strings[0]} has no effect with {shown}, which runs nothing")
+    if arguments.trace is None:
+        for name in ("rate", "columns", "trajectory_points"):
+            if getattr(arguments, name):
+                parser.error(f"--{name.replace('_', '-')} needs --trace OUT")
+    if arguments.plot is None:
+        for spelling, name in (("from", "begin"), ("to", "end"), ("axes", "axes"), ("path", "path")):
+            if getattr(arguments, name) is not None:
+                parser.error(f"--{spelling} needs --plot OUT")
+    elif arguments.end is not None and arguments.end <= (arguments.begin or 0.0):
+        parser.error("--to must be after --from")
+    if arguments.format != "table":
+        for name in ("all", "paths", "profile"):
+            if getattr(arguments, name) and (name, arguments.format) != ("profile", "json"):
+                parser.error(f"--{name} needs the table, which --format {arguments.format} omits")
+    if arguments.trajectory_rate and not arguments.trajectory_points:
+        parser.error("--trajectory-rate needs --trajectory-points")

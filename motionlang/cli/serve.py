@@ -14,7 +14,7 @@ from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.numbers import real, whole
 from motionlang.cli.options import Options
 from motionlang.cli.output_queue import never_waiting
-from motionlang.cli.parser import Commands, add_command, arrange
+from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.cli.serve_board import serve_board
 from motionlang.cli.serve_can import serve_can
 from motionlang.cli.serve_line import serve_line
@@ -52,109 +52,58 @@ GROUPS = {
 }
 
 
+def _bus(text: str) -> tuple[str, str]:
+    interface, colon, channel = text.partition(":")
+    if not (interface and colon and channel):
+        raise argparse.ArgumentTypeError(f"{text!r} is not INTERFACE:CHANNEL, such as socketcan:vcan0")
+    return interface, channel
+
+
+# The addresses of ASCII hosts.
+ADDRESSES = (
+    option("--tcp", "HOST:PORT", "listen on this address; without HOST only this computer can connect, port 0 is any "
+           "free port; may be repeated", address, action="append", default=[]),
+    flag("--pty", "create a serial device and print its path (not on Windows)"),
+)  # fmt: skip
+
+_OPTIONS = (
+    option("file", "FILE", "commands to send to the board first; - reads standard input", nargs="?"),
+    option("--modbus", "HOST:PORT", "run a Mint program and serve its memory to Modbus TCP clients on this address",
+           address),
+    option("--unit", "N", "the Modbus unit that is answered, in addition to 0 and 255, which mean any device "
+           "(default: all)", whole("a Modbus unit from 1 to 247", 1, 247)),
+    option("--mcapi", "HOST:PORT", "listen on this address for hosts that call PMC's library MCAPI (see `motionlang "
+           "mcapi`)", address),
+    option("--can", "INTERFACE:CHANNEL", "put simulated CANopen drives on a bus of python-can (needs the extra can)",
+           _bus),
+    option("--drives", "N", "the number of drives on the bus, nodes 1 to N (1)",
+           whole("a number of drives from 1 to 127", 1, 127)),
+    option("--eds", "FILE", "write the EDS file of the drives"),
+)  # fmt: skip
+
+
+# A served board: its time and its lines.
+BOARD = (
+    option("--clock", None, "how machine time passes: in real time (default), or in lock step, only while a host waits",
+           choices=("real", "lockstep"), default="real"),
+    option("--factor", "X", "run at X × real time, with --clock real (1)",
+           real("a factor from 0.000001 to 1000000", 1e-6, 1e6)),
+    option("--step", "S", "with --clock lockstep, the least machine time of a line (0.001 s), or, for a Mint program, "
+           "the machine time of a line, frame or request (0.01 s)", real("a time from 0 to 3600 seconds", 0.0, 3600.0)),
+    option("--echo", None, "echo the characters that hosts send; default: off for TCP, as on the board for a serial "
+           "device", action=argparse.BooleanOptionalAction),
+    option("--max-hosts", "N", "maximum number of simultaneous connections (64)",
+           whole("a number of connections from 1 to 1000", 1, 1000), default=64),
+    flag("--log", "log commands and answers to standard error"),
+)  # fmt: skip
+
+
 def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang serve` and its options."""
     parser = add_command(commands, "serve", summary, serve_command, EPILOG)
-    add = parser.add_argument
-    add("file", metavar="FILE", nargs="?", help="commands to send to the board first; - reads standard input")
-    add_addresses(parser)
-    add(
-        "--modbus",
-        type=address,
-        metavar="HOST:PORT",
-        help="run a Mint program and serve its memory to Modbus TCP clients on this address",
-    )
-    add(
-        "--unit",
-        type=whole("a Modbus unit from 1 to 247", 1, 247),
-        metavar="N",
-        help="the Modbus unit that is answered, in addition to 0 and 255, which mean any device (default: all)",
-    )
-    add(
-        "--mcapi",
-        type=address,
-        metavar="HOST:PORT",
-        help="listen on this address for hosts that call PMC's library MCAPI (see `motionlang mcapi`)",
-    )
-    add(
-        "--can",
-        type=_bus,
-        metavar="INTERFACE:CHANNEL",
-        help="put simulated CANopen drives on a bus of python-can (needs the extra can)",
-    )
-    add(
-        "--drives",
-        type=whole("a number of drives from 1 to 127", 1, 127),
-        metavar="N",
-        help="the number of drives on the bus, nodes 1 to N (1)",
-    )
-    add("--eds", metavar="FILE", help="write the EDS file of the drives")
-    add_board(parser)
-    arrange(parser, GROUPS)
-
-
-def add_addresses(parser: argparse.ArgumentParser) -> None:
-    """Add the options for the addresses of ASCII hosts."""
-    add = parser.add_argument
-    add(
-        "--tcp",
-        type=address,
-        action="append",
-        default=[],
-        metavar="HOST:PORT",
-        help=(
-            "listen on this address; without HOST only this computer can connect, port 0 is any free "
-            "port; may be repeated"
-        ),
-    )
-    add("--pty", action="store_true", help="create a serial device and print its path (not on Windows)")
-
-
-def add_board(parser: argparse.ArgumentParser) -> None:
-    """Add the options of a served board: its time, its lines, its machine."""
-    add = parser.add_argument
-    _add_time(parser)
-    add(
-        "--echo",
-        action=argparse.BooleanOptionalAction,
-        help=(
-            "echo the characters that hosts send; default: off for TCP, as on the board for a serial device"
-        ),
-    )
-    add(
-        "--max-hosts",
-        type=whole("a number of connections from 1 to 1000", 1, 1000),
-        default=64,
-        metavar="N",
-        help="maximum number of simultaneous connections (64)",
-    )
-    add("--log", action="store_true", help="log commands and answers to standard error")
+    add_all(parser, (*ADDRESSES, *_OPTIONS, *BOARD))
     add_machine(parser)
-
-
-def _add_time(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument
-    add(
-        "--clock",
-        choices=("real", "lockstep"),
-        default="real",
-        help="how machine time passes: in real time (default), or in lock step, only while a host waits",
-    )
-    add(
-        "--factor",
-        type=real("a factor from 0.000001 to 1000000", 1e-6, 1e6),
-        metavar="X",
-        help="run at X × real time, with --clock real (1)",
-    )
-    add(
-        "--step",
-        type=real("a time from 0 to 3600 seconds", 0.0, 3600.0),
-        metavar="S",
-        help=(
-            "with --clock lockstep, the least machine time of a line (0.001 s), or, for a Mint program, the "
-            "machine time of a line, frame or request (0.01 s)"
-        ),
-    )
+    arrange(parser, GROUPS)
 
 
 def serve_command(args: argparse.Namespace) -> int:
@@ -173,20 +122,17 @@ def serve_command(args: argparse.Namespace) -> int:
     settings, overrides = options.settings, options.overrides
     if args.can is not None and overrides:
         args.parser.error(f"--set {next(iter(overrides))}: the drives of --can run no program with names")
-    if args.can is not None:
-        with never_waiting() as queues:
+    with never_waiting() as queues:
+        if args.can is not None:
             try:
                 return serve_can(args, settings, queues)
             except MissingExtra as lacking:
                 return refuse(options, [Diagnostic("extra", lacking.message, hint=lacking.hint)], None, 1)
-    if _speaks_mint(args) and (args.tcp or args.pty):
-        with never_waiting() as queues:
+        if _speaks_mint(args) and (args.tcp or args.pty):
             return serve_line(args, source, settings, overrides, queues)
-    if args.modbus is not None:
-        assert source is not None
-        with never_waiting() as queues:
+        if args.modbus is not None:
+            assert source is not None
             return serve_modbus(args, source, settings, overrides, queues)
-    with never_waiting() as queues:
         return serve_board(args, source, settings, overrides, queues)
 
 
@@ -258,10 +204,3 @@ def _speaks_mint(args: argparse.Namespace) -> bool:
     return bool(
         args.dialect == "mint" or (args.dialect is None and found is not None and found.name == "mint")
     )
-
-
-def _bus(text: str) -> tuple[str, str]:
-    interface, colon, channel = text.partition(":")
-    if not (interface and colon and channel):
-        raise argparse.ArgumentTypeError(f"{text!r} is not INTERFACE:CHANNEL, such as socketcan:vcan0")
-    return interface, channel

@@ -13,19 +13,9 @@ from typing import TYPE_CHECKING
 from motionlang.cli.format_options import add_format
 from motionlang.cli.options import REPORTS
 from motionlang.cli.output_files import need_writer
-from motionlang.cli.parser import arrange, sentence
+from motionlang.cli.parser import Row, add_all, arrange, sentence
 from motionlang.cli.servo_input import gains_of, loop_of, machine_of, pairs, plant_of
-from motionlang.cli.servo_options import (
-    SECONDS,
-    compare_options,
-    dac_options,
-    figure_options,
-    listing_options,
-    run_options,
-    slip_options,
-    step_options,
-    tune_options,
-)
+from motionlang.cli.servo_options import COMPARE, DAC, FIGURE, LISTING, RUN, SECONDS, SLIP, STEP, TUNE
 from motionlang.planners import dissect
 
 if TYPE_CHECKING:
@@ -58,9 +48,9 @@ def add_parser(family: Commands, summary: str) -> None:
 
 def add_one(commands: Commands, name: str, called: str, summary: str = "") -> None:
     """Add the command `name` of `servo` under the name `called`."""
-    what, handler, options = _COMMANDS[name]
+    what, handler, rows = _COMMANDS[name]
     parser = commands.add_parser(called, help=summary or what, description=sentence(summary or what))
-    options(parser)
+    add_all(parser, rows)
     add_format(parser, REPORTS)
     parser.add_argument("--plot", metavar="OUT", help="draw the result into a .png or .svg file")
     arrange(parser, GROUPS)
@@ -289,27 +279,27 @@ def run(args: argparse.Namespace) -> int:
     return OK
 
 
-_COMMANDS: dict[str, tuple[str, Handler, Callable[[argparse.ArgumentParser], None]]] = {
+_COMMANDS: dict[str, tuple[str, Handler, tuple[Row, ...]]] = {
     "slip": (
         "find the highest acceleration for a load held by friction, and check a move against it",
         slip,
-        slip_options,
+        SLIP,
     ),
     "dac": (
         "show the acceleration that one DAC step demands, and the override that limits it",
         dac,
-        dac_options,
+        DAC,
     ),
     "compare": (
         "compare the four profiles of TN1069 under servo, at equal acceleration and equal time",
         compare,
-        compare_options,
+        COMPARE,
     ),
-    "step": ("show the step response of a simulated axis", step, step_options),
-    "tune": ("suggest gains for a motor and a bandwidth, for Mint and MCCL", tune, tune_options),
-    "run": ("run a program with a simulated servo loop and motor", run, run_options),
-    "listing": ("run the C program at the end of chapter 12", listing, listing_options),
-    "figure": ("show the figures of chapter 12, as numbers or drawn", figure, figure_options),
+    "step": ("show the step response of a simulated axis", step, STEP),
+    "tune": ("suggest gains for a motor and a bandwidth, for Mint and MCCL", tune, TUNE),
+    "run": ("run a program with a simulated servo loop and motor", run, RUN),
+    "listing": ("run the C program at the end of chapter 12", listing, LISTING),
+    "figure": ("show the figures of chapter 12, as numbers or drawn", figure, FIGURE),
 }
 
 

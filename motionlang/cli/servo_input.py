@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Mapping
 
+from motionlang.cli.parser import option
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect
 from motionlang.lang.gains import gain_words, written
@@ -23,51 +24,29 @@ They apply if no machine file describes one.
 """
 
 
-def add_plant(parser: argparse.ArgumentParser) -> None:
-    """Add the options that describe the motor."""
-    add = parser.add_argument
-    add("--machine", metavar="M.toml", help="take [axis.N.plant] and [axis.N.servo] from a machine file")
-    add("--axis", type=int, default=0, metavar="N", help="the axis of the machine file (0)")
-    add(
-        "--plant",
-        action="append",
-        default=[],
-        metavar="NAME=VALUE",
-        help=f"a property of the motor: {', '.join(PLANT)}; may be repeated",
-    )
-
-
-def add_loop(parser: argparse.ArgumentParser) -> None:
-    """Add the options that describe the loop."""
-    add = parser.add_argument
-    add(
-        "--loop",
-        action="append",
-        default=[],
-        metavar="NAME=VALUE",
-        help=f"a property of the servo loop: {', '.join(SERVO)}; may be repeated",
-    )
-    add(
-        "--mint",
-        action="append",
-        default=[],
-        metavar="WORD=VALUE",
-        help=f"a gain in Mint's units: {', '.join(gains_of('mint'))}",
-    )
-    add(
-        "--mccl",
-        action="append",
-        default=[],
-        metavar="WORD=VALUE",
-        help=f"a gain in MCCL's units: {', '.join(gains_of('mccl'))}",
-    )
-    add("--model", choices=MODELS, default="multiflex", help="the board of the MCCL gains (multiflex)")
-    add("--bandwidth", type=float, metavar="HZ", help="bandwidth to tune for if no gains are given, Hz (50)")
-
-
 def gains_of(language: str) -> dict[str, str]:
     """Return the gain keywords of a language, and the loop quantity that each sets."""
     return gain_words(language, dialect(language).table())
+
+
+PLANT_OPTIONS = (
+    option("--machine", "M.toml", "take [axis.N.plant] and [axis.N.servo] from a machine file"),
+    option("--axis", "N", "the axis of the machine file (0)", int, default=0),
+    option("--plant", "NAME=VALUE", f"a property of the motor: {', '.join(PLANT)}; may be repeated",
+           action="append", default=[]),
+)  # fmt: skip
+
+
+LOOP_OPTIONS = (
+    option("--loop", "NAME=VALUE", f"a property of the servo loop: {', '.join(SERVO)}; may be repeated",
+           action="append", default=[]),
+    option("--mint", "WORD=VALUE", f"a gain in Mint's units: {', '.join(gains_of('mint'))}",
+           action="append", default=[]),
+    option("--mccl", "WORD=VALUE", f"a gain in MCCL's units: {', '.join(gains_of('mccl'))}",
+           action="append", default=[]),
+    option("--model", None, "the board of the MCCL gains (multiflex)", choices=MODELS, default="multiflex"),
+    option("--bandwidth", "HZ", "bandwidth to tune for if no gains are given, Hz (50)", float),
+)  # fmt: skip
 
 
 def plant_of(args: argparse.Namespace) -> Motor | Drive:

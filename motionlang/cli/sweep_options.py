@@ -8,7 +8,7 @@ from motionlang.analysis.sweeps.quantities import ROWS
 from motionlang.cli.format_options import add_format
 from motionlang.cli.machine_options import add_machine
 from motionlang.cli.numbers import machine_time, whole
-from motionlang.cli.parser import arrange
+from motionlang.cli.parser import add_all, arrange, flag, option
 from motionlang.cli.world_options import add_world
 
 FORMATS = ("table", "csv", "json", "none")
@@ -43,92 +43,47 @@ GROUPS = {
 }
 
 
+_VARIANTS = (
+    option("file", "FILE", "the program; pick.sweep.toml next to pick.mnt has defaults for the options"),
+    option("--vary", "NAME=VALUES", "vary a name of the program, or a key of the machine file by its dotted name: "
+           "FIRST:LAST:COUNT or A,B,C; may be repeated, and each combination is a variant",
+           action="append", default=[]),
+    option("--machines", "DIR", "run on every machine file of a folder instead of the program's"),
+    option("--scenarios", "DIR", "run in every scenario of a folder, each overlaid on the machine file"),
+    option("--random", "N", "run a random sample of N variants", _COUNT),
+    option("--latin", "N", "run a Latin hypercube sample of N variants", _COUNT),
+    option("--seed", "S", "the seed of the sample (0)", int),
+    option("--keep", "NAMES", "quantities to record, separated by commas (time); see the list below"),
+    option("--until", "S", "end every run after S seconds of machine time", machine_time),
+    flag("--prove", "verify the motion of every variant against the commanded limits"),
+    flag("--certify", "a variant fails if it exceeds a limit of the machine file"),
+)  # fmt: skip
+
+
+_SELECTION = (
+    option("--minimise", "EXPR", "find the variant with the smallest value"),
+    option("--maximise", "EXPR", "find the variant with the largest value"),
+    option("--where", "EXPR", "consider only variants for which this is true"),
+    option("--pareto", "A,B", "find the Pareto front of these quantities"),
+    option("--rows-to", "ROWS", "write every row into a file: .csv or .parquet", dest="out"),
+    flag("--resume", "continue an interrupted sweep"),
+    option("--plot", "PICTURE", "draw the rows into a .png or .svg file: a line for one varied name, a heat map for "
+           "two, or the Pareto front"),
+)  # fmt: skip
+
+
+_OUTPUT = (
+    option("--rows", "N", f"rows of the table ({MAX_ROWS}); 0 for all", _ROWS, default=MAX_ROWS),
+    option("-j --jobs", "N", "worker processes; default: one per core", _COUNT),
+)  # fmt: skip
+
+
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of `sweep`."""
-    add = parser.add_argument
-    add(
-        "file",
-        metavar="FILE",
-        help="the program; pick.sweep.toml next to pick.mnt has defaults for the options",
-    )
     add_machine(parser)
     add_world(parser)
-    add(
-        "--vary",
-        action="append",
-        default=[],
-        metavar="NAME=VALUES",
-        help=(
-            "vary a name of the program, or a key of the machine file by its dotted name: "
-            "FIRST:LAST:COUNT or A,B,C; may be repeated, and each combination is a variant"
-        ),
-    )
-    add("--machines", metavar="DIR", help="run on every machine file of a folder instead of the program's")
-    add(
-        "--scenarios",
-        metavar="DIR",
-        help="run in every scenario of a folder, each overlaid on the machine file",
-    )
-    add("--random", type=_COUNT, metavar="N", help="run a random sample of N variants")
-    add(
-        "--latin",
-        type=_COUNT,
-        metavar="N",
-        help="run a Latin hypercube sample of N variants",
-    )
-    add(
-        "--seed",
-        type=int,
-        metavar="S",
-        help="the seed of the sample (0)",
-    )
-    add(
-        "--keep", metavar="NAMES", help="quantities to record, separated by commas (time); see the list below"
-    )
-    add("--until", type=machine_time, metavar="S", help="end every run after S seconds of machine time")
-    add(
-        "--prove",
-        action="store_true",
-        help="verify the motion of every variant against the commanded limits",
-    )
-    add(
-        "--certify",
-        action="store_true",
-        help="a variant fails if it exceeds a limit of the machine file",
-    )
-    _add_output(parser)
-    arrange(parser, GROUPS)
-
-
-def _add_output(parser: argparse.ArgumentParser) -> None:
-    """Add the options of the search and of the output."""
-    add = parser.add_argument
-    add("--minimise", metavar="EXPR", help="find the variant with the smallest value")
-    add("--maximise", metavar="EXPR", help="find the variant with the largest value")
-    add("--where", metavar="EXPR", help="consider only variants for which this is true")
-    add("--pareto", metavar="A,B", help="find the Pareto front of these quantities")
-    add("--rows-to", dest="out", metavar="ROWS", help="write every row into a file: .csv or .parquet")
-    add("--resume", action="store_true", help="continue an interrupted sweep")
-    add(
-        "--plot",
-        metavar="PICTURE",
-        help=(
-            "draw the rows into a .png or .svg file: a line for one varied name, a heat map for two, or "
-            "the Pareto front"
-        ),
-    )
+    add_all(parser, _VARIANTS)
+    add_all(parser, _SELECTION)
     add_format(parser, FORMATS, "the printed rows (csv and json have all)")
-    add(
-        "--rows",
-        type=_ROWS,
-        default=MAX_ROWS,
-        metavar="N",
-        help=f"rows of the table ({MAX_ROWS}); 0 for all",
-    )
-    add(
-        "-j",
-        "--jobs",
-        type=_COUNT,
-        metavar="N",
-        help="worker processes; default: one per core",
-    )
+    add_all(parser, _OUTPUT)
+    arrange(parser, GROUPS)

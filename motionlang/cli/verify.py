@@ -15,7 +15,7 @@ from motionlang.cli.crash import crash
 from motionlang.cli.findings_options import add_form
 from motionlang.cli.golden import differences, golden_files, update
 from motionlang.cli.parallel import add_jobs, in_parallel
-from motionlang.cli.parser import Commands, add_command, arrange
+from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.cli.program_files import programs
 from motionlang.cli.review import NoAnswer, Quit, ask, review
 from motionlang.cli.verdict import Verdict
@@ -37,22 +37,19 @@ accept all changes with --update. The golden files of this program are unchanged
 """
 
 
+_OPTIONS = (
+    option("paths", "PATH", "programs, or folders of programs; default: this folder; the golden files of pick.mnt are "
+           "pick.golden.json, with its report, and pick.golden.txt, with its output; a log of calls, host.mcapi-log, "
+           "must replay without a difference", nargs="*", default=["."]),
+    flag("--update", "rewrite the golden files that differ"),
+    flag("--review", "ask whether to accept each change"),
+)  # fmt: skip
+
+
 def add_parser(commands: Commands, summary: str) -> None:
     """Add `motionlang verify` and its options."""
     parser = add_command(commands, "verify", summary, _verify_all)
-    parser.add_argument(
-        "paths",
-        metavar="PATH",
-        nargs="*",
-        default=["."],
-        help=(
-            "programs, or folders of programs; default: this folder; the golden files of pick.mnt are "
-            "pick.golden.json, with its report, and pick.golden.txt, with its output; a log of calls, "
-            "host.mcapi-log, must replay without a difference"
-        ),
-    )
-    parser.add_argument("--update", action="store_true", help="rewrite the golden files that differ")
-    parser.add_argument("--review", action="store_true", help="ask whether to accept each change")
+    add_all(parser, _OPTIONS)
     add_form(parser, "print only what differs")
     add_jobs(parser)
     arrange(parser, GROUPS)
