@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from motionlang.planners import Profile, dissect, plan
-from motionlang.views.grid import Column, grid
+from motionlang.views.grid import grid, headed
 
 LIMIT = dissect.slip_acceleration(dissect.FRICTION, dissect.GRAVITY_FT)
 SPEED = dissect.SPEED_FT_MIN / 60.0
@@ -58,13 +58,7 @@ def _steps_of_acceleration() -> list[str]:
     ):
         speed = profile.velocity(time)
         rows.append([name, f"{time:.6f}", f"{before:.3f}", f"{after:.3f}", f"{speed:.6f}"])
-    columns = (
-        Column("step", align="<"),
-        Column("time", "s"),
-        Column("from", "ft/s²"),
-        Column("to", "ft/s²"),
-        Column("velocity", "ft/s"),
-    )
+    columns = headed("<step", "time, s", "from, ft/s²", "to, ft/s²", "velocity, ft/s")
     return grid(columns, rows, width=_WIDTH)
 
 
@@ -72,7 +66,7 @@ def _progression() -> list[str]:
     made = dissect.discrete_trapezoid(200, 20, 2)
     shown = [0, 1, 2, 8, 9, 10, len(made) - 3, len(made) - 2, len(made) - 1]
     rows = [[str(i + 1), str(made[i][0]), str(made[i][1])] for i in shown]
-    columns = (Column("update"), Column("velocity", "counts/update"), Column("position", "counts"))
+    columns = headed("update", "velocity, counts/update", "position, counts")
     head = "every update: velocity += 2, up to 20; position += velocity; 200 counts"
     return [head, "", *grid(columns, rows, width=_WIDTH)]
 
@@ -84,7 +78,7 @@ def _s_against_time() -> list[str]:
         time = share * profile.knots[2]
         state = profile.at(time)
         rows.append([f"{time:.6f}", f"{abs(state.acceleration):.6f}", f"{state.velocity:.6f}"])
-    columns = (Column("time", "s"), Column("acceleration", "ft/s²"), Column("velocity", "ft/s"))
+    columns = headed("time, s", "acceleration, ft/s²", "velocity, ft/s")
     return grid(columns, rows, width=_WIDTH)
 
 
@@ -92,14 +86,7 @@ def _equations() -> list[str]:
     trapezoid = dissect.trapezoid_times(DISTANCE, SPEED, LIMIT)
     s_curve = dissect.s_curve_times(DISTANCE, SPEED, LIMIT)
     equal = dissect.s_curve_times(DISTANCE, SPEED, dissect.equal_time_accel(LIMIT))
-    columns = (
-        Column("profile", align="<"),
-        Column("A", "ft/s²"),
-        Column("T_a", "s"),
-        Column("D_a", "ft"),
-        Column("T_s", "s"),
-        Column("T_move", "s"),
-    )
+    columns = headed("<profile", "A, ft/s²", "T_a, s", "D_a, ft", "T_s, s", "T_move, s")
     rows = [
         [
             name,
@@ -151,12 +138,7 @@ def _forces() -> list[str]:
         ]
         for accel in (0.5 * LIMIT, LIMIT, 1.5 * LIMIT)
     ]
-    columns = (
-        Column("acceleration", "ft/s²"),
-        Column("inertial force F_i", "lb"),
-        Column("friction F_f", "lb"),
-        Column("the cube", align="<"),
-    )
+    columns = headed("acceleration, ft/s²", "inertial force F_i, lb", "friction F_f, lb", "<the cube")
     return grid(columns, rows, width=_WIDTH)
 
 
@@ -165,7 +147,7 @@ def _forces() -> list[str]:
 
 def _one_step() -> list[str]:
     timing = dissect.dac_timing(SPEED, LIMIT)
-    columns = (Column("time", "µs"), Column("velocity", "ft/min"), Column("share", "of a step"))
+    columns = headed("time, µs", "velocity, ft/min", "share, of a step")
     rows = []
     for share in (0.25, 0.5, 1.0, 2.0, 5.0):
         time = share * timing.electrical_time_constant
@@ -181,14 +163,10 @@ def _one_step() -> list[str]:
 
 
 def _segments() -> list[str]:
-    columns = (
-        Column("curve", align="<"),
-        Column("DAC change", "steps"),
-        Column("time constant", "updates"),
-        Column("velocity", "steps"),
-        Column("onset", "× limit"),
-        Column("over the update", "× limit"),
-    )
+    columns = headed(
+        "<curve", "DAC change, steps", "time constant, updates", "velocity, steps", "onset, × limit",
+        "over the update, × limit"
+    )  # fmt: skip
     rows = []
     for curve, constant in TIME_CONSTANTS.items():
         for segment in dissect.step_segments(CHANGES, constant):
@@ -207,12 +185,8 @@ def _segments() -> list[str]:
 
 
 def _resolutions() -> list[str]:
-    columns = (
-        Column("DAC"),
-        Column("one step", "ft/min"),
-        Column("every", "µs"),
-        Column("steps in 1 ms"),
-        Column("staircase off the line", "ft/min"),
+    columns = headed(
+        "DAC", "one step, ft/min", "every, µs", "steps in 1 ms", "staircase off the line, ft/min"
     )
     rows = []
     for bits in (12, 16):

@@ -25,6 +25,15 @@ class Column:
         self.title, self.unit, self.align, self.drop, self.style = title, unit, align, drop, style
 
 
+def headed(*texts: str) -> list[Column]:
+    """Return columns of "title, unit"; those with < before the title are aligned left."""
+    made = []
+    for text in texts:
+        title, _, unit = text.removeprefix("<").partition(", ")
+        made.append(Column(title, unit, "<" if text.startswith("<") else ">"))
+    return made
+
+
 def grid(
     columns: Sequence[Column],
     rows: Sequence[Sequence[str]],

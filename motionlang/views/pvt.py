@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from motionlang.planners.curve import Profile
 from motionlang.planners.pvt.points import Knot, knots, segments
-from motionlang.views.grid import Column, decimals_of, grid
+from motionlang.views.grid import Column, decimals_of, grid, headed
 
 WIDTH = 120
 MAX_ROWS = 40
@@ -17,17 +17,10 @@ NOISE = 1e-12
 
 def segment_lines(profile: Profile) -> list[str]:
     """Return each segment with its jerk, acceleration and initial acceleration jump."""
-    columns = (
-        Column("segment"),
-        Column("start", "ms"),
-        Column("time", "ms"),
-        Column("end", "counts"),
-        Column("end velocity", "counts/s"),
-        Column("acceleration", "counts/s²"),
-        Column("to", "counts/s²"),
-        Column("jerk", "counts/s³"),
-        Column("jump before", "counts/s²"),
-    )
+    columns = headed(
+        "segment", "start, ms", "time, ms", "end, counts", "end velocity, counts/s", "acceleration, counts/s²",
+        "to, counts/s²", "jerk, counts/s³", "jump before, counts/s²"
+    )  # fmt: skip
     marks, found = knots(profile), segments(profile)
     scale = max((abs(a) for s in found for a in (s.acceleration, s.end_acceleration)), default=0.0)
     cells = [

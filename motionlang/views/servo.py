@@ -7,7 +7,7 @@ from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
 from motionlang.servo.plant import Motor
-from motionlang.views.grid import Column, grid
+from motionlang.views.grid import grid, headed
 
 if TYPE_CHECKING:
     import argparse
@@ -70,13 +70,8 @@ def dac_lines(timings: Sequence[DacTiming], args: argparse.Namespace) -> list[st
     """Return one DAC step for each number of bits: its speed and the resulting times."""
     per = "min" if args.per == "minute" else "s"
     seconds = 60.0 if args.per == "minute" else 1.0
-    columns = (
-        Column("DAC"),
-        Column("steps"),
-        Column("one step", f"{args.unit}/{per}"),
-        Column("takes at least", "µs"),
-        Column("time constant", "µs"),
-        Column("hold", "µs"),
+    columns = headed(
+        "DAC", "steps", f"one step, {args.unit}/{per}", "takes at least, µs", "time constant, µs", "hold, µs"
     )
     rows = [
         [
@@ -94,14 +89,9 @@ def dac_lines(timings: Sequence[DacTiming], args: argparse.Namespace) -> list[st
 
 def override_lines(runs: Sequence[OverrideRun], unit: str) -> list[str]:
     """Compare a move with and without override, in multiples of the slip limit."""
-    columns = (
-        Column("DAC", align="<"),
-        Column("override", align="<"),
-        Column("onset", "× limit"),
-        Column("over an update", "× limit"),
-        Column("slid", unit),
-        Column("largest error", unit),
-    )
+    columns = headed(
+        "<DAC", "<override", "onset, × limit", "over an update, × limit", f"slid, {unit}", f"largest error, {unit}"
+    )  # fmt: skip
     rows = [
         [
             run.name,
@@ -144,16 +134,10 @@ def plant_lines(plants: Mapping[int, Motor | Drive]) -> list[str]:
 
 def compare_lines(basis: str, rows: Sequence[Row], window: float) -> list[str]:
     """Return the four profiles side by side."""
-    columns = (
-        Column("profile", align="<"),
-        Column("acceleration", "counts/s²"),
-        Column("time", "s"),
-        Column("settle", "s"),
-        Column("peak error", "counts"),
-        Column("RMS torque", "N m"),
-        Column("jerk demanded", "counts/s³"),
-        Column("jerk of the motor", "counts/s³"),
-    )
+    columns = headed(
+        "<profile", "acceleration, counts/s²", "time, s", "settle, s", "peak error, counts", "RMS torque, N m",
+        "jerk demanded, counts/s³", "jerk of the motor, counts/s³",
+    )  # fmt: skip
     cells = [
         [
             SHAPE_NAMES[row.shape],
@@ -229,13 +213,7 @@ def tune_lines(
 
 def listing_lines(settings: Settings, made: ListingRun) -> list[str]:
     """Return a few rows of a run of the listing, and the largest accelerations."""
-    columns = (
-        Column("update"),
-        Column("demand", "counts"),
-        Column("position", "counts"),
-        Column("velocity", "counts/update"),
-        Column("DAC", "steps"),
-    )
+    columns = headed("update", "demand, counts", "position, counts", "velocity, counts/update", "DAC, steps")
     last = len(made.demand) - 1
     shown = sorted({0, 1, 2, *(round(last * k / 10) for k in range(11))} & set(range(last + 1)))
     rows = [
@@ -272,15 +250,10 @@ def run_figures(axis: int, trace: ServoTrace, settled: float) -> dict[str, objec
 
 def run_lines(rows: Sequence[tuple[int, ServoTrace, float]], window: float) -> list[str]:
     """Return the axes of a run: error, settling, torque and output."""
-    columns = (
-        Column("axis"),
-        Column("peak error", "counts"),
-        Column("error at the end", "counts"),
-        Column("settled at", "s"),
-        Column("RMS torque", "N m"),
-        Column("peak torque", "N m"),
-        Column("peak output", "V"),
-    )
+    columns = headed(
+        "axis", "peak error, counts", "error at the end, counts", "settled at, s", "RMS torque, N m",
+        "peak torque, N m", "peak output, V",
+    )  # fmt: skip
     cells = [
         [
             str(axis),
