@@ -31,8 +31,7 @@ class Entry:
 class Buffer:
     """The queued entries, the number of the next segment, and the latched errors."""
 
-    def __init__(self, size: int = SIZE) -> None:
-        self.size = size
+    def __init__(self) -> None:
         self.entries: deque[Entry] = deque()
         self.next_number = 0
         self.errors = 0
@@ -40,7 +39,7 @@ class Buffer:
     @property
     def free(self) -> int:
         """The number of free positions."""
-        return self.size - len(self.entries)
+        return SIZE - len(self.entries)
 
     @property
     def status(self) -> BufferStatus:

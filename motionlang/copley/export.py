@@ -124,7 +124,7 @@ def _packet_session(messages: Sequence[bytes], node: int, by_pdo: bool) -> list[
             return [frame(0x200 + node, message)]
         return sdo_download(node, 0x2010, 0, message)
 
-    lines = _prologue(node, -3)
+    lines = _prologue(node)
     if by_pdo:
         lines += ["# PDO 1: object 0x2010 in, object 0x2012 out on every event"]
         lines += _map_pdo(node, 0x1400, 0x200 + node, 0x20100040) + _map_pdo(
@@ -141,15 +141,15 @@ def _record_session(points: Sequence[WirePoint], node: int) -> list[str]:
             raise Unwritable(f"point {i}: object 0x60C1 in sub-mode -3 has no {kind} points")
         fields = ((1, point.position), (2, point.time), (3, point.velocity))
         groups.append([line for sub, value in fields for line in _write(node, 0x60C1, sub, value)])
-    return _prologue(node, -3) + _session(node, groups)
+    return _prologue(node) + _session(node, groups)
 
 
-def _prologue(node: int, sub_mode: int) -> list[str]:
+def _prologue(node: int) -> list[str]:
     return [
         "# node operational, interpolated position mode, sub-mode",
         frame(0x000, bytes([1, node])),
         *_write(node, 0x6060, 0, INTERPOLATED_POSITION),
-        *_write(node, 0x60C0, 0, sub_mode),
+        *_write(node, 0x60C0, 0, -3),
         "# shutdown, switch on, enable operation",
         *(line for control in (0x06, 0x07, 0x0F) for line in _write(node, 0x6040, 0, control)),
     ]

@@ -10,9 +10,6 @@ def rest(shape: str, position: float, duration: float) -> Profile:
     return relabelled(hold(position).cut(duration), shape)
 
 
-def with_rest(profile: Profile, shape: str) -> Profile:
-    """Return a profile that comes to rest, followed by an endless rest.
-
-    `shape` names the cause of the rest.
-    """
-    return relabelled(profile.then(hold(profile.end)), shape)
+def with_rest(profile: Profile) -> Profile:
+    """Return the profile of a suspension: the given one, then an endless rest."""
+    return relabelled(profile.then(hold(profile.end)), "suspend")

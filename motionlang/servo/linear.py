@@ -21,16 +21,11 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
-def linear_step(loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> tuple[Array, Array]:
-    """Return one step without limits, and the columns at its beginning.
-
-    Both are matrices over (state, demand, feed-forward, 1).
-    """
-    return Probe(loop, plant, columns).sampled
-
-
 class Probe:
-    """One step as a matrix over (state, demand, feed-forward, 1)."""
+    """One step without limits, and the columns at its beginning.
+
+    Both are matrices over (state, demand, feed-forward, 1). In `held`, the derivative is that of an earlier step.
+    """
 
     def __init__(self, loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> None:
         run = stepper(loop, plant, columns, limited=False)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from motionlang.servo.discrete import discretise
-from motionlang.servo.linear import linear_step
+from motionlang.servo.linear import Probe
 from motionlang.servo.steps import COLUMNS, initial_state
 from motionlang.servo.stretch import run_stretch
 from motionlang.servo.trace import joined
@@ -144,12 +144,12 @@ def loop_figures(loop: Loop, plant: Motor | Drive) -> LoopFigures:
     grid = np.geomspace(top * 1e-5, top, _POINTS)
     closed = _gain(f, g, c, grid, loop.period)
     ring = closed / (1.0 - closed)
-    crossover = _last_fall(grid, np.abs(ring), 1.0, lambda w: abs(_open(f, g, c, w, loop.period)))
+    crossover = _last_fall(grid, np.abs(ring), lambda w: abs(_open(f, g, c, w, loop.period)))
     phase = 180.0 / pi * float(np.angle(_open(f, g, c, crossover, loop.period))) if crossover else 0.0
     return LoopFigures(
         stable=stable,
         bandwidth=_first_fall(
-            grid, np.abs(closed), DROP, lambda w: abs(_gain(f, g, c, np.array([w]), loop.period)[0])
+            grid, np.abs(closed), lambda w: abs(_gain(f, g, c, np.array([w]), loop.period)[0])
         ),
         crossover=crossover,
         phase_margin=(phase + 180.0) % 360.0 if crossover else inf,
@@ -169,7 +169,7 @@ def closed_loop(loop: Loop, plant: Motor | Drive) -> tuple[Array, Array, Array]:
         )
     if loop.derivative and loop.derivative_every > 1:
         raise ValueError("a frequency response needs the derivative sampled at the servo rate")
-    step, outputs = linear_step(loop, plant, ("position",))
+    step, outputs = Probe(loop, plant, ("position",)).sampled
     return step[:, :-3], step[:, -3], outputs[0, :-3]
 
 
@@ -196,7 +196,7 @@ def _bandwidth(loop: Loop, plant: Motor | Drive, target: float | None) -> float:
     below = _first_below(f, g, c, loop.period, grid)
     if below is None:
         gain = np.abs(_gain(f, g, c, grid, loop.period))
-        return _first_fall(grid, gain, DROP, lambda w: abs(_gain(f, g, c, np.array([w]), loop.period)[0]))
+        return _first_fall(grid, gain, lambda w: abs(_gain(f, g, c, np.array([w]), loop.period)[0]))
     if below in (0, len(grid)):
         return float(grid[-1]) if below else 0.0
     low, high = float(grid[below - 1]), float(grid[below])
@@ -255,17 +255,18 @@ def _open(f: Array, g: Array, c: Array, frequency: float, period: float) -> comp
     return closed / (1.0 - closed)
 
 
-def _first_fall(grid: Array, gain: Array, level: float, exact: object) -> float:
-    below = np.flatnonzero(gain < level)
+def _first_fall(grid: Array, gain: Array, exact: object) -> float:
+    """Return the first frequency at which the gain is below `DROP`."""
+    below = np.flatnonzero(gain < DROP)
     if not len(below) or below[0] == 0:
         return float(grid[-1]) if not len(below) else 0.0
-    return _bisect(exact, float(grid[below[0] - 1]), float(grid[below[0]]), level)
+    return _bisect(exact, float(grid[below[0] - 1]), float(grid[below[0]]), DROP)
 
 
-def _last_fall(grid: Array, gain: Array, level: float, exact: object) -> float:
-    """Return the highest frequency at which the gain falls through `level`."""
-    falls = np.flatnonzero((gain[:-1] >= level) & (gain[1:] < level))
-    return _bisect(exact, float(grid[falls[-1]]), float(grid[falls[-1] + 1]), level) if len(falls) else 0.0
+def _last_fall(grid: Array, gain: Array, exact: object) -> float:
+    """Return the highest frequency at which the gain falls through 1."""
+    falls = np.flatnonzero((gain[:-1] >= 1.0) & (gain[1:] < 1.0))
+    return _bisect(exact, float(grid[falls[-1]]), float(grid[falls[-1] + 1]), 1.0) if len(falls) else 0.0
 
 
 def _gain_margin(grid: Array, ring: Complex, exact: object) -> float:

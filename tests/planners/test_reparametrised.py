@@ -712,7 +712,7 @@ def test_a_crossing_at_rest_counts_once_and_later_ones_are_found() -> None:
 def test_a_rest_without_an_end_is_a_phase_of_no_distance() -> None:
     """The motion stops at a distance of 1, where the curve is at 10 times as much."""
     line = line_over(5.0, 0.0, 50.0)
-    made = Reparametrised(with_rest(plan_trapezoid(0.0, 1.0, 1.0, 2.0, 2.0), "suspend"), line)
+    made = Reparametrised(with_rest(plan_trapezoid(0.0, 1.0, 1.0, 2.0, 2.0)), line)
     assert [phase.distance for phase in made.phases] == pytest.approx([2.5, 5.0, 2.5, 0.0])
     assert made.phases[-1].duration == math.inf
 

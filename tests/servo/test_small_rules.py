@@ -18,7 +18,7 @@ from motionlang.servo.discrete import discretise
 from motionlang.servo.lookahead import SampleBlock, Window, next_other_side, next_side
 from motionlang.servo.loop import Loop
 from motionlang.servo.plant import Drive, Motor
-from motionlang.servo.response import _crossing, _first_fall
+from motionlang.servo.response import DROP, _crossing, _first_fall
 from motionlang.servo.servo import simulate
 from motionlang.servo.settings import make_loop
 from motionlang.servo.speculative import SEEN
@@ -107,8 +107,8 @@ def test_an_override_holds_for_one_update_unless_it_says_so() -> None:
 
 def test_a_gain_that_falls_at_once_is_searched_in_the_first_interval() -> None:
     grid = np.array([1.0, 2.0, 3.0, 4.0])
-    assert _first_fall(grid, 1.0 / grid, 0.7, lambda f: 1.0 / f) == pytest.approx(1.0 / 0.7)
-    assert _first_fall(grid, 1.0 / grid, 0.3, lambda f: 1.0 / f) == pytest.approx(1.0 / 0.3)
+    assert _first_fall(grid, 1.0 / grid, lambda f: 1.0 / f) == pytest.approx(1.0 / DROP)
+    assert _first_fall(grid, 3.5 * DROP / grid, lambda f: 3.5 * DROP / f) == pytest.approx(3.5)
 
 
 def test_another_zero_at_a_sample_moves_no_motor() -> None:

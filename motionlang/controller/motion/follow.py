@@ -236,7 +236,7 @@ class Follow(Action):
             entry.profile = entry.until(self.controller.clock.now)
             entry.ended = ended
 
-    def carry(self, profile: Profile, began: float, entry: Move | None = None) -> None:
+    def carry(self, profile: Profile, began: float, entry: Move | None) -> None:
         """Superpose an offset that began at the time `began`, and schedule its end."""
         self.offset, self.offset_began, self.offset_entry = profile, began, entry
         self.controller.clock.at(began + profile.duration, lambda: self._offset_done(profile))
@@ -362,7 +362,7 @@ class Gear(Follow):
         stop = halt.to_rest(self.controller, self.a)
         share = velocity / stop.start_velocity if stop.start_velocity else 0.0
         done = stop.scaled(self.offset.end - left, share)
-        self._log_offset(with_rest(done, "suspend"))
+        self._log_offset(with_rest(done))
         self._paused, self.offset = left - done.distance, None
         self._halt = done, self.controller.clock.now
 

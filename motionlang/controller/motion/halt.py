@@ -88,7 +88,7 @@ def to_rest(controller: Core, a: Axis) -> Profile:
 
 def with_standstill(controller: Core, a: Axis) -> Profile:
     """Return the motion to rest, followed by rest until another command."""
-    return with_rest(to_rest(controller, a), "suspend")
+    return with_rest(to_rest(controller, a))
 
 
 def _decel(controller: Core, a: Axis) -> float:

@@ -47,14 +47,14 @@ class Playback(Action):
         """Slow the playback to a standstill within the axis's `suspend_time`."""
         path, pace = self._with_continuation(controller, a)
         if pace.end_velocity == 0.0:
-            pace = with_rest(pace, "suspend")
+            pace = with_rest(pace)
         self._follow(controller, a, path, pace, "suspend", "")
         self._aim(a, path)
         return True
 
     def waiting(self, controller: Core, profile: Profile) -> Profile:
         """Return the profile with its playback at a standstill, for a suspended axis."""
-        return self._made(controller, profile, with_rest(hold(0.0).cut(0.0), "suspend"), "suspend")
+        return self._made(controller, profile, with_rest(hold(0.0).cut(0.0)), "suspend")
 
     def plan(self, controller: Core, a: Axis) -> Profile:
         """Return the rest of the profile at full rate.

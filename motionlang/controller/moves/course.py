@@ -303,7 +303,7 @@ class Course:
     def with_standstill(self, time: float) -> Profile | None:
         """Return a stop from the state at `time`, then rest; None if the paths end first."""
         profile = self.braking(time)
-        return None if profile is None else with_rest(profile, "suspend")
+        return None if profile is None else with_rest(profile)
 
     def braking(
         self, time: float, decel: float | None = None, beyond: bool = False, first: int = 0

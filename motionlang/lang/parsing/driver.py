@@ -70,8 +70,8 @@ def loop(reductions: Iterable[list[str]], leaves: Iterable[list[str]]) -> str:
     chosen = [("code", number, lines) for number, lines in enumerate(reductions)]
     made = [("made", number, lines) for number, lines in enumerate(leaves, 1)]
     return _LOOP.format(
-        reductions=_indented([*_choice(chosen), "else:", *_within(_CALL.split("\n"))], 3),
-        leaves=_indented(_choice(made), 3),
+        reductions=_indented([*_choice(chosen), "else:", *_within(_CALL.split("\n"))]),
+        leaves=_indented(_choice(made)),
     )
 
 
@@ -86,5 +86,5 @@ def _within(lines: list[str]) -> list[str]:
     return [f"    {line}" for line in lines]
 
 
-def _indented(lines: list[str], depth: int) -> str:
-    return "\n".join("    " * depth + line for line in lines)
+def _indented(lines: list[str]) -> str:
+    return "\n".join(" " * 12 + line for line in lines)

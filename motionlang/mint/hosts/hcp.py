@@ -22,6 +22,8 @@ from motionlang.controller.io.host_memory import HostMemory
 
 STX, ETX, EOT, ENQ, ACK, NAK = 2, 3, 4, 5, 6, 21
 FIRST, LAST = 1, 99
+# The number of the card of this controller.
+CARD = b"00"
 # The longest text of a number; a longer one is answered with NAK.
 MAX_TEXT = 40
 _CONTROL = 32
@@ -90,8 +92,8 @@ class Elements:
 class Receiver:
     """Takes the bytes of one line, and answers the frames among them."""
 
-    def __init__(self, elements: Elements, card: int = 0) -> None:
-        self._elements, self._card = elements, _digits(card)
+    def __init__(self, elements: Elements) -> None:
+        self._elements = elements
         # The bytes since EOT, or None between frames.
         self._frame: bytearray | None = None
 
@@ -130,14 +132,14 @@ class Receiver:
     def _written(self, frame: bytearray, code: int) -> bytes:
         element, text = bytes(frame[3:5]), bytes(frame[5:-1])
         right = checksum(frame[3:]) == code and element.isdigit() and len(text) <= MAX_TEXT
-        ours = bytes(frame[:2]) == self._card
+        ours = bytes(frame[:2]) == CARD
         done = right and ours and self._elements.write(int(element), text.decode("latin-1"))
         return self._ended(frame, bytes([ACK if done else NAK]))
 
     def _ended(self, frame: bytearray, answer: bytes) -> bytes:
         """End a frame and return its answer, which is empty for another card."""
         self._frame = None
-        return answer if bytes(frame[:2]) == self._card else b""
+        return answer if bytes(frame[:2]) == CARD else b""
 
 
 def _begin(card: int) -> bytes:

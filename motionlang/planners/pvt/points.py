@@ -16,6 +16,7 @@ from motionlang.planners.pvt.motion import plan_pvt
 from motionlang.planners.total import total
 
 MAX_SEGMENT = 0.255
+GRID = 0.001
 """The longest segment of a Copley drive, s: eight bits of milliseconds."""
 
 MAX_POINTS = 1_000_000
@@ -150,20 +151,20 @@ def knots(profile: Profile) -> list[Knot]:
     return table
 
 
-def split_long(points: Sequence[Point], longest: float = MAX_SEGMENT, grid: float = 0.001) -> list[Point]:
-    """Return absolute points with no segment longer than `longest`, s.
+def split_long(points: Sequence[Point]) -> list[Point]:
+    """Return absolute points with no segment longer than `MAX_SEGMENT`.
 
-    Long segments are cut on the curve, which does not change. If the length allows, the cuts are at whole multiples of
-    `grid`, s, after the point, so that a drive can take them.
+    Long segments are cut on the curve, which does not change. If the length allows, the cuts are at whole
+    milliseconds after the point, so that a drive can take them.
     """
     moving = until_end(absolute(points))
     duration = total(point.time for point in moving)
-    if not duration <= MAX_POINTS * longest:
+    if not duration <= MAX_POINTS * MAX_SEGMENT:
         raise ValueError(f"a move of {duration:.3g} s takes more than {MAX_POINTS} points")
     profile, made = plan_points(moving), list[Point]()
     for i, point in enumerate(moving):
-        count = -int(-point.time // longest) if point.time else 1
-        cuts = [round(point.time * n / count / grid) * grid for n in range(1, count)]
+        count = -int(-point.time // MAX_SEGMENT) if point.time else 1
+        cuts = [round(point.time * n / count / GRID) * GRID for n in range(1, count)]
         marks = [0.0, *cuts, point.time]
         straight = i + 1 < len(moving) and moving[i + 1].velocity is None
         made.append(replace(point, time=marks[1] if count > 1 else point.time))
