@@ -93,8 +93,7 @@ def _is_a_probe(text: str) -> bool:
     return f"<{BEGIN}|" in text or str(mark(BEGIN)) in text
 
 
-# --------------------------------------------------------------------------------------------- finding
-# answers
+# -------------------------------------------------------------------------------------------- finding answers
 
 
 def _answers_of_mint(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
@@ -156,8 +155,7 @@ def _plain(answer: str) -> str:
     return " ".join(answer.split())
 
 
-# -------------------------------------------------------------------------------------------- evaluating
-# answers
+# ----------------------------------------------------------------------------------------- evaluating answers
 
 
 def _verdict_of(found: Answers, answered: dict[str, list[tuple[str, int]]]) -> None:

@@ -130,8 +130,7 @@ def stream(args: argparse.Namespace) -> int:
     return status
 
 
-# ------------------------------------------------------------------------------------------------ input and
-# output
+# ------------------------------------------------------------------------------------------- input and output
 
 
 def _guarded(handler: Handler) -> Handler:

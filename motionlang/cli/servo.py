@@ -303,8 +303,7 @@ _COMMANDS: dict[str, tuple[str, Handler, tuple[Row, ...]]] = {
 }
 
 
-# ---------------------------------------------------------------------------------------------------- input
-# and output
+# ------------------------------------------------------------------------------------------- input and output
 
 
 def _moves_to_check(args: argparse.Namespace) -> list[tuple[str, Slip]]:

@@ -203,8 +203,7 @@ class Axis:
         """Return a function that is true if no move is in progress."""
         return lambda: self.move is None
 
-    # -------------------------------------------------------------------------------- hooks of
-    # `fast/moves.py`
+    # ------------------------------------------------------------------------------ hooks of `fast/moves.py`
 
     def loader(self, controller: Core, relative: bool, command: str) -> Loader:
         """Return a fast function that loads moves to a position or by a distance.

@@ -218,8 +218,7 @@ class FastAxis(Axis):
         """Return a function that is true if no move is in progress."""
         return lambda: not self.in_motion and self._move is None
 
-    # ----------------------------------------------------------------------------------- loading and starting
-    # moves
+    # ----------------------------------------------------------------------------- loading and starting moves
 
     def loader(self, controller: Core, relative: bool, command: str) -> Loader:
         """Return a fast function that loads moves to a position or by a distance.

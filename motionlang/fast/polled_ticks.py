@@ -47,7 +47,7 @@ loop that waits for the end of a move has few new transitions in the next move.
 
 Data. `_known` has the states and the transitions (`transitions.py`). They are valid since `_begun`, and `_read` has
 the dependencies of all tasks since then (`Dependencies.longest`). `_last` is the last checkpoint. Walks are computed
-in `walks.py`, and `rounds.py` repeats what is in them.
+in `walker.py`, and `rounds.py` repeats what is in them.
 
 Invariants.
 - A transition is recorded only if nothing has happened but the tick, polling, WAITs, and switches of outputs.
@@ -85,7 +85,7 @@ from motionlang.fast.transitions import (
     first_statement,
 )
 from motionlang.fast.walk import Pace
-from motionlang.fast.walks import MAX_WALK, Walker
+from motionlang.fast.walker import MAX_WALK, Walker
 from motionlang.lang.dependencies import CLOSE
 from motionlang.lang.statement_time import UNITS, units
 from motionlang.log.repeated import rows_of

@@ -1,4 +1,4 @@
-"""Rounds: transitions of a walk that repeat, for `walks.py`.
+"""Rounds: transitions of a walk that repeat, for `walker.py`.
 
 A loop with WAIT(5) next to a tick every millisecond repeats after 5.02 ms: five ticks, then the end of the WAIT. The
 end falls 20 µs later between the ticks each time, until a tick overtakes it after some 50 rounds.

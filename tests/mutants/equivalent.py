@@ -571,8 +571,6 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/analysis/proof/followers.py: _check_table: abs(_on(curve, 0.5 * (left + right)) - first "
     "- 0.5 * (low + high) + values[0]) > size -> abs(_on(curve, 0.5 * (left + right)) - first - 0.5 * "
     "(low + high) + values[0]) >= size": ("just at the size of rounding either is right"),
-    "motionlang/analysis/proof/followers.py: _check_table: abs(gap) * positions[-1] > size -> abs(gap) * "
-    "positions[-1] >= size": ("just at the size of rounding either is right"),
     "motionlang/analysis/proof/outputs.py: _check_peak: reported > seen + slack -> reported >= seen + slack": (
         "just at the size of rounding either is right"
     ),
@@ -595,11 +593,11 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/servo/response.py: loop_figures: 360.0 -> 361.0": (
         "only rounding decides if a phase is exactly 180 degrees"
     ),
-    "motionlang/servo/response.py: _last_fall: gain[:-1] >= level -> gain[:-1] > level": (
-        "only rounding decides if a gain of the grid is exactly the level"
+    "motionlang/servo/response.py: _last_fall: gain[:-1] >= 1.0 -> gain[:-1] > 1.0": (
+        "only rounding decides if a gain of the grid is exactly 1"
     ),
-    "motionlang/servo/response.py: _last_fall: gain[1:] < level -> gain[1:] <= level": (
-        "only rounding decides if a gain of the grid is exactly the level"
+    "motionlang/servo/response.py: _last_fall: gain[1:] < 1.0 -> gain[1:] <= 1.0": (
+        "only rounding decides if a gain of the grid is exactly 1"
     ),
     "motionlang/log/history.py: MoveFigures: __init__: -inf -> inf #2": (
         "a move without samples at rest has settled, whichever was the last"
@@ -1612,31 +1610,31 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/fast/recurrence.py: 10000000 -> 10000001": ("one byte more of ten million"),
     "motionlang/fast/recurrence.py: 20000 -> 20001": ("one state more of twenty thousand"),
-    "motionlang/fast/walks.py: Walker: walk_all: count * cost -> count / cost": (
+    "motionlang/fast/walker.py: Walker: walk_all: count * cost -> count / cost": (
         "only speed: the same transition is looked up"
     ),
-    "motionlang/fast/walks.py: Walker: walk_all: step.length * cost -> step.length / cost": (
+    "motionlang/fast/walker.py: Walker: walk_all: step.length * cost -> step.length / cost": (
         "only speed: the same transition is looked up"
     ),
-    "motionlang/fast/walks.py: Walker: _repetitions: step.waits[0][2] / UNITS -> step.waits[0][2] * UNITS": (
+    "motionlang/fast/walker.py: Walker: _repetitions: step.waits[0][2] / UNITS -> step.waits[0][2] * UNITS": (
         "only speed: how many repetitions are found at once"
     ),
-    "motionlang/fast/walks.py: Walker: walk_all: times > 0 -> times >= 0": (
+    "motionlang/fast/walker.py: Walker: walk_all: times > 0 -> times >= 0": (
         "no repetition leaves the time as it is"
     ),
-    "motionlang/fast/walks.py: Walker: walk_all: moment > base + count * cost + APART -> moment >= "
+    "motionlang/fast/walker.py: Walker: walk_all: moment > base + count * cost + APART -> moment >= "
     "base + count * cost + APART": ("just at the size of rounding either is right"),
-    "motionlang/fast/walks.py: Walker: walk_all: dues[1][0] > moment + step.length * cost + APART "
+    "motionlang/fast/walker.py: Walker: walk_all: dues[1][0] > moment + step.length * cost + APART "
     "-> dues[1][0] >= moment + step.length * cost + APART": ("just at the size of rounding either is right"),
-    "motionlang/fast/walks.py: Walker: next: dues[depth][0] > base + (origin + step.length) * cost "
+    "motionlang/fast/walker.py: Walker: next: dues[depth][0] > base + (origin + step.length) * cost "
     "+ APART -> dues[depth][0] >= base + (origin + step.length) * cost + APART": (
         "just at the size of rounding either is right"
     ),
-    "motionlang/fast/walks.py: Walker: next: due[0] > base + (count + step.length) * cost + APART "
+    "motionlang/fast/walker.py: Walker: next: due[0] > base + (count + step.length) * cost + APART "
     "-> due[0] >= base + (count + step.length) * cost + APART": (
         "just at the size of rounding either is right"
     ),
-    "motionlang/fast/walks.py: Walker: origin: due[0] > now + APART -> due[0] >= now + APART": (
+    "motionlang/fast/walker.py: Walker: origin: due[0] > now + APART -> due[0] >= now + APART": (
         "just at the size of rounding either is right"
     ),
     "motionlang/fast/polled_ticks.py: PolledTicks: _path: due[0] > end -> due[0] >= end": (

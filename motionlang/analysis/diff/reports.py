@@ -311,8 +311,7 @@ def _phases(one: list[Move], other: list[Move], tolerance: Tolerance) -> Iterato
             yield f"{was['name']} distance", was["distance"], is_["distance"]
 
 
-# ------------------------------------------------------------------------------------------------- other
-# fields
+# ----------------------------------------------------------------------------------------------- other fields
 
 
 def _prints(found: Difference, old: list[str], new: list[str]) -> None:

@@ -227,8 +227,7 @@ class PathRun:
         """True if only the angle to the next path makes it stop at the end of this one."""
         return not self.ended and self.present.stops_at_corner
 
-    # -----------------------------------------------------------------------------------------------
-    # execution
+    # --------------------------------------------------------------------------------------------- execution
 
     @property
     def _live(self) -> list[Course]:

@@ -11,7 +11,7 @@ import pytest
 from motionlang.fast.rounds import Rounds
 from motionlang.fast.transitions import TICK, Checkpoint, Known, Transition, first_statement
 from motionlang.fast.walk import Pace
-from motionlang.fast.walks import Walker
+from motionlang.fast.walker import Walker
 from motionlang.lang.statement_time import StatementTime
 from tests.cases import cases
 
