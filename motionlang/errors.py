@@ -183,6 +183,11 @@ class ProgramError(Exception):
         self.diagnostics = sorted(diagnostics, key=lambda d: (d.line, d.column))
         super().__init__("; ".join(d.message for d in self.diagnostics))
 
+    @classmethod
+    def of(cls, code: str, message: str, line: int = 0, column: int = 0, hint: str = "") -> ProgramError:
+        """Return the error with one diagnostic."""
+        return cls([Diagnostic(code, message, line, column, hint=hint)])
+
 
 class Terminated(SystemExit):
     """A signal such as SIGTERM has ended the command; `code` is its exit status."""

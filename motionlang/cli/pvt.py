@@ -80,7 +80,7 @@ def refine(args: argparse.Namespace) -> int:
     try:
         rows = compare_velocities(positions, spans, args.compare)
     except (ValueError, OverflowError) as problem:
-        raise ProgramError([Diagnostic("range", str(problem))]) from None
+        raise ProgramError.of("range", str(problem)) from None
     if args.format == "json":
         table = [{"velocities": name, "largest_jump": jump, "values": v} for name, v, jump in rows]
         _print_json({"move": move.name, "methods": table})
@@ -107,7 +107,7 @@ def export(args: argparse.Namespace) -> int:
     try:
         made = written(to_wire(points), args.format, args.node)
     except Unwritable as problem:
-        raise ProgramError([Diagnostic("range", str(problem))]) from None
+        raise ProgramError.of("range", str(problem)) from None
     error, when = _error(move, from_wire(made.read_back), args.start or 0.0)
     span = total(p.time for p in points)
     worst = f"largest error {error:.3g} counts at {when:.3f} s" if error > NOISE else "no error"
@@ -172,7 +172,7 @@ def _planned(points: Sequence[Point], start: float | None) -> Profile:
     try:
         return plan_points(points, start or 0.0)
     except (ValueError, OverflowError) as problem:
-        raise ProgramError([Diagnostic("range", str(problem))]) from None
+        raise ProgramError.of("range", str(problem)) from None
 
 
 def _replaced(points: Sequence[Point], velocities: Sequence[float]) -> list[Point]:

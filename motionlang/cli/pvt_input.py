@@ -152,9 +152,9 @@ def _from_scurve(args: argparse.Namespace) -> Move:
         else:
             points = split_long(limited_scurve(args.scurve, args.jerk, *limits, grid=GRID))
     except ArithmeticError:
-        raise ProgramError([Diagnostic("range", "no finite move is possible within these limits")]) from None
+        raise ProgramError.of("range", "no finite move is possible within these limits") from None
     except ValueError as problem:
-        raise ProgramError([Diagnostic("range", str(problem))]) from None
+        raise ProgramError.of("range", str(problem)) from None
     return Move(f"S-curve, {args.scurve:g} counts", points)
 
 
@@ -206,7 +206,7 @@ def _from_program(args: argparse.Namespace) -> Move:
     axes = result.controller.axes
     moved = sorted({move.axis for move in result.controller.log.moves})
     if not moved:
-        raise ProgramError([Diagnostic("values", f"no axis moves in {result.source.name}")])
+        raise ProgramError.of("values", f"no axis moves in {result.source.name}")
     if args.axis is None and len(moved) > 1:
         many = ", ".join(map(str, moved))
         raise UsageError(f"axes {many} move in {result.source.name}: choose one with --axis")
@@ -224,9 +224,9 @@ def _from_program(args: argparse.Namespace) -> Move:
     except OutOfTolerance as problem:
         least = least_tolerance(*columns, tolerance, track.begin, track.end)
         hint = f"a tolerance of {least:.3g} counts can be met" if least else "the motion jumps there"
-        raise ProgramError([Diagnostic("range", str(problem), hint=hint)]) from None
+        raise ProgramError.of("range", str(problem), hint=hint) from None
     except ValueError as problem:
-        raise ProgramError([Diagnostic("range", str(problem))]) from None
+        raise ProgramError.of("range", str(problem)) from None
     return Move(f"{result.source.name}, axis {number}", fit.points, track=track)
 
 
@@ -251,7 +251,7 @@ def _velocities(positions: Sequence[float], spans: Sequence[float], method: str,
     try:
         return pvt_velocities("exact" if method == "given" else method, positions, spans, sweeps)
     except (ValueError, OverflowError) as problem:
-        raise ProgramError([Diagnostic("range", str(problem))]) from None
+        raise ProgramError.of("range", str(problem)) from None
 
 
 def spans_of(points: Sequence[Point]) -> list[float]:

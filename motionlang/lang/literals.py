@@ -296,13 +296,13 @@ def _wrong(message: str, others: Sequence[Literal], address: str = "") -> Progra
     hint = (
         f"write {listed}{' …' if len(names) > MAX_NAMED else ''}; check --literals lists all" if names else ""
     )
-    return ProgramError([Diagnostic("option", message, hint=hint)])
+    return ProgramError.of("option", message, hint=hint)
 
 
 def _text(address: str, value: float | str) -> str:
     """Return a value in the notation of the program."""
     if isinstance(value, str) or not isfinite(value):
-        raise ProgramError([Diagnostic("option", f"{address} is a number, not {value!r}")])
+        raise ProgramError.of("option", f"{address} is a number, not {value!r}")
     return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(float(value))
 
 

@@ -95,14 +95,10 @@ def compare(
     if delay is None:
         delay = find_delay(run.trace, found)
         if delay is None:
-            raise ProgramError(
-                [
-                    Diagnostic(
-                        "recording",
-                        "cannot align in time: nothing moves in the run or in the recording",
-                        hint="give the delay of the recording with --delay S",
-                    )
-                ]
+            raise ProgramError.of(
+                "recording",
+                "cannot align in time: nothing moves in the run or in the recording",
+                hint="give the delay of the recording with --delay S",
             )
     compared = _Compared(run, delay, tolerances or {})
     signals = [compared.signal(signal) for signal in found]
@@ -147,14 +143,10 @@ def _signals(run: Run, source: Source, mapping: Sequence[Mapped]) -> tuple[list[
     if not named:
         named = {each.target: each for each in _own(table.columns)}
     if not named:
-        raise ProgramError(
-            [
-                Diagnostic(
-                    "recording",
-                    f"the columns of {source.name} are not assigned",
-                    hint=f"--map position.0=NAME; its columns are {', '.join(table.columns)}",
-                )
-            ]
+        raise ProgramError.of(
+            "recording",
+            f"the columns of {source.name} are not assigned",
+            hint=f"--map position.0=NAME; its columns are {', '.join(table.columns)}",
         )
     found = []
     remarks += [table.doubts[name]] if name in table.doubts else []
@@ -165,9 +157,7 @@ def _signals(run: Run, source: Source, mapping: Sequence[Mapped]) -> tuple[list[
         values = table.columns[column][rows] * (1.0 if each.factor is None else each.factor)
         good = np.isfinite(values)
         if good.sum() < 3:
-            raise ProgramError(
-                [Diagnostic("recording", f"{column} has fewer than three numbers that can be compared")]
-            )
+            raise ProgramError.of("recording", f"{column} has fewer than three numbers that can be compared")
         found.append(Signal(axis, quantity, column, times[rows][good], values[good]))
         remarks += _gaps(found[-1])
     return found, remarks
@@ -183,7 +173,7 @@ def _target(run: Run, target: str) -> tuple[str, int]:
         hint = f"{quantity}.{next(iter(axes))} is that of the first axis"
     else:
         return "position" if quantity == "actual" else quantity, int(axis)
-    raise ProgramError([Diagnostic("recording", problem, hint=hint)])
+    raise ProgramError.of("recording", problem, hint=hint)
 
 
 def _own(columns: Mapping[str, Array]) -> Iterator[Mapped]:

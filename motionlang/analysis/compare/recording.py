@@ -63,14 +63,10 @@ class Table(NamedTuple):
             return names[int(wanted) - 1]
         near = nearest(name, names)
         hint = f"did you mean {near}? " if near else ""
-        raise ProgramError(
-            [
-                Diagnostic(
-                    "recording",
-                    f"{source.name} has no column {name!r}",
-                    hint=f"{hint}its columns are {', '.join(names)}",
-                )
-            ]
+        raise ProgramError.of(
+            "recording",
+            f"{source.name} has no column {name!r}",
+            hint=f"{hint}its columns are {', '.join(names)}",
         )
 
 
@@ -108,14 +104,10 @@ def read_table(source: Source) -> Table:
         rows.append(row)
         numbers.append(number)
     if len(rows) < 2:
-        raise ProgramError(
-            [
-                Diagnostic(
-                    "recording",
-                    f"{source.name} is not a recording: it has fewer than two rows of numbers",
-                    hint="a recording has columns of numbers, as a drive or a scope exports them to CSV",
-                )
-            ]
+        raise ProgramError.of(
+            "recording",
+            f"{source.name} is not a recording: it has fewer than two rows of numbers",
+            hint="a recording has columns of numbers, as a drive or a scope exports them to CSV",
         )
     names, units = _names(head, width)
     data = np.array(rows, dtype=np.float64)
@@ -217,14 +209,10 @@ def time_column(table: Table, source: Source, wanted: str | None) -> str:
     for name in table.columns:
         if _bare(name) in TIMES or _bare(name).rsplit("_", 1)[0] in TIMES:
             return name
-    raise ProgramError(
-        [
-            Diagnostic(
-                "recording",
-                f"{source.name} has no column named time",
-                hint=f"choose one with --map time=NAME; its columns are {', '.join(table.columns)}",
-            )
-        ]
+    raise ProgramError.of(
+        "recording",
+        f"{source.name} has no column named time",
+        hint=f"choose one with --map time=NAME; its columns are {', '.join(table.columns)}",
     )
 
 

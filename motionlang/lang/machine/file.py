@@ -433,7 +433,7 @@ def _refuse_long_keys(source: Source) -> None:
     found = re.search(_LONG_KEY, source.text)
     if found is not None:
         location, hint = source.location(found.start()), f"no key has more than {_MAX_DEPTH + 1}"
-        raise ProgramError([Diagnostic("machine-file", "a key has too many parts", *location, hint=hint)])
+        raise ProgramError.of("machine-file", "a key has too many parts", *location, hint=hint)
 
 
 def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
@@ -467,8 +467,8 @@ def _refuse_nesting(source: Source) -> None:
     most, deepest = _deepest(plain)
     if most > _MAX_OPEN:
         hint = "the values of a machine file are at most lists of numbers"
-        raise ProgramError(
-            [Diagnostic("machine-file", "values are nested too deeply", *source.location(deepest), hint=hint)]
+        raise ProgramError.of(
+            "machine-file", "values are nested too deeply", *source.location(deepest), hint=hint
         )
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from motionlang.errors import Diagnostic, ProgramError, nearest
+from motionlang.errors import ProgramError, nearest
 from motionlang.lang.machine.keys import ABOUT, NAMED
 
 Entry = Mapping[str, object]
@@ -53,7 +53,7 @@ def _with_channel(table: str, entry: Entry, below: object) -> Entry:
         else "write channel = N"
     )
     message = f"no [[{table}]] of the machine file is named {entry['name']}"
-    raise ProgramError([Diagnostic("machine-file", message, hint=hint)])
+    raise ProgramError.of("machine-file", message, hint=hint)
 
 
 def _replaces(table: str, above: Entry, below: Entry) -> bool:

@@ -6,7 +6,7 @@ They are in the section `[assumptions]` of that file.
 from __future__ import annotations
 
 from motionlang.controller.faults import Rejected
-from motionlang.errors import Diagnostic, ProgramError
+from motionlang.errors import ProgramError
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.switchable import word_of
 from motionlang.mint.runtime.binding import bind
@@ -43,4 +43,4 @@ class PowerUp:
                 write(axis, *given)
             except Rejected as rejected:
                 message = f"the assumption {name} cannot be {given[0]:g}: {rejected.message}"
-                raise ProgramError([Diagnostic("machine-file", message, hint=rejected.hint)]) from None
+                raise ProgramError.of("machine-file", message, hint=rejected.hint) from None
