@@ -65,9 +65,9 @@ def _step_back(source: Source) -> float:
     language = dialect_of(source.name)
     assert language is not None
     debugger = Debugger(source, language, {})
-    debugger.go_to_number(FAR)
+    debugger._arrive(FAR, "goto")
     debugger.step_back()
-    running = _least(lambda: debugger.go_to_number(FAR))
+    running = _least(lambda: debugger._arrive(FAR, "goto"))
     back = _least(debugger.step_back)
     debugger.abandon()
     return back / running

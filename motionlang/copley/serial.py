@@ -1,7 +1,7 @@
 """Encoding and decoding of serial parameter 0x115, the trajectory buffer.
 
 A point is one 16-bit word and one or two 32-bit integers: the position, and the velocity if there is one. A
-buffer command is one word. Words are plain integers here; `as_words` splits the 32-bit ones.
+buffer command is one word. Words are plain integers here.
 """
 
 from __future__ import annotations
@@ -93,26 +93,6 @@ def status_words(free: int) -> tuple[int, int, int]:
     These are the free positions and two reserved words.
     """
     return (free, 0, 0)
-
-
-def as_words(message: Sequence[int]) -> list[int]:
-    """Return the message as 16-bit words, the high half of a 32-bit value first."""
-    word, *values = message
-    return [word, *(half for value in values for half in (value >> 16, value & 0xFFFF))]
-
-
-def from_words(words: Sequence[int]) -> tuple[int, ...]:
-    """Return the message in 16-bit words as parameter values.
-
-    Raises `BadWord` if they do not form whole 32-bit values.
-    """
-    if not words or len(words) % 2 == 0:
-        raise BadWord(f"{len(words)} words do not make a 16-bit word and 32-bit values")
-    for word in words:
-        if not 0 <= word <= 0xFFFF:
-            raise BadWord(f"{word:#x} is not a 16-bit word")
-    pairs = zip(words[1::2], words[2::2], strict=True)
-    return (words[0], *(high << 16 | low for high, low in pairs))
 
 
 def _decode_command(word: int, values: Sequence[int]) -> BufferCommand:

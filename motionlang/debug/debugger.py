@@ -769,10 +769,6 @@ class Debugger:
             return self.stay(f"line {line} has not begun before")
         return self._arrive(found[-1], "goto")
 
-    def go_to_number(self, number: int) -> Stop | None:
-        """Go to a statement by its number."""
-        return self._arrive(max(number, 1), "goto")
-
     def last_change(self, path: Sequence[str]) -> Stop | None:
         """Go back to the statement that last changed a variable, an axis or a channel.
 

@@ -182,10 +182,5 @@ class Names:
         inside = [each for each in self.definitions if each.scope[0] <= offset <= each.scope[1]]
         return iter(sorted(inside, key=lambda each: each.scope[1] - each.scope[0]))
 
-    def named(self, name: str, kind: str) -> Definition | None:
-        """Return the definition of a kind with this name, ignoring case."""
-        key = name.lower()
-        return next((e for e in self.definitions if e.kind == kind and e.name.lower() == key), None)
-
 
 NO_NAMES = Names([], list)

@@ -81,11 +81,6 @@ class Session:
 
     # -------------------------------------------------------------------------------------------------- input
 
-    @property
-    def in_block(self) -> bool:
-        """True if a block is open, so that more lines are needed."""
-        return bool(self._block)
-
     def is_complete(self, text: str) -> bool:
         """True if `text` could be executed as it is."""
         return is_command(text) or self.runner.is_complete(text)

@@ -48,11 +48,6 @@ def test_commands_are_these_words(command: BufferCommand, word: int) -> None:
 def test_every_point_survives_the_transfer(point: WirePoint) -> None:
     message = serial.encode_point(point)
     assert serial.decode(message) == point
-    assert serial.from_words(serial.as_words(message)) == message
-
-
-def test_32_bits_are_two_words_high_half_first() -> None:
-    assert serial.as_words((0x000A, 0x00001388, 0xFFFFFFFF)) == [0x000A, 0x0000, 0x1388, 0xFFFF, 0xFFFF]
 
 
 @pytest.mark.parametrize("bit", [8, 9, 10, 11, 13, 14])
@@ -102,12 +97,6 @@ def test_points_that_fit_no_field_are_refused(point: WirePoint, reason: str) -> 
 def test_commands_that_do_not_exist_are_refused(command: BufferCommand) -> None:
     with pytest.raises(BadWord, match=r"there is no|does not fit"):
         serial.encode_command(command)
-
-
-@pytest.mark.parametrize("words", [[], [1, 2], [1, 2, 3, 4], [1, 2, 0x1_0000]])
-def test_words_that_make_no_message_are_refused(words: list[int]) -> None:
-    with pytest.raises(BadWord, match=r"do not make|not a 16-bit word"):
-        serial.from_words(words)
 
 
 def test_reading_the_parameter_gives_the_free_positions() -> None:

@@ -23,6 +23,7 @@ from motionlang.debug.debugger import Debugger, NotStopped
 from motionlang.lang.machine.entries import entries
 from tests.cases import cases
 from tests.debug.test_debugger import CALLS, at, mint
+from tests.debug.walks import go_to_number
 
 TASK = "ParentTask"
 # A statement, its time and the key of the copy that waits there.
@@ -80,10 +81,10 @@ def handed_over(command: Callable[[], object]) -> tuple[object, ...] | None:
     "command, work",
     [
         (lambda debugger: debugger.step_back(), (2, "arrive", 8, "step", "")),
-        (lambda debugger: debugger.go_to_number(7), (2, "arrive", 7, "goto", "")),
-        (lambda debugger: debugger.go_to_number(6), (2, "arrive", 6, "goto", "")),
-        (lambda debugger: debugger.go_to_number(5), (1, "arrive", 5, "goto", "")),
-        (lambda debugger: debugger.go_to_number(1), None),
+        (lambda debugger: go_to_number(debugger, 7), (2, "arrive", 7, "goto", "")),
+        (lambda debugger: go_to_number(debugger, 6), (2, "arrive", 6, "goto", "")),
+        (lambda debugger: go_to_number(debugger, 5), (1, "arrive", 5, "goto", "")),
+        (lambda debugger: go_to_number(debugger, 1), None),
         (lambda debugger: debugger.go_back_to_line(5), (2, "arrive", 7, "goto", "")),
         (
             lambda debugger: debugger.last_change(("module", "total")),
@@ -100,7 +101,7 @@ def test_the_last_copy_before_a_statement_or_a_time_continues(
 ) -> None:
     """The stop is at statement 9, and copies wait at statements 2 and 6."""
     debugger, copies, _ = with_copies()
-    debugger.go_to_number(9)
+    go_to_number(debugger, 9)
     copies.known = list(KNOWN)
     assert handed_over(lambda: command(debugger)) == work
     debugger.abandon()
@@ -111,13 +112,13 @@ def test_hits_and_watched_values_are_found_by_running_again() -> None:
     debugger, copies, _ = with_copies()
     copies.known = list(KNOWN)
     debugger.set_breakpoints([at(debugger, 4)])
-    assert handed_over(lambda: debugger.go_to_number(7)) == (2, "arrive", 7, "goto", "")
+    assert handed_over(lambda: go_to_number(debugger, 7)) == (2, "arrive", 7, "goto", "")
     debugger.watched = [Watched(("module", "total"))]
-    assert handed_over(lambda: debugger.go_to_number(7)) is None
+    assert handed_over(lambda: go_to_number(debugger, 7)) is None
     assert handed_over(lambda: debugger.go_to_time(6e-5)) is None
     debugger.watched = []
     debugger.set_breakpoints([at(debugger, 4, hits="3"), at(debugger, 5)])
-    assert handed_over(lambda: debugger.go_to_number(7)) is None
+    assert handed_over(lambda: go_to_number(debugger, 7)) is None
     assert handed_over(lambda: debugger.go_to_time(6e-5)) is None
     debugger.abandon()
 
@@ -157,7 +158,7 @@ def test_a_copy_does_the_work_that_remains(
     """The copy waits at statement `begin`."""
     debugger = mint(CALLS)
     debugger.start()
-    debugger.go_to_number(begin)
+    go_to_number(debugger, begin)
     stop = debugger.resume(work)
     assert stop is not None
     assert stop is debugger.stop
@@ -267,7 +268,7 @@ def test_a_copy_ends_with_the_channel_of_its_front(monkeypatch: pytest.MonkeyPat
 
 def test_a_change_ends_the_copies_from_its_statement_on() -> None:
     debugger, copies, dropped = with_copies()
-    debugger.go_to_number(6)
+    go_to_number(debugger, 6)
     for change in (
         lambda: debugger.assign(("module", "total"), 5),
         lambda: debugger.enter(entries({}, inputs="3=1")),
@@ -340,13 +341,13 @@ def test_a_replay_reports_its_progress_and_is_copied() -> None:
     debugger.start()
     (place,) = debugger.breakpoints
     place.is_counted = True
-    debugger.go_to_number(14)
+    go_to_number(debugger, 14)
     assert [number for number, _ in taken] == [10, 13]
     assert fractions == [10 / 14, 13 / 14]
     debugger.go_on()
     assert len(fractions) == 2
     debugger.start()
-    debugger.go_to_number(11)
+    go_to_number(debugger, 11)
     fractions.clear()
     debugger.resume(("arrive", 14, "goto", ""))
     debugger.go_on()

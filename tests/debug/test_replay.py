@@ -12,6 +12,7 @@ from motionlang.execution import dialect
 from motionlang.source import Source
 from tests.cases import cases
 from tests.debug.test_debugger import CALLS, at, mint, value
+from tests.debug.walks import go_to_number
 
 
 @cases(
@@ -89,7 +90,7 @@ def test_each_input_is_asked_for_once() -> None:
     debugger.start()
     assert debugger.go_on() is None
     for number in (2, 4, 5):
-        debugger.go_to_number(number)
+        go_to_number(debugger, number)
         assert value(debugger, "n") == number // 2
     assert len(prompts) == 3
     debugger.assign(("module", "n"), 9)

@@ -16,6 +16,7 @@ from motionlang.debug.moments import Moment, complaints, search
 from motionlang.lang.machine.machine import Machine
 from tests.cases import cases
 from tests.debug.test_debugger import CALLS, at, mccl, mint
+from tests.debug.walks import go_to_number
 
 COUNT = 12
 READS = "Dim k As Integer\n" + "k = INX(5)\n" * COUNT
@@ -70,8 +71,8 @@ def test_the_statement_at_a_time(time: float) -> None:
     debugger = mint(READS)
     wanted = min(ceil(time) + 1, COUNT)
     for begin in (1, COUNT, None):
-        debugger.start() if begin == 1 else debugger.go_on() if begin is None else debugger.go_to_number(
-            begin
+        debugger.start() if begin == 1 else debugger.go_on() if begin is None else go_to_number(
+            debugger, begin
         )
         assert shown(debugger.go_to_time(time * UNIT)) == (wanted, wanted + 1, "goto", "", None)
 
@@ -89,7 +90,7 @@ def test_the_first_of_the_last_statements_at_a_time() -> None:
     """Statement 11 is a call at 100 µs, and 12, in the sub, begins at the same time."""
     debugger = mint("Dim k As Integer\nSub Last\n  k = 1\nEnd Sub\n" + "k = INX(5)\n" * 10 + "Last\n")
     debugger.start()
-    last = debugger.go_to_number(12)
+    last = go_to_number(debugger, 12)
     assert last is not None
     assert shown(debugger.go_to_time(last.time)) == (11, 15, "goto", "", None)
     debugger.abandon()
@@ -236,10 +237,10 @@ def test_log_points_print_once_at_a_statement_where_the_program_stops_again() ->
     debugger = mint(CALLS, log_message=messages.append)
     debugger.set_breakpoints([at(debugger, 4, message="{n}"), at(debugger, 5)])
     debugger.start(False)
-    debugger.go_to_number(2)
+    go_to_number(debugger, 2)
     debugger.go_on()
     assert (shown(debugger.stop), messages) == ((4, 5, "breakpoint", "", None), ["1"])
-    debugger.go_to_number(2)
+    go_to_number(debugger, 2)
     debugger.assign(("module", "total"), 7)
     debugger.go_on()
     assert messages == ["1", "1"]
@@ -277,7 +278,7 @@ def test_a_step_out_of_a_sub_goes_over_the_rest_of_it() -> None:
     """Statement 3 is the first of the sub, and 5 the next call in the loop."""
     debugger = mint(CALLS)
     debugger.start()
-    debugger.go_to_number(3)
+    go_to_number(debugger, 3)
     assert shown(debugger.step_out()) == (5, 9, "step", "", None)
     debugger.abandon()
 

@@ -25,6 +25,7 @@ from motionlang.debug.values import shown
 from motionlang.lang.machine.machine import Machine
 from tests.cases import cases
 from tests.debug.test_debugger import CALLS, MOVE, at, line_of, mccl, mint, value
+from tests.debug.walks import go_to_number
 
 
 def axis(debugger: Debugger, number: int = 0) -> dict[str, str]:
@@ -352,7 +353,7 @@ def test_a_statement_by_its_number() -> None:
     debugger = mint(CALLS)
     debugger.start()
     for number, line in ((3, 4), (0, 8), (-5, 8), (2, 9)):
-        debugger.go_to_number(number)
+        go_to_number(debugger, number)
         assert line_of(debugger) == line
 
 

@@ -29,11 +29,13 @@ def replay(transcript: str) -> str:
         if session is None:
             shown.append(line + "\n")
         elif prompt in PROMPTS or prompt == "....> ":
-            assert session.in_block == (prompt == "....> "), f"the prompt is not the one that {line!r} shows"
+            assert bool(session._block) == (prompt == "....> "), (
+                f"the prompt is not the one that {line!r} shows"
+            )
             shown.append(line + "\n")
             shown.append(session.feed(line[6:]))
     assert session is not None, "nothing is typed"
-    assert not session.in_block
+    assert not session._block
     return "".join(shown)
 
 

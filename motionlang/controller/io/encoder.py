@@ -27,8 +27,3 @@ def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None
     else:
         profile = running(state.position, velocity) if velocity else hold(state.position)
     controller.extend_track(encoder, profile)
-
-
-def wrapped(position: float, wrap: float) -> float:
-    """Return a position as shown by a register that wraps at `wrap`; 0 means no wrap."""
-    return position % wrap if wrap > 0.0 else position

@@ -43,11 +43,6 @@ class Segment:
         self.entry, self.leaving, self.curvature = entry, leaving, curvature
         self.starts: Sequence[float] | None = None
 
-    @property
-    def stretch(self) -> float:
-        """The distance in space per unit of length; 1 unless a language redefines length."""
-        return hypot(*self.entry) if self.length else 1.0
-
     def shift(self, k: int, by: float) -> None:
         """Add `by` counts to the positions of axis index k, for another zero."""
         if self.length:

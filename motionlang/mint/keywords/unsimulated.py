@@ -65,10 +65,6 @@ def do_command(environment: Environment, row: Keyword) -> Operation:
 # ------------------------------------------------------------------------------------------------- motion
 
 
-def read_motion(environment: Environment, row: Keyword) -> Operation:
-    return read_value(environment, row)
-
-
 def write_motion(environment: Environment, row: Keyword) -> Operation:
     """Make an operation that accepts 0 and ends the run for any other value."""
     store = _store(environment, row)
@@ -113,7 +109,7 @@ JUMP = "unsimulated.jump"
 ACTIONS = {
     VALUE: Actions(VALUE, read=read_value, write=write_value),
     COMMAND: Actions(COMMAND, do=do_command),
-    MOTION: Actions(MOTION, read=read_motion, write=write_motion, do=do_motion),
+    MOTION: Actions(MOTION, read=read_value, write=write_motion, do=do_motion),
 }
 # The groups of the vocabulary for each treatment.
 GROUPS = {

@@ -14,7 +14,6 @@ from hypothesis import strategies as st
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Rejected
-from motionlang.controller.io.encoder import wrapped
 from tests.cases import examples
 from tests.controller.machines import cam, machine, offset, until
 
@@ -213,11 +212,6 @@ def test_an_encoder_that_the_world_turns_is_a_master_too() -> None:
     assert (c.encoder_position(3), c.encoder_velocity(3)) == pytest.approx((1000.0, 1000.0))
     c.drive_encoder(3, 0.0)
     assert until(c, 5.0).position(1) == pytest.approx(100.0)
-
-
-@pytest.mark.parametrize(("position", "wrap", "shown"), [(5.0, 4.0, 1.0), (-1.0, 4.0, 3.0), (7.0, 0.0, 7.0)])
-def test_a_register_that_wraps(position: float, wrap: float, shown: float) -> None:
-    assert wrapped(position, wrap) == shown
 
 
 # -------------------------------------------------------------------------------------------------- shears

@@ -88,15 +88,13 @@ CHANGES: list[tuple[str, int, str, str]] = [
 @cases("kind, old, new, problem", CHANGES)
 def test_a_number_may_be_changed_if_its_meaning_stays(kind: str, old: int, new: str, problem: str) -> None:
     found = names(Source("a.mcl", PROGRAM))
-    definition = found.named(str(old), kind)
-    assert definition is not None
+    definition = next(each for each in found.definitions if (each.kind, each.name) == (kind, str(old)))
     assert found.problem(definition, new) == problem
 
 
 def test_a_macro_that_a_register_may_call_keeps_its_number() -> None:
     found = names(Source("a.mcl", "MD1,NO\nMC@20\nMJ@21\n"))
-    definition = found.named("1", "macro")
-    assert definition is not None
+    definition = next(each for each in found.definitions if (each.kind, each.name) == ("macro", "1"))
     assert found.problem(definition, "1") == ""
     assert found.problem(definition, "2") == "line 2 calls a macro by a register, so MD1 must keep its number"
 
