@@ -90,35 +90,6 @@ class Keyword:
     `driven`   the section of the machine file that sets the value read, such as "input"
     """
 
-    __slots__ = (
-        "access",
-        "actions",
-        "below",
-        "changes",
-        "default",
-        "driven",
-        "effect",
-        "every",
-        "example",
-        "family",
-        "gives",
-        "group",
-        "help",
-        "high",
-        "index",
-        "kind",
-        "low",
-        "meant",
-        "name",
-        "optional",
-        "short",
-        "simulated",
-        "solved",
-        "tunes",
-        "unit",
-        "verb",
-    )
-
     def __init__(
         self,
         name: str,

@@ -64,7 +64,7 @@ FIELDS = {
 
 def as_dict(row: Keyword, dialect: str) -> dict[str, object]:
     """Return a row as JSON data."""
-    names = (name for name in type(row).__slots__ if name not in ("actions", "simulated", "verb"))
+    names = (name for name in sorted(vars(row)) if name not in ("actions", "simulated", "verb"))
     known = of_word(dialect, row)
     evidence = {fact: {"strength": each.strength, "source": each.source} for fact, each in known.items()}
     return {

@@ -43,38 +43,6 @@ class Machine:
     prepares it at power-up with `at_power_up`.
     """
 
-    __slots__ = (
-        "_controller",
-        "_first_axis",
-        "_host",
-        "_operators",
-        "_power_up",
-        "_reported",
-        "_world",
-        "accelerators",
-        "ask",
-        "assumed",
-        "assumptions",
-        "clock",
-        "diagnostics",
-        "hook",
-        "instruction_time",
-        "log",
-        "model",
-        "notes",
-        "nv",
-        "overrides",
-        "scheduler",
-        "settings",
-        "statements",
-        "terminal",
-        "terminals",
-        "warn",
-        "warned",
-        "without_effect",
-        "written",
-    )
-
     def __init__(
         self,
         settings: Mapping[str, object] | None = None,
