@@ -75,48 +75,6 @@ class AxisState:
     which the axis last came to rest, `controlling` the axis that controls its contour.
     """
 
-    __slots__ = (
-        "aux_index",
-        "aux_zero",
-        "backlash",
-        "breakpoint",
-        "breakpoint_reached",
-        "constant",
-        "controlling",
-        "deadband",
-        "deadband_delay",
-        "direction",
-        "edge_found",
-        "flags",
-        "half_steps",
-        "index_found",
-        "index_position",
-        "jog",
-        "jogging",
-        "limit_mode",
-        "minimum",
-        "mode",
-        "model",
-        "number",
-        "on_arc",
-        "on_line",
-        "play",
-        "rested",
-        "reversed_phase",
-        "running",
-        "scale",
-        "scaled",
-        "segments",
-        "slave_ratio",
-        "soft_high",
-        "soft_low",
-        "stored",
-        "synchronised",
-        "units",
-        "vector",
-        "write",
-    )
-
     def __init__(self, number: int, model: Model, controller: Controller) -> None:
         self.number, self.model = number, model
         # Writers of the settings of the controller's axis, by name.

@@ -247,44 +247,6 @@ class SharedData:
 class Body:
     """One function being written."""
 
-    __slots__ = (
-        "_labels",
-        "_stretches",
-        "analysed",
-        "at",
-        "callee",
-        "calls",
-        "cells",
-        "chunks",
-        "copies",
-        "deepest",
-        "facts",
-        "function",
-        "hooked",
-        "indent",
-        "levels",
-        "lines",
-        "loops",
-        "names",
-        "noted",
-        "observes",
-        "outside",
-        "pending",
-        "polls",
-        "regions",
-        "scope",
-        "stretch",
-        "targets",
-        "temps",
-        "thrown",
-        "timed",
-        "values",
-        "waits",
-        "watched_iteration",
-        "watching",
-        "whole",
-    )
-
     def __init__(self, whole: SharedData, function: Function) -> None:
         self.whole, self.function, self.scope = whole, function, function.scope
         self.lines: list[Line] = []
