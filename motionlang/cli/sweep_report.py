@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from motionlang.analysis.sweeps.job import Problem, Result
 
     Cells = list[object]
+    # The values and results of each variant without an error, by its number and their name.
+    Good = dict[int, dict[str, Any]]
 
 # Failed variants that are named for each error.
 MAX_FAILED = 3
@@ -63,46 +65,48 @@ class Report:
         if arguments.format == "json":
             found = [dict(zip(self.columns, cells, strict=True)) for cells in self.cells(sweep, rows)]
             sys.stdout.write(json.dumps({"schema": SCHEMA, "rows": found}, indent=1) + "\n")
-        good = [index for index in sorted(rows) if index not in bad]
-        best, front = self._best(sweep, rows, good), self._front(sweep, rows, good)
+        names = (*self.names, *self.keep)
+        cells: dict[int, Cells] = {n: [*sweep.space[n], *rows[n][1]] for n in sorted(rows) if n not in bad}
+        good: Good = {n: dict(zip(names, row, strict=True)) for n, row in cells.items()}
+        best, front = self._best(good), self._front(good)
         if arguments.format == "table" and rows:
-            self._print(arguments, sweep, rows, good, best, front)
+            self._print(arguments.rows, cells, good, best, front)
         sys.stdout.flush()
         if bad:
             self._report_failures(sweep, bad, len(rows))
-        status = self._draw(arguments, sweep, rows, good, best, front) if arguments.plot is not None else 0
+        status = self._draw(arguments, good, best, front) if arguments.plot is not None else 0
         return 1 if bad else status
 
-    def _values(self, sweep: Sweep, rows: dict[int, Result], index: int) -> dict[str, object]:
-        return {
-            **dict(zip(self.names, sweep.space[index], strict=True)),
-            **dict(zip(self.keep, rows[index][1], strict=True)),
-        }
+    @property
+    def _wanted(self) -> Expression | None:
+        """The expression to minimise or maximise."""
+        return self._expressions.get("minimise") or self._expressions.get("maximise")
 
-    def _best(self, sweep: Sweep, rows: dict[int, Result], good: list[int]) -> int | None:
+    def _cost(self, values: dict[str, Any]) -> float | None:
+        """Return the value to minimise, None if it is not a number."""
+        assert self._wanted is not None
+        cost = self._wanted.number(values)
+        return -cost if cost is not None and "maximise" in self._expressions else cost
+
+    def _best(self, good: Good) -> int | None:
         """Return the number of the best variant, the first of equal ones."""
-        wanted = self._expressions.get("minimise") or self._expressions.get("maximise")
-        if wanted is None:
+        if self._wanted is None:
             return None
-        sign = -1.0 if "maximise" in self._expressions else 1.0
         found = [
-            (sign * cost, index)
-            for index in self._where(sweep, rows, good)
-            if (cost := wanted.number(self._values(sweep, rows, index))) is not None
+            (cost, index) for index in self._where(good) if (cost := self._cost(good[index])) is not None
         ]
         return min(found)[1] if found else None
 
-    def _where(self, sweep: Sweep, rows: dict[int, Result], good: list[int]) -> list[int]:
+    def _where(self, good: Good) -> list[int]:
         where = self._expressions.get("where")
-        return [index for index in good if where is None or where(self._values(sweep, rows, index))]
+        return [index for index, values in good.items() if where is None or where(values)]
 
-    def _front(self, sweep: Sweep, rows: dict[int, Result], good: list[int]) -> list[int]:
+    def _front(self, good: Good) -> list[int]:
         if not self._costs:
             return []
         costs, numbers = [], []
-        for index in self._where(sweep, rows, good):
-            values = self._values(sweep, rows, index)
-            cost = [each.number(values) for each in self._costs]
+        for index in self._where(good):
+            cost = [each.number(good[index]) for each in self._costs]
             if None not in cost:
                 costs.append(tuple(c for c in cost if c is not None))
                 numbers.append(index)
@@ -111,54 +115,47 @@ class Report:
     # ---------------------------------------------------------------------------------------------- the table
 
     def _print(
-        self,
-        arguments: argparse.Namespace,
-        sweep: Sweep,
-        rows: dict[int, Result],
-        good: list[int],
-        best: int | None,
-        front: list[int],
+        self, most: int, cells: dict[int, Cells], good: Good, best: int | None, front: list[int]
     ) -> None:
         from motionlang.views.sweep_table import heading, sweep_table
         from motionlang.views.terminal import draws, plain, table_width, wants_colour
 
         colour = wants_colour(sys.stdout)
-        shown = front if self._costs else self._where(sweep, rows, good)
+        shown = front if self._costs else self._where(good)
         what = f"{len(front)} of {len(good)} variants on the Pareto front" if self._costs else ""
         if not self._costs and len(shown) < len(good):
             what = f"{len(shown)} of {len(good)} variants with {self._expressions['where'].text}"
-        most = arguments.rows or len(shown)
-        wanted = self._expressions.get("minimise") or self._expressions.get("maximise")
-        if wanted is not None and not self._costs and len(shown) > most:
-            sign = -1.0 if "maximise" in self._expressions else 1.0
+        most = most or len(shown)
+        if self._wanted is not None and not self._costs and len(shown) > most:
 
-            def cost(index: int) -> tuple[float, int]:
-                number = wanted.number(self._values(sweep, rows, index))
-                return (inf if number is None else sign * number), index
+            def rank(index: int) -> tuple[float, int]:
+                cost = self._cost(good[index])
+                return (inf if cost is None else cost), index
 
-            shown = sorted(shown, key=cost)
-        cells = [[*sweep.space[n], *rows[n][1]] for n in shown[:most]]
+            shown = sorted(shown, key=rank)
         names = [*self.names, *self.keep]
         units = [*("" for _ in self.names), *(unit_of(name) for name in self.keep)]
         marked = shown.index(best) if best in shown[:most] else None
         width = table_width(sys.stdout)
         lines = [heading(what, colour), ""] if what else []
-        if cells:
-            lines += sweep_table(names, units, cells, width=width, colour=colour, best=marked)
+        if shown:
+            lines += sweep_table(
+                names, units, [cells[n] for n in shown[:most]], width=width, colour=colour, best=marked
+            )
         if len(shown) > most:
             lines.append(f"and {len(shown) - most} more; --rows 0 shows all, --rows-to FILE writes all")
-        if wanted is not None:
-            lines += ["", self._best_line(sweep, rows, best, wanted)]
+        if self._wanted is not None:
+            lines += ["", self._best_line(good, best, self._wanted)]
         text = "\n".join(lines) + "\n"
         sys.stdout.write(text if draws(sys.stdout) else plain(text))
 
-    def _best_line(self, sweep: Sweep, rows: dict[int, Result], best: int | None, wanted: Expression) -> str:
+    def _best_line(self, good: Good, best: int | None, wanted: Expression) -> str:
         from motionlang.views.sweep_table import cell
 
         if best is None:
             where = self._expressions.get("where")
             return f"no variant has {where.text}" if where is not None else f"no variant has a {wanted.text}"
-        values = self._values(sweep, rows, best)
+        values = good[best]
         found = ", ".join(f"{name} = {cell(values[name])}" for name in self.names)
         which = "largest" if "maximise" in self._expressions else "smallest"
         return f"best: {found}; {wanted.text} is {which} there, {cell(wanted.number(values))}"
@@ -186,17 +183,9 @@ class Report:
 
     # --------------------------------------------------------------------------------------------- the picture
 
-    def _draw(
-        self,
-        arguments: argparse.Namespace,
-        sweep: Sweep,
-        rows: dict[int, Result],
-        good: list[int],
-        best: int | None,
-        front: list[int],
-    ) -> int:
+    def _draw(self, arguments: argparse.Namespace, good: Good, best: int | None, front: list[int]) -> int:
         try:
-            problem = self._picture(arguments.plot, sweep, rows, good, best, front)
+            problem = self._picture(arguments.plot, good, best, front)
         except OSError as error:
             complain([unwritten(arguments.plot, error)], None, arguments.file)
             return 1
@@ -204,35 +193,30 @@ class Report:
             complain([Diagnostic("file", f"{arguments.plot} was not drawn: {problem}")], None, arguments.file)
         return 0 if problem is None else 1
 
-    def _picture(
-        self,
-        path: str,
-        sweep: Sweep,
-        rows: dict[int, Result],
-        good: list[int],
-        best: int | None,
-        front: list[int],
-    ) -> str | None:
+    def _picture(self, path: str, good: Good, best: int | None, front: list[int]) -> str | None:
         """Draw a picture that suits the varied names; return the reason if there is none."""
         from motionlang.views.sweep_plot import MAX_LINES, plot_front, plot_lines, plot_map
 
         units = {name: unit_of(name) for name in self.keep}
-        table: list[tuple[int, dict[str, Any]]] = [(n, self._values(sweep, rows, n)) for n in good]
         if len(self._costs) == 2:
-            by = {n: [c for each in self._costs if (c := each.number(v)) is not None] for n, v in table}
+            by = {
+                n: [c for each in self._costs if (c := each.number(v)) is not None] for n, v in good.items()
+            }
             points = {n: (cost[0], cost[1]) for n, cost in by.items() if len(cost) == 2}
             x, y = (each.text.strip() for each in self._costs)
             plot_front(path, (x, y), list(points.values()), [points[n] for n in front], units)
             return None
-        figures = [name for name in self.keep if any(_is_number(values[name]) for _, values in table)]
-        varied = [name for name in self.names if len({v[name] for _, v in table if _is_number(v[name])}) > 1]
+        figures = [name for name in self.keep if any(_is_number(values[name]) for values in good.values())]
+        varied = [
+            name for name in self.names if len({v[name] for v in good.values() if _is_number(v[name])}) > 1
+        ]
         if not figures or not varied:
             return "no recorded quantity or no varied name is a number"
         others = [name for name in self.names if name != varied[0]]
-        kinds = {tuple(str(values[name]) for name in others) for _, values in table}
+        kinds = {tuple(str(values[name]) for name in others) for values in good.values()}
         if len(varied) == 1 or len(kinds) <= MAX_LINES:
             curves: dict[str, dict[str, list[tuple[float, ...]]]] = {name: {} for name in figures}
-            for _, values in table:
+            for values in good.values():
                 label = ", ".join(f"{name} = {_short(values[name])}" for name in others)
                 for name in figures:
                     if _is_number(values[name]) and _is_number(values[varied[0]]):
@@ -240,16 +224,18 @@ class Report:
             for lines in curves.values():
                 for line in lines.values():
                     line.sort()
-            at = dict(table).get(best) if best is not None else None
+            at = None if best is None else good[best]
             marks = (
                 {name: (at[varied[0]], at[name]) for name in figures if _is_number(at[name])} if at else None
             )
             plot_lines(path, varied[0], curves, units, marks)
             return None
         x, y, z = varied[0], varied[1], figures[0]
-        samples = [(v[x], v[y], v[z]) for _, v in table if all(_is_number(v[name]) for name in (x, y, z))]
-        chosen_best = dict(table).get(best) if best is not None else None
-        plot_map(path, (x, y, z), samples, units, (chosen_best[x], chosen_best[y]) if chosen_best else None)
+        samples = [
+            (v[x], v[y], v[z]) for v in good.values() if all(_is_number(v[name]) for name in (x, y, z))
+        ]
+        at = None if best is None else good[best]
+        plot_map(path, (x, y, z), samples, units, (at[x], at[y]) if at else None)
         return None
 
 

@@ -232,6 +232,5 @@ def test_errors_that_differ_in_figures_are_one(capsys: pytest.CaptureFixture[str
 
 def test_without_a_best_variant_the_condition_is_named() -> None:
     wanted: Any = SimpleNamespace(text="time")
-    sweep: Any = None
-    assert made_report("peak < 5")._best_line(sweep, {}, None, wanted) == "no variant has peak < 5"
-    assert made_report()._best_line(sweep, {}, None, wanted) == "no variant has a time"
+    assert made_report("peak < 5")._best_line({}, None, wanted) == "no variant has peak < 5"
+    assert made_report()._best_line({}, None, wanted) == "no variant has a time"
