@@ -32,55 +32,23 @@ def _word(which: int) -> Reader:
     return lambda board, axis: word(board, axis, which)
 
 
-def _position(board: Board, axis: AxisState) -> tuple[float, float]:
-    return _moving(board, axis, board.controller.position(axis.number) + axis.shift)
+def _moving(value: Callable[[Board, AxisState], float]) -> Reader:
+    """Return the reader of a value that changes while the axis moves."""
+
+    def read_moving(board: Board, axis: AxisState) -> tuple[float, float]:
+        controller = board.controller
+        return value(board, axis), INFINITY if controller.is_still(axis.number) else controller.clock.now
+
+    return read_moving
 
 
-def _optimal(board: Board, axis: AxisState) -> tuple[float, float]:
-    return _moving(board, axis, board.controller.demand(axis.number) + axis.shift)
-
-
-def _velocity(board: Board, axis: AxisState) -> tuple[float, float]:
-    return _moving(board, axis, board.controller.velocity(axis.number))
-
-
-def _following(board: Board, axis: AxisState) -> tuple[float, float]:
-    return _moving(board, axis, board.controller.following_error(axis.number))
+_aimed = _moving(aim)
 
 
 def _target(board: Board, axis: AxisState) -> tuple[float, float]:
     if abs(board.controller.target(axis.number)) < INFINITY:
         return aim(board, axis), INFINITY
-    return _moving(board, axis, aim(board, axis))
-
-
-def _index(board: Board, axis: AxisState) -> tuple[float, float]:
-    return axis.index_position, INFINITY
-
-
-def _segments(board: Board, axis: AxisState) -> tuple[float, float]:
-    return axis.segments, INFINITY
-
-
-def _moving(board: Board, axis: AxisState, value: float) -> tuple[float, float]:
-    """Return a value that changes while the axis moves, and its period of validity."""
-    controller = board.controller
-    return value, INFINITY if controller.is_still(axis.number) else controller.clock.now
-
-
-_READERS: dict[str, Reader] = {
-    "STATUS": _word(0),
-    "AUXSTATUS": _word(1),
-    "PROFILE": _word(2),
-    "MODE": _word(3),
-    "POSITION": _position,
-    "OPTIMAL": _optimal,
-    "TARGET": _target,
-    "VELOCITY": _velocity,
-    "ERROR": _following,
-    "INDEX": _index,
-    "SEGMENT": _segments,
-}
+    return _aimed(board, axis)
 
 
 def _setting(name: str) -> Reader:
@@ -129,19 +97,22 @@ def _write_deadband(board: Board, axis: AxisState, value: float) -> None:
     motor.settle(board, axis)
 
 
-def _write_position(board: Board, axis: AxisState, value: float) -> None:
-    board.define_position(axis, value - axis.shift)
-
-
-def _write_backlash(board: Board, axis: AxisState, value: float) -> None:
-    axis.set_backlash(value)
-
-
 def _write_auxiliary(board: Board, axis: AxisState, value: float) -> None:
     axis.aux_zero = board.controller.encoder_position(AUXILIARY + axis.number) - value
 
 
-_READERS |= {
+_READERS: dict[str, Reader] = {
+    "STATUS": _word(0),
+    "AUXSTATUS": _word(1),
+    "PROFILE": _word(2),
+    "MODE": _word(3),
+    "POSITION": _moving(lambda board, axis: board.controller.position(axis.number) + axis.shift),
+    "OPTIMAL": _moving(lambda board, axis: board.controller.demand(axis.number) + axis.shift),
+    "TARGET": _target,
+    "VELOCITY": _moving(lambda board, axis: board.controller.velocity(axis.number)),
+    "ERROR": _moving(lambda board, axis: board.controller.following_error(axis.number)),
+    "INDEX": lambda board, axis: (axis.index_position, INFINITY),
+    "SEGMENT": lambda board, axis: (axis.segments, INFINITY),
     "SPEED": _setting("speed"),
     "ACCEL": _setting("accel"),
     "DECEL": _setting("decel"),
@@ -194,7 +165,7 @@ def crossing_time(board: Board, axis: AxisState, address: int, level: float) -> 
 
 # The variables that can be written, with their writers; all others are read-only.
 _WRITINGS: dict[str, Writing] = {
-    "POSITION": _write_position,
+    "POSITION": lambda board, axis, value: board.define_position(axis, value - axis.shift),
     "SPEED": _write_setting("speed"),
     "ACCEL": _write_setting("accel"),
     "DECEL": _write_setting("decel"),
@@ -202,7 +173,7 @@ _WRITINGS: dict[str, Writing] = {
     "DEADBAND": _write_deadband,
     "HIGHLIMIT": _write_limit("soft_high"),
     "LOWLIMIT": _write_limit("soft_low"),
-    "BACKLASH": _write_backlash,
+    "BACKLASH": lambda board, axis, value: axis.set_backlash(value),
     "AUXPOSITION": _write_auxiliary,
 }
 _SIGNED = frozenset({"POSITION", "HIGHLIMIT", "LOWLIMIT", "AUXPOSITION"})

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from motionlang.controller.controller import Controller
     from motionlang.controller.triggers.watch import Watch
     from motionlang.lang.debugging import Hook
     from motionlang.lang.machine.machine import Machine
@@ -52,7 +53,7 @@ class Board:
         self, machine: Machine, complain: Callable[[Diagnostic, CommandTask], None] | None = None
     ) -> None:
         self.machine = machine
-        self.controller = machine.controller
+        self.controller: Controller = machine.controller
         self.cost = machine.instruction_time
         self.model = _model(machine.model)
         # The assumptions that this board settles differently from the default, by name.
