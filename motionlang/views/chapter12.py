@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from motionlang.planners import Profile, dissect, plan
-from motionlang.views.grid import grid, headed
+from motionlang.views.grid import filled, grid, headed
+
+if TYPE_CHECKING:
+    from motionlang.views.grid import Cells
 
 LIMIT = dissect.slip_acceleration(dissect.FRICTION, dissect.GRAVITY_FT)
 SPEED = dissect.SPEED_FT_MIN / 60.0
@@ -129,17 +133,13 @@ def _cube_times() -> list[str]:
 def _forces() -> list[str]:
     force = dissect.friction_force(dissect.WEIGHT_LB, dissect.FRICTION)
     mass = dissect.WEIGHT_LB / dissect.GRAVITY_FT
-    rows = [
-        [
-            f"{accel:.2f}",
-            f"{mass * accel:.4f}",
-            f"{force:.4f}",
-            "slides" if mass * accel > force * (1 + 1e-12) else "stays",
-        ]
-        for accel in (0.5 * LIMIT, LIMIT, 1.5 * LIMIT)
-    ]
-    columns = headed("acceleration, ft/s²", "inertial force F_i, lb", "friction F_f, lb", "<the cube")
-    return grid(columns, rows, width=_WIDTH)
+    cells: Cells = {
+        "acceleration, ft/s²": lambda accel: f"{accel:.2f}",
+        "inertial force F_i, lb": lambda accel: f"{mass * accel:.4f}",
+        "friction F_f, lb": lambda _: f"{force:.4f}",
+        "<the cube": lambda accel: "slides" if mass * accel > force * (1 + 1e-12) else "stays",
+    }
+    return filled(cells, (0.5 * LIMIT, LIMIT, 1.5 * LIMIT), width=_WIDTH)
 
 
 # ------------------------------------------------------------------------------------------ DAC steps: 12.5, 6, 10
@@ -163,45 +163,32 @@ def _one_step() -> list[str]:
 
 
 def _segments() -> list[str]:
-    columns = headed(
-        "<curve", "DAC change, steps", "time constant, updates", "velocity, steps", "onset, × limit",
-        "over the update, × limit"
-    )  # fmt: skip
-    rows = []
-    for curve, constant in TIME_CONSTANTS.items():
-        for segment in dissect.step_segments(CHANGES, constant):
-            rows.append(
-                [
-                    curve,
-                    f"{segment.steps:g}",
-                    f"{constant:.3f}",
-                    f"{segment.to_velocity:.4f}",
-                    f"{segment.onset:.3f}",
-                    f"{segment.mean:.3f}",
-                ]
-            )
+    cells: Cells = {
+        "<curve": lambda row: row[0],
+        "DAC change, steps": lambda row: f"{row[1].steps:g}",
+        "time constant, updates": lambda row: f"{row[1].time_constant:.3f}",
+        "velocity, steps": lambda row: f"{row[1].to_velocity:.4f}",
+        "onset, × limit": lambda row: f"{row[1].onset:.3f}",
+        "over the update, × limit": lambda row: f"{row[1].mean:.3f}",
+    }
+    rows = [
+        (curve, segment)
+        for curve, constant in TIME_CONSTANTS.items()
+        for segment in dissect.step_segments(CHANGES, constant)
+    ]
     note = "one update is the time that one step may take (252.7336 µs for 12 bits)"
-    return [note, "", *grid(columns, rows, width=_WIDTH)]
+    return [note, "", *filled(cells, rows, width=_WIDTH)]
 
 
 def _resolutions() -> list[str]:
-    columns = headed(
-        "DAC", "one step, ft/min", "every, µs", "steps in 1 ms", "staircase off the line, ft/min"
-    )
-    rows = []
-    for bits in (12, 16):
-        timing = dissect.dac_timing(SPEED, LIMIT, bits)
-        step = timing.step_speed * 60.0
-        rows.append(
-            [
-                f"{bits} bits",
-                f"{step:.9f}",
-                f"{timing.step_time * 1e6:.4f}",
-                f"{1e-3 / timing.step_time:.2f}",
-                f"{step:.9f}",
-            ]
-        )
-    return grid(columns, rows, width=_WIDTH)
+    cells: Cells = {
+        "DAC": lambda timing: f"{timing.bits} bits",
+        "one step, ft/min": lambda timing: f"{timing.step_speed * 60.0:.9f}",
+        "every, µs": lambda timing: f"{timing.step_time * 1e6:.4f}",
+        "steps in 1 ms": lambda timing: f"{1e-3 / timing.step_time:.2f}",
+        "staircase off the line, ft/min": lambda timing: f"{timing.step_speed * 60.0:.9f}",
+    }
+    return filled(cells, [dissect.dac_timing(SPEED, LIMIT, bits) for bits in (12, 16)], width=_WIDTH)
 
 
 # ------------------------------------------------------------------------------------------------ the system: 12.11

@@ -9,6 +9,14 @@ from collections.abc import Sequence
 
 from motionlang.views.terminal import cells, styled
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+    from typing import Any
+
+    # The cells of a table by the head of their column, as in `headed`.
+    Cells = dict[str, Callable[[Any], str]]
+
 GAP = 2
 
 
@@ -32,6 +40,11 @@ def headed(*texts: str) -> list[Column]:
         title, _, unit = text.removeprefix("<").partition(", ")
         made.append(Column(title, unit, "<" if text.startswith("<") else ">"))
     return made
+
+
+def filled(table: Cells, rows: Iterable[Any], *, width: int) -> list[str]:
+    """Return the lines of a table with a row for each of `rows`."""
+    return grid(headed(*table), [[cell(row) for cell in table.values()] for row in rows], width=width)
 
 
 def grid(

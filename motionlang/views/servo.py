@@ -7,7 +7,7 @@ from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
 from motionlang.servo.plant import Motor
-from motionlang.views.grid import grid, headed
+from motionlang.views.grid import filled
 
 if TYPE_CHECKING:
     import argparse
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from motionlang.servo.response import LoopFigures, StepFigures
     from motionlang.servo.trace import ServoTrace
     from motionlang.servo.tuning import Suggestion
+    from motionlang.views.grid import Cells
 
 WIDTH = 120
 SHAPE_NAMES = {
@@ -68,47 +69,32 @@ def slip_check_lines(name: str, found: Slip, unit: str) -> list[str]:
 
 def dac_lines(timings: Sequence[DacTiming], args: argparse.Namespace) -> list[str]:
     """Return one DAC step for each number of bits: its speed and the resulting times."""
-    per = "min" if args.per == "minute" else "s"
-    seconds = 60.0 if args.per == "minute" else 1.0
-    columns = headed(
-        "DAC", "steps", f"one step, {args.unit}/{per}", "takes at least, µs", "time constant, µs", "hold, µs"
-    )
-    rows = [
-        [
-            f"{t.bits} bits",
-            f"±{t.steps}",
-            figure(t.step_speed * seconds, 9),
-            f"{t.step_time * 1e6:.4f}",
-            f"{t.electrical_time_constant * 1e6:.4f}",
-            f"{t.hold_time * 1e6:.4f}",
-        ]
-        for t in timings
-    ]
-    return grid(columns, rows, width=WIDTH)
+    per, seconds = ("min", 60.0) if args.per == "minute" else ("s", 1.0)
+    cells: Cells = {
+        "DAC": lambda t: f"{t.bits} bits",
+        "steps": lambda t: f"±{t.steps}",
+        f"one step, {args.unit}/{per}": lambda t: figure(t.step_speed * seconds, 9),
+        "takes at least, µs": lambda t: f"{t.step_time * 1e6:.4f}",
+        "time constant, µs": lambda t: f"{t.electrical_time_constant * 1e6:.4f}",
+        "hold, µs": lambda t: f"{t.hold_time * 1e6:.4f}",
+    }
+    return filled(cells, timings, width=WIDTH)
 
 
 def override_lines(runs: Sequence[OverrideRun], unit: str) -> list[str]:
     """Compare a move with and without override, in multiples of the slip limit."""
-    columns = headed(
-        "<DAC", "<override", "onset, × limit", "over an update, × limit", f"slid, {unit}", f"largest error, {unit}"
-    )  # fmt: skip
-    rows = [
-        [
-            run.name,
-            f"{run.steps} step{'' if run.steps == 1 else 's'}, held {run.hold}" if run.steps else "none",
-            f"{run.onset / run.limit:.3f}",
-            f"{run.mean / run.limit:.3f}",
-            f"{run.slid:.6f}",
-            f"{run.error:.6f}",
-        ]
-        for run in runs
-    ]
-    limit = runs[0].limit
-    return [
-        *grid(columns, rows, width=WIDTH),
-        "",
-        f"limit {figure(limit)} {unit}/s²; beyond it the load slips",
-    ]
+    cells: Cells = {
+        "<DAC": lambda run: run.name,
+        "<override": lambda run: (
+            f"{run.steps} step{'' if run.steps == 1 else 's'}, held {run.hold}" if run.steps else "none"
+        ),
+        "onset, × limit": lambda run: f"{run.onset / run.limit:.3f}",
+        "over an update, × limit": lambda run: f"{run.mean / run.limit:.3f}",
+        f"slid, {unit}": lambda run: f"{run.slid:.6f}",
+        f"largest error, {unit}": lambda run: f"{run.error:.6f}",
+    }
+    last = f"limit {figure(runs[0].limit)} {unit}/s²; beyond it the load slips"
+    return [*filled(cells, runs, width=WIDTH), "", last]
 
 
 def plant_line(plant: Motor | Drive) -> str:
@@ -132,28 +118,24 @@ def plant_lines(plants: Mapping[int, Motor | Drive]) -> list[str]:
     return [f"axis {', '.join(axes)}: {line}" for line, axes in lines.items()]
 
 
+# Heads and cells of the profiles of `compare_lines`.
+_PROFILES: Cells = {
+    "<profile": lambda row: SHAPE_NAMES[row.shape],
+    "acceleration, counts/s²": lambda row: f"{row.accel:.0f}",
+    "time, s": lambda row: f"{row.time:.6f}",
+    "settle, s": lambda row: "never" if row.settle == inf else f"{row.settle:.5f}",
+    "peak error, counts": lambda row: f"{row.peak_error:.3f}",
+    "RMS torque, N m": lambda row: f"{row.rms_torque:.6f}",
+    "jerk demanded, counts/s³": lambda row: "∞" if row.jerk == inf else f"{row.jerk:.4g}",
+    "jerk of the motor, counts/s³": lambda row: f"{row.motor_jerk:.4g}",
+}
+
+
 def compare_lines(basis: str, rows: Sequence[Row], window: float) -> list[str]:
     """Return the four profiles side by side."""
-    columns = headed(
-        "<profile", "acceleration, counts/s²", "time, s", "settle, s", "peak error, counts", "RMS torque, N m",
-        "jerk demanded, counts/s³", "jerk of the motor, counts/s³",
-    )  # fmt: skip
-    cells = [
-        [
-            SHAPE_NAMES[row.shape],
-            f"{row.accel:.0f}",
-            f"{row.time:.6f}",
-            "never" if row.settle == inf else f"{row.settle:.5f}",
-            f"{row.peak_error:.3f}",
-            f"{row.rms_torque:.6f}",
-            "∞" if row.jerk == inf else f"{row.jerk:.4g}",
-            f"{row.motor_jerk:.4g}",
-        ]
-        for row in rows
-    ]
     title = "equal peak acceleration" if basis == "acceleration" else "equal time"
     head = f"{title}; settled: within {_counts(window)} of the demand for good"
-    return [head, *grid(columns, cells, width=WIDTH)]
+    return [head, *filled(_PROFILES, rows, width=WIDTH)]
 
 
 def step_lines(figures: StepFigures, linear: LoopFigures | None) -> list[str]:
@@ -213,22 +195,18 @@ def tune_lines(
 
 def listing_lines(settings: Settings, made: ListingRun) -> list[str]:
     """Return a few rows of a run of the listing, and the largest accelerations."""
-    columns = headed("update", "demand, counts", "position, counts", "velocity, counts/update", "DAC, steps")
+    cells: Cells = {
+        "update": str,
+        "demand, counts": lambda i: str(made.demand[i]),
+        "position, counts": lambda i: f"{_quiet(made.position[i]):.2f}",
+        "velocity, counts/update": lambda i: f"{_quiet(made.velocity[i]):.3f}",
+        "DAC, steps": lambda i: str(made.dac[i]),
+    }
     last = len(made.demand) - 1
     shown = sorted({0, 1, 2, *(round(last * k / 10) for k in range(11))} & set(range(last + 1)))
-    rows = [
-        [
-            str(i),
-            str(made.demand[i]),
-            f"{_quiet(made.position[i]):.2f}",
-            f"{_quiet(made.velocity[i]):.3f}",
-            str(made.dac[i]),
-        ]
-        for i in shown
-    ]
     demanded = settings.accel / settings.hold
     return [
-        *grid(columns, rows, width=WIDTH),
+        *filled(cells, shown, width=WIDTH),
         "",
         f"demanded acceleration {figure(demanded)} counts/update²; largest over an update {figure(made.peak_mean)}, "
         f"just after a DAC change {figure(made.peak_onset)}",
@@ -248,29 +226,22 @@ def run_figures(axis: int, trace: ServoTrace, settled: float) -> dict[str, objec
     }
 
 
+# Heads and cells of the axes of `run_lines`.
+_AXES: Cells = {
+    "axis": lambda row: str(row[0]),
+    "peak error, counts": lambda row: f"{row[1].peak_error:.3f}",
+    "error at the end, counts": lambda row: f"{_quiet(float(row[1].error[-1])):.3f}",
+    "settled at, s": lambda row: "never" if row[2] == inf else f"{row[2]:.5f}",
+    "RMS torque, N m": lambda row: f"{row[1].rms_torque:.6f}",
+    "peak torque, N m": lambda row: f"{float(abs(row[1].torque).max()):.6f}",
+    "peak output, V": lambda row: f"{row[1].peak_output:.4f}",
+}
+
+
 def run_lines(rows: Sequence[tuple[int, ServoTrace, float]], window: float) -> list[str]:
     """Return the axes of a run: error, settling, torque and output."""
-    columns = headed(
-        "axis", "peak error, counts", "error at the end, counts", "settled at, s", "RMS torque, N m",
-        "peak torque, N m", "peak output, V",
-    )  # fmt: skip
-    cells = [
-        [
-            str(axis),
-            f"{trace.peak_error:.3f}",
-            f"{_quiet(float(trace.error[-1])):.3f}",
-            "never" if settled == inf else f"{settled:.5f}",
-            f"{trace.rms_torque:.6f}",
-            f"{float(abs(trace.torque).max()):.6f}",
-            f"{trace.peak_output:.4f}",
-        ]
-        for axis, trace, settled in rows
-    ]
-    return [
-        *grid(columns, cells, width=WIDTH),
-        "",
-        f"settled: within {_counts(window)} of the demand for good",
-    ]
+    last = f"settled: within {_counts(window)} of the demand for good"
+    return [*filled(_AXES, rows, width=WIDTH), "", last]
 
 
 def figure(value: float, digits: int = 7) -> str:
