@@ -66,7 +66,8 @@ def measured(stage: str, name: str, size: int) -> tuple[int, float]:
     """Return the calls of a stage and the growth of this process's peak memory, MB."""
     from counted import Counter
 
-    from motionlang.execution import dialect, run
+    from motionlang.execution import run
+    from motionlang.lang.dialect import dialect
     from motionlang.source import Source
 
     text = PROGRAMS[name](size)

@@ -394,15 +394,3 @@ def _execute(
 def _thresholds() -> tuple[int, ...]:
     """Return the garbage collector's thresholds; () if it has none, as in PyPy."""
     return gc.get_threshold() if hasattr(gc, "get_threshold") and hasattr(gc, "set_threshold") else ()
-
-
-__all__ = [
-    "ONE_SHIFT",
-    "Run",
-    "dialect",
-    "dialect_of",
-    "dialects",
-    "end_of",
-    "machine_of",
-    "run",
-]

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from motionlang import run
-from motionlang.execution import dialect, dialects
+from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.keyword import Keyword
 from motionlang.source import Source
 from motionlang.views.words import dialect_name

@@ -12,13 +12,13 @@ from motionlang.execution import (
     MACHINE_SUFFIX,
     ONE_SHIFT,
     accelerators,
-    dialect,
     dialect_for,
     dialect_of,
     end_of,
     machine_of,
     run,
 )
+from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.machine import Machine
 from motionlang.result import Run, interrupted, report_keywords_without_effect, who_ended
 from motionlang.source import Source

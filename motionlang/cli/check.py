@@ -16,8 +16,8 @@ from motionlang.cli.parallel import add_jobs, in_parallel
 from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.cli.program_files import programs
 from motionlang.errors import Diagnostic, ProgramError
-from motionlang.execution import dialect, dialect_of, machine_of
-from motionlang.lang.dialect import unknown_model
+from motionlang.execution import dialect_of, machine_of
+from motionlang.lang.dialect import dialect, unknown_model
 from motionlang.lang.foreign import one_sentence
 from motionlang.lang.machine.axes import missing_axes
 from motionlang.lang.machine.file import read_machine

@@ -17,8 +17,9 @@ from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.program_files import programs
 from motionlang.cli.run import run_command
 from motionlang.errors import Diagnostic
-from motionlang.execution import MACHINE_SUFFIX, dialect, dialect_of
+from motionlang.execution import MACHINE_SUFFIX, dialect_of
 from motionlang.files import create
+from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.entries import WrongEntry, entries
 from motionlang.source import STDIN, Source
 

@@ -15,7 +15,7 @@ from motionlang.cli.format_options import add_format
 from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.cli.plan_scale import add_scale_arguments, scale_of
-from motionlang.execution import dialects
+from motionlang.lang.dialect import dialects
 from motionlang.notes.an00115 import formulas
 from motionlang.planners.reach import needed_distance, remedies
 from motionlang.planners.solve import NAMES, RULES, Underdetermined

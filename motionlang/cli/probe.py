@@ -25,7 +25,7 @@ from motionlang.cli.input_files import read_source
 from motionlang.cli.numbers import real
 from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.errors import nearest
-from motionlang.execution import dialect, dialects
+from motionlang.lang.dialect import dialect, dialects
 from motionlang.source import STDIN, STDIN_NAME, name_of
 
 EPILOG = """\

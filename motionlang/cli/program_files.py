@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 
-from motionlang.execution import dialect, dialects
+from motionlang.lang.dialect import dialect, dialects
 
 
 def programs(paths: Sequence[str], *more: str) -> list[str]:

@@ -14,8 +14,8 @@ from motionlang.cli.parser import Commands, add_command
 from motionlang.cli.world_options import add_world, with_world, world_of
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
-from motionlang.execution import dialect, dialect_of, machine_of
-from motionlang.lang.dialect import dialects
+from motionlang.execution import dialect_of, machine_of
+from motionlang.lang.dialect import dialect, dialects
 from motionlang.repl.commands import load_file
 from motionlang.repl.lines import read_lines
 from motionlang.repl.session import Session

@@ -7,7 +7,8 @@ import sys
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.errors import Diagnostic, ProgramError, Terminated
-from motionlang.execution import Checked, dialect, dialect_of, machine_of, run
+from motionlang.execution import Checked, dialect_of, machine_of, run
+from motionlang.lang.dialect import dialect
 from motionlang.source import STDIN, Source
 
 TYPE_CHECKING = False

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from motionlang.cli.parser import option
 from motionlang.errors import ProgramError
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.lang.gains import gain_words, written
 from motionlang.servo.gains import MODELS, mccl_loop, mint_loop
 from motionlang.servo.loop import Loop

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from motionlang.controller import moves, readers
 from motionlang.controller.accelerators import NO_ACCELERATORS, Accelerators
-from motionlang.controller.axis_verbs import SETTINGS, AxisVerbs
+from motionlang.controller.axis_verbs import AxisVerbs
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.faults import Rejected
 from motionlang.controller.readers import NO_SUBSCRIBER
@@ -431,6 +431,3 @@ class Controller(AxisVerbs):
         from motionlang.log.trace import Trace
 
         return Trace(self)
-
-
-__all__ = ["SETTINGS", "Controller"]

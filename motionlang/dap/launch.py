@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from motionlang.dap.arguments import Arguments, Refused
 from motionlang.debug.debugger import Debugger
 from motionlang.errors import ProgramError
-from motionlang.execution import dialect_for, dialect_of, dialects, machine_of
+from motionlang.execution import dialect_for, dialect_of, machine_of
 from motionlang.files import reason
-from motionlang.lang.dialect import Dialect
+from motionlang.lang.dialect import Dialect, dialects
 from motionlang.lang.machine.entries import WrongEntry, with_entries
 from motionlang.lang.machine.file import read_machine
 from motionlang.source import Source

@@ -7,7 +7,8 @@ import pytest
 from motionlang.analysis import guesses as module
 from motionlang.analysis.guesses import guessed
 from motionlang.analysis.guesses.file import machine_text
-from motionlang.execution import dialect, run
+from motionlang.execution import run
+from motionlang.lang.dialect import dialect
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.cases import cases

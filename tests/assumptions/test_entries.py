@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 from motionlang.assumptions.entries import assumptions, chapters, entries_naming
-from motionlang.execution import dialect, dialects
+from motionlang.lang.dialect import dialect, dialects
 from tests.assumptions_page import markdown
 from tests.fidelity_page import LIST, PAGE, written
 

@@ -14,7 +14,7 @@ from motionlang.assumptions.answers import HOLDS, Answers, machine_text, read
 from motionlang.assumptions.entries import assumptions
 from motionlang.assumptions.probe import BEGIN, END, NEXT, Motion, alone, asked, mark, written
 from motionlang.assumptions.questions import questions
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.switch import Switch
 from motionlang.source import Source

@@ -13,7 +13,7 @@ from motionlang.assumptions.facts import of_word
 from motionlang.assumptions.probe import alone
 from motionlang.assumptions.questions import questions
 from motionlang.assumptions.rules import unasked, unsettled_facts
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.source import Source
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from motionlang import run
 from motionlang.assumptions.entries import assumptions
 from motionlang.assumptions.used import depended_on
 from motionlang.cli import main
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.source import Source
 from tests import assumption_index
 

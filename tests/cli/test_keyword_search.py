@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.cli.keyword_search import MAX_FOUND, _are_similar, search
-from motionlang.execution import dialect, dialects
+from motionlang.lang.dialect import dialect, dialects
 from tests.cli.programs import Cell
 
 TABLES = {name: list(dialect(name).table()) for name in dialects()}

@@ -8,7 +8,7 @@ import pytest
 
 from motionlang.assumptions.facts import STRENGTHS
 from motionlang.cli import main
-from motionlang.execution import dialect, dialects
+from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.keyword import Keyword
 from motionlang.views.keywords import listing, page
 from tests.cli.programs import Cell

@@ -19,7 +19,7 @@ import pytest
 
 from motionlang.cli import signals
 from motionlang.errors import Terminated
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.lang.scheduler import Scheduler
 from motionlang.views import export
 from tests.cli.programs import MAX_SECONDS, Cell

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.controller.controller import SETTINGS, Controller
+from motionlang.controller.axis_verbs import SETTINGS
+from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Rejected
 from motionlang.controller.verbs import VERBS
 from tests.recorder import Recorder

@@ -10,7 +10,8 @@ from motionlang.debug.breakpoints import Breakpoint, Watched
 from motionlang.debug.debugger import Debugger
 from motionlang.debug.moments import FILTERS, filtered, search
 from motionlang.errors import ProgramError
-from motionlang.execution import dialect, run
+from motionlang.execution import run
+from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.entries import entries
 from motionlang.source import Source
 

@@ -14,7 +14,7 @@ from motionlang.debug import patience, replay
 from motionlang.debug.breakpoints import Breakpoint, Watched
 from motionlang.debug.debugger import Debugger
 from motionlang.debug.moments import search
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.source import Source
 from tests.debug.test_debugger import mint
 

@@ -8,7 +8,7 @@ from motionlang.debug import replay as module
 from motionlang.debug.breakpoints import Watched
 from motionlang.debug.journal import Assigned, Entered, Journal
 from motionlang.debug.replay import Output, Replay, Setup
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.source import Source
 from tests.cases import cases
 from tests.debug.test_debugger import CALLS, at, mint, value

@@ -10,7 +10,7 @@ from types import FrameType
 
 from motionlang import run
 from motionlang.errors import ProgramError
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.source import Source
 from tests.fuzz.inputs import SUFFIX
 

@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 from random import Random
 
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.lang.keyword import Keyword
 from motionlang.source import Source
 

@@ -9,7 +9,7 @@ from random import Random
 
 import pytest
 
-from motionlang.execution import dialects
+from motionlang.lang.dialect import dialects
 from tests.cases import cases, examples
 from tests.fuzz.guard import trouble
 from tests.fuzz.inputs import WORDS, inputs, mint_forms, mutated

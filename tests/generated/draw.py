@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from random import Random
 
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.lang.keyword import Keyword
 
 # Plausible values by unit: motions of some units, which last from milliseconds to seconds.

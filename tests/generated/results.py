@@ -43,7 +43,8 @@ from motionlang.editor.machine_file import complete_machine_file, hover_machine_
 from motionlang.editor.page import Page
 from motionlang.editor.signature import signature
 from motionlang.editor.tokens import tokens
-from motionlang.execution import dialect, run
+from motionlang.execution import run
+from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.file import read_machine
 from motionlang.source import Source
 from tests.generated import handlers, sessions, tasks

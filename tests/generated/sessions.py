@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.file import read_machine
 from motionlang.repl.session import Session
 from motionlang.source import Source

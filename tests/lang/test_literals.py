@@ -11,7 +11,7 @@ import motionlang
 from motionlang.analysis.sweeps import Sweep
 from motionlang.analysis.sweeps.job import Worker
 from motionlang.errors import ProgramError
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.lang.literals import bound, canonical, edited, has_address, literals
 from motionlang.report import text
 from motionlang.source import Source

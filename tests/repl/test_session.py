@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from motionlang.cli.repl import open_session
-from motionlang.execution import ONE_SHIFT, dialect
+from motionlang.execution import ONE_SHIFT
+from motionlang.lang.dialect import dialect
 from motionlang.repl.commands import COMMANDS, Command
 from motionlang.repl.live import Live
 from motionlang.repl.session import Session

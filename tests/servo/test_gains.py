@@ -10,7 +10,7 @@ from dataclasses import fields
 import pytest
 
 from motionlang import run
-from motionlang.execution import dialect
+from motionlang.lang.dialect import dialect
 from motionlang.lang.gains import gain_words, spoken, written
 from motionlang.planners import hold, plan_trapezoid
 from motionlang.servo import Drive, Loop, Motor, Override, Servo, Track, gains, simulate

@@ -9,7 +9,8 @@ from hashlib import sha256
 
 from motionlang.analysis.sweeps.quantities import quantity
 from motionlang.errors import Diagnostic, ProgramError, missing
-from motionlang.execution import accelerators, dialect, run
+from motionlang.execution import accelerators, run
+from motionlang.lang.dialect import dialect
 from motionlang.lang.literals import Literal, bound, edited, has_address, literals
 from motionlang.source import Source
 

@@ -37,8 +37,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from motionlang.controller.axis_verbs import SETTINGS
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.controller import SETTINGS
 from motionlang.controller.faults import Rejected
 from motionlang.mint.keywords import table
 from motionlang.mint.runtime.changes import repeatable

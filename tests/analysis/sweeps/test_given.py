@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.execution import dialect, run
+from motionlang.execution import run
+from motionlang.lang.dialect import dialect
 from motionlang.mint.program import MintProgram
 from motionlang.report import text
 from motionlang.source import Source

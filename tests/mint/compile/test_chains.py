@@ -10,7 +10,8 @@ from math import fsum, nextafter
 
 import pytest
 
-from motionlang.execution import dialect, run
+from motionlang.execution import run
+from motionlang.lang.dialect import dialect
 from motionlang.result import Run
 from motionlang.source import Source
 

@@ -6,7 +6,8 @@ import re
 from pathlib import Path
 
 from motionlang import run
-from motionlang.controller.controller import SETTINGS, Controller
+from motionlang.controller.axis_verbs import SETTINGS
+from motionlang.controller.controller import Controller
 from motionlang.lang.keyword import Keyword
 from motionlang.lang.vocabulary import Vocabulary
 from motionlang.mint import DIALECT
