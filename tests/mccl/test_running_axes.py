@@ -6,6 +6,7 @@ import pytest
 
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
+from motionlang.mccl.models import MODELS
 from tests.mccl.conftest import Runner
 
 PADDLE = "1MN,1{},1SV120000,1SA70000,1DS70000\r1VM,1GO\rWA0.4\r1PM\r1MA0\r"
@@ -45,6 +46,12 @@ def test_the_torque_limit_is_stored_as_it_is_written() -> None:
         reply, _ = answers(f"1SQ{12345 / i:g}\r1TQ\r")
         assert f"{12345 / i:g}".encode() in reply
         assert b"?" not in reply
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_each_board_reports_the_torque_limit_with_its_fraction(model: str, mccl: Runner) -> None:
+    """The gains of some boards are whole numbers; the torque limit is in volts."""
+    assert mccl("1SQ3.5,1TQ", machine={"controller.model": model}).output == ["01 3.500000"]
 
 
 def test_a_move_without_an_axis_moves_those_that_are_on(mccl: Runner) -> None:

@@ -15,6 +15,7 @@ from motionlang.mcapi.table import STRUCTURES
 from motionlang.mccl.axis import flags
 from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
 from motionlang.mccl.axis.limits import ALL, HARD_MINUS, HARD_PLUS, SOFT_HIGH, SOFT_LOW
+from motionlang.mccl.axis.motor import torque
 from motionlang.mccl.axis.status import SHAPES
 from motionlang.mccl.keywords.reports import STORED_DEFAULTS
 
@@ -103,7 +104,7 @@ SETTINGS: dict[str, tuple[Get, Put]] = {
     "Velocity": (_motion("speed", "uu/s"), _by("SV")),
     "MinVelocity": (lambda board, axis: axis.reported(axis.minimum, "uu/s"), _by("MV")),
     "Direction": (_direction, _put_direction),
-    "Torque": (_stored_value("kept_torque"), _by("SQ")),
+    "Torque": (lambda board, axis: torque(axis), _by("SQ")),
     "Deadband": (lambda board, axis: axis.reported(axis.deadband, "uu"), _by("DB")),
     "DeadbandDelay": (lambda board, axis: axis.deadband_delay, _by("DT")),
     "StepSize": (lambda board, axis: mc.MC_STEP_HALF if axis.half_steps else mc.MC_STEP_FULL, _chosen(STEPS)),

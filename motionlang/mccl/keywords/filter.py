@@ -21,7 +21,7 @@ def _keep(verb: str) -> Action:
 
     def keep(task: CommandTask, command: Command) -> None:
         value = float(task.value(command))
-        if task.board.model.whole_gains and verb != "kept_torque":
+        if task.board.model.whole_gains:
             value = nearest_whole(value)
         for axis in task.axes(command):
             axis.stored[verb] = value

@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.lang.keyword import Actions
 from motionlang.mccl.axis.axis import real
 from motionlang.mccl.axis.launch import aim
+from motionlang.mccl.axis.motor import torque
 from motionlang.mccl.axis.status import word
 from motionlang.mccl.keywords.row import Group
 
@@ -69,8 +70,12 @@ def _stored_value(name: str) -> Reader:
     return reader
 
 
+def _torque(task: CommandTask, axis: AxisState) -> str:
+    return real(torque(axis))
+
+
 # The power-up values of servo loop settings that are not 0.
-STORED_DEFAULTS = {"kept_torque": 10.0, "kept_error_limit": 1024.0}
+STORED_DEFAULTS = {"kept_error_limit": 1024.0}
 
 
 def tell_status(task: CommandTask, command: Command) -> None:
@@ -126,7 +131,7 @@ ROWS = (
     _row("TK", "reading", "R", "axes", "number",
          Actions("tell_velocity_gain", do=_each(_stored_value("kept_velocity_gain"))),
          "Tell the velocity gain.", "1TK"),
-    _row("TQ", "reading", "R", "axes", "number", Actions("tell_torque", do=_each(_stored_value("kept_torque"))),
+    _row("TQ", "reading", "R", "axes", "number", Actions("tell_torque", do=_each(_torque)),
          "Tell the torque limit.", "1TQ"),
     _row("TB", "reading", "R", "axes", "uu", Actions("tell_breakpoint", do=_each(_breakpoint)),
          "Tell the position of the breakpoint.", "1TB"),

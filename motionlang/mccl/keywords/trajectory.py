@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.filter import stored
+from motionlang.lang.keyword import Actions
+from motionlang.mccl.axis import motor
 from motionlang.mccl.keywords.motion import run_in_velocity_mode
 from motionlang.mccl.keywords.row import Group
 
@@ -58,6 +59,13 @@ def shape_scurve(task: CommandTask, command: Command) -> None:
     _shape(task, command, "scurve")
 
 
+def torque(task: CommandTask, command: Command) -> None:
+    value = float(task.value(command))
+    for axis in task.axes(command):
+        axis.stored["kept_torque"] = value
+        motor.tune(task.board, axis)
+
+
 def full_step(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.half_steps = False
@@ -104,7 +112,7 @@ ROWS = (
          "1PS0.1", default=0, low=0, high=0.5, below=True, family="profiles"),
     _row("PP", "setting", "C", "axes", "", shape_parabolic,
          "Parabolic profile: the acceleration falls linearly from its peak to zero.", "1PP", family="profiles"),
-    _row("SQ", "setting", "W", "axes", "number", stored("kept_torque"),
+    _row("SQ", "setting", "W", "axes", "number", Actions("kept_torque", do=torque),
          "Set the torque limit, the largest output in volts; stored and reported as written, though no output exceeds "
          "10.",
          "1SQ3.5,1TQ", default=10, low=0, tunes="output_limit"),
