@@ -393,6 +393,18 @@ def test_torque_mode_of_mccl_takes_sq_for_the_output() -> None:
     assert held == 0.0
 
 
+def test_the_torque_limit_is_in_the_user_units_of_torque() -> None:
+    """UK is volts per unit from the next MN on: half a unit of 2 V is 1 V."""
+    speeds = {}
+    for units, limit in (("", 1), ("1UK2,", 0.5)):
+        reply = printed(f"{units}1SG0.02,1SD0.5,1MN,1SE0,1QM,1SQ{limit},1TQ,WA0.2,1TV", ROUGH, "mccl")
+        assert reply[0][1] == limit
+        speeds[limit] = reply[1][1]
+    assert speeds[0.5] == speeds[1] > 5000.0
+    reply = printed("1SQ3,1TQ,1UK2,1TQ,1MN,1TQ", ROUGH, "mccl")
+    assert [values[1] for values in reply] == [3.0, 3.0, 1.5]
+
+
 def test_a_motor_that_is_switched_off_coasts_and_is_taken_over_where_it_is() -> None:
     text = (
         MOVE

@@ -85,12 +85,12 @@ def drive(board: Board, axis: AxisState) -> None:
 
 def _largest_output(axis: AxisState) -> float:
     """Return SQ in volts, limited to the full output."""
-    return min(torque(axis), FULL_OUTPUT)
+    return min(axis.stored.get("kept_torque", FULL_OUTPUT), FULL_OUTPUT)
 
 
 def torque(axis: AxisState) -> float:
-    """Return SQ as it was written, volts."""
-    return axis.stored.get("kept_torque", FULL_OUTPUT)
+    """Return SQ in the user units of torque (UK)."""
+    return axis.stored.get("kept_torque", FULL_OUTPUT) / axis.constant
 
 
 def changed_mode(board: Board, axis: AxisState, before: str) -> None:

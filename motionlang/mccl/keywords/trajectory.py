@@ -62,7 +62,7 @@ def shape_scurve(task: CommandTask, command: Command) -> None:
 def torque(task: CommandTask, command: Command) -> None:
     value = float(task.value(command))
     for axis in task.axes(command):
-        axis.stored["kept_torque"] = value
+        axis.stored["kept_torque"] = value * axis.constant
         motor.tune(task.board, axis)
 
 
@@ -113,8 +113,8 @@ ROWS = (
     _row("PP", "setting", "C", "axes", "", shape_parabolic,
          "Parabolic profile: the acceleration falls linearly from its peak to zero.", "1PP", family="profiles"),
     _row("SQ", "setting", "W", "axes", "number", Actions("kept_torque", do=torque),
-         "Set the torque limit, the largest output in volts; stored and reported as written, though no output exceeds "
-         "10.",
+         "Set the torque limit, the largest output in volts or units of UK; stored and reported as written, though no "
+         "output exceeds 10 V.",
          "1SQ3.5,1TQ", default=10, low=0, tunes="output_limit"),
     _row("FS", "setting", "C", "axes", "", full_step, "Full steps (stepper); shows in the status.", "1FS"),
     _row("SH", "setting", "C", "axes", "", half_step, "Half steps (stepper); shows in the status.", "1SH"),
