@@ -40,6 +40,15 @@ def test_with_the_trapezoid_it_is_taken() -> None:
     assert console.machine.controller.position(1) == 0.0
 
 
+RUNNING = "1MN,1VM,1SV1000,1GO,WA0.5,"
+
+
+def test_a_running_axis_takes_the_speed_that_is_written_to_its_variable(mccl: Runner) -> None:
+    """WL has the effect of SV."""
+    for change in ("1SV2000", 'LU"SPEED",AR10,AL2000,1WL@10'):
+        assert mccl(f"{RUNNING}{change},WA0.5,1TV").output == ["01 2000"]
+
+
 def test_the_torque_limit_is_stored_as_it_is_written() -> None:
     """The self-test sets 12345/i for several i and reads each one back."""
     for i in range(1, 4):

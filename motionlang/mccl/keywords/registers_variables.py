@@ -10,6 +10,7 @@ from motionlang.mccl import codes
 from motionlang.mccl.axis.status import word
 from motionlang.mccl.axis.variables import NAMES, read, read_until, write
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.motion import run_in_velocity_mode
 from motionlang.mccl.keywords.registers import wrapped
 from motionlang.mccl.keywords.row import Group, polls, pure
 
@@ -93,8 +94,11 @@ def _write_low(task: CommandTask, command: Command, mask: int) -> None:
 
 
 def _write(task: CommandTask, command: Command, value: float) -> None:
+    axis, address = task.axis(command), task.whole(command)
     task.board.effects += 1
-    write(task.board, task.axis(command), task.whole(command), value)
+    write(task.board, axis, address, value)
+    if address == NAMES["SPEED"] and axis.running:
+        run_in_velocity_mode(task, axis)
 
 
 def _value(task: CommandTask, command: Command) -> float | int:
