@@ -49,6 +49,11 @@ def test_a_running_axis_takes_the_speed_that_is_written_to_its_variable(mccl: Ru
         assert mccl(f"{RUNNING}{change},WA0.5,1TV").output == ["01 2000"]
 
 
+def test_a_joystick_ends_the_run_of_velocity_mode(mccl: Runner) -> None:
+    """The joystick is at rest, so SV starts nothing."""
+    assert mccl(f"{RUNNING}1JN,WA0.5,1TV,1SV2000,WA0.5,1TV").output == ["01 0", "01 0"]
+
+
 def test_the_torque_limit_is_stored_as_it_is_written() -> None:
     """The self-test sets 12345/i for several i and reads each one back."""
     for i in range(1, 4):

@@ -24,7 +24,7 @@ class Joysticks:
         """Make the axis follow its joystick; raise Rejected if the axis is off."""
         if not self._board.controller.is_enabled(axis.number):
             raise Rejected("disabled-axis", f"axis {axis.number} is off")
-        axis.jogging = True
+        axis.jogging, axis.running = True, False
         axis.flags |= flags.JOG_ENABLED
         self._lines[axis.number] = line
         self._follow(axis)
