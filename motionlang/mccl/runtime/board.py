@@ -17,7 +17,7 @@ from motionlang.mccl.codes import Fault
 from motionlang.mccl.models import DEFAULT, MODELS
 from motionlang.mccl.motion.contour import MAX_QUEUE, Contour
 from motionlang.mccl.motion.joystick import Joysticks
-from motionlang.mccl.runtime.task import BackgroundTask
+from motionlang.mccl.runtime.task import PRIVATE, BackgroundTask
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -101,6 +101,8 @@ class Board:
         self.points.clear()
         for number in list(self.background):
             self.end_task(number)
+        for task in self.tasks:
+            task.registers[:] = [0] * PRIVATE
         for axis in self.all_axes:
             self.reset_axis(axis)
 

@@ -69,6 +69,12 @@ def test_a_reset_switches_outputs_off(mccl: Runner) -> None:
     assert mccl("CN33,TC33,RT\nTC33").output == ["33 1", "33 0"]
 
 
+def test_a_reset_clears_all_registers(mccl: Runner) -> None:
+    text = "AL7,AR5,AR10,RT\nTR0,TR5,TR10"
+    assert mccl(text).output == ["0", "0", "0"]
+    assert mccl("AL7,AR5,1RT\nTR0,TR5").output == ["7", "7"]
+
+
 def test_off_a_limit_after_motor_on(mccl: Runner) -> None:
     text = "1MN,1LM1,1LN3,1MA20000,1WS,1MA0,1TP,1MN,1MA0,1WS,1TP,1TS"
     result = mccl(text, machine={"axis.1.travel": [-1000.0, 5000.0]})
