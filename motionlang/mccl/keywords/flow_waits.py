@@ -89,6 +89,7 @@ def passing(board: Board, axis: AxisState, position: float) -> Wait | None:
     The breakpoint bit is set then.
     """
     controller, number = board.controller, axis.number
+    board.forget_breakpoint(number)
     axis.breakpoint, axis.breakpoint_reached = position, False
     margin = _REACHED + 1e-12 * abs(position)
     side = 1.0 if controller.position(number) < position else -1.0
@@ -170,9 +171,7 @@ def break_after(task: CommandTask, command: Command) -> None:
 def _breakpoint(board: Board, axis: AxisState, position: float) -> None:
     """Have status bit 10 set when the axis passes the position, without a wait."""
     controller, number = board.controller, axis.number
-    old = board.breakpoints.pop(number, None)
-    if old is not None:
-        controller.unwatch(number, old)
+    board.forget_breakpoint(number)
     axis.breakpoint = position
     axis.breakpoint_reached = abs(controller.position(number) - position) <= _REACHED
 

@@ -110,9 +110,7 @@ class Board:
         """Reset one axis to power-up: off, position 0, settings at their defaults."""
         number, controller = axis.number, self.controller
         self.release(axis)
-        watch = self.breakpoints.pop(number, None)
-        if watch is not None:
-            controller.unwatch(number, watch)
+        self.forget_breakpoint(number)
         self.records.pop(number, None)
         axis.reset()
         self.limits[number].set_mode(0)
@@ -219,6 +217,12 @@ class Board:
         seek = self.seeks.get(number)
         if seek is not None and seek.caught is not None:
             seek.caught += shift
+
+    def forget_breakpoint(self, number: int) -> None:
+        """Remove the breakpoint that IP or IR has set on an axis."""
+        watch = self.breakpoints.pop(number, None)
+        if watch is not None:
+            self.controller.unwatch(number, watch)
 
     def home_changed(self, number: int) -> None:
         """Check a pending search after a change of an axis's home input."""

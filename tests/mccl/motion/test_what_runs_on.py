@@ -70,6 +70,8 @@ def test_a_target_that_needs_a_reversal_stalls_the_interpreter(
         ("1MR1000,WA0.25,1WR0,1TP,1WS", ["01 200"]),
         # Bit 10: off while the wait lasts, on from then, off again with the next breakpoint.
         ('MD1,LU"STATUS",1RL@0,AN1024,AR20,WA0.4,1RL0\nGT1,1MR1000,1WP300,TR20,1WS', ["0"]),
+        # A wait replaces the breakpoint of IP.
+        ('MD1,WA0.3,LU"STATUS",AR10,1RL@10,AN1024,AR20\nGT1,1IP100,1MR1000,1WP500,TR20,1WS', ["0"]),
         ('LU"STATUS",AR10,1MR1000,1WP300,1RL@10,AN1024,TR0,1IP700,1RL@10,AN1024,TR0,1WS', ["1024", "0"]),
         ('LU"STATUS",AR10,1MR1000,WA0.25,1IR0,1RL@10,AN1024,TR0,1WS', ["1024"]),
         ('LU"STATUS",AR10,1MR1000,1IR300,1IR900,WA0.6,1RL@10,AN1024,TR0,1WS,1RL@10,AN1024,TR0', ["0", "1024"]),
