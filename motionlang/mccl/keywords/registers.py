@@ -26,7 +26,7 @@ LARGEST = 1e300
 
 @polls("parameter")
 def load(task: CommandTask, command: Command) -> None:
-    task.registers[0] = wrapped(task.value(command))
+    task.registers[0] = limited(task, task.value(command))
 
 
 # It counts its own effect: only a changed register is an effect.
@@ -79,7 +79,7 @@ def divide(task: CommandTask, command: Command) -> None:
     value = task.registers[0]
     if task.board.assumptions.get("mccl.quotient") == "real":
         value = float(value)
-    task.registers[0] = wrapped(_quotient(value, task.value(command)))
+    task.registers[0] = limited(task, _quotient(value, task.value(command)))
 
 
 @polls("parameter")

@@ -9,7 +9,7 @@ import math
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.registers import wrapped
+from motionlang.mccl.keywords.registers import limited
 from motionlang.mccl.keywords.row import Group, polls
 
 TYPE_CHECKING = False
@@ -66,7 +66,7 @@ def evaluate(task: CommandTask, command: Command) -> None:
         result = function(value)
         if radians and name.endswith(", degrees"):
             result = math.radians(result)
-        task.registers[0] = wrapped(result)
+        task.registers[0] = limited(task, result)
     except (ValueError, OverflowError):
         raise Fault(codes.PARAMETER, f"there is no {name} of {value:g}", kind="range") from None
 
