@@ -55,8 +55,13 @@ def wrapped(value: float | int) -> float | int:
     if isinstance(value, int):
         return signed(value)
     if not abs(value) <= LARGEST:
-        raise Fault(codes.PARAMETER, "the result is too large for a register", kind="overflow")
+        raise too_large()
     return value
+
+
+def too_large() -> Fault:
+    """Return the fault of a result that no register can hold."""
+    return Fault(codes.PARAMETER, "the result is too large for a register", kind="overflow")
 
 
 def _with(operation: Operation) -> Action:

@@ -9,7 +9,7 @@ import math
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.registers import limited
+from motionlang.mccl.keywords.registers import limited, too_large
 from motionlang.mccl.keywords.row import Group, polls
 
 TYPE_CHECKING = False
@@ -58,7 +58,7 @@ def evaluate(task: CommandTask, command: Command) -> None:
     Raises Fault if the function is undefined there.
     """
     name, function = FUNCTIONS[task.whole(command)]
-    value = task.registers[0]
+    given = value = task.registers[0]
     radians = task.board.assumptions.get("mccl.angles") == "radians"
     try:
         if radians and name.endswith("of degrees"):
@@ -67,8 +67,11 @@ def evaluate(task: CommandTask, command: Command) -> None:
         if radians and name.endswith(", degrees"):
             result = math.radians(result)
         task.registers[0] = limited(task, result)
-    except (ValueError, OverflowError):
-        raise Fault(codes.PARAMETER, f"there is no {name} of {value:g}", kind="range") from None
+    except OverflowError:
+        raise too_large() from None
+    except ValueError:
+        plain = name.removesuffix(" of degrees").removesuffix(", degrees")
+        raise Fault(codes.PARAMETER, f"there is no {plain} of {given:g}", kind="range") from None
 
 
 # ------------------------------------------------------------------------------------------------- keywords

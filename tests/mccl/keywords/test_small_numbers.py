@@ -243,3 +243,17 @@ def test_the_last_error_is_told_until_a_reset(line: str, output: list[str], mccl
 def test_a_wrong_format_names_formats_that_fit(program: str, message: str, hint: str, mccl: Runner) -> None:
     (found,) = mccl(program).diagnostics
     assert (found.message.partition(" (")[0], found.hint) == (message, hint)
+
+
+@cases(
+    "program, message",
+    [
+        ("AL2,AV5", "there is no arc sine of 2"),
+        ("AL-90,AV4", "there is no tangent of -90"),
+        ("AL-4,AV8", "there is no square root of -4"),
+        ("AL1000,AV9", "the result is too large for a register"),
+    ],
+)
+def test_a_function_without_a_value_is_named(program: str, message: str, mccl: Runner) -> None:
+    (found,) = mccl(program).diagnostics
+    assert found.message.partition(" (")[0] == message
