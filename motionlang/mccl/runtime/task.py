@@ -311,11 +311,12 @@ class CommandTask(Task):
         """Continue with command `target` of the line."""
         assert self.line is not None
         if not 0 <= target <= len(self.line.commands):
-            last = len(self.line.commands) - 1
+            first: int = self.board.assumptions.get("mccl.jump-base", 0)  # type: ignore[assignment]
+            last = first + len(self.line.commands) - 1
             raise Fault(
                 codes.PARAMETER,
-                f"there is no command {target} here",
-                f"they are numbered 0 to {last}",
+                f"there is no command {first + target} here",
+                f"they are numbered {first} to {last}",
                 "range",
             )
         here, log = self.here, self.loop_log

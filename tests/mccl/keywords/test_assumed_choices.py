@@ -69,3 +69,10 @@ def test_a_choice_changes_the_output(
 ) -> None:
     assert mccl(program).output == usual
     assert mccl(program, machine={f"assumptions.mccl.{name}": value}).output == other
+
+
+def test_a_jump_out_of_the_line_is_reported_as_the_program_counts(mccl: Runner) -> None:
+    for base, last in ((0, 2), (1, 3)):
+        (found,) = mccl("AL5,JP9,TR0", machine={"assumptions.mccl.jump-base": base}).diagnostics
+        assert found.message.startswith("there is no command 9 here")
+        assert found.hint == f"they are numbered {base} to {last}"
