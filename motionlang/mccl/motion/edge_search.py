@@ -34,12 +34,12 @@ class Seek:
         self._board, self._axis, self.kind, self.value = board, axis, kind, value
         self.caught: float | None = None
         self._watches: list[Watch] = []
+        self._looking = flags.LOOKING_FOR_INDEX if kind == "index" else flags.LOOKING_FOR_EDGE
+        axis.flags |= self._looking
         if kind == "index":
-            axis.flags |= flags.LOOKING_FOR_INDEX
             axis.index_found = False
             self._watch_marks()
         else:
-            axis.flags |= flags.LOOKING_FOR_EDGE
             axis.edge_found = False
             self.check()
 
@@ -58,7 +58,7 @@ class Seek:
         for watch in self._watches:
             self._board.controller.unwatch(self._axis.number, watch)
         self._watches.clear()
-        self._axis.flags &= ~(flags.LOOKING_FOR_INDEX | flags.LOOKING_FOR_EDGE)
+        self._axis.flags &= ~self._looking
 
     def apply(self) -> None:
         """Assign the value to the caught position and shift everything else.

@@ -219,6 +219,11 @@ def test_the_distance_to_the_target_counts_from_where_the_axis_is(
     assert switched.time == pytest.approx(2.0 + since, abs=3e-4)
 
 
+def test_a_wait_for_the_index_leaves_an_armed_edge_armed(mccl: Runner) -> None:
+    result = mccl("1MN,1MR3000,1EL0,1WI,1WS,1TS", machine={"axis.1.index_every": 1000})
+    assert int(result.output[0].split()[1]) & 0b11 << 8 == 1 << 9
+
+
 @pytest.mark.parametrize(("search", "bits"), [("1FI0", 1 << 8), ("1FE0", 1 << 9)])
 def test_an_axis_that_searches_shows_it(search: str, bits: int, mccl: Runner) -> None:
     """Neither the mark nor the switch ever comes."""
