@@ -19,11 +19,13 @@ if TYPE_CHECKING:
 
 
 def find_index(task: CommandTask, command: Command) -> Wait | None:
-    return _complete(task, task.axis(command), _begin(task, command, "index"))
+    task.search = _begin(task, command, "index")
+    return _complete(task, task.axis(command), task.search)
 
 
 def find_edge(task: CommandTask, command: Command) -> Wait | None:
-    return _complete(task, task.axis(command), _begin(task, command, "edge"))
+    task.search = _begin(task, command, "edge")
+    return _complete(task, task.axis(command), task.search)
 
 
 def arm_index(task: CommandTask, command: Command) -> None:
@@ -43,7 +45,8 @@ def wait_index(task: CommandTask, command: Command) -> Wait | None:
     seek = task.board.seeks.get(axis.number)
     if seek is None or seek.kind != "index":
         # Nothing is armed: wait for the next mark and leave the zero unchanged.
-        seek = Seek(task.board, axis, "index", 0.0)
+        task.search = seek = Seek(task.board, axis, "index", 0.0)
+        task.then = lambda now: _found(task)
         return _until_caught(task, axis, seek)
     return _complete(task, axis, seek)
 
@@ -87,6 +90,7 @@ def _complete(task: CommandTask, axis: AxisState, seek: Seek) -> Wait | None:
     board = task.board
 
     def finish(now: float) -> None:
+        _found(task)
         board.seeks.pop(axis.number, None)
         if seek.done:
             seek.apply()
@@ -96,6 +100,10 @@ def _complete(task: CommandTask, axis: AxisState, seek: Seek) -> Wait | None:
         return None
     task.then = finish
     return _until_caught(task, axis, seek)
+
+
+def _found(task: CommandTask) -> None:
+    task.search = None
 
 
 def _until_caught(task: CommandTask, axis: AxisState, seek: Seek) -> Wait:

@@ -60,6 +60,13 @@ class Seek:
         self._watches.clear()
         self._axis.flags &= ~self._looking
 
+    def withdraw(self) -> None:
+        """Cancel the search and forget it, because its command was abandoned."""
+        self.cancel()
+        seeks = self._board.seeks
+        if seeks.get(self._axis.number) is self:
+            del seeks[self._axis.number]
+
     def apply(self) -> None:
         """Assign the value to the caught position and shift everything else.
 

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from motionlang.lang.scheduler import Scheduler
     from motionlang.lang.waits import Wait
     from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.motion.edge_search import Seek
     from motionlang.mccl.motion.path import Path
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.resolve.line import Line
@@ -74,6 +75,7 @@ class CommandTask(Task):
         "poll",
         "registers",
         "repeats",
+        "search",
         "then",
         "write",
     )
@@ -90,6 +92,8 @@ class CommandTask(Task):
         self.repeats: dict[int, int] = {}
         self.calls: list[tuple[Line, int, dict[int, int]]] = []
         self.then: Then | None = None
+        # The search that the current command has begun and waits for.
+        self.search: Seek | None = None
         # The contour path that the commands of the line are describing.
         self.path_open: Path | None = None
         self.here = 0
@@ -333,6 +337,9 @@ class CommandTask(Task):
         self.loop_log.left()
         self.line, self.repeats, self.then, self.paid = None, {}, None, False
         self.path_open = None
+        if self.search is not None:
+            self.search.withdraw()
+            self.search = None
 
     def comes_to_rest(self, axes: tuple[int, ...]) -> bool:
         """Let time pass within the slice until axes are at rest; False to yield."""

@@ -139,6 +139,17 @@ def test_an_armed_index_is_caught_while_the_program_does_something_else(mccl: Ru
     assert result.output == ["01 1500", "01 500"]
 
 
+def test_a_search_ends_with_its_command(mccl: Runner) -> None:
+    """Nothing is caught at 1000 after ET, and WI waits for the mark at 2000."""
+    machine = {"axis.1.index_every": 1000.0}
+    for search in ("1FI100", "1WI"):
+        run = mccl(
+            f"MD1,{search}\n1MN,GT1,WA0.1,ET@0,1TS,1MR1500,1WS,1TP,1TZ,1MR1000,1WI,1TP,1WS", machine=machine
+        )
+        assert status(run.output[0]) & (1 << 8) == 0
+        assert run.output[1:] == ["01 1500", "01 0", "01 2000"]
+
+
 def test_find_edge_and_wait_edge(mccl: Runner) -> None:
     machine = {"axis.1.home_switch": [2000.0, 2500.0]}
     found = mccl("1MN,1SV5000,1VM,1GO,1FE0,1ST,1WS,1TP", machine=machine)
