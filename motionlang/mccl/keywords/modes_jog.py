@@ -28,21 +28,25 @@ def jog_accel(task: CommandTask, command: Command) -> None:
 def jog_minimum(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.jog.minimum = axis.rate(float(task.value(command)), "uu/s")
+        task.board.joysticks.update(axis)
 
 
 def jog_gain(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.jog.gain = axis.rate(float(task.value(command)), "uu/s")
+        task.board.joysticks.update(axis)
 
 
 def jog_deadband(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.jog.deadband = float(task.value(command))
+        task.board.joysticks.update(axis)
 
 
 def jog_offset(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.jog.offset = float(task.value(command))
+        task.board.joysticks.update(axis)
 
 
 # ------------------------------------------------------------------------------------------------- keywords

@@ -45,10 +45,15 @@ class Joysticks:
         velocity = jog.gain * deflection
         return velocity if abs(velocity) >= jog.minimum else 0.0
 
+    def update(self, axis: AxisState) -> None:
+        """Take the velocity that the joystick commands now, if the axis follows it."""
+        if axis.jogging:
+            self._follow(axis)
+
     def _moved(self, channel: int, value: float) -> None:
         axis = self._board.axes.get(channel)
-        if axis is not None and axis.jogging:
-            self._follow(axis)
+        if axis is not None:
+            self.update(axis)
 
     def _follow(self, axis: AxisState) -> None:
         """Ramp to the commanded velocity at JA without changing the axis's own rates."""

@@ -165,6 +165,15 @@ def test_a_mark_that_the_machine_does_not_have(mccl: Runner) -> None:
     assert "index mark of axis 1" in result.diagnostics[0].message
 
 
+def test_the_settings_of_a_joystick_apply_to_an_axis_that_follows_it(mccl: Runner) -> None:
+    """Of 5 V: JG times the voltage beyond JO, none within JB or below JV."""
+    text = "1MN,1JA1000000,1JN,WA1,1TV," + "".join(
+        f"1{setting},WA1,1TV," for setting in ("JG2000", "JO1", "JB4.5", "JB0", "JV9000", "JV0", "JG0")
+    )
+    run = mccl(text, analog="1=50@0")
+    assert [int(each.split()[1]) for each in run.output] == [5000, 10000, 8000, 0, 8000, 0, 8000, 0]
+
+
 def test_a_joystick(mccl: Runner) -> None:
     """50 percent are 5 V, less an offset of 1 V: 4 V at 100 counts/s per volt."""
     result = mccl(
