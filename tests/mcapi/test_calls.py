@@ -148,6 +148,17 @@ def test_a_task_runs_in_the_background(host: Mcapi) -> None:
         host.CancelTask(task)
 
 
+def test_blocks_start_no_more_tasks_than_a_program_may(host: Mcapi) -> None:
+    for k in range(33):
+        host.BlockBegin(mc.MC_BLOCK_TASK, 0)
+        host.Wait(100.0)
+        if k < 32:
+            assert host.BlockEnd() == k + 1
+    with pytest.raises(McapiException) as caught:
+        host.BlockEnd()
+    assert caught.value.code == mc.MCERR_RANGE
+
+
 def test_an_error_that_was_raised_is_not_raised_again(host: Mcapi) -> None:
     """MCDecodeStatus answers 0 for a clear bit and for an error."""
     with pytest.raises(McapiException):

@@ -13,9 +13,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.task import CommandTask
 
-# The largest number of background tasks at one time.
-MAX_TASKS = 32
-
 
 def define_macro(task: CommandTask, command: Command) -> None:
     """Define a macro from the rest of the line, replacing any with the same number."""
@@ -66,13 +63,7 @@ def start_task(task: CommandTask, command: Command) -> None:
 
     Its number is stored in the accumulator.
     """
-    board = task.board
-    macro = _macro(task, command)
-    if len(board.background) >= MAX_TASKS:
-        raise Fault(
-            codes.PARAMETER, f"there are {MAX_TASKS} background tasks already", "end one with ET", "limit"
-        )
-    task.registers[0] = board.start_task(macro, task)
+    task.registers[0] = task.board.start_task(_macro(task, command), task)
 
 
 def end_task(task: CommandTask, command: Command) -> None:

@@ -40,6 +40,9 @@ CODES = {
     codes.NOT_ASSIGNED: "mccl.code-not-assigned",
 }
 
+# The largest number of background tasks at one time.
+MAX_TASKS = 32
+
 
 class Board:
     """A PMC controller with its interpreter's state, built on a `Machine`.
@@ -310,8 +313,12 @@ class Board:
     def start_task(self, macro: Line, issuer: CommandTask) -> int:
         """Run a macro in the background and return the task's number.
 
-        Its replies go to the same writer as the issuer's.
+        Its replies go to the same writer as the issuer's. Raises Fault if too many tasks run.
         """
+        if len(self.background) >= MAX_TASKS:
+            raise Fault(
+                codes.PARAMETER, f"there are {MAX_TASKS} background tasks already", "end one with ET", "limit"
+            )
         scheduler = self.machine.scheduler
         assert scheduler is not None, "background tasks need a scheduler"
         self._last_task += 1
