@@ -196,7 +196,7 @@ class Poll:
             if until == INFINITY or ((waits or counters) and len(board.tasks) > 1):
                 return None  # the run may end before, if all tasks are hopeless
         if until == INFINITY:
-            why = "in a loop that polls only values that never change"
+            why = "for its loop to end"
             return Wait(now, lambda: board.slices != slices, lambda: INFINITY, why)
         until = min(until, max(task.horizon, scheduler.reach()))
         if waits:
