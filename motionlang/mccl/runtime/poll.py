@@ -90,7 +90,8 @@ class Poll:
         dependencies, clock, board = self.dependencies, self.dependencies.clock, task.board
         (before, accumulator, base, count, event, ran), accumulated = self._before, task.registers[0]
         wait, now, next_event, cost = None, clock.now, clock.next_time(), task.cost
-        position = task.line, task.pc, board.effects, len(task.calls)
+        callers = [pc for _, pc, _ in task.calls] if task.calls else []
+        position = task.line, task.pc, board.effects, callers
         waits = self._waits
         goes_on = ran == board.slices and (after(base, waits, cost) if waits else base) == task.base
         if waits:

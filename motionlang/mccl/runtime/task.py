@@ -437,6 +437,8 @@ class CommandTask(Task):
             return False
         if self.board.machine.world is not None:
             self.board.machine.world.reach(line.number)
+        # A macro that the line calls is not at the position of its last call.
+        self.board.effects += 1
         self.enter(line)
         return True
 

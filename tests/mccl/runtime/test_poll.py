@@ -259,3 +259,13 @@ def test_a_loop_without_an_end_is_skipped_to_the_end_of_the_run(
         result = mccl(program, until=100.0)
     assert result.time == pytest.approx(end, abs=1e-4)
     assert 0 < jumps <= most
+
+
+@pytest.mark.parametrize(
+    "calls",
+    ["MJ1\nMJ1\nAL7,TR0", "MC2,MC2,AL7,TR0", "MC3,MC3,AL7,TR0", "MC3\nMC3\nAL7,TR0", "MC4\nMC4\nAL7,TR0"],
+)
+def test_a_macro_that_is_called_again_is_no_loop(calls: str, mccl: Runner) -> None:
+    """Each call jumps to the same command with the same registers, and then ends."""
+    run = mccl(f"MD1,RA10\nMD2,MJ1\nMD3,JP3,BK,NO,JP1\nMD4,JP3,AD0,NO,JP1\n{calls}")
+    assert [line for line in run.output if line != "?-1"] == ["7"]
