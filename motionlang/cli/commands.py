@@ -71,8 +71,7 @@ def parse(given: Sequence[str]) -> int:
     arguments, unknown = parser.parse_known_args(_with_factor(given))
     arguments.given = list(given)
     if unknown:
-        whose = getattr(arguments, "parser", parser)
-        whose.error(f"unrecognized arguments: {' '.join(unknown)}")
+        arguments.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
     command: Callable[[argparse.Namespace], int] = arguments.command
     try:
         if getattr(arguments, "into", None) is not None:

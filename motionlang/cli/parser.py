@@ -111,6 +111,8 @@ class Parser(argparse.ArgumentParser):
         options.setdefault("formatter_class", Formatter)
         super().__init__(allow_abbrev=False, **options)  # type: ignore[arg-type]
         self._negative_number_matcher = _NEGATIVE
+        # The innermost command reports what it does not know.
+        self.set_defaults(parser=self)
 
     def parse_known_args(self, args=None, namespace=None):  # type: ignore[no-untyped-def]
         """Replace old spellings of options, and parse.
@@ -198,7 +200,7 @@ def add_command(
     commands: Commands, name: str, summary: str, call: Callable[..., int], epilog: str = ""
 ) -> argparse.ArgumentParser:
     parser = commands.add_parser(name, help=summary, description=sentence(summary), epilog=epilog)
-    parser.set_defaults(command=call, parser=parser)
+    parser.set_defaults(command=call)
     return parser
 
 

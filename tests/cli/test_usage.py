@@ -19,3 +19,23 @@ def test_a_command_of_a_command_that_there_is_not(capsys: pytest.CaptureFixture[
         main(["servo", "nonsense"])
     assert end.value.code == 2
     assert "there is no command nonsense" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("line", "command", "hint"),
+    [
+        ("pvt refine --timee 5", "pvt refine", "did you mean --time?"),
+        ("servo step --bandwith 9", "servo step", "did you mean --bandwidth?"),
+        ("mcapi run --recrod x y", "mcapi run", "did you mean --record?"),
+        ("notes chapter12 12.5 --plto x", "notes chapter12", "did you mean --plot?"),
+        ("run x.mnt --untl 5", "run", "did you mean --until?"),
+    ],
+)
+def test_an_unknown_option_is_compared_with_those_of_its_command(
+    line: str, command: str, hint: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        main(line.split())
+    error, said = capsys.readouterr().err.splitlines()
+    assert error.startswith(f"motionlang {command}: error: unrecognized arguments: --")
+    assert said == f"  hint: {hint}"
