@@ -295,6 +295,11 @@ LIBRARIES = {
 REQUIRED = ("numpy",)
 
 
+def count_of(number: int, noun: str, plural: str = "") -> str:
+    """Return a number with its noun, such as "1 move" or "2 moves"."""
+    return f"{number} {noun if number == 1 else plural or f'{noun}s'}"
+
+
 def as_hint(description: str) -> str:
     """Return a description as a hint: without capital and full stop."""
     second = description[1:2]

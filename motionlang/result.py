@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.errors import Diagnostic, Terminated, clipped
+from motionlang.errors import Diagnostic, Terminated, clipped, count_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -95,9 +95,9 @@ class Run:
         return shown
 
     def __repr__(self) -> str:
-        counts = _counted(len(self.machine.log.moves), "move")
+        counts = count_of(len(self.machine.log.moves), "move")
         if self.diagnostics:
-            counts += f", {_counted(len(self.diagnostics), 'diagnostic')}"
+            counts += f", {count_of(len(self.diagnostics), 'diagnostic')}"
         return f"<Run of {self.source.name}: {self.status} at {self.time:g} s, {counts}>"
 
     @property
@@ -263,11 +263,11 @@ def report_guesses(result: Run) -> None:
     if tables.get("answer"):
         left = machine.unasked()
         answers = [each for each in tables["answer"] if each["text"] not in left]
-        found += [_counted(len(answers), "answer")] if answers else []
+        found += [count_of(len(answers), "answer")] if answers else []
         count += len(answers)
     if tables.get("key"):
         pressed = [each for each in tables["key"] if each.get("at", 0.0) <= machine.clock.now]  # type: ignore[operator]
-        found += [_counted(len(pressed), "key")] if pressed else []
+        found += [count_of(len(pressed), "key")] if pressed else []
         count += len(pressed)
     axes = [key.split(".")[1] for key, value in settings.items() if value is True and key.endswith(".guess")]
     moved = {str(move.axis) for move in machine.log.moves} if axes else set()
@@ -275,14 +275,10 @@ def report_guesses(result: Run) -> None:
     found += [f"the switches of axis {', '.join(homed)}"] if homed else []
     count += len(homed)
     if found:
-        message = f"this result depends on {_counted(count, 'guess')} of the machine file: {'; '.join(found)}"
+        guesses = count_of(count, "guess", "guesses")
+        message = f"this result depends on {guesses} of the machine file: {'; '.join(found)}"
         hint = "correct each in the machine file and remove its guess = true"
         result.diagnostics.append(Diagnostic("guess", message, hint=hint, severity="warning"))
-
-
-def _counted(number: int, noun: str) -> str:
-    """Return a number with its noun in the right form."""
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}{'es' if noun.endswith('s') else 's'}"
 
 
 def report_unasked(result: Run) -> None:

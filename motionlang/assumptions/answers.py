@@ -7,7 +7,7 @@ import re
 from motionlang.assumptions.assumption import REFUSED, Assumption, Probe
 from motionlang.assumptions.probe import BEGIN, END, FIRST_MARK, MARKS, NEXT, mark
 from motionlang.assumptions.questions import questions
-from motionlang.errors import Diagnostic
+from motionlang.errors import Diagnostic, count_of
 from motionlang.lang.machine.machine import ASSUMPTIONS
 from motionlang.lang.machine.switch import switch
 from motionlang.record import record
@@ -276,8 +276,8 @@ def machine_text(found: Answers, source: str) -> str:
     lines = [
         (
             f"# Answers of a controller in {source}: "
-            f"{counted(hold, 'assumption confirmed', 'assumptions confirmed')}, {do} refuted, "
-            f"{counted(fit, 'answer', 'answers')} unknown."
+            f"{count_of(hold, 'assumption confirmed', 'assumptions confirmed')}, {do} refuted, "
+            f"{count_of(fit, 'answer')} unknown."
         )
     ]
     others = [each for each in found.verdicts if each.status == OTHER]
@@ -297,11 +297,6 @@ def machine_text(found: Answers, source: str) -> str:
         lines += ["", "# Also refuted, but without a key to set:"]
         lines += [f"# {each.assumption.name}: {each.what} (answered {each.answer})" for each in fixed]
     return "\n".join(lines) + "\n"
-
-
-def counted(number: int, one: str, many: str) -> str:
-    """Return a number with its noun in the right form."""
-    return f"{number} {one if number == 1 else many}"
 
 
 def _toml_value(value: object) -> str:

@@ -15,6 +15,7 @@ from zlib import crc32
 
 from motionlang.assumptions.assumption import REFUSED, Assumption, Probe
 from motionlang.assumptions.entries import assumptions
+from motionlang.errors import count_of
 from motionlang.files import package_text
 from motionlang.record import record
 
@@ -184,21 +185,17 @@ def _promise(language: str, motion: Motion | None) -> str:
 
 
 def _mint_head(found: Sequence[Assumption], motion: Motion | None) -> Iterator[str]:
-    yield f"{_counted(found)} of motionlang about this controller, one line of answer each."
+    yield f"{count_of(len(found), 'question')} of motionlang about this controller, one line of answer each."
     yield _promise("mint", motion)
     yield "Run it after power-up, with the settings of the factory. A line that does not compile may be deleted."
     yield "Then: motionlang probe --answers LOG, where LOG is what the terminal showed."
 
 
 def _mccl_head(found: Sequence[Assumption], motion: Motion | None) -> Iterator[str]:
-    yield f"{_counted(found)} of motionlang about this controller, one line each."
+    yield f"{count_of(len(found), 'question')} of motionlang about this controller, one line each."
     yield _promise("mccl", motion)
     yield "Send it line by line after power-up, and keep what the terminal shows."
     yield "Then: motionlang probe --answers LOG"
-
-
-def _counted(found: Sequence[Assumption]) -> str:
-    return f"{len(found)} question{'s' if len(found) != 1 else ''}"
 
 
 def _mint(found: Sequence[Assumption], axis: int, motion: Motion | None) -> Iterator[str]:

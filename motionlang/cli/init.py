@@ -16,7 +16,7 @@ from motionlang.cli.options import REPORTS, Options
 from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.program_files import programs
 from motionlang.cli.run import run_command
-from motionlang.errors import Diagnostic
+from motionlang.errors import Diagnostic, count_of
 from motionlang.execution import MACHINE_SUFFIX, dialect_of
 from motionlang.files import create
 from motionlang.lang.dialect import dialect
@@ -114,7 +114,7 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
     except OSError as error:
         complain([unwritten(path, error)], None, file)
         return 1
-    sys.stdout.write(f"{path}: written, {_count(guesses)}\n")
+    sys.stdout.write(f"{path}: written, {count_of(guesses.count, 'guess', 'guesses')}\n")
     options = Options(file)
     options.dialect, options.report, options.machine = arguments.dialect, arguments.format, path
     options.given = arguments.given
@@ -127,7 +127,9 @@ def _ask(source: Source, guesses: Guesses, reads: list[InputRead]) -> dict[str, 
     The result is empty if they pressed Enter each time.
     """
     fixed: dict[str, list[Entry]] = {}
-    print(f"{_count(guesses)}. Enter keeps a guess, Ctrl-D keeps all that are left.")
+    print(
+        f"{count_of(guesses.count, 'guess', 'guesses')}. Enter keeps a guess, Ctrl-D keeps all that are left."
+    )
     try:
         for channel, entry in sorted(guesses.inputs.items()):
             lines = dict.fromkeys(
@@ -159,7 +161,3 @@ def _ask_input(channel: int, guess: Entry) -> list[Entry]:
             return found
         except WrongEntry as error:
             print(f"  {error.message}; {error.hint}")
-
-
-def _count(guesses: Guesses) -> str:
-    return "1 guess" if guesses.count == 1 else f"{guesses.count} guesses"

@@ -13,7 +13,6 @@ from motionlang.assumptions.answers import (
     UNKNOWN,
     Answers,
     Verdict,
-    counted,
     machine_text,
     read,
 )
@@ -24,7 +23,7 @@ from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.input_files import read_source
 from motionlang.cli.numbers import real
 from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
-from motionlang.errors import nearest
+from motionlang.errors import count_of, nearest
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.source import STDIN, STDIN_NAME, name_of
 
@@ -186,7 +185,7 @@ def _summary(found: Answers) -> str:
     }
     if by_status[HOLDS]:
         names = ", ".join(_names(each.assumption for each in by_status[HOLDS]))
-        lines += [f"{counted(len(by_status[HOLDS]), 'assumption confirmed', 'assumptions confirmed')}:"]
+        lines += [f"{count_of(len(by_status[HOLDS]), 'assumption confirmed', 'assumptions confirmed')}:"]
         lines += textwrap.wrap(names, 98, initial_indent="  ", subsequent_indent="  ", break_on_hyphens=False)
     if by_status[OTHER]:
         lines += [f"{len(by_status[OTHER])} refuted:", *map(_other, by_status[OTHER])]

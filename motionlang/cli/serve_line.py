@@ -9,7 +9,7 @@ from motionlang.cli.output_queue import dropped
 from motionlang.cli.serve_hosts import cannot, greet, open_lines, remark, say, until_signal, warn
 from motionlang.cli.serve_modbus import modbus_server, remark_on_mapping
 from motionlang.controller.faults import Rejected
-from motionlang.errors import Diagnostic, ProgramError
+from motionlang.errors import Diagnostic, ProgramError, count_of
 from motionlang.execution import accelerators
 from motionlang.mint.hosts.console import MintConsole
 from motionlang.mint.keywords.identity import VIRTUAL
@@ -76,9 +76,9 @@ def serve_line(
             if modbus is not None:
                 modbus.close()
     if status == 0:
-        served = _count(server.served, "host")
+        served = count_of(server.served, "host")
         if modbus is not None:
-            served += f", {_count(modbus.server.requests, 'Modbus request')}"
+            served += f", {count_of(modbus.server.requests, 'Modbus request')}"
         say(f"served {served}; machine time {console.now:.3f} s{dropped(queues)}\n")
     return status
 
@@ -124,7 +124,3 @@ def _pace(args: argparse.Namespace, console: MintConsole) -> Pace:
         pace.work()  # the program begins before the first host connects
         return pace
     return RealTime(console, args.factor or 1.0)
-
-
-def _count(number: int, what: str) -> str:
-    return f"{number} {what}{'' if number == 1 else 's'}"

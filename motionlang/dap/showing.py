@@ -17,6 +17,7 @@ from motionlang.debug.debugger import Debugger
 from motionlang.debug.expressions import WrongExpression, parse
 from motionlang.debug.scopes import LOCAL, MACHINE, MODULE, Waiting
 from motionlang.debug.values import shown
+from motionlang.errors import count_of
 from motionlang.lang.debugging import Frame, Variable
 from motionlang.lang.machine.entries import entries
 
@@ -183,7 +184,7 @@ class Showing:
         value = variable.value
         unit = f" {variable.type}" if variable.type in ("uu", "uu/s") and value is not None else ""
         if isinstance(value, list):
-            text = f"{len(value)} elements" if len(value) != 1 else "1 element"
+            text = count_of(len(value), "element")
             if path[0] == AXES and len(path) == 2:
                 text = ", ".join(f"{each.name} {_plain(each.value)}" for each in value[:2])
             return {

@@ -19,6 +19,7 @@ from collections import deque
 from collections.abc import Iterable, Mapping
 from math import isclose
 
+from motionlang.errors import count_of
 from motionlang.mcapi.call import Call
 from motionlang.mcapi.calls.controller import MODELS
 from motionlang.mcapi.client import VirtualBoard
@@ -155,8 +156,7 @@ class Replay:
         for number in self.counts.values():
             count += number
         kinds = ", ".join(f"{number} of {kind}" for kind, number in sorted(self.counts.items()))
-        calls = f"{self.calls} call{'' if self.calls == 1 else 's'}"
-        differences = f"{count} difference{'' if count == 1 else 's'}"
+        calls, differences = count_of(self.calls, "call"), count_of(count, "difference")
         return f"{calls}, {differences}{f': {kinds}' if kinds else ''}"
 
     # --------------------------------------------------------------------------------------------- comparing

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from motionlang.assumptions.assumption import Assumption
 from motionlang.assumptions.probe import lines_of, meanings
+from motionlang.errors import count_of
 from motionlang.views.terminal import styled
 
 # A program with this many lines is written to a file by the command and not shown.
@@ -17,7 +18,7 @@ def listing(found: Sequence[Assumption], *, width: int = 100, colour: bool = Fal
     """List evidence, name and question of each assumption, with the default below."""
     if not found:
         return "  depends on no unconfirmed assumption\n"
-    count = f"{len(found)} unconfirmed assumption{'s' if len(found) > 1 else ''}"
+    count = count_of(len(found), "unconfirmed assumption")
     with_probe, settable = (
         sum(each.probe is not None for each in found),
         sum(each.key != "" for each in found),

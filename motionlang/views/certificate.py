@@ -7,9 +7,10 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from motionlang import __version__
+from motionlang.errors import count_of
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import styled
-from motionlang.views.words import counted, figure
+from motionlang.views.words import figure
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,9 +40,9 @@ def certificate_lines(
     out += ["", f"{within} of {len(lines)} limits met"]
     if proof is not None:
         broken = len(proof.violations)
-        checked = ", ".join(counted(count, name[:-1]) for name, count in proof.counts.items() if count)
+        checked = ", ".join(count_of(count, name[:-1]) for name, count in proof.counts.items() if count)
         out.append(f"motion verified: {checked or 'nothing moved'}" if not broken
-                   else f"the motion differs from the commands: {counted(broken, 'violation')}")  # fmt: skip
+                   else f"the motion differs from the commands: {count_of(broken, 'violation')}")  # fmt: skip
     out.append(
         f"program {_digest(run.source.text)}, machine file {_digest(machine)}, motionlang {__version__}"
     )

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from motionlang.errors import Diagnostic
+from motionlang.errors import Diagnostic, count_of
 from motionlang.source import Source
 from motionlang.views.terminal import WIDTH, cells, printable, styled
 from motionlang.views.words import significant
@@ -85,7 +85,7 @@ def tally(diagnostics: Iterable[Diagnostic]) -> str:
     for severity in ("error", "warning"):
         count = severities.count(severity)
         if count:
-            counts.append(f"{count} {severity}{'s' if count > 1 else ''}")
+            counts.append(count_of(count, severity))
     return ", ".join(counts)
 
 

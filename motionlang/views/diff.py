@@ -9,6 +9,7 @@ from math import fsum
 from typing import TYPE_CHECKING, Any
 
 from motionlang.analysis.diff.tolerance import FIELDS
+from motionlang.errors import count_of
 from motionlang.views.terminal import printable, styled
 
 if TYPE_CHECKING:
@@ -122,7 +123,7 @@ def _line(change: LineChange, *others: LineChange) -> str:
     Values that differ between the axes are shown with their axis.
     """
     where = f"line {change.old}" if change.old == change.new else f"line {change.old}, now {change.new}"
-    moves = "1 move" if change.count == 1 else f"{change.count} moves"
+    moves = count_of(change.count, "move")
     changes = (change, *others)
     axes = f"axes {', '.join(str(each.axis) for each in changes)}" if others else f"axis {change.axis}"
     shared = [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from motionlang.errors import count_of
 from motionlang.planners.curve import Profile
 from motionlang.planners.pvt.points import Knot, knots, segments
 from motionlang.views.grid import Column, decimals_of, grid, headed
@@ -46,7 +47,7 @@ def segment_lines(profile: Profile) -> list[str]:
 
 def _summary(profile: Profile, marks: Sequence[Knot], scale: float) -> str:
     count = len(marks) - 1
-    text = f"{count} segment{'' if count == 1 else 's'}, {figure(profile.duration * 1000.0)} ms"
+    text = f"{count_of(count, 'segment')}, {figure(profile.duration * 1000.0)} ms"
     step = max((abs(mark.next_velocity - mark.velocity) for mark in marks), default=0.0)
     if quiet(step, profile.peak_speed):
         text += f"; largest velocity jump {figure(step)} counts/s"

@@ -6,6 +6,7 @@ from dataclasses import fields
 from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
+from motionlang.errors import count_of
 from motionlang.servo.plant import Motor
 from motionlang.views.grid import filled
 
@@ -85,9 +86,7 @@ def override_lines(runs: Sequence[OverrideRun], unit: str) -> list[str]:
     """Compare a move with and without override, in multiples of the slip limit."""
     cells: Cells = {
         "<DAC": lambda run: run.name,
-        "<override": lambda run: (
-            f"{run.steps} step{'' if run.steps == 1 else 's'}, held {run.hold}" if run.steps else "none"
-        ),
+        "<override": lambda run: f"{count_of(run.steps, 'step')}, held {run.hold}" if run.steps else "none",
         "onset, × limit": lambda run: f"{run.onset / run.limit:.3f}",
         "over an update, × limit": lambda run: f"{run.mean / run.limit:.3f}",
         f"slid, {unit}": lambda run: f"{run.slid:.6f}",

@@ -16,11 +16,6 @@ _OUTCOMES = {
 }
 
 
-def counted(number: int, noun: str) -> str:
-    """Return a number with its noun, such as "1 move" or "2 moves"."""
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
 def outcome(run: Run) -> str:
     """Return how the run ended, and its machine time."""
     return _OUTCOMES[run.status].format(clock_time(run.time))

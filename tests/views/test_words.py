@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 from motionlang.controller.controller import Controller
+from motionlang.errors import count_of
 from motionlang.views.lanes import Lane, lanes
 from motionlang.views.spans import visible
 from motionlang.views.window import WHOLE, Window
-from motionlang.views.words import clock_time, counted, dialect_name, figure, peak_of, significant
+from motionlang.views.words import clock_time, dialect_name, figure, peak_of, significant
 from motionlang.views.written import MAX_ROWS, written
 
 
@@ -74,7 +75,7 @@ def test_a_figure_of_a_column(value: float, decimals: int, wanted: str) -> None:
 
 
 def test_nouns_and_names() -> None:
-    assert [counted(number, "move") for number in (0, 1, 2)] == ["0 moves", "1 move", "2 moves"]
+    assert [count_of(number, "move") for number in (0, 1, 2)] == ["0 moves", "1 move", "2 moves"]
     assert [dialect_name(name) for name in ("mint", "mccl", "other")] == ["Mint", "MCCL", "other"]
     assert peak_of(1234.5678) == "1234.57"
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from motionlang.errors import Diagnostic, ProgramError, nearest
+from motionlang.errors import Diagnostic, ProgramError, count_of, nearest
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -119,7 +119,7 @@ def read_table(source: Source) -> Table:
         remarks.append(
             Diagnostic(
                 "recording",
-                f"{_count(len(short), 'row')} without {width} columns",
+                f"{count_of(len(short), 'row')} without {width} columns",
                 short[0],
                 severity="warning",
                 hint="missing values are left out of the comparison",
@@ -191,15 +191,11 @@ def _bad_cells(name: str, count: int, line: int, text: str, rows: int) -> Diagno
     what = f"{text!r}" if text else "nothing"
     return Diagnostic(
         "recording",
-        f"{name}: {_count(count, 'value')} of {rows} not a number, the first is {what}",
+        f"{name}: {count_of(count, 'value')} of {rows} not a number, the first is {what}",
         line,
         severity="warning",
         hint="they are left out of the comparison",
     )
-
-
-def _count(number: int, what: str) -> str:
-    return f"{number} {what}" if number == 1 else f"{number} {what}s"
 
 
 def time_column(table: Table, source: Source, wanted: str | None) -> str:
@@ -240,7 +236,7 @@ def usable_rows(times: Array, table: Table) -> tuple[NDArray[np.int64], list[Dia
         remarks.append(
             Diagnostic(
                 "recording",
-                f"time runs backwards {_count(len(back), 'time')}",
+                f"time runs backwards {count_of(len(back), 'time')}",
                 int(table.lines[rows[back[0] + 1]]),
                 severity="warning",
                 hint=f"only the longest stretch is compared: lines {table.lines[rows[first]]} to "

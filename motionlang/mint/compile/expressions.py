@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import inf
 
+from motionlang.errors import count_of
 from motionlang.mint.compile import intervals, operators
 from motionlang.mint.compile.body import Answer, Body, Reading, Value
 from motionlang.mint.compile.conversions import NOTHING, article, as_integer, converted, literal
@@ -209,7 +210,7 @@ def element(
         return f"{text}[1]"
     if len(args) != len(sizes):
         given = f"{len(args)} {'is' if len(args) == 1 else 'are'} given"
-        b.problem("index", f"{name} has {_count(len(sizes), 'subscript')}, {given}", node)
+        b.problem("index", f"{name} has {count_of(len(sizes), 'subscript')}, {given}", node)
         return f"{text}[1]"
     counts = counted(text, sizes)
     subscripts = [_subscript(b, *each) for each in zip(args, sizes, counts, strict=True)]
@@ -240,10 +241,6 @@ def _subscript(b: Body, node: nodes.Expr, size: int, count: str) -> str:
     if kind == "i" and size and low >= 1 and high <= size:
         return found.text
     return f"{b.whole.use('fn', 'subscript')}({found.bare}, {count})"
-
-
-def _count(count: int, what: str) -> str:
-    return f"1 {what}" if count == 1 else f"{count} {what}s"
 
 
 def load(b: Body, node: nodes.Name, symbol: Symbol) -> Value:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import isnan
 
-from motionlang.errors import as_hint
+from motionlang.errors import as_hint, count_of
 from motionlang.lang.keyword import Keyword
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.body import Body, Reading, Value
@@ -253,8 +253,7 @@ def task(b: Body, node: nodes.Name | nodes.Run | nodes.End, name: str) -> Symbol
 
 
 def _many(count: int, what: str) -> str:
-    plural = {"axis": "axes", "index": "indices"}.get(what, f"{what}s")
-    return f"{count} {what if count == 1 else plural}"
+    return count_of(count, what, {"axis": "axes", "index": "indices"}.get(what, ""))
 
 
 # --------------------------------------------------------------------------------------------------- writes
