@@ -72,10 +72,10 @@ def until_signal(server: Server | DriveServer) -> None:
             signal.signal(number, handler)
 
 
-def cannot(what: str, error: Exception) -> bool:
+def cannot(what: str, error: Exception, hint: str = "") -> bool:
     """Report an address that cannot be served; return False."""
     reason = getattr(error, "strerror", None) or str(error)
-    complain([Diagnostic("address", f"{what}: {reason.lower()}")], None, "")
+    complain([Diagnostic("address", f"{what}: {reason.lower()}", hint=hint)], None, "")
     return False
 
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from motionlang import __version__
 from motionlang.cli.complaints import complain
 from motionlang.cli.output_queue import dropped
+from motionlang.cli.serve_hosts import cannot, remark, warn
 from motionlang.controller.io.host_memory import PRODUCTS, product
-from motionlang.errors import Diagnostic
 from motionlang.execution import end_of, run
 from motionlang.mint.keywords.identity import VIRTUAL
 from motionlang.mint.models import named
@@ -41,12 +41,12 @@ def serve_modbus(
     """Run the program until it ends or a signal arrives; 1 if it cannot be run."""
     host, port = args.modbus
     outside = _outside(args)
-    server = modbus_server(args, outside, str(settings.get("controller.model", "")), _complain)
+    server = modbus_server(args, outside, str(settings.get("controller.model", "")), warn)
     try:
         server.start()
     except (OSError, UnicodeError) as error:
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
-        return _refuse(f"cannot listen on {shown(host, port)}: {reason}", "choose another port")
+        cannot(f"cannot listen on {shown(host, port)}", error, "choose another port")
+        return 1
     _greet(server, source, str(settings.get("controller.model", "")))
     before = signal.signal(signal.SIGTERM, signal.default_int_handler)  # a normal end, like Ctrl-C
     try:
@@ -93,10 +93,10 @@ def _outside(args: argparse.Namespace) -> Outside:
 
 def _greet(server: ModbusServer, source: Source, model: str) -> None:
     where = shown(server.host, server.port)
-    _say(f"listening on {where} (Modbus TCP); Ctrl-C ends it\n")
-    remark_on_mapping(source, model, _say)
+    remark(f"listening on {where} (Modbus TCP); Ctrl-C ends it\n")
+    remark_on_mapping(source, model, remark)
     if not is_loopback(server.host):
-        _say(
+        remark(
             f"warning: any computer that can reach this one can write through {where}; there is no password\n"
         )
 
@@ -111,24 +111,10 @@ def remark_on_mapping(source: Source, model: str, say: Callable[[str], None]) ->
 def _farewell(result: Run, server: ModbusServer, file: str, queues: list[OutputQueue]) -> int:
     troubles = [each for each in result.diagnostics if each.code != "interrupted"]
     complain(troubles, result.source, file)
-    _say(f"answered {server.requests} requests; machine time {result.time:.3f} s{dropped(queues)}\n")
+    remark(f"answered {server.requests} requests; machine time {result.time:.3f} s{dropped(queues)}\n")
     return int(any(each.severity == "error" for each in troubles))
-
-
-def _refuse(message: str, hint: str) -> int:
-    complain([Diagnostic("address", message, hint=hint)], None, "")
-    return 1
 
 
 def _show(text: str) -> None:
     shower(sys.stdout)(text)
     sys.stdout.flush()
-
-
-def _complain(text: str) -> None:
-    _say(f"motionlang serve: {text}\n")
-
-
-def _say(text: str) -> None:
-    sys.stderr.write(text)
-    sys.stderr.flush()
