@@ -7,6 +7,8 @@ defines.
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.record import record
 
 TYPE_CHECKING = False
@@ -137,6 +139,19 @@ class Keyword:
     def takes_fractions(self) -> bool:
         """True if a value written to it keeps its fraction."""
         return self.unit not in WHOLE_UNITS or self.unit == "ms"
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """The accepted range, infinite where it is open."""
+        return (-inf if self.low is None else self.low), (inf if self.high is None else self.high)
+
+    def refusal(self, value: float) -> tuple[str, str] | None:
+        """Return message and hint for a value outside the range, as NaN always is."""
+        low, high = self.limits
+        if low <= value <= high:
+            return None
+        hint = "" if self.low is None or self.high is None else f"it takes {low:.10g} to {high:.10g}"
+        return f"{self.name} cannot be {value:g}", hint
 
     @property
     def accepted(self) -> str:

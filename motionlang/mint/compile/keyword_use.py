@@ -7,7 +7,6 @@ The keyword's row in the table gives its access, index, unit and range. At run t
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import isnan
 
 from motionlang.errors import as_hint, count_of
 from motionlang.lang.keyword import Keyword
@@ -387,10 +386,10 @@ def _value(b: Body, node: nodes.Expr, row: Keyword) -> str:
 
 
 def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
-    low, high = row.low, row.high
-    if (low is not None and given < low) or (high is not None and given > high) or isnan(given):
-        limits = f"it takes {low:.10g} to {high:.10g}" if low is not None and high is not None else ""
-        b.problem("range", f"{row.name} cannot be {given:g}", node, limits)
+    refusal = row.refusal(given)
+    if refusal is not None:
+        message, hint = refusal
+        b.problem("range", message, node, hint)
 
 
 def _storing(

@@ -38,7 +38,6 @@ from collections.abc import Callable
 from functools import partial
 
 from motionlang.controller.axis_verbs import SETTINGS
-from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.mint.keywords import table
 from motionlang.mint.runtime.changes import repeatable
@@ -72,14 +71,10 @@ def row_of(name: str) -> Keyword:
 
 
 def check(row: Keyword, value: float) -> None:
-    """Raise Rejected if a value is outside the row's range.
-
-    NaN is outside every range.
-    """
-    low, high = row.low, row.high
-    if (low is not None and not value >= low) or (high is not None and not value <= high):
-        limits = f"it takes {low:.10g} to {high:.10g}" if low is not None and high is not None else ""
-        raise Rejected("range", f"{row.name} cannot be {value:g}", limits)
+    """Raise Rejected if a value is outside the row's range."""
+    refusal = row.refusal(value)
+    if refusal is not None:
+        raise Rejected("range", *refusal)
 
 
 class ByNumber(dict[int, "Made"]):
@@ -202,7 +197,7 @@ def _in_range(row: Keyword, write: Operation, index: int) -> Operation:
 
     `index` is the position of the value among the arguments.
     """
-    low, high = _limits(row)
+    low, high = row.limits
 
     def checked(*given: float) -> None:
         if not low <= given[index] <= high:
@@ -210,10 +205,6 @@ def _in_range(row: Keyword, write: Operation, index: int) -> Operation:
         write(*given)
 
     return checked
-
-
-def _limits(row: Keyword) -> tuple[float, float]:
-    return (-INFINITY if row.low is None else row.low), (INFINITY if row.high is None else row.high)
 
 
 def _brackets(row: Keyword) -> int:
@@ -305,7 +296,7 @@ def no_axis(environment: Environment, axis: int) -> Rejected:
 @by_axis
 def _write_setting(environment: Environment, row: Keyword, axis: int) -> Operation:
     write = environment.controller.writer(row.verb, axis, row.unit)
-    low, high = _limits(row)
+    low, high = row.limits
     times = _TIMES.get(row.unit)
 
     def checked(value: float) -> None:
