@@ -322,16 +322,16 @@ class Profile:
 
     def then(self, other: Profile) -> Profile:
         """Return this profile followed by `other`, which must begin where this one ends."""
-        if not (self.pieced and other.pieced):
-            from motionlang.planners.sequence import chained
-
-            return chained(self, other)
         gap = abs(other.start - self.end)
         assert gap <= 1e-9 * max(1.0, abs(self.end), abs(self.distance)), f"a jump of {gap} between profiles"
         if self.duration == 0.0:
             return other
         if other.duration == 0.0:
             return self
+        if not (self.pieced and other.pieced):
+            from motionlang.planners.sequence import chained
+
+            return chained(self, other)
         knots, pieces, marks = self.curve
         more_knots, more_pieces, more_marks = other.curve
         curve = (

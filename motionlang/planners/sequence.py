@@ -147,13 +147,7 @@ class ProfileSequence(Formula):
 
 
 def chained(first: Profile, second: Profile) -> Profile:
-    """Return `first` followed by `second`, which must begin where `first` ends."""
-    gap = abs(second.start - first.end)
-    assert gap <= 1e-9 * max(1.0, abs(first.end), abs(first.distance)), f"a jump of {gap} between profiles"
-    if first.duration == 0.0:
-        return second
-    if second.duration == 0.0:
-        return first
+    """Return `first` followed by `second`; both take time (see `Profile.then`)."""
     name = first.name if isinstance(first, ProfileSequence) else ""
     profiles = [*(first.segments if isinstance(first, ProfileSequence) else (first,))]
     profiles += second.segments if isinstance(second, ProfileSequence) and not second.name else (second,)

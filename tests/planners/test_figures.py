@@ -190,8 +190,8 @@ def test_a_sequence_runs_one_profile_after_the_other() -> None:
     assert both.cut(9.0) is both
     assert both.after(0.0) is both
     assert chained(MOVE, second).position(1.3) == pytest.approx(107.5)
-    assert chained(MOVE, hold(100.0).cut(0.0)) is MOVE
-    assert chained(hold(0.0).cut(0.0), MOVE) is MOVE
+    assert MOVE.then(hold(100.0).cut(0.0)) is MOVE
+    assert hold(0.0).cut(0.0).then(MOVE) is MOVE
     doubled = both.scaled(1000.0, 2.0)
     assert (doubled.start, doubled.end, doubled.position(1.3)) == pytest.approx((1000.0, 1240.0, 1215.0))
 
