@@ -205,12 +205,10 @@ def _position(
     It caches the present piece of the profile, because polling loops read little else.
     """
     clock, scale = controller.clock, a.scale
-    dependencies, note, wraps, axis = (
-        subscriber.dependencies,
-        subscriber.dependencies.note,
-        subscriber.wraps,
-        a.index,
-    )
+    dependencies = subscriber.dependencies
+    note = dependencies.note
+    wraps = subscriber.wraps
+    axis = a.index
     begun = since = c0 = c1 = c2 = c3 = 0.0
     still, until = False, -1.0
     profile: Profile | None = None

@@ -68,12 +68,10 @@ def object_dictionary(node_id: int = 0) -> ObjectDictionary:
     the node number, as in an EDS.
     """
     dictionary = ObjectDictionary()  # type: ignore[no-untyped-call]  # the library is only partly typed
-    u8, u16, u32, text = (
-        datatypes.UNSIGNED8,
-        datatypes.UNSIGNED16,
-        datatypes.UNSIGNED32,
-        datatypes.VISIBLE_STRING,
-    )
+    u8 = datatypes.UNSIGNED8
+    u16 = datatypes.UNSIGNED16
+    u32 = datatypes.UNSIGNED32
+    text = datatypes.VISIBLE_STRING
     for name, index, kind, access, default in (
         ("Device type", 0x1000, u32, "ro", DEVICE_TYPE),
         ("Error register", 0x1001, u8, "ro", 0),

@@ -65,13 +65,11 @@ FIXED_TIME = (0, -1)
 # The sub-index of 0x60C1 that copies the record into the buffer when it is written.
 TRIGGERS: dict[int, int] = {0: 1, -1: 1, -2: 2, -3: 3}
 
-VALUE_RANGE, DEVICE_STATE, READ_ONLY, WRITE_ONLY, LENGTH = (
-    0x06090030,
-    0x08000022,
-    0x06010002,
-    0x06010001,
-    0x06070010,
-)
+VALUE_RANGE = 0x06090030
+DEVICE_STATE = 0x08000022
+READ_ONLY = 0x06010002
+WRITE_ONLY = 0x06010001
+LENGTH = 0x06070010
 
 
 class Abort(Exception):

@@ -157,10 +157,8 @@ class Adapter:
     # ----------------------------------------------------------------------------------------------- session
 
     def _do_initialize(self, given: Arguments) -> Body:
-        self._lines_at_1, self._columns_at_1 = (
-            given.flag("linesStartAt1", True),
-            given.flag("columnsStartAt1", True),
-        )
+        self._lines_at_1 = given.flag("linesStartAt1", True)
+        self._columns_at_1 = given.flag("columnsStartAt1", True)
         self._reports_progress = given.flag("supportsProgressReporting")
         self.phase = READY
         return dict(tables.CAPABILITIES)

@@ -183,12 +183,10 @@ class Scheduler:
 
     def run_program(self, until: float = INFINITY) -> bool:
         """Run tasks until the parent ends; False if `until` came first."""
-        clock, statements, outside, parent = (
-            self.clock,
-            self._statements,
-            self.outside is not None,
-            self.parent,
-        )
+        clock = self.clock
+        statements = self._statements
+        outside = self.outside is not None
+        parent = self.parent
         by_itself = self.pace is None and not outside
         self.until, self._end = until, 0.0
         while not parent.done:

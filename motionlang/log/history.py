@@ -84,10 +84,8 @@ class MoveFigures:
         """Add the samples of a block that belong to this move."""
         rate, self._period = chunk.loop.servo_rate, chunk.loop.period
         error, begin = chunk.error, self._sample_index(first, self.begin, rate)
-        end, until = (
-            self._sample_index(first, self.end, rate) + 1,
-            self._sample_index(first, self.until, rate),
-        )
+        end = self._sample_index(first, self.end, rate) + 1
+        until = self._sample_index(first, self.until, rate)
         moving, resting = slice(max(begin, 0), end), slice(end, max(until, 0))
         self.peak_error = max(self.peak_error, float(np.abs(error[moving]).max(initial=0.0)))
         self.peak_output = max(self.peak_output, float(np.abs(chunk.output[moving]).max(initial=0.0)))

@@ -85,10 +85,8 @@ class ModbusServer:
         complain: Callable[[str], None] = lambda text: None,
     ) -> None:
         self._outside, self.host, self.port = outside, host, port
-        self._unit, self._identity = (
-            unit,
-            identity or Identity("motionlang", "Virtual Controller", __version__),
-        )
+        self._unit = unit
+        self._identity = identity or Identity("motionlang", "Virtual Controller", __version__)
         self._limits = limits or Limits()
         self._refusals = Refusals(complain)
         self.requests = 0

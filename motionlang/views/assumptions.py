@@ -19,10 +19,8 @@ def listing(found: Sequence[Assumption], *, width: int = 100, colour: bool = Fal
     if not found:
         return "  depends on no unconfirmed assumption\n"
     count = count_of(len(found), "unconfirmed assumption")
-    with_probe, settable = (
-        sum(each.probe is not None for each in found),
-        sum(each.key != "" for each in found),
-    )
+    with_probe = sum(each.probe is not None for each in found)
+    settable = sum(each.key != "" for each in found)
     lines = [f"  depends on {count}; a probe can settle {with_probe}, the machine file can set {settable}"]
     for each in found:
         lines.append("")

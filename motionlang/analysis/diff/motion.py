@@ -132,10 +132,8 @@ def _edges(a: Axis, b: Axis, end: float) -> list[float]:
     Only starts up to `end` are included, and `end` itself.
     """
     tracks = WholeTrack(a), WholeTrack(b)
-    same, pairs = (
-        0,
-        zip(tracks[0].starts, tracks[0].profiles, tracks[1].starts, tracks[1].profiles, strict=False),
-    )
+    same = 0
+    pairs = zip(tracks[0].starts, tracks[0].profiles, tracks[1].starts, tracks[1].profiles, strict=False)
     for start, profile, other_start, other in pairs:
         if (start, profile.start, profile.end, profile.duration, profile._recipe) != (
             other_start, other.start, other.end, other.duration, other._recipe

@@ -317,10 +317,8 @@ def _check_move(proof: Proof, run: Run, move: Move) -> None:
             continue
         if not a.starts or time < move.start_time:
             continue
-        stated, done = (
-            profile.position(time - move.start_time),
-            run.logged(a, move, time, share == 1.0 and length > 0.0),
-        )
+        stated = profile.position(time - move.start_time)
+        done = run.logged(a, move, time, share == 1.0 and length > 0.0)
         speed = abs(profile.velocity(time - move.start_time))
         if abs(stated - done) > SLACK * size + 8e-16 * (1.0 + time) * speed:
             proof.breaks(

@@ -235,11 +235,9 @@ class World:
         self._at(_number(entry, "at", 0.0), lambda: controller.drive_encoder(number, velocity, accel))
 
     def _wire_fault(self, entry: Entry) -> None:
-        axis, kind, value = (
-            int(_number(entry, "axis", 0)),
-            str(entry["kind"]),
-            int(_number(entry, "value", 1)),
-        )
+        axis = int(_number(entry, "axis", 0))
+        kind = str(entry["kind"])
+        value = int(_number(entry, "value", 1))
         bit, action = FAULTS.get(kind, (0, ""))
 
         def happen(active: bool = True) -> None:

@@ -15,12 +15,10 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
 
 # The kinds of data, with the names of old hosts.
-ACTUAL, OPTIMAL, ERROR, TORQUE = (
-    (mc.MC_CAPTURE_ACTUAL, mc.MC_DATA_ACTUAL),
-    (mc.MC_CAPTURE_OPTIMAL, mc.MC_DATA_OPTIMAL),
-    (mc.MC_CAPTURE_ERROR, mc.MC_DATA_ERROR),
-    (mc.MC_CAPTURE_TORQUE, mc.MC_DATA_TORQUE),
-)
+ACTUAL = (mc.MC_CAPTURE_ACTUAL, mc.MC_DATA_ACTUAL)
+OPTIMAL = (mc.MC_CAPTURE_OPTIMAL, mc.MC_DATA_OPTIMAL)
+ERROR = (mc.MC_CAPTURE_ERROR, mc.MC_DATA_ERROR)
+TORQUE = (mc.MC_CAPTURE_TORQUE, mc.MC_DATA_TORQUE)
 
 
 @commands("MCCaptureData")

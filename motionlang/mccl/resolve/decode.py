@@ -142,15 +142,11 @@ def _no_command(text: str) -> Command:
         name = text[:end].lstrip(_DIGITS)[:2].upper()
         return Command(text, name, None, 0, NONE, 0, _Wrong(Fault(codes.FORMAT, *misprint, "syntax")), False)
     if "MNEMONIC" in expected:
-        wrong, hint = (
-            f"{text} is not a command",
-            "a command is [axis] two letters [parameter], such as 1MR1000",
-        )
+        wrong = f"{text} is not a command"
+        hint = "a command is [axis] two letters [parameter], such as 1MR1000"
         if not text.strip(_DIGITS):
-            wrong, hint = (
-                "a number alone is not a command",
-                "no blank separates a command from its number: 1MR1000",
-            )
+            wrong = "a number alone is not a command"
+            hint = "no blank separates a command from its number: 1MR1000"
         elif text.startswith(("#", "'", "//")):
             hint = "; begins a comment"
         fault = Fault(codes.FORMAT, wrong, hint, "syntax")

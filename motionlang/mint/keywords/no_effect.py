@@ -66,11 +66,9 @@ def stored_value(environment: Environment, row: Keyword) -> Operation:
 @repeatable
 def write_value(environment: Environment, row: Keyword) -> Operation:
     """Make an operation that stores a value; the report states that it has no effect."""
-    values, name, without_effect = (
-        environment.component(StoredValues).values,
-        row.name,
-        environment.machine.without_effect,
-    )
+    values = environment.component(StoredValues).values
+    name = row.name
+    without_effect = environment.machine.without_effect
 
     def write(*given: object) -> None:
         *where, value, line = given

@@ -220,11 +220,9 @@ class Rests:
 
         All its times are whole units, which are exact as floats.
         """
-        environment, clock, statements = (
-            self._environment,
-            self._environment.clock,
-            self._environment.statements,
-        )
+        environment = self._environment
+        clock = environment.clock
+        statements = environment.statements
         waits, tail, cost = environment.machine.log.waits, self._tail, statements.cost
         site: Site | None = None
         units_here = NAN  # until its task is known
@@ -258,11 +256,9 @@ class Rests:
 
     def _computed(self, at: int, given: float | None, own: bool) -> Resting:
         """Return the function for a WAIT of any length, in a task or in a sub."""
-        environment, clock, statements = (
-            self._environment,
-            self._environment.clock,
-            self._environment.statements,
-        )
+        environment = self._environment
+        clock = environment.clock
+        statements = environment.statements
         waits, tail, cost = environment.machine.log.waits, self._tail, statements.cost
         site: Site | None = None
 
@@ -320,11 +316,9 @@ class Rests:
     def _yield_to_others(self, t: float, site: Site, end: float) -> Continuation:
         """Let events happen within the statement, or yield to other tasks."""
         environment = self._environment
-        statements, clock, scheduler = (
-            environment.statements,
-            environment.clock,
-            environment.machine.scheduler,
-        )
+        statements = environment.statements
+        clock = environment.clock
+        scheduler = environment.machine.scheduler
         since = statements.base + t * statements.cost
         statements.count, statements.reached = t, since
         task, (_, at, callers, _) = environment.task, site
