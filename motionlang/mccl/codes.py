@@ -58,3 +58,17 @@ class Fault(Exception):
         self.code, self.message, self.hint, self.kind = code, message, hint, kind
         self.candidates = tuple(candidates)
         super().__init__(message)
+
+
+def define_not_first() -> Fault:
+    message = "MD must be the first command of its line"
+    return Fault(DEFINE_NOT_FIRST, message, "put it on a line of its own", "syntax")
+
+
+def negative_repeat(times: int) -> Fault:
+    message = f"RP cannot repeat {times} times"
+    return Fault(NEGATIVE_REPEAT, message, "RP without a number repeats forever", "range")
+
+
+def needs_axis(name: str, text: str) -> Fault:
+    return Fault(NO_AXIS, f"{name} needs an axis number in front", f"such as 1{text}", "axis")

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
-from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group, pure
 
 TYPE_CHECKING = False
@@ -30,12 +29,7 @@ def repeat(task: CommandTask, command: Command) -> Wait | None:
     """
     count = task.whole(command)
     if count < 0:
-        raise Fault(
-            codes.NEGATIVE_REPEAT,
-            f"RP cannot repeat {count} times",
-            "RP without a number repeats forever",
-            "range",
-        )
+        raise codes.negative_repeat(count)
     here = task.here
     if count == 0 and task.board.assumptions.get("mccl.repeat-for-ever") == "once":
         count = 1

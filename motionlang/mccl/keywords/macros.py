@@ -17,12 +17,7 @@ if TYPE_CHECKING:
 def define_macro(task: CommandTask, command: Command) -> None:
     """Define a macro from the rest of the line, replacing any with the same number."""
     if task.here:
-        raise Fault(
-            codes.DEFINE_NOT_FIRST,
-            "MD must be the first command of its line",
-            "put it on a line of its own",
-            "syntax",
-        )
+        raise codes.define_not_first()
     assert task.line is not None
     task.board.macros[_number(task, command)] = task.line.rest(1)
     task.pc = len(task.line.commands)

@@ -96,27 +96,16 @@ def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | N
     row = command.row
     assert row is not None
     if row.index == "axis" and command.axis == 0:
-        hint = f"such as 1{command.text.lstrip('0')}"
-        return Fault(codes.NO_AXIS, f"{command.name} needs an axis number in front", hint, "axis")
+        return codes.needs_axis(command.name, command.text.lstrip("0"))
     number = command.number
     if row.verb == "define_macro":
         if k:
-            return Fault(
-                codes.DEFINE_NOT_FIRST,
-                "MD must be the first command of its line",
-                "put it on a line of its own",
-                "syntax",
-            )
+            return codes.define_not_first()
         last = model.macros
         if number is not None and number > last:
             return Fault(codes.MACRO_RANGE, f"macros are numbered 0 to {last}, not {number}", kind="range")
     if row.verb == "repeat" and number is not None and number < 0:
-        return Fault(
-            codes.NEGATIVE_REPEAT,
-            f"RP cannot repeat {number} times",
-            "RP without a number repeats forever",
-            "range",
-        )
+        return codes.negative_repeat(number)
     if row.verb in _JUMPS and number is not None:
         return _jump(line, k, row.verb, number)
     return None

@@ -262,12 +262,7 @@ class CommandTask(Task):
     def axis(self, command: Command) -> AxisState:
         """Return the axis that the command has to name."""
         if command.axis == 0:
-            raise Fault(
-                codes.NO_AXIS,
-                f"{command.name} needs an axis number in front",
-                f"such as 1{command.text}",
-                "axis",
-            )
+            raise codes.needs_axis(command.name, command.text)
         return self.board.axis(command.axis)
 
     def register(self, number: int) -> float | int:
