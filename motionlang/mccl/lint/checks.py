@@ -93,10 +93,8 @@ def _next(line: Line, k: int) -> list[int]:
         return [k + 1, k + 3]
     if verb in _DO_REST:
         return [k + 1, count]
-    if verb == "leave":
+    if verb in _LEAVES:  # the line after it runs, too, when a macro has ended
         return [count]
-    if verb == "jump_macro":
-        return []
     if verb == "repeat":
         return [first] if number == 0 else [first, k + 1]
     if verb in ("jump", "jump_by"):

@@ -46,6 +46,7 @@ def found(text: str) -> Found:
         ("AL1,WA1,JR0", [("endless-loop", 1, 9)]),
         ("MD1,1MN,1MR5,MJ1", [("never-waits", 1, 9)]),
         ("MD1,1MN,1MR5,MJ2\nMD2,TR0", []),
+        ("MD1,AL1\nMJ1\nTR0", []),
     ],
 )  # fmt: skip
 def test_commands_that_never_run_and_loops_that_never_end(text: str, expected: Found) -> None:
