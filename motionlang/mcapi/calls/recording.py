@@ -7,7 +7,7 @@ from motionlang.mcapi.command import command
 from motionlang.mcapi.errors import Refused
 from motionlang.mcapi.registry import commands, query
 from motionlang.mccl.axis.status import RECORD_PERIOD
-from motionlang.mccl.keywords.motion_record import recorded_times
+from motionlang.mccl.keywords.motion_record import recorded_actual, recorded_optimal, recorded_times
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -38,12 +38,12 @@ def captured(interface: Interface, axis: int, type: int, start: int, points: int
     if type in TORQUE:
         return tuple(controller.recall(axis, "output", times))
     if type in ACTUAL:
-        return tuple(state.reported(each) for each in controller.recall(axis, "actual", times))
-    optimal = [controller.axes[axis].position(time) for time in times]
+        return tuple(state.reported(each) for each in recorded_actual(board, state, times))
+    optimal = recorded_optimal(board, state, times)
     if type in OPTIMAL:
         return tuple(state.reported(each) for each in optimal)
     if type in ERROR:
-        actual = controller.recall(axis, "actual", times)
+        actual = recorded_actual(board, state, times)
         return tuple(state.reported(a - b, "uu") for a, b in zip(optimal, actual, strict=True))
     raise Refused(mc.MCERR_CONSTANT)
 

@@ -105,6 +105,8 @@ class AxisState:
         # Half the backlash, counts, and its compensation by the motor while that is on.
         self.backlash = 0.0
         self.play: Backlash | None = None
+        # The compensation when PR began to record.
+        self.recorded_play: Backlash | None = None
         # The counts of the auxiliary encoder at its zero and at its last index.
         self.aux_zero = self.aux_index = 0.0
         # Settings of the servo loop and the output stage, by the verb of their row.

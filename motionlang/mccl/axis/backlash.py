@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from copy import copy
+
 from motionlang.controller.motion.takeup import Takeup
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from motionlang.controller.controller import Controller
 
 
@@ -23,6 +27,18 @@ class Backlash:
     def shift(self) -> float:
         """Return how far the motor leads the load, counts; negative if it lags."""
         return self._takeup.advance(self._clock.now, True) - 0.5 * self._takeup.size
+
+    def copied(self) -> Backlash:
+        """Return a copy as of now, which BD and BF do not change."""
+        self.shift()
+        made = copy(self)
+        made._takeup = copy(self._takeup)
+        return made
+
+    def shifts(self, times: Sequence[float]) -> list[float]:
+        """Return how far the motor leads the load at rising times since the copy was made."""
+        takeup = copy(self._takeup)
+        return [takeup.advance(time, True) - 0.5 * takeup.size for time in times]
 
     def resize(self, half: float) -> None:
         """Apply BD while compensation is on; the motor moves only when the axis next does."""

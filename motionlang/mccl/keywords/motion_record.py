@@ -29,6 +29,7 @@ def record(task: CommandTask, command: Command) -> None:
         old = task.board.records.get(axis.number)
         if count:
             task.board.records[axis.number] = (now, count)
+            axis.recorded_play = None if axis.play is None else axis.play.copied()
         elif old is not None:
             start, most = old
             task.board.records[axis.number] = (start, min(most, _taken(now - start, most)))
@@ -68,15 +69,31 @@ def _taken(elapsed: float, most: int) -> int:
     return min(most, int(elapsed / RECORD_PERIOD + 1e-9) + 1)
 
 
+def recorded_optimal(board: Board, axis: AxisState, times: list[float]) -> list[float]:
+    """Return the optimal positions of the motor at recorded times, counts."""
+    a = board.controller.axes[axis.number]
+    return _of_motor(axis, times, [a.position(time) for time in times])
+
+
+def recorded_actual(board: Board, axis: AxisState, times: list[float]) -> list[float]:
+    """Return the actual positions of the motor at recorded times, counts."""
+    return _of_motor(axis, times, board.controller.recall(axis.number, "actual", times))
+
+
+def _of_motor(axis: AxisState, times: list[float], positions: list[float]) -> list[float]:
+    """Add what the motor led the load by, as TP and TO do."""
+    if axis.recorded_play is None:
+        return positions
+    shifts = axis.recorded_play.shifts(times)
+    return [position + shift for position, shift in zip(positions, shifts, strict=True)]
+
+
 def _optimal(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:
-    a = task.board.controller.axes[axis.number]
-    return [task.quantity(axis, a.position(time)) for time in times]
+    return [task.quantity(axis, counts) for counts in recorded_optimal(task.board, axis, times)]
 
 
 def _actual(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:
-    return [
-        task.quantity(axis, counts) for counts in task.board.controller.recall(axis.number, "actual", times)
-    ]
+    return [task.quantity(axis, counts) for counts in recorded_actual(task.board, axis, times)]
 
 
 def _torque(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:

@@ -61,3 +61,17 @@ def test_a_new_size_counts_from_the_next_motion_on(mccl: Runner) -> None:
     """
     result = mccl('1MN,1BD10,1BN,1MR500,1WS,1TP,1BD20,1TP,1MR100,1WS,1TP,1TT,LU"BACKLASH",1RL@0,TR0')
     assert result.output == ["01 510", "01 510", "01 620", "01 600", "20"]
+
+
+def test_recorded_positions_are_those_of_the_motor(mccl: Runner) -> None:
+    """TP and TO report the motor, too.
+
+    Out by 10 counts in 20 ms, and back; BD and BF come after the recording.
+    """
+    text = "1MN,1SV1000,1SA100000,1DS100000,1BD10,1BN,1PR60,1MR10,1WS,1TP,1MR-10,1WS,1TP,WA0.1,1BD3,1BF,1DO0,1DR0"
+    out, back, *recorded = mccl(text).output
+    assert (out, back) == ("01 20", "01 -10")
+    assert recorded[:60] == recorded[60:]
+    assert [recorded[k] for k in (0, 1, 10, 19, 21, 30, 45)] == [
+        f"01 {n}" for n in (0, 10, 15, 20, 0, -5, -10)
+    ]
