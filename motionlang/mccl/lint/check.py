@@ -13,6 +13,7 @@ from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
 from motionlang.mccl.lint.channels import check_channels
 from motionlang.mccl.lint.checks import CALLS, lint
+from motionlang.mccl.lint.flow import Flow, flow_of
 from motionlang.mccl.models import DEFAULT, MODELS, Model, missing, written_for
 from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.decode import problem
@@ -40,10 +41,11 @@ def check(source: Source, settings: Mapping[str, object] | None = None) -> list[
     lines = list(lines_of(source.text))
     whole = [each for each in lines if isinstance(each, Line)]
     axes = (settings or {}).get("controller.axes", DEFAULT_AXES)
+    flow = flow_of(settings or {})
     found: list[Diagnostic] = []
     for each in lines:
         if isinstance(each, Line):
-            found.extend(_line(source, each, model, axes))  # type: ignore[arg-type]
+            found.extend(_line(source, each, model, axes, flow))  # type: ignore[arg-type]
         else:
             fault, at, _ = each
             found.append(_diagnostic(source, at, fault))
@@ -61,15 +63,15 @@ def _lint(
     def add(at: int, fault: Fault) -> None:
         found.append(_diagnostic(source, at, fault, "warning"))
 
-    lint(lines, add)
+    lint(lines, flow_of(settings), add)
     check_channels(lines, settings, model, add)
     return found
 
 
-def _line(source: Source, line: Line, model: Model, axes: int) -> Iterator[Diagnostic]:
+def _line(source: Source, line: Line, model: Model, axes: int, flow: Flow) -> Iterator[Diagnostic]:
     for k, command in enumerate(line.commands):
         fault = _unknown_to(model, command) or problem(command) or _no_axis(command, axes)
-        fault = fault or _wrong_here(line, k, command, model)
+        fault = fault or _wrong_here(line, k, command, model, flow)
         if fault is not None:
             yield _diagnostic(source, line.offsets[k], fault)
         elif command.row is not None and not command.row.simulated:
@@ -91,7 +93,7 @@ def _no_axis(command: Command, axes: int) -> Fault | None:
     return Fault(codes.NOT_ASSIGNED, f"there is no axis {command.axis}", f"the axes are 1 to {axes}", "axis")
 
 
-def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | None:
+def _wrong_here(line: Line, k: int, command: Command, model: Model, flow: Flow) -> Fault | None:
     """Return the fault of a command at its position in the line, or None."""
     row = command.row
     assert row is not None
@@ -107,7 +109,7 @@ def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | N
     if row.verb == "repeat" and number is not None and number < 0:
         return codes.negative_repeat(number)
     if row.verb in _JUMPS and number is not None:
-        return _jump(line, k, row.verb, number)
+        return _jump(line, k, row.verb, number, flow)
     return None
 
 
@@ -117,15 +119,14 @@ def _defines(line: Line) -> bool:
     return row is not None and row.verb == _DEFINES
 
 
-def _jump(line: Line, k: int, verb: str, number: int) -> Fault | None:
+def _jump(line: Line, k: int, verb: str, number: int, flow: Flow) -> Fault | None:
     first = 1 if _defines(line) else 0
     last = len(line.commands) - first - 1
-    target = number if verb == "jump" else k - first + number
+    target = flow.target(verb, number, k - first)
     if 0 <= target <= last + 1:
         return None
-    return Fault(
-        codes.PARAMETER, f"there is no command {target} here", f"they are numbered 0 to {last}", "range"
-    )
+    hint = f"they are numbered {flow.base} to {flow.base + last}"
+    return Fault(codes.PARAMETER, f"there is no command {flow.base + target} here", hint, "range")
 
 
 def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:

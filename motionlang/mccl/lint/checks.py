@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.lint.equalities import exact_positions
+from motionlang.mccl.lint.flow import Flow
 from motionlang.mccl.lint.loops import endless_lines
 from motionlang.mccl.lint.running import running_axes
 from motionlang.mccl.resolve.command import Command
@@ -35,14 +36,14 @@ _REPEATS = frozenset({"repeat", "jump", "jump_by"})
 CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
 
 
-def lint(lines: list[Line], add: Add) -> None:
+def lint(lines: list[Line], flow: Flow, add: Add) -> None:
     """Call `add` with the offset and warning of each suspicious construct.
 
     The file must have no errors.
     """
     ended = False
     for line in lines:
-        reached = _reached(line)
+        reached = _reached(line, flow)
         if ended and not _is_macro(line):
             ended = False
             add(line.offsets[0], _unreachable("the line before repeats forever", "line"))
@@ -52,7 +53,7 @@ def lint(lines: list[Line], add: Add) -> None:
     _motors(lines, add)
     _waits(lines, add)
     running_axes(lines, add)
-    endless_lines(lines, add)
+    endless_lines(lines, flow, add)
     exact_positions(lines, add)
     _starts(lines, add)
 
@@ -68,7 +69,7 @@ def _unreachable(why: str, what: str = "command") -> Fault:
 # ---------------------------------------------------------------------------------------- unreachable commands
 
 
-def _reached(line: Line) -> set[int]:
+def _reached(line: Line, flow: Flow) -> set[int]:
     """Return the indices of the commands that can run.
 
     The number of commands means the end of the line.
@@ -81,26 +82,26 @@ def _reached(line: Line) -> set[int]:
         if k not in found:
             found.add(k)
             if k < count:
-                stack.extend(min(max(each, 0), count) for each in _next(line, k))
+                stack.extend(min(max(each, 0), count) for each in _next(line, k, flow))
     return found
 
 
-def _next(line: Line, k: int) -> list[int]:
+def _next(line: Line, k: int, flow: Flow) -> list[int]:
     """Return the commands that may follow command k."""
     command, first, count = line.commands[k], int(_is_macro(line)), len(line.commands)
     verb, number = command.verb, command.number
     if verb in _SKIPS:
-        return [k + 1, k + 3]
+        return [k + 1, k + 1 + flow.skipped]
     if verb in _DO_REST:
         return [k + 1, count]
     if verb in _LEAVES:  # the line after it runs, too, when a macro has ended
         return [count]
     if verb == "repeat":
-        return [first] if number == 0 else [first, k + 1]
+        return [first] if number == 0 and flow.endless else [first, k + 1]
     if verb in ("jump", "jump_by"):
         if number is None:
             return list(range(count + 1))
-        return [first + number if verb == "jump" else k + number]
+        return [first + flow.target(verb, number, k - first)]
     return [k + 1]
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.lint.flow import Flow
 from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.line import Line
 
@@ -18,17 +19,17 @@ _MOVES = frozenset({"move_to", "move_by", "go_home", "move_to_point"})
 _LEAVES = ("if_", "do_if_", "jump", "leave", "call_macro", "start_task", "wait", "find_", "path", "get_")
 
 
-def endless_lines(lines: Iterable[Line], add: Add) -> None:
+def endless_lines(lines: Iterable[Line], flow: Flow, add: Add) -> None:
     """Warn, once per line, of an endless loop in which nothing takes time."""
     for line in lines:
         for k, command in enumerate(line.commands):
-            begin = _repeats_from(line, k, command)
+            begin = _repeats_from(line, k, command, flow)
             if begin is not None:
                 _check(line, begin, k, add)
                 break
 
 
-def _repeats_from(line: Line, k: int, command: Command) -> int | None:
+def _repeats_from(line: Line, k: int, command: Command, flow: Flow) -> int | None:
     """Return the index to which a command always jumps back, or its own, or None.
 
     An `MJ` to the macro that contains it repeats the macro.
@@ -36,12 +37,12 @@ def _repeats_from(line: Line, k: int, command: Command) -> int | None:
     verb, number = command.verb, command.number
     is_macro = line.commands[0].verb == "define_macro"
     first = int(is_macro)
-    if verb == "repeat" and number == 0:
+    if verb == "repeat" and number == 0 and flow.endless:
         return first
     if verb == "jump_macro" and is_macro and number is not None and number == line.commands[0].number:
         return first
     if verb in ("jump", "jump_by") and number is not None:
-        target = first + number if verb == "jump" else k + number
+        target = first + flow.target(verb, number, k - first)
         return target if target <= k else None
     return None
 

@@ -58,6 +58,22 @@ def test_commands_that_never_run_and_loops_that_never_end(text: str, expected: F
 
 
 @cases(
+    "name, value, text, usual",
+    [
+        ("jump-base", 1, "AL5,JP3,AL6,TR0", "this command can never run: JP3 always jumps elsewhere"),
+        ("jump-base", 1, "AL5,JP3", "there is no command 3 here (?-1: command parameter error)"),
+        ("jump-relative", "next", "AL5,WA1,JR0", "JR0 jumps to itself forever"),
+        ("skipped", 3, "IE5,NO,JR3,BK,TR0,AL1", "this command can never run: BK always jumps elsewhere"),
+        ("repeat-for-ever", "once", "AL1,WA1,RP\nAL2", "this line can never run: the line before repeats forever"),
+    ],
+)  # fmt: skip
+def test_the_flow_of_a_board_that_counts_otherwise(name: str, value: object, text: str, usual: str) -> None:
+    source = Source("limits.mcl", text)
+    assert usual in [each.message for each in MCCL.check(source, {})]
+    assert usual not in [each.message for each in MCCL.check(source, {f"assumptions.mccl.{name}": value})]
+
+
+@cases(
     "text, message",
     [
         ("AL1,WA1,RP0,AL2", "this command can never run: RP0 repeats the commands before it forever"),
