@@ -173,6 +173,8 @@ class Site:
         if several and now < until:
             environment.clock.now = now
             reach = scheduler.reach()
+            if not reach and base != statements.base:
+                return t, horizon, counters  # another task can run, so it does during the next WAIT
             if until < reach and not self._may_have_woken(began, scheduler):
                 until = reach
         until = min(until, level)

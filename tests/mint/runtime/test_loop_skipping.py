@@ -14,6 +14,7 @@ from motionlang.result import Run
 from motionlang.source import Source
 from tests.cases import examples, one_in
 from tests.counted_calls import count_calls
+from tests.generated.tasks import every_iteration
 from tests.mint.polling_programs import COST, keeping, program
 
 STATES = """\
@@ -533,3 +534,37 @@ def test_a_task_that_only_counts_costs_nothing_while_it_is_alone(monkeypatch: py
     text = "Run T1\nWAIT(1000)\nPRINT TIME\nEnd\nTask T1\nLoop\n  n = n + 1\nEnd Loop\nEnd Task\n"
     assert run(Source("a.mnt", text), cache=False, fast=True).machine.terminal.lines == ["1000"]
     assert calls <= 5
+
+
+READY_AS_A_WAIT_ENDS = """\
+Dim k As Integer, done As Integer, i As Integer
+Run Other
+TASKPRIORITY(ParentTask) = 2
+While done = 0
+  WAIT(0.5)
+End While
+PRINT TIME
+End
+Task Other
+  For i = 1 To 4
+    WAIT(2.3)
+    k = 0
+    While k < 20
+      k = k + 1
+    End While
+  Next
+  done = 1
+End Task
+"""
+
+
+def test_a_task_that_is_ready_as_a_wait_ends_runs_in_the_next_one() -> None:
+    """WAITs of both tasks end at once, and the polling task, of higher priority, continues first."""
+    machine: dict[str, object] = {"controller.instruction_time": 1e-4}
+    found = [
+        run(Source("a.mnt", READY_AS_A_WAIT_ENDS), machine=machine, cache=False, fast=fast)
+        for fast in (False, True)
+    ]
+    with every_iteration():
+        executed = run(Source("a.mnt", READY_AS_A_WAIT_ENDS), machine=machine, cache=False, fast=False)
+    assert [each.output for each in found] == [executed.output] * 2
