@@ -252,6 +252,18 @@ class Controller(AxisVerbs):
         move = self.axes[axis].move
         return move.action.index if move is not None and isinstance(move.action, Cam) else -1
 
+    def cam_index_time(self, axis: int, index: int | None = None) -> float:
+        """Return when the axis may enter or leave a segment of its cam table.
+
+        The segment is by default the present one. INFINITY if only an event can change that.
+        """
+        from motionlang.controller.moves.cam import Cam
+
+        move = self.axes[axis].move
+        return (
+            move.action.index_time(index) if move is not None and isinstance(move.action, Cam) else INFINITY
+        )
+
     def load_fly(
         self,
         axis: int,

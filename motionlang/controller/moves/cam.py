@@ -225,8 +225,23 @@ class Cam(CurveFollow):
     @property
     def index(self) -> int:
         """The segment of the table at the master's position."""
-        inner = self.curve.knots[1:-1]
-        return self.first + bisect_right(inner, self.table_position())
+        return self.first + self._segment(self.table_position())
+
+    def index_time(self, index: int | None) -> float:
+        """Return when the master may enter or leave a segment of the table.
+
+        The segment is by default the present one. INFINITY if the master never does in this cycle.
+        """
+        along, knots = self._along(self.coming()), self.curve.knots
+        segment = self._segment(along.start) if index is None else index - self.first
+        if along.shape == "hold" or not 0 <= segment < len(knots) - 1:
+            return INFINITY
+        times = map(along.crossing, knots[segment : segment + 2])
+        return self.controller.clock.now + min((time for time in times if time is not None), default=INFINITY)
+
+    def _segment(self, along: float) -> int:
+        """Return the segment of the curve at a distance along it, from 0."""
+        return bisect_right(self.curve.knots, along, 1, len(self.curve.knots) - 1) - 1
 
 
 class Fly(Action):

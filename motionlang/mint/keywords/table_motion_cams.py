@@ -6,11 +6,15 @@ segment. A value that the program writes to an array takes effect in the next cy
 
 from __future__ import annotations
 
+from math import ceil
+
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.buffer import loads
 from motionlang.mint.keywords.following_masters import MASTER_SETTING, Masters, distance
-from motionlang.mint.runtime.binding import check, of, of_word
+from motionlang.mint.runtime.binding import Operation, check, of, of_word
+from motionlang.mint.runtime.changes import moving, with_dependency
 from motionlang.mint.runtime.environment import Environment
 from motionlang.planners.total import total
 
@@ -18,6 +22,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from motionlang.controller.readers import Level
     from motionlang.mint.keywords.table_motion_splines import Splines
 
     Array = list[float]
@@ -199,6 +204,21 @@ def do_phase(cams: Cams, axis: int, index: int, segments: int, delta: int, line:
     cams.phases[axis] = Phase(index, end, counts)
 
 
+def bind_index(environment: Environment, row: Keyword) -> Operation:
+    """CAMINDEX: make a reading of the executing segment, 0 without a cam."""
+    controller = environment.controller
+
+    def index(environment: Environment, axis: int, level: Level = None) -> int:
+        return controller.cam_index(axis) + 1
+
+    def until(axis: int, level: Level = None) -> float:
+        if level is None or isinstance(level, tuple) or abs(level) == INFINITY:
+            return controller.cam_index_time(axis)
+        return controller.cam_index_time(axis, ceil(level) - 1)
+
+    return with_dependency(environment, of(Environment, index)(environment, row), until)
+
+
 def read_phase_status(cams: Cams, axis: int) -> int:
     """Return 1 while a CAMPHASE is waiting or active."""
     phase, index = cams.phases.get(axis), cams.environment.controller.cam_index(axis)
@@ -233,9 +253,9 @@ def setting_row(
                    high=high, group="tables")  # fmt: skip
 
 
-def index_row(name: str, help: str, example: str, actions: Actions) -> Keyword:
+def index_row(name: str, help: str, example: str, actions: Actions, solved: bool = False) -> Keyword:
     return Keyword(name, "", "reading", "R", "axis", "integer", actions, help, example, default=0.0,
-                   group="tables")  # fmt: skip
+                   group="tables", solved=solved)  # fmt: skip
 
 
 def command_row(name: str, index: str, actions: Actions, help: str, example: str) -> Keyword:
@@ -259,7 +279,7 @@ ROWS = (
              _CAM.format("CAMAMPLITUDE(1) = 2\n"), 1.0, -_MAX_VALUE, _MAX_VALUE),
     index_row("CAMINDEX", "The segment of the cam that is executing, 0 without a cam.",
            _CAM.format("") + "\nPRINT CAMINDEX(1)",
-           Actions(read=of(Environment, lambda e, axis: e.controller.cam_index(axis) + 1))),
+           Actions(read=bind_index), solved=True),
     command_row("CAMSEGMENT", "axis, table, segment, array", Actions(do=of_word(Cams, do_segment)),
              "Write other values into a cam's arrays, from a segment on: table 0 positions, 1 lengths. They count from "
              "the next cycle on.",
@@ -268,5 +288,5 @@ ROWS = (
              "Let the master go further, or less far, by a distance over some segments in the next cycle.",
              _CAM.format("CAMPHASE(1, 1, 2, 5)\n")),
     index_row("CAMPHASESTATUS", "1 while a CAMPHASE waits for its cycle or is in progress.",
-           _CAM.format("") + "\nPRINT CAMPHASESTATUS(1)", Actions(read=of(Cams, read_phase_status))),
+           _CAM.format("") + "\nPRINT CAMPHASESTATUS(1)", Actions(read=moving(of(Cams, read_phase_status)))),
 )  # fmt: skip

@@ -27,6 +27,7 @@ from motionlang.mint.keywords.table_motion_cams import (
     span,
 )
 from motionlang.mint.runtime.binding import check, of, of_word
+from motionlang.mint.runtime.changes import moving
 from motionlang.planners.pvt.velocities import average_velocities, smooth_velocities
 from motionlang.planners.table_motion import spline_slopes
 
@@ -227,7 +228,7 @@ ROWS = (
              "of its segment when it goes on.",
              _SPLINE.format("SPLINESUSPENDTIME(0) = 20\n"), 100.0, 0, 60000),
     index_row("SPLINEINDEX", "The segment of the spline that is executing, 0 without one.",
-           _SPLINE.format("") + "\nPRINT SPLINEINDEX(0)", Actions(read=of(Splines, read_index))),
+           _SPLINE.format("") + "\nPRINT SPLINEINDEX(0)", Actions(read=moving(of(Splines, read_index)))),
     command_row("SPLINESEGMENT", "axis, table, segment, array", Actions(do=of_word(Splines, do_segment)),
              "Write other values into a spline's arrays, from a segment on: table 0 positions, 1 velocities, 2 times.",
              "Dim more(2) As Float = 1, 5\n" + _SPLINE.format("SPLINESEGMENT(0, 0, 2, more)\n")),
