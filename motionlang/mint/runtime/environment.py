@@ -296,7 +296,7 @@ class Environment(Waits):
                 dependencies.note(dependencies.at_once)
             else:
                 dependencies.note(self._counted, base, level)
-        return int((self.clock.now - base) * 1000.0 + MILLISECOND)
+        return floor((self.clock.now - base) * 1000.0 + MILLISECOND)
 
     def _counted(self, base: float, level: float) -> float:
         """Return the time at which the milliseconds since `base` next cross `level`.
