@@ -333,7 +333,7 @@ def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
         result.controller.clock.advance(until)
         return
     from motionlang.lang.ends import what_ends
-    from motionlang.lang.waits import endless
+    from motionlang.lang.waits import unfinished
 
     hints = (
         what_ends(result.dialect, result.source, result.machine, task, wait)
@@ -342,7 +342,7 @@ def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
     )
     start = "start a move first, or add a machine file with the event it waits for and a time limit run.until"
     controller = result.controller
-    hint = next(filter(None, hints), endless(controller, controller.axes) or start)
+    hint = next(filter(None, hints), unfinished(controller, controller.axes) or start)
     result.status = "fault"
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
 

@@ -195,10 +195,16 @@ def until_idle(axes: tuple[int, ...]) -> str:
     return f"for axis {', '.join(map(str, axes))} to be idle"
 
 
-def endless(controller: Controller, axes: Iterable[int]) -> str:
-    """Return the hint if one of some axes runs without an end."""
+def unfinished(controller: Controller, axes: Iterable[int]) -> str:
+    """Return the hint if one of some axes runs without an end, or is suspended."""
     running = [axis for axis in axes if abs(controller.target(axis)) == INFINITY]
-    return f"stop axis {running[0]} first: it runs without an end" if running else ""
+    if running:
+        return f"stop axis {running[0]} first: it runs without an end"
+    for axis in axes:
+        a = controller.axes[axis]
+        if a.suspended and (a.move is not None or a.buffer):
+            return f"resume axis {axis} first: it is suspended"
+    return ""
 
 
 def next_tick(now: float) -> float:
