@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.move import Action
@@ -100,6 +101,30 @@ class Playback(Action):
         if not last.pieced:
             raise Rejected("moving", f"axis {a.index} follows a profile that cannot be suspended")
         return last.after(elapsed), 0.0, 1.0
+
+    def segments_left(self, controller: Core, a: Axis) -> int:
+        """Return the number of segments after the present one."""
+        knots, time, _ = self._knots(controller, a)
+        return len(knots) - 1 - bisect_right(knots, time)
+
+    def next_segment_time(self, controller: Core, a: Axis) -> float:
+        """Return when the next segment begins; INFINITY if it never does."""
+        knots, time, along = self._knots(controller, a)
+        following = bisect_right(knots, time)
+        if following == len(knots):
+            return INFINITY
+        moment = knots[following] if along is None else along.crossing(knots[following])
+        return INFINITY if moment is None else a.starts[-1] + moment
+
+    def _knots(self, controller: Core, a: Axis) -> tuple[tuple[float, ...], float, Profile | None]:
+        """Return the knots of the profile and its playback time.
+
+        If the rate varies, the third value is the playback time over machine time, otherwise None.
+        """
+        elapsed, last = controller.clock.now - a.starts[-1], a.profiles[-1]
+        if self._is_paced and isinstance(last, Reparametrised):
+            return last.path.knots, last.along.position(elapsed), last.along
+        return last.knots, elapsed, None
 
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
         """Shift positions by `shift` counts and drop the points that are past."""

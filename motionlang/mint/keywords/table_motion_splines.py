@@ -7,9 +7,9 @@ memory.
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from itertools import pairwise
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.controller.motion.profile_playback import Playback
 from motionlang.lang.keyword import Actions, Keyword, constant
@@ -26,8 +26,8 @@ from motionlang.mint.keywords.table_motion_cams import (
     setting_row,
     span,
 )
-from motionlang.mint.runtime.binding import check, of, of_word
-from motionlang.mint.runtime.changes import moving
+from motionlang.mint.runtime.binding import Operation, check, of, of_word
+from motionlang.mint.runtime.changes import with_dependency
 from motionlang.planners.pvt.velocities import average_velocities, smooth_velocities
 from motionlang.planners.table_motion import spline_slopes
 
@@ -180,10 +180,22 @@ def read_index(splines: Splines, axis: int) -> int:
     a = splines.controller.axes[axis]
     if a.move is None or a.move.command != "SPLINE" or not isinstance(a.move.action, Playback):
         return 0
-    path, time, _ = a.move.action.state(splines.controller, a)
-    ahead = len(path.knots) - 1 - bisect_right(path.knots, time)
+    ahead = a.move.action.segments_left(splines.controller, a)
     # A cycle that was suspended near its end is followed by the next one.
     return splines.ends[axis] - ahead % (splines.ends[axis] - int(splines.setting("SPLINESTART", axis)) + 1)
+
+
+def bind_index(environment: Environment, row: Keyword) -> Operation:
+    """SPLINEINDEX: make a reading that changes where a segment ends."""
+    controller = environment.controller
+
+    def until(axis: int) -> float:
+        a = controller.axes[axis]
+        if a.move is None or not isinstance(a.move.action, Playback):
+            return INFINITY
+        return a.move.action.next_segment_time(controller, a)
+
+    return with_dependency(environment, of(Splines, read_index)(environment, row), until)
 
 
 # ------------------------------------------------------------------------------------------------- keywords
@@ -228,7 +240,7 @@ ROWS = (
              "of its segment when it goes on.",
              _SPLINE.format("SPLINESUSPENDTIME(0) = 20\n"), 100.0, 0, 60000),
     index_row("SPLINEINDEX", "The segment of the spline that is executing, 0 without one.",
-           _SPLINE.format("") + "\nPRINT SPLINEINDEX(0)", Actions(read=moving(of(Splines, read_index)))),
+           _SPLINE.format("") + "\nPRINT SPLINEINDEX(0)", Actions(read=bind_index)),
     command_row("SPLINESEGMENT", "axis, table, segment, array", Actions(do=of_word(Splines, do_segment)),
              "Write other values into a spline's arrays, from a segment on: table 0 positions, 1 velocities, 2 times.",
              "Dim more(2) As Float = 1, 5\n" + _SPLINE.format("SPLINESEGMENT(0, 0, 2, more)\n")),
