@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from motionlang.analysis.certificate import certificate, violations
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.program_files import programs
+from motionlang.cli.signals import SIGNALS
 from motionlang.errors import ProgramError
 from motionlang.execution import MACHINE_SUFFIX, machine_of, run
 from motionlang.source import STDIN_NAME, Source
@@ -79,6 +80,7 @@ def certify_folder(folder: str, options: Options) -> int:
             complain(error.diagnostics, None if machine is None else Source.read(machine), machine or program)
             failed += 1
             continue
+        SIGNALS.end_with(result)
         if not any(".limits." in key for key in result.machine.settings):
             without.append(os.path.relpath(program, folder))
             continue

@@ -17,6 +17,7 @@ from motionlang.cli.numbers import machine_time, real
 from motionlang.cli.options import Options
 from motionlang.cli.output_files import written
 from motionlang.cli.parser import add_all, add_command, arrange, flag, option
+from motionlang.cli.signals import SIGNALS
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 
@@ -158,6 +159,7 @@ def _ran(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Run 
         source, dialect=arguments.dialect, machine=settings, overrides=overrides, until=arguments.until
     )
     complain(result.diagnostics, result.source, arguments.file)
+    SIGNALS.end_with(result)
     return result if result.time > 0.0 else None
 
 

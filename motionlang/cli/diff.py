@@ -25,6 +25,7 @@ from motionlang.cli.machine_options import set_values
 from motionlang.cli.numbers import machine_time
 from motionlang.cli.output_files import written
 from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
+from motionlang.cli.signals import SIGNALS
 from motionlang.cli.world_options import add_world, with_world, world_of
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
@@ -210,6 +211,7 @@ def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str
         )
         if result.diagnostics:
             complain(result.diagnostics, result.source, path)
+        SIGNALS.end_with(result)
         return build(result), result
     except OSError as error:
         complain([unreadable(str(error.filename or path), error)], None, path)

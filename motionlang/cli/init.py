@@ -16,6 +16,7 @@ from motionlang.cli.options import REPORTS, Options
 from motionlang.cli.parser import add_command, arrange
 from motionlang.cli.program_files import programs
 from motionlang.cli.run import run_command
+from motionlang.cli.signals import SIGNALS
 from motionlang.errors import Diagnostic, count_of
 from motionlang.execution import MACHINE_SUFFIX, dialect_of
 from motionlang.files import create
@@ -105,10 +106,12 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
     fixed: dict[str, object] = {}
     reads = language.input_reads(source)
     guesses, result = guessed(source, language, arguments.until, fixed, reads)
+    SIGNALS.end_with(result)
     if guesses.count and sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
         fixed = _ask(source, guesses, reads)
         if fixed:
             guesses, result = guessed(source, language, arguments.until, fixed, reads)
+            SIGNALS.end_with(result)
     try:
         create(path, machine_text(source, guesses, reads, result, arguments.until).encode())
     except OSError as error:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
 
+from motionlang.cli.signals import SIGNALS
 from motionlang.copley.point import check_points
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.log.track import WholeTrack
@@ -201,6 +202,7 @@ def _from_program(args: argparse.Namespace) -> Move:
         result = run(args.file, dialect=args.dialect)
     except ValueError as problem:
         raise UsageError(str(problem)) from None
+    SIGNALS.end_with(result)
     if result.status == "fault":
         raise SourceError(result.source, result.diagnostics)
     axes = result.controller.axes

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from types import FrameType, TracebackType
     from typing import Any, Self
 
+    from motionlang.result import Run
+
 NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
 # Seconds within which another signal is a duplicate: `timeout` signals its child and the group that it is in.
 DUPLICATE_WINDOW = 1.0
@@ -67,6 +69,11 @@ class Signals:
     def status(self) -> int:
         """The exit status after the last signal raised; that of Ctrl-C if there was none."""
         return 128 + (self._raised or signal.SIGINT)
+
+    def end_with(self, result: Run) -> None:
+        """Raise the signal that ended a run again, so that it ends the command as well."""
+        if result.status == "interrupted":
+            raise error_of(self._raised or signal.SIGINT)
 
     @property
     def deferred(self) -> Deferral:

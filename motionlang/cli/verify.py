@@ -18,6 +18,7 @@ from motionlang.cli.parallel import add_jobs, in_parallel
 from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.cli.program_files import programs
 from motionlang.cli.review import NoAnswer, Quit, ask, review
+from motionlang.cli.signals import SIGNALS
 from motionlang.cli.verdict import Verdict
 from motionlang.cli.verify_further import expectations, further_checks
 from motionlang.cli.verify_log import verify_log
@@ -127,11 +128,13 @@ def _review(program: str, verdict: Verdict) -> None:
             )
         elif verdict.kind == "program":
             result = run(program, cache=False)
+            SIGNALS.end_with(result)
             matches = review(program, result)
             verdict.failed = not matches or bool(expectations(result))
         elif os.path.exists(golden_files(verdict.name)[0]):
             scenario = Scenario(program, verdict.name)
             result = scenario.run()
+            SIGNALS.end_with(result)
             matches = review(verdict.name, result)
             verdict.failed = not matches or bool(unmet(result, scenario.expected))
     except (OSError, ValueError, ProgramError) as error:
@@ -206,7 +209,7 @@ def _ran(verdict: Verdict) -> Run | None:
     """Return the run of a program; None if it or its machine file cannot be read."""
     program = verdict.name
     try:
-        return run(program, cache=False)
+        result = run(program, cache=False)
     except OSError as error:
         verdict.refuse([unreadable(str(error.filename or program), error)])
     except ProgramError as error:
@@ -214,6 +217,9 @@ def _ran(verdict: Verdict) -> Run | None:
         verdict.refuse(error.diagnostics, Source.read(machine) if machine else None, machine or "")
     except Exception as error:  # an internal error must not skip the programs after it
         verdict.refuse([crash(error, (program,))])
+    else:
+        SIGNALS.end_with(result)
+        return result
     return None
 
 

@@ -13,6 +13,7 @@ from motionlang.analysis.sweeps.description import SUFFIX as SWEEP_SUFFIX
 from motionlang.analysis.sweeps.description import read_description
 from motionlang.cli.complaints import unreadable, unwritten
 from motionlang.cli.golden import differences, golden_files, same, update
+from motionlang.cli.signals import SIGNALS
 from motionlang.cli.verdict import Verdict
 from motionlang.errors import ProgramError
 from motionlang.result import Run
@@ -58,6 +59,7 @@ def _scenario(program: str, verdict: Verdict, rewrite: bool) -> None:
     path = verdict.name
     scenario = Scenario(program, path)
     result = scenario.run()
+    SIGNALS.end_with(result)
     found = unmet(result, scenario.expected)
     golden = os.path.exists(golden_files(path)[0])
     if rewrite:

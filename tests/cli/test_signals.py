@@ -14,6 +14,7 @@ import tempfile
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -107,6 +108,37 @@ def test_a_signal_while_the_file_is_read(cell: Cell, monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(run, "read_source", sending(signal.SIGTERM, input_files.read_source))
     ran = cell("run", "a.mnt", "--format", "json")
     assert (ran.status, json.loads(ran.out)["status"]) == (143, "interrupted")
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "diff b.mnt a.mnt",
+        "compare a.mnt b.csv --map position.0=Pos",
+        "certify .",
+        "init a.mnt",
+        "pvt export a.mnt",
+        "verify . --update -j 1",
+    ],
+)
+def test_a_signal_that_ends_a_run_ends_its_command(
+    command: str, cell: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No comparison, certificate or file takes the part that ran for the whole."""
+    cell.write("a.mnt", MOVE)
+    cell.write("b.csv", "time,Pos\n0,0\n0.1,1\n0.2,2\n0.3,3\n")
+    if "b.mnt" in command:
+        cell.write("b.mnt", MOVE)
+    run = Scheduler.run
+
+    def interrupted(scheduler: Scheduler, *given: Any) -> Any:
+        monkeypatch.setattr(Scheduler, "run", run)
+        signal.raise_signal(signal.SIGTERM)
+
+    monkeypatch.setattr(Scheduler, "run", interrupted)
+    before = sorted(cell.folder.glob("[!.]*"))
+    ran = cell(*command.split())
+    assert (ran.status, ran.out, sorted(cell.folder.glob("[!.]*"))) == (143, "", before)
 
 
 def test_a_signal_during_a_trace_leaves_the_report_and_no_half_of_a_file(

@@ -277,6 +277,8 @@ def guessed(
         )
         if result.status == "fault" and not result.machine.scheduler:
             break
+        if result.status == "interrupted":
+            break
         compiled = result.program
         if not _improve(guesses, result, reads) and not guesses.complete(reads):
             break
