@@ -45,6 +45,9 @@ class Formatter(argparse.RawDescriptionHelpFormatter):
         options.setdefault("width", _columns() - 2)
         super().__init__(prog, **options)
 
+    def _split_lines(self, text: str, width: int) -> list[str]:
+        return _filled(text.split(), width)
+
     def _fill_text(self, text: str, width: int, indent: str) -> str:
         lines: list[str] = []
         for block in text.split("\n\n"):
