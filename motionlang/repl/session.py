@@ -24,9 +24,7 @@ from motionlang.views.terminal import WIDTH, harmless
 
 Show = Callable[[str], None]
 
-REMARK_ON_MOTION = (
-    "-- axis {} in motion, time is paused: .run S continues for S seconds, .settle until rest\n"
-)
+REMARK_ON_MOTION = "-- axis {} in motion, time is paused: .run S or .settle continues\n"
 
 
 class Session:
