@@ -80,6 +80,13 @@ def test_dragging_zooms_in_and_a_double_click_shows_all(browser: Browser) -> Non
     assert browser.js("marks") == []
 
 
+def test_the_time_at_the_end_of_the_page_is_not_cut_off(browser: Browser) -> None:
+    browser.js("show(0, timeTicks().values.at(-1))")
+    browser.settled()
+    right = "getBoundingClientRect().right"
+    assert browser.js(f"[...bottom.querySelectorAll('text')].every((each) => each.{right} <= bottom.{right})")
+
+
 def test_the_wheel_zooms_around_the_pointer_and_shift_drag_moves(browser: Browser) -> None:
     middle = "scope.getBoundingClientRect().left + LEFT + width / 2"
     browser.js(f"scope.dispatchEvent(new WheelEvent('wheel', {{deltaY: -500, clientX: {middle}}}))")

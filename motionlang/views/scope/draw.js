@@ -197,9 +197,11 @@ function timeTicks() {
 
 function drawTime() {
   const scale = timeTicks();
-  const parts = scale.values.map(
-    (time) => `<text x="${n(xOf(time))}" y="14" text-anchor="middle">${time.toFixed(scale.decimals)}</text>`,
-  );
+  const parts = scale.values.map((time) => {
+    const text = time.toFixed(scale.decimals);
+    const x = Math.min(xOf(time), LEFT + width + RIGHT - text.length * 3.5); // the last one ends with the page
+    return `<text x="${n(x)}" y="14" text-anchor="middle">${text}</text>`;
+  });
   parts.push(`<text x="0" y="14">time, s</text>`);
   const left = LEFT + (view.begin / END) * width, wide = Math.max(6, ((view.end - view.begin) / END) * width);
   parts.push(`<rect class="track" x="${LEFT}" y="22" width="${width}" height="8" rx="4"/>`);
