@@ -439,12 +439,15 @@ def done_at(
 
 
 def _with_value(target: nodes.Name, row: Keyword, shown: str) -> str:
-    """Return the statement that writes a keyword: TIME = 0 for TIME 0 or TIME(0)."""
-    if row.index != "none":
-        return f"{shown} = value"
+    """Return the statement that writes a keyword: TIME = 0 for TIME 0 or TIME(0).
+
+    If no value is given, add the statement that shows the keyword.
+    """
     given = target.args or []
-    number = given[0] if len(given) == 1 else None
-    return f"{row.name} = {number.value:g}" if isinstance(number, nodes.Number) else f"{row.name} = value"
+    if row.index == "none" and given:
+        number = given[0] if len(given) == 1 else None
+        return f"{row.name} = {number.value:g}" if isinstance(number, nodes.Number) else f"{row.name} = value"
+    return f"{shown} = value sets it, PRINT {shown} shows it" if "R" in row.access else f"{shown} = value"
 
 
 def not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:

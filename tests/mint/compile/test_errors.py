@@ -48,12 +48,12 @@ def test_a_hundred_warnings_hide_no_error() -> None:
 @pytest.mark.parametrize(
     ("text", "message", "hint"),
     [
-        ("SPEED", "SPEED needs a value", "SPEED = value"),
-        ("SPEED(0)", "SPEED needs a value", "SPEED(…) = value"),
+        ("SPEED", "SPEED needs a value", "SPEED = value sets it, PRINT SPEED shows it"),
+        ("SPEED(0)", "SPEED needs a value", "SPEED(…) = value sets it, PRINT SPEED(…) shows it"),
         ("TIME 0", "TIME needs a value", "TIME = 0"),
         ("TIMEREVENT(2.5)", "TIMEREVENT needs a value", "TIMEREVENT = 2.5"),
         ("TIME x", "TIME needs a value", "TIME = value"),
-        ("TIME", "TIME needs a value", "TIME = value"),
+        ("TIME", "TIME needs a value", "TIME = value sets it, PRINT TIME shows it"),
         ("IDLE(0)", "IDLE is a value, not a statement", "print it with PRINT IDLE(…)"),
         ("IDLE", "IDLE is a value, not a statement", "print it with PRINT IDLE"),
     ],
