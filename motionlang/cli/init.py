@@ -163,4 +163,4 @@ def _ask_input(channel: int, guess: Entry) -> list[Entry]:
             found: list[Entry] = entries({}, inputs=f"{channel}={line}")["input"]  # type: ignore[assignment]
             return found
         except WrongEntry as error:
-            print(f"  {error.message}; {error.hint}")
+            print(f"  {error.message}")  # the question has the forms

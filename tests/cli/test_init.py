@@ -213,7 +213,8 @@ def test_a_person_is_asked(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "stdin", Terminal("\nsoon\n1@2\n7\n"))
     monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
     ran = cell("init", "old.prg", "--format", "none")
-    assert "input 2: { channel = 2, at = 0.6 }, or type 1@0.5 or out4+0.3: " in ran.out
+    question = "input 2: { channel = 2, at = 0.6 }, or type 1@0.5 or out4+0.3: "
+    assert f'{question}  "soon" is not a level of input 2: 0 or 1\n{question}' in ran.out
     found = read_machine(Source.read(str(cell.folder / "old.machine.toml")))
     assert found["input"] == [
         {"channel": 1, "at": 0.3, "guess": True},
