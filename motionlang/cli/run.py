@@ -140,6 +140,8 @@ def _report_outcome(result: Run, options: Options) -> int:
         warned = result.machine.warned
         left = [each for each in result.diagnostics if not any(each is other for other in warned)]
         complain(left, result.source, options.file)
+        if any(each.code == "never" and "the machine file" in each.hint for each in left):
+            _point_to_init(options)
     sys.stdout.flush()
     if result.crash is not None:
         return UNAVAILABLE if result.diagnostics[-1].code == "extra" else CRASHED
@@ -167,6 +169,12 @@ def _proof(result: Run) -> Proof | None:
         result.diagnostics.append(Diagnostic("proof", message, hint=hint))
         return None
     return result.proof()
+
+
+def _point_to_init(options: Options) -> None:
+    """Name `init` after a run whose machine nothing describes."""
+    if options.machine is None and not options.settings and not options.world and options.file != STDIN:
+        sys.stderr.write(f"note: motionlang init {options.file} writes a first machine file\n")
 
 
 def _complain_of_events(result: Run, options: Options) -> bool:

@@ -60,7 +60,26 @@ def test_a_question_at_the_end_of_standard_input_is_an_error(
     monkeypatch.setattr(sys, "stdin", io.StringIO(""))
     ran = cell("run", "spool.mnt", "--format", "none")
     assert ran.status == 1
-    assert ran.err.endswith('hint: --answer "Turns=1" ends it, as does [[answer]] of the machine file\n')
+    hint = '--answer "Turns=1" ends it, as does [[answer]] of the machine file'
+    note = "motionlang init spool.mnt writes a first machine file"
+    assert ran.err.endswith(f"hint: {hint}\nnote: {note}\n")
+
+
+@pytest.mark.parametrize(
+    ("program", "given"),
+    [
+        ("PAUSE INX(2)\n", ["--input", "1=1"]),
+        ("PAUSE INX(2)\n", ["--set", "controller.axes=2"]),
+        ("PAUSE INX(2)\n", ["--machine", "b.toml"]),
+        ("PAUSE POS(0) > 5\n", []),
+    ],
+)
+def test_no_note_on_init_if_it_does_not_help(program: str, given: list[str], cell: Cell) -> None:
+    cell.write("a.mnt", program)
+    cell.write("b.toml", "[controller]\n")
+    ran = cell("run", "a.mnt", *given, "--format", "none")
+    assert "error[never]" in ran.err
+    assert "motionlang init" not in ran.err
 
 
 @pytest.mark.parametrize(
