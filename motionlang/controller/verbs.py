@@ -98,6 +98,7 @@ VERBS: dict[str, str] = {
     "set_ratio": "Let an axis that follows a master do so at another ratio.",
     "leave_master": "Stop following a master, and end the motion in progress.",
     "cam_index": "The segment of its table that a cam is in.",
+    "cam_index_time": "The time at which a cam may enter or leave a segment of its table.",
     "load_fly": "Put a segment of a flying shear into the move buffer.",
     "load_cam": "Put a cam, whose table may change from cycle to cycle, into the move buffer.",
     "load_offset": "Put an offset on top of following into the move buffer.",

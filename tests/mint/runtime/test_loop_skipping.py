@@ -559,7 +559,7 @@ End Task
 
 
 def test_a_task_that_is_ready_as_a_wait_ends_runs_in_the_next_one() -> None:
-    """WAITs of both tasks end at once, and the polling task, of higher priority, continues first."""
+    """Both WAITs end at once, and the task of higher priority polls."""
     machine: dict[str, object] = {"controller.instruction_time": 1e-4}
     found = [
         run(Source("a.mnt", READY_AS_A_WAIT_ENDS), machine=machine, cache=False, fast=fast)
