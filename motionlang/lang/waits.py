@@ -111,7 +111,7 @@ class Condition(Wait):
     `solved` is the last time that `due` returned.
     """
 
-    __slots__ = ("_checked", "_dependencies", "_notes", "_test", "ignores_data", "solved")
+    __slots__ = ("_checked", "_dependencies", "_holds", "_notes", "_test", "ignores_data", "solved")
 
     cause = "condition"
     what = ()
@@ -131,6 +131,7 @@ class Condition(Wait):
         # When the dependencies were recorded, after how many events, and the time for which they were last
         # solved.
         self._checked, self.solved = (-1.0, -1), -1.0
+        self._holds = False
 
     def ready(self) -> bool:
         """Return True if the condition holds now or immediately after."""
@@ -139,9 +140,10 @@ class Condition(Wait):
         self._checked = now, clock.fired
         delays = _AFTER if now == self.solved else _AFTER[:1]
         try:
-            return any(self._evaluate(now + after * max(1.0, now)) for after in delays)
+            self._holds = any(self._evaluate(now + after * max(1.0, now)) for after in delays)
         finally:
             clock.now = now
+        return self._holds
 
     def due(self) -> float:
         """Return the next time at which the condition may change by itself."""
@@ -149,6 +151,8 @@ class Condition(Wait):
         now = clock.now
         if self._checked != (now, clock.fired):
             self.ready()  # other tasks have run since
+        if self._holds and now == self.solved:
+            return now  # another solution would hide that the condition holds immediately after
         # After the time that was just checked.
         begin = now + 1e-7 * max(1.0, now) if now == self.solved else now
         moments = [self._dependencies.until(begin, [each]) for each in set(self._notes)]

@@ -138,10 +138,40 @@ Task Other
 End Task
 """
 
+# At 1000 uu/s², 50 uu/s are reached after 0.05 s.
+CROSSED = """\
+Dim m As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Run Beat
+Run Watch
+MOVEA(0) = 30 : GO(0)
+Repeat
+  OUTX(6) = 0
+Until IDLE(0)
+End
+Task Beat
+  Loop
+    If TIME > 400 Then m = m + 1
+    WAIT(5)
+  End Loop
+End Task
+Task Watch
+  PAUSE VEL(0) > 50
+  OUTX(1) = 1
+End Task
+"""
+
 
 def ran(text: str, until: float | None = None, cost: float = 1e-5) -> Run:
     machine: dict[str, object] = {"controller.instruction_time": cost}
     return run(Source("a.mnt", text), machine=machine, cache=False, until=until)
+
+
+def test_a_level_that_is_passed_as_a_search_looks_for_it_ends_a_pause() -> None:
+    """The PAUSE ends as the level is passed, and OUTX takes a statement."""
+    found = ran(CROSSED, 0.2, 1e-4)
+    (move,), (switched,) = found.machine.log.moves, found.machine.log.outputs
+    assert switched.time == pytest.approx(move.start_time + 0.05 + 1e-4, abs=1e-9)
 
 
 def test_a_counter_that_the_polling_loop_does_not_name_counts() -> None:

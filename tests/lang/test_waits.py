@@ -92,6 +92,14 @@ def test_a_condition_is_checked_when_its_reading_changes() -> None:
     assert not Condition(reading.dependencies, lambda: False, 0.0, "never").ready()
 
 
+def test_a_condition_that_is_due_now_stays_due_until_it_is_checked() -> None:
+    """It holds just after its time, so a second solution must not replace that time."""
+    reading = Reading(1.0)
+    wait = Condition(reading.dependencies, lambda: reading.count() > 0, 0.0, "until one")
+    reading.clock.now = wait.due()
+    assert (wait.due(), wait.due(), wait.ready()) == (1.0, 1.0, True)
+
+
 def test_a_condition_without_readings_is_never_due() -> None:
     reading = Reading()
     assert Condition(reading.dependencies, lambda: False, 0.0, "never").due() == inf
