@@ -12,16 +12,16 @@ import json
 import os
 import subprocess
 import sys
-import tarfile
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from fnmatch import fnmatchcase
-from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
 
 from rich.console import Console
 from rich.table import Table
+
+from tests.commits import unpacked
 
 FOLDER = Path(__file__).parent
 ROOT = FOLDER.parent
@@ -117,16 +117,6 @@ def compare(
     ]
 
 
-def unpacked(commit: str, folder: Path) -> Path:
-    """Unpack the tree of a commit into a folder, and return its path."""
-    archive = subprocess.run(
-        ["git", "archive", commit, "motionlang", "grammars"], capture_output=True, check=True, cwd=ROOT
-    ).stdout
-    with tarfile.open(fileobj=BytesIO(archive)) as files:
-        files.extractall(folder, filter="data")
-    return folder
-
-
 def _git(*arguments: str) -> str | None:
     """Return git's output; None if it fails or is missing."""
     try:
@@ -180,7 +170,8 @@ def main(commit: str) -> int:
     with tempfile.TemporaryDirectory() as folder:
         try:
             with ThreadPoolExecutor() as pool:
-                before, after = pool.map(counts, [unpacked(commit, Path(folder)), ROOT])
+                then = unpacked(commit, Path(folder), "motionlang", "grammars")
+                before, after = pool.map(counts, [then, ROOT])
         except RuntimeError as error:
             sys.stderr.write(f"{error}\n")
             return 2

@@ -17,13 +17,14 @@ import io
 import os
 import subprocess
 import sys
-import tarfile
 import tempfile
 import tokenize
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
+
+from tests.commits import unpacked
 
 ROOT = Path(__file__).parent.parent
 KINDS = ("logic", "blank", "docstring", "import", "data", "comment", "generated")
@@ -228,16 +229,6 @@ def entered(root: Path, statement: str) -> tuple[int, ...]:
     return tuple(int(number) for number in done.stdout.split())
 
 
-def tree_of(commit: str, folder: Path) -> Path:
-    """Return the package of a commit, unpacked to a folder."""
-    packed = subprocess.run(
-        ["git", "archive", commit, "motionlang"], cwd=ROOT, check=True, capture_output=True
-    ).stdout
-    with tarfile.open(fileobj=io.BytesIO(packed)) as archive:
-        archive.extractall(folder, filter="data")
-    return folder
-
-
 def table(now: Sizes, then: Sizes | None) -> Iterator[str]:
     """Yield the lines of the table; two trees are shown as `then -> now`."""
 
@@ -270,7 +261,7 @@ def table(now: Sizes, then: Sizes | None) -> Iterator[str]:
 def main(arguments: list[str]) -> int:
     """Print the table of this tree, compared with a commit if one is given."""
     with tempfile.TemporaryDirectory() as folder:
-        then = sizes(tree_of(arguments[0], Path(folder))) if arguments else None
+        then = sizes(unpacked(arguments[0], Path(folder), "motionlang")) if arguments else None
         print(*table(sizes(ROOT), then), sep="\n")
     return 0
 

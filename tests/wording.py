@@ -15,9 +15,7 @@ import argparse
 import ast
 import io
 import re
-import subprocess
 import sys
-import tarfile
 import tempfile
 import tokenize
 from collections import Counter
@@ -28,6 +26,7 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
+from tests.commits import unpacked
 from tests.trees import nodes_of, text_of, tree_of
 
 ROOT = Path(__file__).parent.parent
@@ -230,14 +229,6 @@ def counted(root: Path) -> Counts:
             first_words += FIRST_WORDS.match(first) is not None
             long += len(first) > MAX_FIRST_LINE
     return Counts(banned, number, first_words, long)
-
-
-def unpacked(commit: str, folder: Path) -> Path:
-    """Return the tree of a commit, unpacked to a folder."""
-    packed = subprocess.run(["git", "archive", commit], cwd=ROOT, check=True, capture_output=True).stdout
-    with tarfile.open(fileobj=io.BytesIO(packed)) as archive:
-        archive.extractall(folder, filter="data")
-    return folder
 
 
 def table(now: Counts, then: Counts | None) -> Iterator[str]:

@@ -26,7 +26,6 @@ import os
 import re
 import subprocess
 import sys
-import tarfile
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -47,6 +46,7 @@ from motionlang.execution import run
 from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.file import read_machine
 from motionlang.source import Source
+from tests.commits import unpacked
 from tests.generated import handlers, sessions, tasks
 from tests.generated.command_lines import command_line
 from tests.generated.damage import damaged
@@ -486,10 +486,7 @@ def main(arguments: list[str]) -> int:
             os.chdir(temporary)
             write_texts(folder, given.name or names())
             return 0
-        archive = ["git", "archive", given.commit, "motionlang"]
-        packed = subprocess.run(archive, cwd=ROOT, check=True, capture_output=True).stdout
-        with tarfile.open(fileobj=io.BytesIO(packed)) as files:
-            files.extractall(temporary, filter="data")
+        unpacked(given.commit, Path(temporary), "motionlang")
         paths = os.pathsep.join((temporary, str(ROOT)))
         again = [sys.executable, "-m", "tests.generated.results", str(folder), *given.name]
         return subprocess.run(
