@@ -19,7 +19,7 @@ LINE_END = "\\\n"
 # A terminal that begins with this is only found at the beginning of a line.
 _LINE_START = "(?<![^\n])"
 # A pattern begins with a set of characters or with a single one.
-_FIRST = re.compile(r"\[((?!\^)(?:\\.|[^\]\\])++)\]|(\\?[^\[\](){}?*+|.^$\\])")
+_FIRST = re.compile(r"\[((?!\^)(?:\\.|[^\]\\])+)\]|(\\?[^\[\](){}?*+|.^$\\])")
 
 
 def _first(pattern: str) -> str:
@@ -88,7 +88,7 @@ class Flat:
         found = [f"[^{firsts}\\n{quote}]++", f"{quote}[^{quote}\\n]*+(?:{quote}|$)"]
         if not all(_ends_everywhere(pattern) for pattern in ends):
             found.append(f"(?!{'|'.join(ends)})[{firsts}]")
-        return f"(?:{'|'.join(found)})++"
+        return f"(?>(?:{'|'.join(found)})+)"
 
     def _symbol(self, name: str) -> str:
         if name in self._terminals:

@@ -80,15 +80,15 @@ def _with_pattern(name: str, rule: str, kept: tuple[str, ...], quoted: str) -> s
     ignored = set(map(str, lark.ignore_tokens))
     separators = "|".join(flat.outside({each.name for each in lark.terminals} - ignored))
     comments = "|".join(flat.outside(ignored))
-    cut = f"(?:{between})*+(?:({chunk})|$)"
-    before_comment = f"^(?:(?!{comments})(?:{separators}|{chunk}))*+(?=({comments}))"
+    cut = f"(?>(?:{between})*)(?:({chunk})|$)"
+    before_comment = f"^(?>(?:(?!{comments})(?:{separators}|{chunk}))*)(?=({comments}))"
     terminals = {str(each.name): each.pattern.to_regexp() for each in lark.terminals}
     sections = [
         *_heading(name),
         "import re\n",
         "from motionlang.lang.parsing.parser import Automaton\n",
         f"PIECE = re.compile({cut!r}, re.ASCII)\n",
-        f"SEPARATORS = re.compile({f'(?:{separators})*+'!r}, re.ASCII)\n",
+        f"SEPARATORS = re.compile({f'(?>(?:{separators})*)'!r}, re.ASCII)\n",
         f"COMMENT = re.compile({before_comment!r}, re.ASCII)\n",
         f"{rule.upper()} = re.compile({flat.pattern!r}, re.ASCII)\n",
         f"TERMINALS = {_wrapped(terminals)}\n",
@@ -149,7 +149,7 @@ def _wrapped(mapping: dict[str, str]) -> str:
 # `12abc`.
 _LEFTOVERS = r'"[^\n]*|[0-9][A-Za-z0-9_]*|.'
 _FIRST = re.compile(
-    r"\[(?:\\.|[^\]\\])++\]|\\?."
+    r"\[(?:\\.|[^\]\\])+\]|\\?."
 )  # every class begins with a character or a set of characters
 _JOINED = re.compile(r"(?:\\.|[^\\()\[\]+*?.])+")  # "<>" | "<=": literal texts only
 

@@ -45,6 +45,13 @@ def test_the_grammar_has_no_conflict(name: str, caplog: pytest.LogCaptureFixture
     assert "conflict" not in caplog.text.lower()
 
 
+@pytest.mark.parametrize("tables", [mint_tables, mccl_tables])
+def test_no_group_is_repeated_possessively(tables: ModuleType) -> None:
+    """`(?:ab?c)*+` goes on at a wrong place in Python before 3.11.5, `(?>(?:ab?c)*)` does not."""
+    text = Path(str(tables.__file__)).read_text()
+    assert re.findall(r"(?<!\\)\)(?:[*+?]|\{[0-9,]*\})\+.*", text) == []
+
+
 def test_every_action_is_used() -> None:
     text = Path(generate.grammar_path("mint.lark")).read_text()
     aliases = set(re.findall(r"-> (\w+)", text)) - {"more"}
