@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.cli.numbers import real, whole
 from motionlang.cli.parser import flag, option
 from motionlang.cli.servo_input import LOOP_OPTIONS, PLANT_OPTIONS
-from motionlang.planners import dissect
+from motionlang.notes import dissect
 
 SECONDS = {"second": 1.0, "minute": 60.0}
 _POSITIVE = real("a number greater than zero", 0.0, above=True)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from motionlang.planners.dissect import divided
+from motionlang.notes.dissect import divided
 
 NOTES = (
     "The deceleration test lost its second half; here it is: past the middle while still accelerating, or no further "

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from math import ceil
 from typing import TYPE_CHECKING
 
+from motionlang.notes.dissect import dac_timing
 from motionlang.notes.slip import check_trace
 from motionlang.planners import plan
 from motionlang.planners.curve import hold
-from motionlang.planners.dissect import dac_timing
 from motionlang.servo.demand import Track
 from motionlang.servo.loop import FULL_SCALE, Loop, Override
 from motionlang.servo.plant import Drive

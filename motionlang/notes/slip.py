@@ -12,7 +12,7 @@ from itertools import pairwise
 from math import asin, pi
 from typing import TYPE_CHECKING
 
-from motionlang.planners.dissect import slip_acceleration
+from motionlang.notes.dissect import slip_acceleration
 from motionlang.planners.limits import check_positive
 from motionlang.planners.pieces import acceleration_in, crest_points
 

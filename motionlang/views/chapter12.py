@@ -6,7 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from motionlang.planners import Profile, dissect, plan
+from motionlang.notes import dissect
+from motionlang.planners import Profile, plan
 from motionlang.views.grid import filled, grid, headed
 
 if TYPE_CHECKING:

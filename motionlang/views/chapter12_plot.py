@@ -5,7 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from motionlang.planners import dissect, plan
+from motionlang.notes import dissect
+from motionlang.planners import plan
 from motionlang.views.chapter12 import (
     BLOCKS,
     CHANGES,

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
     from motionlang.notes.chapter12 import ListingRun, Settings
     from motionlang.notes.dac_override import OverrideRun
+    from motionlang.notes.dissect import DacTiming
     from motionlang.notes.slip import Slip
     from motionlang.notes.tn1069_servo import Row
-    from motionlang.planners.dissect import DacTiming
     from motionlang.servo.plant import Drive
     from motionlang.servo.response import LoopFigures, StepFigures
     from motionlang.servo.trace import ServoTrace

@@ -13,10 +13,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from motionlang.notes import dissect
 from motionlang.notes.chapter12 import Listing, ListingRun, Settings, run_listing
 from motionlang.notes.dac_override import demonstrate
 from motionlang.notes.slip import check_profile, check_trace
-from motionlang.planners import dissect, plan
+from motionlang.planners import plan
 from motionlang.servo import Drive, Loop, simulate
 from motionlang.servo.demand import Track
 from tests.cases import examples

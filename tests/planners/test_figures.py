@@ -7,10 +7,7 @@ from math import exp, inf, nan, pi
 
 import pytest
 
-from motionlang.planners import Profile, plan_sinusoidal, plan_trapezoid, plan_velocity
-from motionlang.planners.counts import linear_scale, rotary_scale
-from motionlang.planners.curve import from_curve, hold
-from motionlang.planners.dissect import (
+from motionlang.notes.dissect import (
     buildup,
     dac_timing,
     discrete_trapezoid,
@@ -21,6 +18,9 @@ from motionlang.planners.dissect import (
     step_segments,
     trapezoid_times,
 )
+from motionlang.planners import Profile, plan_sinusoidal, plan_trapezoid, plan_velocity
+from motionlang.planners.counts import linear_scale, rotary_scale
+from motionlang.planners.curve import from_curve, hold
 from motionlang.planners.extrapolation import Extrapolated
 from motionlang.planners.leadscrew import Leadscrew
 from motionlang.planners.pieces import (

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from motionlang.notes import tn1069
+from motionlang.notes.dissect import s_curve_times, slip_acceleration, step_segments, trapezoid_times
 from motionlang.planners import (
     Profile,
     plan_jerk,
@@ -21,7 +22,6 @@ from motionlang.planners import (
 from motionlang.planners.arc import arc_over, line_over
 from motionlang.planners.cubics import _fit, cubics
 from motionlang.planners.curve import State, from_curve
-from motionlang.planners.dissect import s_curve_times, slip_acceleration, step_segments, trapezoid_times
 from motionlang.planners.extrapolation import Extrapolated
 from motionlang.planners.feasibility import finish, stretched
 from motionlang.planners.jerk import jerk_ramps, peak_from_rest
