@@ -39,6 +39,9 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # half the time of building a parser.
 os.environ["LANGUAGE"] = "C"
 
+# Processes that the tests start buffer their output as a user's do.
+os.environ.pop("PYTHONUNBUFFERED", None)
+
 # A shell starts background processes with Ctrl-C disabled, which every process of a test would inherit.
 for _name in ("SIGINT", "SIGTERM", "SIGHUP"):
     _number = getattr(signal, _name, None)

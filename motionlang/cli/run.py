@@ -280,16 +280,16 @@ def _ask(machine: Machine) -> str | None:
 def pacer(factor: float) -> Callable[[float], None]:
     """Return a function that waits until a machine time at `factor` × real time.
 
-    It flushes the output before it waits.
+    It flushes the output, even if the program is too slow for a wait.
     """
     from time import monotonic, sleep
 
     began = monotonic()
 
     def pace(time: float) -> None:
+        sys.stdout.flush()
         ahead = time / factor - (monotonic() - began)
         if ahead > 0.0:
-            sys.stdout.flush()
             sleep(ahead)
 
     return pace

@@ -20,7 +20,7 @@ from motionlang.debug.checkpoints import send
 
 # Longer packets are not sent: a word and the number of a copy, or several.
 MAX_PACKET = 4096
-# How long a copy may take to be announced, s.
+# How long a copy may take to be announced, and a message to be written, s.
 PATIENCE = 10.0
 END = "the debugger has ended unexpectedly"
 
@@ -54,8 +54,9 @@ class Relay:
         far.close()
         announcements.close()
         self._control = control
-        for work in (self._pass_on, self._maintain_copies):
-            threading.Thread(target=work, daemon=True).start()
+        self._passing = threading.Thread(target=self._pass_on, daemon=True)
+        self._passing.start()
+        threading.Thread(target=self._maintain_copies, daemon=True).start()
 
     # --------------------------------------------------------------------------------------- to the engine
 
@@ -83,13 +84,15 @@ class Relay:
         self._to_client({"type": "event", "event": "output", "body": {"category": category, "output": text}})
 
     def close(self) -> None:
-        """End the engine and all copies."""
+        """End the engine and all copies, and write no more to the client."""
         self.is_over = True
         _close(self._channel)
         with self._announced:
             for channel in self._copies.values():
                 _close(channel)
             self._copies.clear()
+        if threading.current_thread() is not self._passing:
+            self._passing.join(PATIENCE)  # Python aborts if a thread writes to standard output while it ends
 
     # --------------------------------------------------------------------------------------- to the client
 
