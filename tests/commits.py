@@ -11,9 +11,10 @@ ROOT = Path(__file__).parent.parent
 
 
 def unpacked(commit: str, folder: Path, *paths: str) -> Path:
-    """Unpack the tree of a commit, or these paths of it, into a folder; returns the folder.
+    """Unpack the tree of a commit, or these paths of it, into a folder.
 
-    It is packed as a zip file, because `tarfile` has no safe `extractall` before Python 3.11.4.
+    Returns the folder. The tree is packed as a zip file, because `tarfile` has no safe `extractall` before
+    Python 3.11.4.
     """
     command = ["git", "archive", "--format=zip", commit, *paths]
     packed = subprocess.run(command, cwd=ROOT, check=True, capture_output=True).stdout

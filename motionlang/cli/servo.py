@@ -16,7 +16,7 @@ from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import Row, add_all, arrange, sentence
 from motionlang.cli.servo_input import gains_of, loop_of, machine_of, pairs, plant_of
 from motionlang.cli.servo_options import COMPARE, DAC, FIGURE, LISTING, RUN, SECONDS, SLIP, STEP, TUNE
-from motionlang.planners import dissect
+from motionlang.notes import dissect
 
 if TYPE_CHECKING:
     import argparse
@@ -42,6 +42,7 @@ def add_parser(family: Commands, summary: str) -> None:
     """Add `motionlang servo` and its commands."""
     servo = family.add_parser("servo", help=summary, description=sentence(summary))
     commands = servo.add_subparsers(dest="servo_command", required=True, metavar=" | ".join(_COMMANDS))
+    servo.usage = "%(prog)s [-h] COMMAND ..."  # Python 3.13 does not wrap a long list of commands
     for name in _COMMANDS:
         add_one(commands, name, name)
 

@@ -47,7 +47,10 @@ def test_the_grammar_has_no_conflict(name: str, caplog: pytest.LogCaptureFixture
 
 @pytest.mark.parametrize("tables", [mint_tables, mccl_tables])
 def test_no_group_is_repeated_possessively(tables: ModuleType) -> None:
-    """`(?:ab?c)*+` goes on at a wrong place in Python before 3.11.5, `(?>(?:ab?c)*)` does not."""
+    """Python before 3.11.5 goes on at a wrong place after `(?:ab?c)*+`.
+
+    It does not after `(?>(?:ab?c)*)`.
+    """
     text = Path(str(tables.__file__)).read_text()
     assert re.findall(r"(?<!\\)\)(?:[*+?]|\{[0-9,]*\})\+.*", text) == []
 
