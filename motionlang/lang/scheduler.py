@@ -78,6 +78,8 @@ if TYPE_CHECKING:
 QUANTUM = 1e-3
 # Slightly less, as a number of statements may fill it exactly.
 FULL_SLICE = QUANTUM - ROUNDING
+# Virtual seconds after which a task that computes lets `pace` wait for real time.
+PACED = 10e-3
 # How often a wait may be checked at one time before time advances without it.
 STALLS = 4
 _PRIORITY_OF: Callable[[Task], int] = attrgetter("priority")
@@ -199,7 +201,7 @@ class Scheduler:
             if task is None:
                 self._jump(until)
                 continue
-            horizon = min(clock.next_time(), until)
+            horizon = min(clock.next_time(), until, INFINITY if self.pace is None else now + PACED)
             several = outside or len(self.tasks) > 1
             statements.alone, statements.free = by_itself and not several and not self.is_observed, NEVER
             event, self.began, self._alone = horizon, now, not several

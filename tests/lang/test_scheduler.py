@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
+from itertools import pairwise
 
 import pytest
 
-from motionlang import run
+from motionlang import execution, run
 from motionlang.controller.controller import Controller
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import GeneratorTask
@@ -323,6 +324,16 @@ def test_a_wait_passes_within_its_statement_only_if_the_task_is_alone() -> None:
     assert not passes(tasks=2)
     assert not passes(ends=float("inf"))
     assert not passes(pace=RealTime())
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [("a.mnt", "Dim n As Integer\nWhile 1\n n = n + 1\nWend"), ("a.mcl", "MD1,AA1,RP\nMC1")]
+)
+def test_a_program_that_only_computes_is_paced(name: str, text: str) -> None:
+    times = [0.0]
+    execution.run(Source(name, text), cache=False, until=0.5, pace=times.append)
+    assert max(later - earlier for earlier, later in pairwise(times)) < 0.011
+    assert times[-1] == pytest.approx(0.5, abs=1e-3)
 
 
 def test_a_handler_runs_to_its_end_before_any_task() -> None:
