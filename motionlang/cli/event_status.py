@@ -19,9 +19,9 @@ _HANDLED = ALLOWED["fault"]
 
 
 def complaints(run: Run, allowed: frozenset[str]) -> list[str]:
-    """Return a message for the first event of each kind and axis that is not allowed.
+    """Return messages for the first event of each kind and axis that is not allowed.
 
-    The message names file and line.
+    A message names file and line, and each axis that has the event at that time.
     """
     from motionlang.controller.triggers.events import HOMING
 
@@ -35,15 +35,22 @@ def complaints(run: Run, allowed: frozenset[str]) -> list[str]:
         elif kind == "cleared":
             handled[axis] = index
     kinds = {kind for name, kinds in ALLOWED.items() if name not in allowed for kind in kinds}
-    found: dict[tuple[str, int | None], str] = {}
+    seen: set[tuple[str, int | None]] = set()
+    # The axes of each message, by what is before and after them.
+    found: dict[tuple[str, str], list[int | None]] = {}
     for index, (time, kind, axis, _, _, at, ordered, text) in enumerate(events):
-        if kind not in kinds or (kind, axis) in found or text == HOMING:
+        if kind not in kinds or (kind, axis) in seen or text == HOMING:
             continue
         if kind in _HANDLED and max(handled.get(None, -1), handled.get(axis, -1)) > index:
             continue
+        seen.add((kind, axis))
         line = ordered or (run.dialect.locate(run.source, at)[0] if at >= 0 else 0)
         name = next(name for name, kinds in ALLOWED.items() if kind in kinds)
-        what = f"{kind} on axis {axis} at {time:.6g} s"
         where = f"{run.source.name}:{line}" if line else run.source.name  # no line before the first statement
-        found[kind, axis] = f"{where}: {what} ({text}); --allow {name} accepts it"
-    return list(found.values())
+        why = f" ({text})" if text else ""
+        after = f"at {time:.6g} s{why}; --allow {name} accepts it"
+        found.setdefault((f"{where}: {kind}", after), []).append(axis)
+    return [
+        f"{before} on {'axes' if len(axes) > 1 else 'axis'} {', '.join(map(str, axes))} {after}"
+        for (before, after), axes in found.items()
+    ]

@@ -53,6 +53,10 @@ RUNS: tuple[tuple[list[tuple[object, ...]], frozenset[str], list[str]], ...] = (
     ([event("abort")], NONE, [FAULT.replace("fault", "abort", 1)]),
     ([event("soft limit")], NONE, [LIMIT.replace("limit on", "soft limit on").replace("--allow", "--allow soft-limit")
                                    .replace("soft-limit limit", "soft-limit")]),
+    # One message for all axes that have the event at the same time.
+    ([event("limit"), event("limit", 2), event("limit", 1, text="else")], NONE,
+     [LIMIT.replace("axis 0", "axes 0, 2"), LIMIT.replace("axis 0", "axis 1").replace("why", "else")]),
+    ([event("limit", text="")], NONE, [LIMIT.replace(" (why)", "")]),
     # A homing looks for its limit.
     ([event("limit", text=HOMING)], NONE, []),
 )  # fmt: skip

@@ -58,8 +58,11 @@ def raised(controller: Core, a: Axis, bit: int, action: str) -> None:
     elif a.feedback is not None and bit == FOLLOWING_ERROR:
         size = abs(a.scale.counts or 1.0)
         value, limit = abs(a.feedback.error) / size, a.feedback.error_limit / size
-    homing = a.index in controller.homings
-    note(controller, kind, a, value, limit, HOMING if homing else f"{names(bit)}, {action}")
+    if a.index in controller.homings:
+        text = HOMING
+    else:
+        text = "" if action == kind else f"{names(bit)}, {action}"
+    note(controller, kind, a, value, limit, text)
 
 
 def cleared(controller: Core, a: Axis) -> None:
