@@ -194,17 +194,17 @@ def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
     if result.machine.moving():
         _report_endless_homing(result, scheduler)
         return
+    is_over = scheduler.clock.next_time() == inf and all(map(_is_hopeless, scheduler.tasks))
     for task in scheduler.tasks:
         if task.wait is not None and task.wait.due() == inf:
             line, _, _ = result.dialect.locate(result.source, task.at)
             since = f"since {task.wait.since:.3f} s"
             _log_wait(result, task.at, task.wait.why)
             result.notes.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
-        elif task.in_vain is not None:
+        elif is_over and task.polls_in_vain:
             line, _, _ = result.dialect.locate(result.source, task.at)
             polled = f"polled {task.last_poll}" if task.last_poll else "polled"
-            what = f"still {polled}, which could no longer change"
-            result.notes.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
+            result.notes.append(f"line {line}: {task.name} still {polled}, which could no longer change")
 
 
 def _log_wait(result: Run, at: int, why: str) -> None:
@@ -220,7 +220,7 @@ def _report_endless_homing(result: Run, scheduler: Scheduler) -> None:
 
 def _is_hopeless(task: Task) -> bool:
     waits = task.wait is not None and task.wait.due() == inf
-    return waits or task.done or task.in_vain is not None
+    return waits or task.done or task.polls_in_vain
 
 
 def _lost(result: Run) -> list[Diagnostic]:

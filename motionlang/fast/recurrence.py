@@ -34,7 +34,6 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.lang.dependencies import CLOSE
 from motionlang.lang.statement_time import UNITS, StatementTime, units
-from motionlang.lang.task import WATCH
 from motionlang.lang.waits import Delay
 
 TYPE_CHECKING = False
@@ -203,15 +202,6 @@ class Recurrence:
         if any(wait.ready() for wait in others):
             return False
         limit = min(level, clock.next_time(), *dues)
-        if limit == INFINITY:
-            for task in tasks:
-                if (
-                    task.in_vain is None
-                    and task.poll_check
-                    and task.poll_check[1]
-                    and _duration(task.wait) <= WATCH
-                ):
-                    task.in_vain = now
         if limit == until == INFINITY:
             raise Rejected("never", "the loops look for something that can no longer happen", "")
         times = int((min(limit, until) - CLOSE - now) / (now - before[0]))

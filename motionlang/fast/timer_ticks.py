@@ -152,7 +152,7 @@ class TimerTicks:
             task = self._task = EventTask(TIMER, events.handler(TIMER), environment)
         else:
             task._generator, task.done, task.axes = None, False, (0,)
-            task.poll_check = task.in_vain = None
+            task.poll_check = None
         task.notes = None if search is None else search.notes
         events.active.append(ENTRY)
         acts, switches = environment.acts, environment.switches

@@ -31,9 +31,6 @@ if TYPE_CHECKING:
             """Return the shared variables in a form that can be compared."""
 
 
-# A task that lets more time than this, s, pass between two checks is monitoring or displaying something, and
-# is not in a futile poll.
-WATCH = 0.03
 # A loop of fewer statements leaves no record; it counts for the code around it.
 MIN_STATEMENTS = 100.0
 # The first letter of the names of functions in generated code that are a part of another one, and what precedes its
@@ -52,14 +49,12 @@ class Task:
     Source positions ("at") are token numbers, which the dialect's `locate` converts to line and column.
 
     A task that only polls sets `poll_check`: the number of actions so far, and true if it reads anything.
-    `in_vain` is the time since which it has polled for something that could not happen before the end of
-    the run, and `last_poll` its last reading, as text.
+    `last_poll` is its last reading, as text.
     """
 
     __slots__ = (
         "busy",
         "done",
-        "in_vain",
         "last_poll",
         "max_slice",
         "name",
@@ -73,12 +68,16 @@ class Task:
         # For how long, of its own running time, no other task can observe it: it computes with its own data.
         self.busy = 0.0
         self.poll_check: tuple[int, bool] | None = None
-        self.in_vain: float | None = None
         self.last_poll = ""
         self.priority = 0  # of the tasks that can run, one of the highest priority runs
         self.max_slice = INFINITY  # the longest that it may run, s, while others can
         self.done = False
         self.wait: Wait | None = None
+
+    @property
+    def polls_in_vain(self) -> bool:
+        """True if it polls, and only another task or an event can change what it reads."""
+        return False
 
     @property
     def shared(self) -> Shared | None:

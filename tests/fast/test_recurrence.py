@@ -403,32 +403,6 @@ def test_tasks_of_which_none_is_ever_woken_are_stuck() -> None:
 
 
 @cases(
-    "waits, reads, since",
-    (
-        ((None, None), (True, True), [0.006, 0.006]),
-        ((None, (0.03, 0.008)), (True, True), [0.006, 0.006]),
-        ((None, (0.031, 0.008)), (True, True), [0.006, None]),
-        ((None, (0.005, 0.008)), (True, False), [0.006, None]),
-        ((None, (0.005, 0.008)), (False, True), [None, 0.006]),
-    ),
-)
-def test_tasks_that_poll_in_vain_until_the_end_are_remembered(
-    waits: tuple[tuple[float, float] | None, ...], reads: tuple[bool, bool], since: list[float | None]
-) -> None:
-    """No event follows.
-
-    A task that reads nothing, or waits for more than 30 ms, is not in a futile poll.
-    """
-    world = World(*waits)
-    for task, each in zip(world.tasks, reads, strict=True):
-        task.poll_check = 0, each
-    world.slice(100.0, until=10.0)
-    length = 500.0  # the WAIT ends as long after the second state as after the first one
-    world.slice(100.0 + length, None, 0.013, until=10.0)
-    assert [task.in_vain for task in world.tasks] == since
-
-
-@cases(
     "ends, base, count, times",
     (
         # 5 ms later the WAIT ends 5 ms later: 198 periods fit before 1 s.

@@ -599,7 +599,7 @@ class Made:
     def __init__(self, *given: object) -> None:
         self.given, self.done, self.notes = given, False, None
         self._generator: object = "running"
-        self.axes, self.poll_check, self.in_vain = (1, 2), (1, True), 0.5
+        self.axes, self.poll_check = (1, 2), (1, True)
 
 
 @cases(
@@ -637,9 +637,7 @@ def test_the_task_of_a_handler_is_started_again() -> None:
     handler.tick()
     (first, *_), (again, *_) = handler.ran
     assert again is first
-    assert (first._generator, first.done, first.axes, first.poll_check, first.in_vain) == (
-        *(None, False, (0,), None, None),
-    )
+    assert (first._generator, first.done, first.axes, first.poll_check) == (None, False, (0,), None)
 
 
 @cases("change, left", (("", 10), ("notes", 4)))

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
-from motionlang.lang.task import WATCH
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,6 +36,8 @@ if TYPE_CHECKING:
 # The maximum number of unchecked iterations, more if arrays must be compared. They are counted in floats
 # because Python caches no integers of that size.
 MAX_BACK_OFF = 4096.0
+# A loop with longer iterations, s, monitors or displays something, and may go on without a change.
+WATCH = 0.03
 # The number of statements assumed for an iteration if iterations are not counted.
 STATEMENTS = 4.0
 
@@ -164,6 +165,9 @@ class Site:
         several = len(scheduler.tasks) > 1
         # Periods of several tasks do not support counters.
         task.poll_check = None if several and self.carries else (environment.acts, self.reads)
+        # A loop that counts may end by itself.
+        is_futile = self.reads and counters == before and level == INFINITY and now - began <= WATCH
+        task.futile = environment.acts if is_futile else None
         task.last_poll = self.read_names
         if several and not self.reads and not scheduler.reach():
             return None  # a loop that only counts is quicker unchecked than skipped slice by slice
@@ -188,10 +192,6 @@ class Site:
             most = counted(counters, steps, self._levels)
         if until == most == INFINITY:
             raise Rejected("never", "the loop polls for something that can no longer happen", "")
-        # A loop that counts may end by itself.
-        reads = self.reads and not steps
-        if reads and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:
-            task.in_vain = began if level == scheduler.next_change() == INFINITY else None
         environment.task = task  # the conditions of other tasks may have set another running task
         periods = max(0, int(min(statements.periods(base, since, t, until) - self.carries, most)))
         if periods:

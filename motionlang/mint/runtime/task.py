@@ -44,6 +44,7 @@ class MintTask(GeneratorTask):
         "delay",
         "environment",
         "frame",
+        "futile",
         "notes",
         "suspended",
         "suspended_wait",
@@ -62,6 +63,8 @@ class MintTask(GeneratorTask):
         self.axes: tuple[int, ...] = (0,)
         # Its recent readings that change by themselves, while dependencies are recorded.
         self.notes: list[Note] | None = None
+        # The number of actions at its last check, if only another action could change what it polls.
+        self.futile: int | None = None
         self.suspended = False
         self.suspended_wait: Wait | None = None
         # The operation that it put off when it gave way, carried out when it resumes.
@@ -69,6 +72,12 @@ class MintTask(GeneratorTask):
         self._acts = False  # True while that operation is carried out
         self._count = environment.time_cells[0]
         self.set_time_slice()
+
+    @property
+    def polls_in_vain(self) -> bool:
+        """True if it polls, and only another task or an event can change what it reads."""
+        environment = self.environment
+        return environment.acts == self.futile and environment.fired == environment.clock.fired
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         """Resume like any task, and detect whether others ran in the meantime."""
@@ -78,7 +87,7 @@ class MintTask(GeneratorTask):
         if environment.fired != clock.fired:  # as in `noticed`
             environment.fired = clock.fired
             environment.acts += 1
-            self.poll_check = self.in_vain = None
+            self.poll_check = None
         if environment.ran is not self or environment.leaps != clock.leaps:
             environment.resumed += 1
             environment.leaps = clock.leaps
@@ -133,8 +142,6 @@ class MintTask(GeneratorTask):
         self.notes = dependencies.notes
         environment.ran = self
         if environment.acts != acts:  # it has acted, unless that was before its last check
-            if self.poll_check is None or self.poll_check[0] != environment.acts:
-                self.in_vain = None
             self.poll_check = None
         if self.suspended:
             self.suspended_wait, wait = wait, self.never()
@@ -215,7 +222,7 @@ class MintTask(GeneratorTask):
         """Record that events have fired, so anything the program polled may have changed."""
         environment.fired = environment.clock.fired
         environment.acts += 1
-        self.poll_check = self.in_vain = None
+        self.poll_check = None
 
     def take(self, semaphore: list[MintTask | None], wanted: int) -> bool:
         """Take or release a semaphore; return False while another task holds it."""

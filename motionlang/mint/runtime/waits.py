@@ -299,12 +299,7 @@ class Rests:
         """Let other tasks act; continue within the statement if this task acts next."""
         environment = self._environment
         statements, task, scheduler = environment.statements, environment.task, environment.machine.scheduler
-        if (
-            scheduler is not None
-            and end < scheduler.next_slice
-            and task.poll_check is None
-            and task.in_vain is None
-        ):
+        if scheduler is not None and end < scheduler.next_slice and task.poll_check is None:
             base = statements.base
             reach = scheduler.passes_among_others(base + t * statements.cost, end, False)
             if reach:
