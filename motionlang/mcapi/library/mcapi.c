@@ -228,15 +228,16 @@ static char typed(long long type)
     return type == MC_TYPE_LONG || type == MC_TYPE_REG ? 'i' : type == MC_TYPE_FLOAT ? 'f' : type == MC_TYPE_DOUBLE ? 'd' : 0;
 }
 
-/* How many fields a structure has in its host, and whether its DWORD is wide. Only MCSTATUSEX trusts cbSize. An older,
- * shorter structure is known by its exact size. */
+/* How many fields a structure has in its host, and whether its DWORD is wide. Only MCSTATUSEX trusts cbSize: PMC's Python
+ * binding sets the size of a Python object, which is 136 up to Python 3.11 and 128 after that. An older, shorter structure
+ * is known by its exact size. */
 static int fields_of(const structure *s, const void *at, int *wide)
 {
     int size = 0, count = (int)strlen(s->fields);
     *wide = 1;
     if (s->fields[0] != 'c') return count;
     memcpy(&size, at, 4);
-    if (strchr(s->fields, 'D')) { *wide = !(size == 136 || size == 20); return count; }
+    if (strchr(s->fields, 'D')) { *wide = !(size == 20 || (size > 100 && size < 200)); return count; }
     for (const int *older = s->older; *older; older++) {
         size_t bytes = 0;
         for (int n = 0; n < *older; n++) bytes += width(s->fields[n], 1);
