@@ -39,8 +39,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # half the time of building a parser.
 os.environ["LANGUAGE"] = "C"
 
-# Processes that the tests start buffer their output as a user's do.
-os.environ.pop("PYTHONUNBUFFERED", None)
+# Processes that the tests start buffer their output as a user's do, and know nothing of this terminal.
+for _name in ("PYTHONUNBUFFERED", "NO_COLOR", "FORCE_COLOR", "COLUMNS", "LINES"):
+    os.environ.pop(_name, None)
+os.environ["TERM"] = "xterm"
 
 # A shell starts background processes with Ctrl-C disabled, which every process of a test would inherit.
 for _name in ("SIGINT", "SIGTERM", "SIGHUP"):
