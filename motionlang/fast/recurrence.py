@@ -45,9 +45,10 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Shared, Task
     from motionlang.lang.waits import Wait
+    from motionlang.log.log import Mark
 
-    # When a state was met: the time, and the base and the count of the statement time.
-    Met = tuple[float, float, float]
+    # When a state was met: the time, the base and the count of the statement time, and what had been logged.
+    Met = tuple[float, float, float, Mark]
 
 # Waits that are this many times as long as the shortest one may also end a short period, and so may all waits
 # if a task polls without one.
@@ -63,7 +64,7 @@ class Recurrence:
     """The joint states since the tasks began to only poll and wait."""
 
     def __init__(self, machine: Controller | Machine, pace: Callable[[float], None] | None) -> None:
-        self._clock, self._pace, self._events = machine.clock, pace, machine.log.events
+        self._clock, self._pace, self._log = machine.clock, pace, machine.log
         self._statements: StatementTime = getattr(machine, "statements", None) or StatementTime(0.0)
         self._shared: Shared | None = None
         self._since: object = None
@@ -110,7 +111,7 @@ class Recurrence:
         if self._back_off:
             self._back_off -= 1
             return
-        since = self._clock.fired, shared.acted(), len(self._events)
+        since = self._clock.fired, shared.acted(), len(self._log.events)
         full = len(self._met) > MAX_STATES or self._bytes > MAX_BYTES
         if since != self._since or full or shared.dependencies.read is not self._read:
             if self._backs_off(len(tasks)):
@@ -187,7 +188,7 @@ class Recurrence:
             remaining.append(count)  # type: ignore[arg-type]
         dues = [wait.due() for wait in others]
         key = (*state, *remaining, *dues)
-        before, self._met[key] = self._met.get(key), (now, base, count)
+        before, self._met[key] = self._met.get(key), (now, base, count, self._log.mark_period())
         if before is None:
             return False
         shift = self._shift(before, bool(waits))
@@ -216,7 +217,8 @@ class Recurrence:
         clock.leaps += 1
         self._failures = 0
         clock.now = time
-        self._met[key] = time, statements.base, statements.count
+        self._log.repeat_period(before[3], before[0], now, time, times)
+        self._met[key] = time, statements.base, statements.count, self._log.mark_period()
         return True
 
     def _shift(self, before: Met, wait: bool) -> int | None:

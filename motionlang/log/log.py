@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from motionlang.log.moves import Moves
     from motionlang.log.older_profiles import Profiles
     from motionlang.log.records import Changed, Event, Looped, Printed, RepeatedWaits, Setting, Waited
+    from motionlang.log.time_slices import Mark as SliceMark
+
+    # How many waits and time slices there are.
+    Mark = tuple[int, SliceMark]
 
 # Profiles of all axes together that are not packed; fewer if motors follow some, whose pieces exist; and
 # those of each axis that are never packed.
@@ -140,6 +144,21 @@ class Log:
                 mine.append(wait)
         if mine:
             self.repeated_waits.add((tuple(reversed(mine)), count, period))
+
+    def mark_period(self) -> Mark:
+        """Return how many waits and time slices there are, for `repeat_period`."""
+        return len(self.waits), self.slices.mark()
+
+    def repeat_period(self, mark: Mark, began: float, now: float, until: float, times: int) -> None:
+        """Log that the waits and time slices since `mark` repeat so many times, up to `until`."""
+        waits, slices = mark
+        mine: dict[str, list[Any]] = {}
+        new = len(self.waits) - waits
+        for wait in self.waits.tail[-new:] if new else ():
+            mine.setdefault(whole(wait)[0], []).append(wait)
+        for each in mine.values():
+            self.repeated_waits.add((tuple(each), times, now - began))
+        self.slices.repeat_since(slices, now, until, times)
 
     def new(self, kind: str) -> Stream[Any]:
         """Create another stream for a kind of record, such as another terminal's output."""

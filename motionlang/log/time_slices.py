@@ -6,9 +6,13 @@ from motionlang.log.stream import Stream
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from motionlang.log.records import TimeSlices
     from motionlang.log.stream import Store
 
+    # The number of records, and how long each task has computed since the last one.
+    Mark = tuple[int, dict[str, float]]
     TimeSlicesInOrder = Stream[TimeSlices]
 else:
     TimeSlicesInOrder = Stream
@@ -39,6 +43,36 @@ class TimeSliceStream(TimeSlicesInOrder):
         seconds[task] = seconds.get(task, 0.0) + now - began
         if stops:
             self.close(now)
+
+    def mark(self) -> Mark:
+        """Return how much has been recorded, for `repeat_since`."""
+        return len(self), dict(self.seconds)
+
+    def repeat_since(self, mark: Mark, now: float, until: float, times: int) -> None:
+        """Record that what was recorded since `mark` repeats so many times.
+
+        The repetitions take from now to `until`.
+        """
+        count, opened = mark
+        seconds: dict[str, float] = {}
+        for _, _, tasks, taken in self[count:]:
+            for task, each in zip(tasks, taken, strict=True):
+                seconds[task] = seconds.get(task, 0.0) + each
+        for task, each in self.seconds.items():
+            seconds[task] = seconds.get(task, 0.0) + each
+        for task, each in opened.items():
+            seconds[task] -= each
+        if self.seconds:
+            self.close(now)
+        repeated = {task: times * each for task, each in seconds.items() if each}
+        if repeated:
+            self.add((now, until, tuple(repeated), tuple(repeated.values())))
+
+    def up_to(self, now: float) -> Iterator[TimeSlices]:
+        """Yield all records, with the current one as it would be written now."""
+        yield from self
+        if self.seconds:
+            yield from self._typed([(self._began, now, tuple(self.seconds), tuple(self.seconds.values()))])
 
     def close(self, now: float) -> None:
         """Write the current record, because a task begins or ends a wait."""

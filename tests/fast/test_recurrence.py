@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from math import inf
 from types import SimpleNamespace
@@ -10,6 +11,8 @@ from typing import Any
 import pytest
 
 from motionlang import run
+from motionlang.analysis.cycle.export import json_pieces
+from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.controller.faults import Rejected
 from motionlang.fast import recurrence
 from motionlang.fast.recurrence import Recurrence
@@ -22,6 +25,7 @@ from motionlang.result import Run
 from motionlang.source import Source
 from tests.cases import cases
 from tests.counted_calls import count_calls
+from tests.generated import tasks
 from tests.generated.tasks import every_iteration
 
 TYPE_CHECKING = False
@@ -211,6 +215,20 @@ def test_it_is_as_every_iteration_has_it(text: str, cost: float) -> None:
     assert (skipped.output, skipped.time) == (carried_out.output, carried_out.time)
 
 
+@pytest.mark.parametrize("seed", [15, 28, 30, 34, 69])
+def test_the_time_profile_does_not_depend_on_accelerators(seed: int) -> None:
+    """Skipped periods compute and wait like the others, up to rounding."""
+    text, machine = tasks.program(seed)
+
+    def profile(fast: bool) -> str:
+        made = run(Source("a.mnt", text), machine=machine, cache=False, until=1.5, fast=fast)
+        return re.sub(
+            r"\d+\.\d+", lambda found: f"{float(found[0]):.9f}", "".join(json_pieces(TimeProfile(made)))
+        )
+
+    assert profile(True) == profile(False)
+
+
 def test_tasks_that_hand_a_variable_to_and_fro_for_ever_are_skipped() -> None:
     """Each task changes the variable that the other one polls, in a joint period."""
     text = COUNTED.replace("  n = n + 1\n", "")
@@ -277,6 +295,9 @@ class World:
 
     def __init__(self, *waits: tuple[float, float] | None, cost: float = 1e-5, event: float = inf) -> None:
         self.event, self.acts, self.variables = event, 0, b"variables"
+        # What was logged as repeated: the mark and the time of the period's start, its end, that of the
+        # repetitions, and their number.
+        self.repeated: list[tuple[object, ...]] = []
         clock: Any = SimpleNamespace(now=0.0, fired=0, leaps=0, next_time=lambda: self.event)
         self.clock = clock
         self.statements, self.dependencies, self.paced = (
@@ -291,7 +312,13 @@ class World:
         )
         self.tasks = [Poller(self, each and self.delay(*each)) for each in waits or (None, None)]
         machine: Any = SimpleNamespace(
-            clock=clock, statements=self.statements, log=SimpleNamespace(events=list[object]())
+            clock=clock,
+            statements=self.statements,
+            log=SimpleNamespace(
+                events=list[object](),
+                mark_period=lambda: clock.now,
+                repeat_period=lambda *period: self.repeated.append(period),
+            ),
         )
         self.events = machine.log.events
         self.recurrence = Recurrence(machine, self.paced.append)

@@ -22,6 +22,7 @@ from motionlang.log.records import RepeatedWaits, TimeSlices, Waited
 from motionlang.log.stream import Store
 from motionlang.log.time_slices import TimeSliceStream
 from motionlang.log.track import WholeTrack, pieces_of
+from motionlang.log.written_waits import whole
 from motionlang.planners import Profile, hold, plan_trapezoid
 from tests.log.test_figures import machine
 
@@ -363,6 +364,34 @@ def test_the_waits_of_a_skipped_iteration_are_logged_once() -> None:
     assert list(log.repeated_waits) == [RepeatedWaits(tuple(mine), 7, 3.0)]
     assert log.waits[4] == Waited("main", 11, 1.5, 4.0, "time", (), "", (2, 5))
     assert log.waits[3] == Waited(*other)
+
+
+def test_a_period_of_time_slices_and_waits_is_repeated() -> None:
+    """Two tasks alternate; one waits from 5 to 6 and from 8 to 9. Five more periods end at 24."""
+    log = Log()
+    log.slices.took("one", 0.0, 1.0, False)
+    log.slices.took("two", 1.0, 3.0, False)
+    mark = log.mark_period()
+    log.slices.took("one", 3.0, 4.0, False)
+    log.slices.took("two", 4.0, 5.0, True)
+    log.waits.add(("two", 7, 5.0, 6.0, "time", (), "", ()))
+    log.slices.took("one", 5.0, 6.0, False)
+    log.repeat_period(mark, 3.0, 6.0, 21.0, 5)
+    assert list(log.slices) == [
+        (0.0, 5.0, ("one", "two"), (2.0, 3.0)),
+        (5.0, 6.0, ("one",), (1.0,)),
+        (6.0, 21.0, ("one", "two"), (10.0, 5.0)),
+    ]
+    ((waits, count, period),) = log.repeated_waits
+    assert ([whole(wait)[2:4] for wait in waits], count, period) == ([(5.0, 6.0)], 5, 3.0)
+    # Nothing is repeated twice, and the current record is open.
+    log.slices.took("one", 21.0, 21.5, False)
+    log.repeat_period(log.mark_period(), 21.5, 22.0, 24.0, 4)
+    assert list(log.slices)[3:] == [(21.0, 22.0, ("one",), (0.5,))]
+    log.slices.took("two", 24.0, 24.5, False)
+    assert list(log.slices.up_to(25.0))[4:] == [(24.0, 25.0, ("two",), (0.5,))]
+    assert len(log.slices) == 4
+    assert len(log.repeated_waits) == 1
 
 
 def test_time_slices_without_a_wait_are_one_record() -> None:

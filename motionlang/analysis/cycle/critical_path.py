@@ -413,7 +413,8 @@ class CriticalPath:
         """Return the task that started another, and when; the parent started with the run."""
         parent = parent_of(self._run)
         begin = next(
-            (time_slice.time for time_slice in self._run.machine.log.slices if task in time_slice.tasks), 0.0
+            (each.time for each in self._run.machine.log.slices.up_to(self._run.time) if task in each.tasks),
+            0.0,
         )
         return parent, 0.0 if task == parent else begin
 

@@ -117,7 +117,7 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
     first: dict[str, float] = {}
     last: dict[str, float] = {}
     computed: dict[str, list[float]] = {}
-    for time_slice in run.machine.log.slices:
+    for time_slice in run.machine.log.slices.up_to(run.time):
         for name, seconds in zip(time_slice.tasks, time_slice.seconds, strict=True):
             computed.setdefault(name, []).append(seconds)
             first.setdefault(name, time_slice.time)
