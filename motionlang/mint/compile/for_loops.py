@@ -42,8 +42,10 @@ class Counter:
         self.start = number(b, node.start)
         self.stop = number(b, node.stop)
         self.step = number(b, node.step) if node.step is not None else literal(1)
-        if self.step.const == 0:
-            b.problem("range", "a For that counts by 0 never ends", node.step or node)
+        if self.step.const == 0 and not _may_end(b, node, symbol):
+            b.problem(
+                "range", "a For that counts by 0 never ends", node.step or node, "leave it with Exit For"
+            )
         b.settle()
         first = converted(b, self.start, type_, node.start, self.exact)
         # Limit and step are evaluated once, before the variable has its first value.
@@ -120,7 +122,7 @@ def _continues(counter: Counter) -> str:
     text, stop, step = counter.text, counter.stop, counter.step
     low, high, kind = step.range
     if step.const is not None:
-        return f"{text} {'<=' if step.const > 0 else '>='} {stop.text}"  # type: ignore[operator]
+        return f"{text} {'<=' if step.const >= 0 else '>='} {stop.text}"  # type: ignore[operator]
     if kind == "i" and low > 0:
         return f"{text} <= {stop.text}"
     if kind == "i" and high < 0:
@@ -169,6 +171,15 @@ def _changes(b: Body, node: nodes.For, symbol: Symbol) -> bool:
         if type(target) is nodes.Name and target.args is None and target.symbol is symbol:
             return True
     return False
+
+
+def _may_end(b: Body, node: nodes.For, symbol: Symbol) -> bool:
+    """True if the body may leave the loop, or assigns to its variable."""
+    leaving = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End)
+    return _changes(b, node, symbol) or any(
+        isinstance(each, leaving) or (isinstance(each, nodes.Call) and each.target.row is None)
+        for each in walk(node.body)
+    )
 
 
 def _chunks(b: Body, counter: Counter, body: list[Line]) -> None:

@@ -139,7 +139,7 @@ from tests.cases import cases
             "VECTORA needs 2 axes or more in brackets, 1 given",
             "VECTORA(0, 1) = 30, 40",
         ),
-        ("For i = 1 To 5 Step 0\nNext", 1, 21, "a For that counts by 0 never ends", ""),
+        ("For i = 1 To 5 Step 0\nNext", 1, 21, "a For that counts by 0 never ends", "leave it with Exit For"),
         ('While "a"\nWend', 1, 7, "a condition is needed here, not a String", ""),
         (
             'Select Case "a"\nCase 1\nEnd Select',

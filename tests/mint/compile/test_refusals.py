@@ -268,7 +268,7 @@ REFUSED = [
         "SPEED cannot count: it is not a numeric variable",
         "it is a word of Mint, SPEED; Dim SPEED makes a variable of it",
     ),
-    ("For n = 1 To 2 Step 0\nNext", 2, "a For that counts by 0 never ends", ""),
+    ("For n = 1 To 2 Step 0\nNext", 2, "a For that counts by 0 never ends", "leave it with Exit For"),
 ]
 
 
