@@ -34,6 +34,10 @@ if TYPE_CHECKING:
 
 # Rounding of a time in seconds must not cost a millisecond.
 MILLISECOND = 1e-6
+# A count of milliseconds is an Integer of 32 bits: -2147483648 follows 2147483647.
+ROLLOVER = 1 << 31
+# A wait that only a rollover could end, more than a day ahead, is reported as one that never ends.
+DAY = 86400.0
 
 
 def _apply_mint_settings(controller: Controller) -> None:
@@ -286,32 +290,37 @@ class Environment(Waits):
     # ---------------------------------------------------------------------------------------------- time
 
     def elapsed(self, base: float, level: float | None = None) -> int:
-        """Return the whole milliseconds since a time.
+        """Return the milliseconds since a time, rolled over to the range of an Integer.
 
         `level` is the value that they are compared with, if it is known.
         """
+        count = floor((self.clock.now - base) * 1000.0 + MILLISECOND)
+        if count >= ROLLOVER:
+            rolled = (count + ROLLOVER) // (2 * ROLLOVER) * 2 * ROLLOVER
+            count, base = count - rolled, base + rolled / 1000.0
         dependencies = self.dependencies
         if dependencies.notes is not None:
             if level is None:
                 dependencies.note(dependencies.at_once)
             else:
                 dependencies.note(self._counted, base, level)
-        return floor((self.clock.now - base) * 1000.0 + MILLISECOND)
+        return count
 
     def _counted(self, base: float, level: float) -> float:
         """Return the time at which the milliseconds since `base` next cross `level`.
 
-        They cross it when they reach it, and when they first exceed it.
+        They cross it when they reach it, when they first exceed it, and when they roll over.
         """
         if level == INFINITY:
             return self.clock.now  # they are more than ever before
         if not level > -INFINITY:
             return INFINITY
+        rollover = base + ROLLOVER / 1000.0
         for milliseconds in (ceil(level), floor(level) + 1):
             moment = base + milliseconds / 1000.0
-            if moment > self.clock.now:
+            if self.clock.now < moment < rollover:
                 return moment
-        return INFINITY
+        return rollover if rollover - self.clock.now < DAY else INFINITY
 
     def since(self, milliseconds: float) -> float:
         """Return the time that was some milliseconds ago, in seconds."""
