@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
     from motionlang.controller.motion.follow import Follow
+    from motionlang.planners import Profile
 
 # Bits of the status of the last offset (Mint's _os constants).
 MAX_SPEED, MIN_SPEED, MAX_ACCEL, MAX_DECEL, PROFILE_ERROR, ZERO_ACCEL = (1 << bit for bit in range(6))
@@ -55,13 +56,28 @@ def offset(
         if controller.expected_motion is not None:
             controller.expected_motion.refuse_offset(a)
         return
-    speed, accel, decel = limits
+    speed, accel, decel, bound = limits
     profile = plan(a.shape if mode < ACCEL_MODE else "trapezoid", 0.0, total, speed, accel, decel, velocity, a.ramp,
                    a.accel_jerk, a.decel_jerk)  # fmt: skip
     entry = OffsetMove(a.index, command, line, profile.end)
     entry.profile, entry.start_time, entry.scale = profile, controller.clock.now, a.scale.counts
     controller.log.moves.add(entry)
     tie.start_offset(profile, entry)
+    if bound:
+        _await_bound(controller, a, profile, speed, bound)
+
+
+def _await_bound(controller: Core, a: Axis, profile: Profile, speed: float, bound: int) -> None:
+    """Set the status bit `bound` at the time when the offset reaches `speed`."""
+
+    def reached() -> None:
+        if a.tie is not None and a.tie.offset is profile:
+            controller.offset_statuses[a.index] |= bound
+
+    full = speed * (1.0 - 1e-9)
+    time = next((knot for knot in profile.knots if abs(profile.velocity(knot)) >= full), None)
+    if time is not None:
+        controller.clock.at(controller.clock.now + time, reached)
 
 
 def crossing_time(controller: Core, a: Axis, left: float) -> float:
@@ -75,14 +91,14 @@ def crossing_time(controller: Core, a: Axis, left: float) -> float:
 
 def _limits(
     controller: Core, a: Axis, tie: Follow, distance: float, mode: int, over: float
-) -> tuple[float, float, float] | None:
-    """Return speed and rates of the offset relative to the base.
+) -> tuple[float, float, float, int] | None:
+    """Return speed and rates relative to the base, and the status bit of the speed.
 
     None if it is impossible; the status gives the reason.
     """
     accel, decel = controller.rates(a, a.speed)
     if mode == STANDARD:
-        return a.speed, accel, decel
+        return a.speed, accel, decel, 0
     base = a.velocity(controller.clock.now) - tie.offset_left()[1]
     slower = base * distance < 0.0
     most = abs(base) if slower else a.max_speed - abs(base)
@@ -90,7 +106,7 @@ def _limits(
         controller.offset_statuses[a.index] |= MIN_SPEED if slower else MAX_SPEED
         return None
     if mode == SPEED_LIMIT:
-        return _clipped(controller, a, a.speed, most, slower), accel, decel
+        return min(a.speed, most), accel, decel, _bound(a.speed, most, slower)
     pace = abs(tie.master.velocity(controller.clock.now))
     if not pace or not over:
         controller.offset_statuses[a.index] |= PROFILE_ERROR
@@ -104,33 +120,33 @@ def _limits(
         controller.offset_statuses[a.index] |= MAX_ACCEL | MAX_DECEL
         return None
     speed = 2.0 * abs(distance) / (time + sqrt(root))
-    return _clipped(controller, a, speed, most, slower), accel, decel
+    return min(speed, most), accel, decel, _bound(speed, most, slower)
 
 
 def _triangle(
     controller: Core, a: Axis, distance: float, time: float, most: float, slower: bool
-) -> tuple[float, float, float] | None:
-    """Return speed and rates of a triangular profile that takes `time`.
+) -> tuple[float, float, float, int] | None:
+    """Return speed, rates and status bit of a triangle that takes `time`.
 
     It speeds up for half the time and slows down for the other half. If its peak is too fast, the profile is a
     trapezoid. None if that is impossible; the status gives the reason.
     """
     peak = 2.0 * distance / time
-    speed = _clipped(controller, a, peak, most, slower)
+    speed, bound = min(peak, most), _bound(peak, most, slower)
     ramp = time - distance / speed
     if ramp <= 0.0:
-        controller.offset_statuses[a.index] |= PROFILE_ERROR
+        controller.offset_statuses[a.index] |= PROFILE_ERROR | bound
         return None
     rate = speed / ramp
     if rate > a.max_accel or rate > a.max_decel:
         too_steep = (MAX_ACCEL if rate > a.max_accel else 0) | (MAX_DECEL if rate > a.max_decel else 0)
-        controller.offset_statuses[a.index] |= too_steep
+        controller.offset_statuses[a.index] |= too_steep | bound
         return None
-    return speed, rate, rate
+    return speed, rate, rate, bound
 
 
-def _clipped(controller: Core, a: Axis, speed: float, most: float, slower: bool) -> float:
+def _bound(speed: float, most: float, slower: bool) -> int:
+    """Return the status bit of an offset that is clipped to `most`; 0 if it is slower."""
     if speed < most:
-        return speed
-    controller.offset_statuses[a.index] |= MIN_SPEED if slower else MAX_SPEED
-    return most
+        return 0
+    return MIN_SPEED if slower else MAX_SPEED

@@ -60,11 +60,12 @@ def test_the_duration_of_an_offset(
         sign = -1.0 if back else 1.0
         c = moving(settings, back)
         offset(c, 1, sign * distance, mode, over)
-        assert c.offset_status(1) == status
+        assert c.offset_status(1) == 0
         assert c.offset_remaining(1) == pytest.approx(sign * distance)
         assert c.offset_crossing_time(1, 0.5 * sign * distance) == pytest.approx(1.0 + 0.5 * duration)
         assert c.log.moves[-1].profile.duration == pytest.approx(duration)  # type: ignore[union-attr]
         until(c, 1.0 + 0.5 * duration)
+        assert c.offset_status(1) == status
         assert c.offset_remaining(1) == pytest.approx(0.5 * sign * distance)
         assert c.position(1) - c.position(0) == pytest.approx(0.5 * sign * distance)
         until(c, 1.001 + duration)
@@ -99,6 +100,19 @@ def test_an_offset_that_is_impossible_has_no_effect(
     assert c.offset_crossing_time(1, 1.0) == inf
     until(c, 9.0)
     assert c.position(1) == pytest.approx(c.position(0))
+
+
+def test_an_offset_too_short_for_the_bound_reports_success() -> None:
+    """0.25 counts reach 5 counts/s at 100 counts/s2 after 0.05 s; 0.2 do not."""
+    c = moving({"max_speed": 15.0})
+    offset(c, 1, 0.2, 1)
+    until(c, 2.0)
+    assert c.offset_status(1) == 0
+    offset(c, 1, 0.3, 1)
+    until(c, 2.049)
+    assert c.offset_status(1) == 0
+    until(c, 2.051)
+    assert c.offset_status(1) == FAST
 
 
 def test_the_trapezoid_of_mode_3() -> None:
