@@ -62,7 +62,10 @@ def power(a: float, b: float) -> float:
     """Return a to the power of b as a Float."""
     if a == 0 and b < 0:
         raise ZeroDivisionError
-    return _number("^", math.pow, a, b)
+    try:
+        return _number("^", math.pow, a, b)
+    except OverflowError:
+        return -math.inf if a < 0 and b % 2 == 1 else math.inf
 
 
 def shift_left(a: float, b: float) -> int:
@@ -146,7 +149,10 @@ def root(value: float) -> float:
 
 
 def exponential(value: float) -> float:
-    return _number("Exp", math.exp, value)
+    try:
+        return math.exp(value)
+    except OverflowError:
+        return math.inf
 
 
 def logarithm(value: float) -> float:
