@@ -54,7 +54,7 @@ def test_what_is_left_when_a_command_ends_is_not_collected(
     line = ["run", str(program), "--format", "none"]
     before = gc.get_freeze_count()
     assert main(line) == 0
-    assert gc.get_freeze_count() == before
+    assert gc.get_freeze_count() <= before  # a frozen object may have been freed
     monkeypatch.setattr(sys, "argv", ["motionlang", *line])
     with monkeypatch.context() as patch:
         if not has_freeze:

@@ -150,7 +150,10 @@ class Log:
         return len(self.waits), self.slices.mark()
 
     def repeat_period(self, mark: Mark, began: float, now: float, until: float, times: int) -> None:
-        """Log that the waits and time slices since `mark` repeat so many times, up to `until`."""
+        """Log that the waits and time slices since `mark` repeat so many times.
+
+        The period took from `began` to `now`, and its repetitions take up to `until`.
+        """
         waits, slices = mark
         mine: dict[str, list[Any]] = {}
         new = len(self.waits) - waits

@@ -367,7 +367,7 @@ def test_the_waits_of_a_skipped_iteration_are_logged_once() -> None:
 
 
 def test_a_period_of_time_slices_and_waits_is_repeated() -> None:
-    """Two tasks alternate; one waits from 5 to 6 and from 8 to 9. Five more periods end at 24."""
+    """Two tasks alternate, and one waits from 5 to 6; the period from 3 to 6 repeats."""
     log = Log()
     log.slices.took("one", 0.0, 1.0, False)
     log.slices.took("two", 1.0, 3.0, False)
