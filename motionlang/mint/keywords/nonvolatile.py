@@ -11,7 +11,7 @@ from motionlang.mint.runtime.environment import Environment
 
 
 def _address(address: int) -> int:
-    return checked(address, LAST_WORD, "address in non-volatile memory,")
+    return checked(address, LAST_WORD, "non-volatile memory at address")
 
 
 def write_word(environment: Environment, address: int, value: int) -> None:

@@ -118,7 +118,7 @@ def _number(name: str, function: Callable[..., float], *arguments: float) -> flo
     try:
         return function(*arguments)
     except ValueError:
-        shown = ", ".join(f"{each:g}" for each in arguments)
+        shown = ", ".join(f"{each:.15g}" for each in arguments)
         raise Rejected(
             "argument", f"{name} has no value for {shown}", "test the value before this line"
         ) from None

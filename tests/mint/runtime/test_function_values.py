@@ -216,6 +216,7 @@ REFUSED: list[tuple[str, tuple[object, ...], str]] = [
     ("Sqrt(a)", (-1.0,), "Sqrt has no value for -1"),
     ("Log(a)", (0.0,), "Log has no value for 0"),
     ("Asin(a)", (2.0,), "Asin has no value for 2"),
+    ("Asin(a)", (1.0000001,), "Asin has no value for 1.0000001"),
     ("Acos(a)", (-2.0,), "Acos has no value for -2"),
     ("Tan(a)", (90.0,), "Tan has no value at 90 degrees"),
     ("Tan(a)", (270.0,), "Tan has no value at 270 degrees"),
