@@ -115,7 +115,8 @@ class FollowMove(Move):
 class Follow(Action):
     """A slave's tie to its master, an axis or encoder; `base` defines the relation."""
 
-    __slots__ = ("_callback", "a", "controller", "master", "move", "offset", "offset_began", "offset_entry")
+    __slots__ = ("_callback", "a", "controller", "master", "move", "offset", "offset_began", "offset_entry",
+                 "offset_limits")  # fmt: skip
 
     def __init__(self, controller: Core, a: Axis, master: Axis, move: FollowMove) -> None:
         self.controller, self.a, self.master, self.move = controller, a, master, move
@@ -123,6 +124,8 @@ class Follow(Action):
         self.offset: Profile | None = None
         self.offset_began = 0.0
         self.offset_entry: Move | None = None  # its log entry
+        # Speed and rates that OFFSETMODE gave it; None for those of the axis.
+        self.offset_limits: tuple[float, float, float] | None = None
         self._callback = lambda _: self.renew()
         move.action = self
 
@@ -329,9 +332,9 @@ class Gear(Follow):
         left, velocity = self.offset_left()  # it may not be at rest yet
         self._paused, self._halt = 0.0, None
         if left or velocity:
-            accel, decel = controller.rates(a, a.speed)
+            speed, accel, decel = self.offset_limits or (a.speed, *controller.rates(a, a.speed))
             jerks = a.accel_jerk, a.decel_jerk
-            profile = plan(a.shape, 0.0, left, a.speed, accel, decel, velocity, a.ramp, *jerks)
+            profile = plan(a.shape, 0.0, left, speed, accel, decel, velocity, a.ramp, *jerks)
             self._log_offset(profile)
             self.carry(profile, controller.clock.now, self.offset_entry)
         self.renew()

@@ -63,6 +63,7 @@ def offset(
     entry.profile, entry.start_time, entry.scale = profile, controller.clock.now, a.scale.counts
     controller.log.moves.add(entry)
     tie.start_offset(profile, entry)
+    tie.offset_limits = None if mode == STANDARD else (speed, accel, decel)
     if bound:
         _await_bound(controller, a, profile, speed, bound)
 

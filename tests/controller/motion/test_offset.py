@@ -115,6 +115,19 @@ def test_an_offset_too_short_for_the_bound_reports_success() -> None:
     assert c.offset_status(1) == FAST
 
 
+def test_an_offset_that_is_resumed_stays_below_the_highest_speed() -> None:
+    """5 counts/s of MAXSPEED are free: 5 counts take 1.05 s; half of them are left."""
+    c = moving({"max_speed": 15.0})
+    offset(c, 1, 5.0, 1)
+    until(c, 1.5).suspend(1)
+    until(c, 3.0).resume(1)
+    until(c, 3.2)
+    assert c.velocity(1) == pytest.approx(15.0)
+    until(c, 5.0)
+    assert c.offset_remaining(1) == 0.0
+    assert c.velocity(1) == pytest.approx(10.0)
+
+
 def test_the_trapezoid_of_mode_3() -> None:
     """v = 2 d / (t + sqrt(t2 - 4 d / 100)) for 3.99 counts in 0.4 s."""
     c = moving()
