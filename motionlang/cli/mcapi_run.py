@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain
 from motionlang.cli.serve_board import mcapi_hosts, server_of
-from motionlang.cli.serve_hosts import open_lines
+from motionlang.cli.serve_hosts import open_lines, say
 from motionlang.errors import Diagnostic
 from motionlang.serve.address import LOOPBACK, shown
 
@@ -53,8 +53,10 @@ def run_host(args: argparse.Namespace, options: Options, library: Path) -> int:
                 return _cannot(f"cannot write {args.record}: {error.strerror or error}")
             record = Recorder(file.write, console.board.model.name)
         address = server.listen(LOOPBACK, 0, make=mcapi_hosts(server, console, record))
-        if not open_lines(server, args):
+        opened = open_lines(server, args)
+        if opened is None:
             return 1
+        say(opened)
         return _run(server, args, _environment(os.environ, shown(*address), library, args.factor))
 
 

@@ -45,11 +45,14 @@ def serve_board(
     server, console = made
     with server:
         board = console.board
+        opened = open_lines(server, args)
+        if opened is not None and args.mcapi is not None:
+            line = listen(server, *args.mcapi, make=mcapi_hosts(server, console))
+            opened = None if line is None else opened + line
+        if opened is None:
+            return 1
         greet(args, board.model.title, len(board.numbers))
-        if not open_lines(server, args):
-            return 1
-        if args.mcapi is not None and not listen(server, *args.mcapi, make=mcapi_hosts(server, console)):
-            return 1
+        say(opened)
         until_signal(server)
     say(f"served {server.served} hosts; machine time {console.now:.3f} s{dropped(queues)}\n")
     return 0

@@ -28,34 +28,41 @@ def greet(args: argparse.Namespace, title: str, axes: int) -> None:
     say(f"{title}, {axes} axes, {time}; Ctrl-C ends it\n")
 
 
-def open_lines(server: Server, args: argparse.Namespace) -> bool:
-    """Open and print the lines for hosts; False if one of them cannot be opened."""
+def open_lines(server: Server, args: argparse.Namespace) -> str | None:
+    """Open the lines for hosts and return what to print; None if one cannot be opened."""
+    opened = ""
     for host, port in args.tcp:
-        if not listen(server, host, port, echo=bool(args.echo)):
-            return False
+        line = listen(server, host, port, echo=bool(args.echo))
+        if line is None:
+            return None
+        opened += line
     if args.pty:
         try:
-            say(f"serial device {server.device(echo=args.echo)}\n")
+            opened += f"serial device {server.device(echo=args.echo)}\n"
         except ImportError as error:
-            return cannot("this system has no pseudo-terminals; use --tcp", error)
+            cannot("this system has no pseudo-terminals; use --tcp", error)
+            return None
         except OSError as error:
-            return cannot("cannot create a serial device", error)
-    return True
+            cannot("cannot create a serial device", error)
+            return None
+    return opened
 
 
-def listen(server: Server, host: str, port: int, *, echo: bool = False, make: MakeHost | None = None) -> bool:
-    """Listen on an address and print it; False if it cannot be used."""
+def listen(
+    server: Server, host: str, port: int, *, echo: bool = False, make: MakeHost | None = None
+) -> str | None:
+    """Listen on an address and return what to print; None if it cannot be used."""
     try:
         found, port = server.listen(host, port, echo, make)
     except (OSError, UnicodeError) as error:
-        return cannot(f"cannot listen on {shown(host, port)}", error)
+        cannot(f"cannot listen on {shown(host, port)}", error)
+        return None
     if not is_loopback(found):
         warn(
             f"warning: any computer that can reach this one can connect to {shown(found, port)}; there is "
             "no password"
         )
-    say(f"listening on {shown(found, port)}{'' if make is None else ' for MCAPI'}\n")
-    return True
+    return f"listening on {shown(found, port)}{'' if make is None else ' for MCAPI'}\n"
 
 
 def until_signal(server: Server | DriveServer) -> None:
@@ -72,11 +79,10 @@ def until_signal(server: Server | DriveServer) -> None:
             signal.signal(number, handler)
 
 
-def cannot(what: str, error: Exception, hint: str = "") -> bool:
-    """Report an address that cannot be served; return False."""
+def cannot(what: str, error: Exception, hint: str = "") -> None:
+    """Report an address that cannot be served."""
     reason = getattr(error, "strerror", None) or str(error)
     complain([Diagnostic("address", f"{what}: {reason.lower()}", hint=hint)], None, "")
-    return False
 
 
 def say(text: str) -> None:

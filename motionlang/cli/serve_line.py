@@ -59,13 +59,17 @@ def serve_line(
     limits, spy = Limits(hosts=args.max_hosts), Spy(remark) if args.log else None
     with Server(console, pace, limits=limits, spy=spy, complain=warn) as server:
         model = str(settings.get("controller.model", ""))
-        greet(args, named(model) or VIRTUAL, len(console.machine.controller.axes))
         modbus, status = None, 0
         try:
-            if open_lines(server, args):
+            opened = open_lines(server, args)
+            if opened is not None:
                 modbus = _open_modbus(args, server, console, pace, model)
-                if modbus is not None and source is not None:
-                    remark_on_mapping(source, model, say)
+                greet(args, named(model) or VIRTUAL, len(console.machine.controller.axes))
+                say(opened)
+                if modbus is not None:
+                    _say_modbus(modbus.server)
+                    if source is not None:
+                        remark_on_mapping(source, model, say)
                 until_signal(server)
             else:
                 status = 1
@@ -110,11 +114,14 @@ def _open_modbus(
     lines.in_turn.append(questions.answer_all)
     server = modbus_server(args, questions, model, warn)
     server.start()
+    return _Modbus(server, questions)
+
+
+def _say_modbus(server: ModbusServer) -> None:
     where = shown(server.host, server.port)
     say(f"listening on {where} (Modbus TCP)\n")
     if not is_loopback(server.host):
         warn(f"warning: any computer that can reach this one can write through {where}; there is no password")
-    return _Modbus(server, questions)
 
 
 def _pace(args: argparse.Namespace, console: MintConsole) -> Pace:

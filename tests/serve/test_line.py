@@ -181,4 +181,6 @@ def test_a_modbus_port_that_is_taken(tmp_path: Path, capsys: pytest.CaptureFixtu
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
         assert main(["serve", str(program), "--tcp", "0", "--modbus", str(port)]) == 1
-    assert f"cannot listen on 127.0.0.1:{port}: address already in use" in capsys.readouterr().err
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert f"cannot listen on 127.0.0.1:{port}: address already in use" in err
