@@ -97,7 +97,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.fast.transitions import Due
-    from motionlang.fast.walk import Switching, Walk
+    from motionlang.fast.walk import Ended, Switching, Walk
     from motionlang.lang.dependencies import Note
     from motionlang.lang.waits import Wait
     from motionlang.log.repeated import Row
@@ -384,6 +384,10 @@ class PolledTicks:
         if None in state:
             return None
         number = self._known.number(tuple(state), polling)
+        if number not in self._known.waits:
+            self._known.waits[number] = {
+                index: tasks[index].waited(tasks[index].wait, 0.0) for _, index, _ in dues if index != TICK
+            }
         statements = environment.statements
         dues.sort()
         lengths = list(map(len, self._streams))
@@ -513,6 +517,7 @@ class PolledTicks:
         assert events.tick_event is not None
         since = clock.now
         self._log_switches(walk)
+        self._log_waits(walk)
         if walk.reached[3] > last.number:
             self._log_handlers(walk)
             clock.reach(events.tick_event)
@@ -571,6 +576,39 @@ class PolledTicks:
             for number, base, origin, _ in switching
             for offset, rest in walk.steps[number].switches
         ]
+
+    def _log_waits(self, walk: Walk) -> None:
+        """Log the WAITs that end in a walk."""
+        first, log = 0, self._log
+        for each in walk.rounds:
+            self._log_ended(walk, first, each.past)
+            waits: dict[int, list[tuple[object, ...]]] = {}
+            for ended in walk.ended:
+                if each.first <= ended[0] < each.past:
+                    waits.setdefault(ended[2][1], []).extend(
+                        map(partial(self._waited, ended), range(ended[3]))
+                    )
+            for index, mine in waits.items():
+                log.repeated_waits.add((tuple(mine), each.times, each.shift.ends[index] / UNITS))
+            first = each.past
+        self._log_ended(walk, first, walk.good)
+
+    def _log_ended(self, walk: Walk, first: int, past: int) -> None:
+        """Log the WAITs that end in some transitions of a walk."""
+        for ended in walk.ended:
+            number, _, _, times, length = ended
+            if first <= number < past:
+                wait = self._waited(ended, 0)
+                self._log.waits.add(wait)
+                if times > 1:
+                    self._log.repeated_waits.add(((wait,), times - 1, length / UNITS))
+
+    def _waited(self, ended: Ended, k: int) -> tuple[object, ...]:
+        """Return the record of the WAIT that ends `k` WAITs after the first one."""
+        _, state, (end, index, begun), _, length = ended
+        name, at, _, _, *about = self._known.waits[state][index]
+        later = k * length / UNITS
+        return name, at, begun + later, end + later, *about
 
     def _log_handlers(self, walk: Walk) -> None:
         """Log a record for each tick of a walk.

@@ -13,6 +13,8 @@ from motionlang.lang.waits import ROUNDING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from motionlang.lang.dependencies import Note
 
 # A tick or the end of a WAIT: its time, the index of the task or `TICK`, and the beginning of the WAIT.
@@ -115,7 +117,8 @@ class Known:
 
     `alive` has the objects whose identity is part of a state. By state, `are_idle` is true if all tasks wait in it,
     `polling` is the name of the task that polls in it if there is just one, and `periods` has the period of that
-    task: its start after the checkpoint and its length, in statements.
+    task: its start after the checkpoint and its length, in statements. `waits` has the records of the WAITs in it, with
+    other times, by the index of the task.
     """
 
     def __init__(self, counters: int) -> None:
@@ -127,6 +130,7 @@ class Known:
         self.are_idle: list[bool] = []
         self.polling: list[str] = []
         self.periods: dict[int, tuple[float, float] | None] = {}
+        self.waits: dict[int, dict[int, tuple[Any, ...]]] = {}
         self.forget_transitions()
 
     def __len__(self) -> int:

@@ -12,6 +12,10 @@ Reached = tuple[float, float, list[Due], int]
 # The number of a transition that switches outputs, its base, its origin, and what its base is (`Mark.source`).
 Switching = tuple[int, float, float, tuple[int, int] | None]
 
+# The number of a transition in which a WAIT ends, its state, the end, how many such WAITs end one after another, and
+# how many units apart.
+Ended = tuple[int, int, Due, int, int]
+
 # Ticks of whole units are less than half a unit from them up to this time, s.
 LATEST_TICK = 3e4
 
@@ -86,11 +90,12 @@ class Round:
 class Walk:
     """Transitions in a row; the first `good` ones lead to the present state.
 
-    `rounds` are those that repeat, and `switching` those that switch outputs. `polling` has the number of each before
-    whose origin a task polls, the task and the statements of that. `reached` is where the good ones lead.
+    `rounds` are those that repeat, `switching` those that switch outputs, and `ended` the WAITs. `polling` has the
+    number of each before whose origin a task polls, the task and the statements of that. `reached` is where the good
+    ones lead.
     """
 
-    __slots__ = ("good", "origins", "polling", "reached", "rounds", "steps", "switching")
+    __slots__ = ("ended", "good", "origins", "polling", "reached", "rounds", "steps", "switching")
 
     def __init__(self) -> None:
         self.steps: list[Transition] = []
@@ -98,6 +103,7 @@ class Walk:
         self.origins: list[float] = []
         self.rounds: list[Round] = []
         self.switching: list[Switching] = []
+        self.ended: list[Ended] = []
         self.polling: list[tuple[int, str, float]] = []
         self.good = 0
         self.reached: Reached = 0.0, 0.0, [], 0

@@ -67,6 +67,8 @@ class Walker:
                 and dues[1][0] > moment + step.length * cost + APART
             ):
                 base, origin = moment, 0.0
+                if index != TICK:
+                    walk.ended.append((len(steps), state, dues[0], 1, 0))
                 del dues[0]
                 if step.state == state and step.is_proved and not step.switches:
                     times = self._repetitions(step, min(dues[0][0], end) - moment)
@@ -74,8 +76,13 @@ class Walker:
                     if times > 0:
                         walk.add(step, origin, times)
                         number += times if index == TICK else 0
-                        ends = units(moment) + times * step.waits[0][2] if step.waits else 0
-                        base = pace.tick(number) if index == TICK else ends / UNITS
+                        if index == TICK:
+                            base = pace.tick(number)
+                        else:
+                            _, offset, length = step.waits[0]
+                            due = (units(moment) + length) / UNITS, index, moment + offset * cost
+                            walk.ended.append((len(steps) - 1, state, due, times, length))
+                            base = (units(moment) + times * length) / UNITS
                 source = index, number
             else:
                 known = self.next(state, base, count, dues)
@@ -92,6 +99,8 @@ class Walker:
                 for due in passed:
                     if due[1] in step.open:
                         insort(dues, due)
+                    elif due[1] != TICK:
+                        walk.ended.append((len(steps), state, due, 1, 0))
             count = origin + step.length
             if not step.is_proved or base + count * cost >= end:
                 break

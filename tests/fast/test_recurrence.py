@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from math import inf
 from types import SimpleNamespace
@@ -11,8 +10,6 @@ from typing import Any
 import pytest
 
 from motionlang import run
-from motionlang.analysis.cycle.export import json_pieces
-from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.controller.faults import Rejected
 from motionlang.fast import recurrence
 from motionlang.fast.recurrence import Recurrence
@@ -25,7 +22,6 @@ from motionlang.result import Run
 from motionlang.source import Source
 from tests.cases import cases
 from tests.counted_calls import count_calls
-from tests.generated import tasks
 from tests.generated.tasks import every_iteration
 
 TYPE_CHECKING = False
@@ -213,20 +209,6 @@ def test_it_is_as_every_iteration_has_it(text: str, cost: float) -> None:
     with every_iteration():
         carried_out = ran(text, until=3.0, cost=cost)
     assert (skipped.output, skipped.time) == (carried_out.output, carried_out.time)
-
-
-@pytest.mark.parametrize("seed", [15, 28, 30, 34, 69])
-def test_the_time_profile_does_not_depend_on_accelerators(seed: int) -> None:
-    """Skipped periods compute and wait like the others, up to rounding."""
-    text, machine = tasks.program(seed)
-
-    def profile(fast: bool) -> str:
-        made = run(Source("a.mnt", text), machine=machine, cache=False, until=1.5, fast=fast)
-        return re.sub(
-            r"\d+\.\d+", lambda found: f"{float(found[0]):.9f}", "".join(json_pieces(TimeProfile(made)))
-        )
-
-    assert profile(True) == profile(False)
 
 
 def test_tasks_that_hand_a_variable_to_and_fro_for_ever_are_skipped() -> None:
