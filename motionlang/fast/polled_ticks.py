@@ -581,27 +581,22 @@ class PolledTicks:
         """Log the WAITs that end in a walk."""
         first, log = 0, self._log
         for each in walk.rounds:
-            self._log_ended(walk, first, each.past)
+            self._log_ended(walk.ended_between(first, each.past))
             waits: dict[int, list[tuple[object, ...]]] = {}
-            for ended in walk.ended:
-                if each.first <= ended[0] < each.past:
-                    waits.setdefault(ended[2][1], []).extend(
-                        map(partial(self._waited, ended), range(ended[3]))
-                    )
+            for ended in walk.ended_between(each.first, each.past):
+                waits.setdefault(ended[2][1], []).extend([self._waited(ended, k) for k in range(ended[3])])
             for index, mine in waits.items():
                 log.repeated_waits.add((tuple(mine), each.times, each.shift.ends[index] / UNITS))
             first = each.past
-        self._log_ended(walk, first, walk.good)
+        self._log_ended(walk.ended_between(first, walk.good))
 
-    def _log_ended(self, walk: Walk, first: int, past: int) -> None:
-        """Log the WAITs that end in some transitions of a walk."""
-        for ended in walk.ended:
-            number, _, _, times, length = ended
-            if first <= number < past:
-                wait = self._waited(ended, 0)
-                self._log.waits.add(wait)
-                if times > 1:
-                    self._log.repeated_waits.add(((wait,), times - 1, length / UNITS))
+    def _log_ended(self, waits: list[Ended]) -> None:
+        """Log some WAITs that end in a walk."""
+        self._log.waits.extend([self._waited(ended, 0) for ended in waits])
+        for ended in waits:
+            times, length = ended[3:]
+            if times > 1:
+                self._log.repeated_waits.add(((self._waited(ended, 0),), times - 1, length / UNITS))
 
     def _waited(self, ended: Ended, k: int) -> tuple[object, ...]:
         """Return the record of the WAIT that ends `k` WAITs after the first one."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections import Counter
 
 from motionlang.fast.transitions import TICK, Due, Transition
@@ -113,6 +114,11 @@ class Walk:
         self.steps += [step] * times
         self.origins += [origin] * times
 
+    def end_wait(self, state: int, due: Due) -> None:
+        """Note that a WAIT, if it is one, ends in the next transition."""
+        if due[1] != TICK:
+            self.ended.append((len(self.steps), state, due, 1, 0))
+
     def times(self) -> Counter[Transition]:
         """Return how often each transition passes."""
         times = Counter(self.steps[: self.good])
@@ -120,6 +126,10 @@ class Walk:
             for step in self.steps[each.first : each.past]:
                 times[step] += each.times
         return times
+
+    def ended_between(self, first: int, past: int) -> list[Ended]:
+        """Return the WAITs that end in some transitions."""
+        return self.ended[bisect_left(self.ended, (first,)) : bisect_left(self.ended, (past,))]
 
     def polled(self, first: int) -> list[tuple[str, float]]:
         """Return the tasks that poll, from one on, and their statements."""

@@ -55,10 +55,9 @@ class Walker:
         # What `base` is, as in `Mark`; None if it is that of the checkpoint.
         source: tuple[int, int] | None = None
         walk = Walk()
-        steps = walk.steps
         rounds = Rounds(walk, pace, end, partial(self._again, own.state, end))
         limit = min(most, MAX_WALK)
-        while len(steps) < limit:
+        while len(walk.steps) < limit:
             moment, index, _ = dues[0]
             step = alone.get((state, index))
             if (
@@ -67,22 +66,14 @@ class Walker:
                 and dues[1][0] > moment + step.length * cost + APART
             ):
                 base, origin = moment, 0.0
-                if index != TICK:
-                    walk.ended.append((len(steps), state, dues[0], 1, 0))
-                del dues[0]
+                due = dues.pop(0)
+                walk.end_wait(state, due)
                 if step.state == state and step.is_proved and not step.switches:
-                    times = self._repetitions(step, min(dues[0][0], end) - moment)
-                    times = min(times, limit - len(steps) - 1)
+                    left = min(dues[0][0], end) - moment
+                    times = min(self._repetitions(step, left), limit - len(walk.steps) - 1)
                     if times > 0:
-                        walk.add(step, origin, times)
+                        base = self._repeat(walk, step, due, number, times)
                         number += times if index == TICK else 0
-                        if index == TICK:
-                            base = pace.tick(number)
-                        else:
-                            _, offset, length = step.waits[0]
-                            due = (units(moment) + length) / UNITS, index, moment + offset * cost
-                            walk.ended.append((len(steps) - 1, state, due, times, length))
-                            base = (units(moment) + times * length) / UNITS
                 source = index, number
             else:
                 known = self.next(state, base, count, dues)
@@ -92,33 +83,33 @@ class Walker:
                 if since != base:
                     base, source = since, (index, number)
                 elif origin > count:
-                    walk.polling.append((len(steps), self._known.polling[state], origin - count))
+                    walk.polling.append((len(walk.steps), self._known.polling[state], origin - count))
                 passed, dues = dues[:depth], dues[depth:]
                 if rounds.left and _rounding_decides([*passed, dues[0]], base):
-                    rounds.unsure = len(steps) + 1
+                    rounds.unsure = len(walk.steps) + 1
                 for due in passed:
                     if due[1] in step.open:
                         insort(dues, due)
-                    elif due[1] != TICK:
-                        walk.ended.append((len(steps), state, due, 1, 0))
+                    else:
+                        walk.end_wait(state, due)
             count = origin + step.length
             if not step.is_proved or base + count * cost >= end:
                 break
             if step.switches:
-                walk.switching.append((len(steps), base, origin, source))
+                walk.switching.append((len(walk.steps), base, origin, source))
             walk.add(step, origin)
             for task, offset, wait_units in step.waits:
                 time = (units(base) + int(origin) * cost_units + wait_units) / UNITS
                 insort(dues, (time, task, base + (origin + offset) * cost))
                 if source is not None and source[0] == TICK and not pace.is_whole:
-                    rounds.unsure = len(steps)
+                    rounds.unsure = len(walk.steps)
             if step.handler is not None:
                 number += 1
                 insort(dues, (pace.tick(number), TICK, 0.0))
             state = step.state
             if state == own.state and pace.tick(number) > base + count * cost:
-                walk.good, walk.reached = len(steps), (base, count, dues[:-1], number)
-                if rounds.left and rounds.found(source, most - len(steps)):
+                walk.good, walk.reached = len(walk.steps), (base, count, dues[:-1], number)
+                if rounds.left and rounds.found(source, most - len(walk.steps)):
                     source = None if source is None else (source[0], source[1] + walk.reached[3] - number)
                     base, count, dues, number = walk.reached
                     dues = [*dues, NO_DUE]
@@ -129,6 +120,17 @@ class Walker:
     def _again(self, state: int, end: float, reached: Reached, most: int) -> Walk | None:
         """Return the next transitions from where a walk leads."""
         return self.walk_all(Checkpoint(state, *reached, ()), end, most)
+
+    def _repeat(self, walk: Walk, step: Transition, due: Due, number: int, times: int) -> float:
+        """Add a transition to its own state so many times; return the base after them."""
+        moment, index, _ = due
+        walk.add(step, 0.0, times)
+        if index == TICK:
+            return self._pace.tick(number + times)
+        _, offset, length = step.waits[0]
+        first = (units(moment) + length) / UNITS, index, moment + offset * self._pace.cost
+        walk.ended.append((len(walk.steps) - 1, step.state, first, times, length))
+        return (units(moment) + times * length) / UNITS
 
     def _repetitions(self, step: Transition, left: float) -> int:
         """Return how often a transition to its own state fits before another tick or end."""
