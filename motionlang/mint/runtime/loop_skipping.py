@@ -165,9 +165,12 @@ class Site:
         several = len(scheduler.tasks) > 1
         # Periods of several tasks do not support counters.
         task.poll_check = None if several and self.carries else (environment.acts, self.reads)
-        # A loop that counts may end by itself.
-        is_futile = self.reads and counters == before and level == INFINITY and now - began <= WATCH
-        task.futile = environment.acts if is_futile else None
+        # A loop that counts may end by itself. The length of an iteration in which other tasks were skipped says
+        # nothing, so that of an earlier one decides.
+        if not self.reads or counters != before or level != INFINITY:
+            task.futile = None
+        elif now - began <= WATCH:
+            task.futile = environment.acts
         task.last_poll = self.read_names
         if several and not self.reads and not scheduler.reach():
             return None  # a loop that only counts is quicker unchecked than skipped slice by slice

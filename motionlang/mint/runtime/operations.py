@@ -94,11 +94,10 @@ class Operations:
     def reported(self, act: Callable[..., object]) -> Operation:
         """Return the operation for a write that reports whether it changed anything."""
         environment = self._environment
-        dependencies = environment.dependencies
 
         def write(*arguments: object) -> None:
             acts, switches = environment.acts, environment.switches
-            if not act(*arguments) and dependencies.notes is not None:
+            if not act(*arguments):
                 environment.acts, environment.switches = acts - 1, switches
 
         return self.timed(write)
@@ -106,13 +105,10 @@ class Operations:
     def repeated(self, act: Callable[..., object], replaced: Callable[..., object]) -> Operation:
         """Return the operation for a write that a polling loop may repeat."""
         environment = self._environment
-        dependencies, clock = environment.dependencies, environment.clock
+        clock = environment.clock
 
         def write(*arguments: object) -> None:
             acts, switches = environment.acts, environment.switches
-            if dependencies.notes is None:  # this iteration is unchecked
-                act(*arguments)
-                return
             before, made = replaced(*arguments), clock.made
             act(*arguments)
             if clock.made == made and replaced(*arguments) == before:

@@ -430,6 +430,27 @@ def test_what_a_task_still_polled_for_at_the_end_is_no_figure_of_the_run() -> No
     ]
 
 
+LAMPS = """
+SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500
+Run A
+Run B
+MOVEA(0) = 100 : GO(0)
+While INX(5) = 0
+End While
+End
+Task A
+Loop
+  OUTX(9) = INX(3)
+  WAIT({})
+End Loop
+End Task
+Task B
+Loop
+  If ABS(VEL(0)) > 10 Then OUTX(8) = 1 Else OUTX(8) = 0
+  WAIT({})
+End Loop
+End Task
+"""
 FOLLOWER = """
 MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0 : FOLLOW(1) = 0.5
 SPEED(0) = 100
@@ -464,6 +485,18 @@ End Task
                 f"line 8: t still polled INX(6), {IN_VAIN}",
             ],
         ),
+        # Writes that change nothing, also in iterations that are not checked or that others are skipped in.
+        *[
+            (
+                LAMPS.format(*waits),
+                [
+                    f"line 6: ParentTask still polled INX(5), {IN_VAIN}",
+                    f"line 12: a still polled INX(3), {IN_VAIN}",
+                    f"line 18: b still polled VEL(0), {IN_VAIN}",
+                ],
+            )
+            for waits in [(5, 4), (3, 0), (3, 4)]
+        ],
         # A task that counts may end by itself, and what takes more than 30 ms is a display.
         ("Run Other\nWhile INX(5) = 0\nEnd While\nEnd\nTask Other\nLoop\nn = n + 1\nEnd Loop\nEnd Task", []),
         ("Loop\nIf INX(5) Then OUTX(1) = 1\nWAIT(31)\nEnd Loop", []),
