@@ -6,15 +6,18 @@ outcome of a reading that changes by itself is the side on which it is of each c
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import Any
-
 from motionlang.mint.compile import operators
-from motionlang.mint.compile.body import Body
 from motionlang.mint.compile.polling import plainly_acts, reached
 from motionlang.mint.resolve.symbols import TIME
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+    from typing import Any
+
+    from motionlang.mint.compile.body import Body
 
 # A keyword, its index, and the constant that it is compared with.
 Reading = tuple[str, int, float | None]
