@@ -139,6 +139,8 @@ class Scheduler:
         self._next_index = 0
         self._stalls = 0
         machine.log.locate_by(self._where)
+        if outside is None:
+            machine.log.slices.alone(machine.clock.now)
         # The length of the time slices of a round, and how many of them remain.
         self._length, self._left = QUANTUM, 0
 
@@ -170,6 +172,7 @@ class Scheduler:
         """Run a task to its end before any other continues."""
         self.invalidate_waits()
         self.machine.log.note(self.clock.now, "handler", text=task.name)
+        self.machine.log.slices.handlers.add(task.name)
         self.interrupts.append(task)
 
     def run(self, until: float = INFINITY) -> str:
@@ -286,14 +289,18 @@ class Scheduler:
         advance(time)
         while clock.now < time:
             advance(time)
+        slices = self.machine.log.slices
         if several:
-            stops = task.wait is not None or task.done
-            self.machine.log.slices.took(task.name, self.began, clock.now, stops)
+            slices.took(task.name, self.began, clock.now, task.wait is not None or task.done)
+        elif len(self.tasks) > 1:
+            slices.shared(clock.now)
         if self._end and not (event <= time < self._end and self._goes_on(task)):
             self._end = 0.0
             self.slice_over(task)
         if task.done and task is not self.parent:
             self._forget(task)
+        if several and len(self.tasks) == 1 and self.outside is None:
+            slices.alone(clock.now)
 
     def reach(self) -> float:
         """Return until when the running task may run alone without acting; 0 if not alone.
@@ -416,9 +423,8 @@ class Scheduler:
                 first = due
         self.current = task
         self._alone = len(waiting) == (0 if self.interrupts else len(self.tasks) - 1)
-        return (
-            first - 0.5 * ROUNDING
-        )  # if a statement coincides with it, rounding does not decide which comes first
+        # If a statement coincides with it, rounding does not decide which comes first.
+        return first - 0.5 * ROUNDING
 
     def _advance(self, time: float) -> None:
         if self.outside is not None:

@@ -78,7 +78,7 @@ class TimeSlices(NamedTuple):
     """The tasks that alternated from `time` to `until`, without a wait.
 
     `seconds` is how long each of `tasks` had the processor. The rest of the total time are skipped
-    polls.
+    polls. Without tasks, the first one was alone for this time, and its slices are not recorded.
     """
 
     time: float

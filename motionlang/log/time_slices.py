@@ -21,16 +21,30 @@ else:
 class TimeSliceStream(TimeSlicesInOrder):
     """`TimeSlices` in order of time.
 
-    Tasks that alternate without a wait form one record.
+    Tasks that alternate without a wait form one record. While a task is the only one, its time slices are not
+    recorded: a record without tasks has the time from which to which one was alone, and a program of one
+    task has no records. `handlers` has the names of those that are event handlers.
     """
 
-    __slots__ = ("_began", "seconds")
+    __slots__ = ("_alone_since", "_began", "handlers", "seconds")
 
     def __init__(self, store: Store) -> None:
         super().__init__(store, "TimeSlices")
         # How long each task has computed since one of them began or ended a wait, and the time of that.
         self.seconds: dict[str, float] = {}
         self._began = 0.0
+        self._alone_since: float | None = None
+        self.handlers: set[str] = set()
+
+    def alone(self, now: float) -> None:
+        """Record that there is only one task from now on."""
+        self._alone_since = now
+
+    def shared(self, now: float) -> None:
+        """Record that there was only one task until now."""
+        if self._alone_since is not None:
+            self.add((self._alone_since, now, (), ()))
+            self._alone_since = None
 
     def took(self, task: str, began: float, now: float, stops: bool) -> None:
         """Record a time slice of a task; `stops` is true if the task then waits or ends."""
@@ -73,6 +87,8 @@ class TimeSliceStream(TimeSlicesInOrder):
         yield from self
         if self.seconds:
             yield from self._typed([(self._began, now, tuple(self.seconds), tuple(self.seconds.values()))])
+        if len(self) and self._alone_since is not None:
+            yield from self._typed([(self._alone_since, now, (), ())])
 
     def close(self, now: float) -> None:
         """Write the current record, because a task begins or ends a wait."""

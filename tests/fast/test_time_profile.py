@@ -12,7 +12,7 @@ from motionlang.analysis.cycle.export import json_pieces
 from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.source import Source
 from tests.cases import cases
-from tests.generated import handlers, tasks
+from tests.generated import handlers, polls, tasks
 
 # Two tasks; the one that polls on runs for 1 ms, then the other one for as long, and the parent waits 45 ms at a time.
 ALTERNATING = """
@@ -50,7 +50,7 @@ def test_skipped_periods_compute_and_wait_like_the_others(fast: bool) -> None:
 
 @cases(
     "family, seeds",
-    ((tasks, (15, 28, 34, 69)), (handlers, (5, 63, 65, 79, 89, 97, 98))),
+    ((tasks, (15, 28, 34, 69)), (handlers, (5, 63, 65, 79, 89, 97, 98, 5084)), (polls, (5024, 5025, 5060))),
 )
 def test_the_time_profile_does_not_depend_on_accelerators(family: ModuleType, seeds: tuple[int, ...]) -> None:
     """Up to rounding."""

@@ -2,7 +2,7 @@
 
 A single task has the processor whenever it does not wait. If several run, the log records which of them
 computed between waits. For the rest of its life a task was ready while others had the processor, or its polls
-without effect were skipped.
+without effect were skipped. A handler is never ready: the time between its calls is no part of its life.
 """
 
 from __future__ import annotations
@@ -28,9 +28,11 @@ MAX_REPEATED = 100_000
 
 @record
 class TaskTime:
-    """The time of one task from `begin` to `end`, in seconds.
+    """The time of one task, in seconds.
 
-    It splits into `waiting` by cause, `computing`, and `ready` while other tasks computed.
+    It splits into `waiting` by cause, `computing`, and `ready` while other tasks computed, and is that from `begin` to
+    `end`. A handler is there for the whole program; its times are those of its calls while there was more than one
+    task.
     """
 
     name: str
@@ -42,8 +44,8 @@ class TaskTime:
 
     @property
     def life(self) -> float:
-        """The time from the start of the task to its end, seconds."""
-        return self.end - self.begin
+        """The sum of these times, seconds."""
+        return fsum((*self.waiting.values(), self.computing, self.ready))
 
 
 def reported(waits: Iterable[Wait]) -> Iterator[Wait]:
@@ -113,26 +115,57 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
 
     The parent comes first, then the others in order of their start.
     """
-    parent, over = parent_of(run), ended_at(run)
+    parent, over, slices = parent_of(run), ended_at(run), run.machine.log.slices
     first: dict[str, float] = {}
     last: dict[str, float] = {}
     computed: dict[str, list[float]] = {}
-    for time_slice in run.machine.log.slices.up_to(run.time):
+    alone: list[tuple[float, float]] = []
+    for time_slice in slices.up_to(run.time):
+        if not time_slice.tasks:
+            alone.append((time_slice.time, min(time_slice.until, over)))
         for name, seconds in zip(time_slice.tasks, time_slice.seconds, strict=True):
             computed.setdefault(name, []).append(seconds)
             first.setdefault(name, time_slice.time)
             last[name] = time_slice.until
+    scheduler = run.machine.scheduler
+    running = {task.name for task in scheduler.tasks if not task.done} if scheduler is not None else set()
     made = []
     for name in dict.fromkeys((parent, *first, *waits)):
         mine = waits.get(name, [])
         begin = 0.0 if name == parent else min(first.get(name, over), mine[0][2] if mine else over)
-        end = over if name == parent else max(last.get(name, begin), mine[-1][3] if mine else begin)
+        end = (
+            over
+            if name == parent or name in running
+            else max(last.get(name, begin), mine[-1][3] if mine else begin)
+        )
         waiting: dict[str, list[float]] = defaultdict(list)
         for _, _, since, until, cause, _, _, _ in reported(mine):
             waiting[cause].append((until if until < end else end) - since)
         causes = {cause: fsum(times) for cause, times in waiting.items()}
-        rest = fsum((end, -begin, *(-time for time in causes.values())))
-        computing = fsum(computed[name]) if name in computed and len(first) > 1 else rest
+        computing, rest = (
+            fsum(computed.get(name, ())),
+            fsum((end, -begin, *(-time for time in causes.values()))),
+        )
+        if not slices:
+            computing = rest
+        elif name == parent:
+            computing = fsum((computing, *(until - since for since, until in alone), -_within(mine, alone)))
         computing = min(computing, rest)
-        made.append(TaskTime(name, begin, end, causes, computing, fsum((rest, -computing))))
+        if name in slices.handlers:
+            made.append(TaskTime(name, 0.0, over, causes, computing, 0.0))
+        else:
+            made.append(TaskTime(name, begin, end, causes, computing, fsum((rest, -computing))))
     return made
+
+
+def _within(waits: list[Wait], phases: list[tuple[float, float]]) -> float:
+    """Return for how long waits lasted within some phases, both in order of time."""
+    lengths, first = [], 0
+    for _, _, since, until, *_ in waits:
+        while first < len(phases) and phases[first][1] <= since:
+            first += 1
+        for began, ended in phases[first:]:
+            if began >= until:
+                break
+            lengths.append(min(until, ended) - max(since, began))
+    return fsum(lengths)

@@ -134,6 +134,31 @@ def test_tasks_have_their_own_times() -> None:
     assert slow.computing < 0.1 * parent.computing
 
 
+def test_a_task_computes_while_it_is_alone() -> None:
+    """An iteration takes 20 µs: 50 000 before the other task starts, then 1 000.
+
+    The other task computes for 0.1 s, so both need twice as long at that time.
+    """
+    parent, other = profiled(
+        "Dim n As Integer, k As Integer\nFor n = 1 To 50000\n  k = n\nNext\nRun Other\n"
+        "For n = 1 To 1000\n  k = n\nNext\nWAIT(1000)\nEnd\n"
+        "Task Other\n  Dim m As Integer, i As Integer\n  For m = 1 To 5000\n    i = m\n  Next\nEnd Task\n"
+    ).tasks
+    assert parent.computing == pytest.approx(1.02, abs=1e-4)
+    assert [parent.ready, other.ready] == pytest.approx([0.02, 0.02], abs=2e-3)
+    assert other.computing == pytest.approx(0.1, abs=1e-4)
+
+
+def test_a_handler_is_never_ready() -> None:
+    """It is called every 10 ms for a second, and computes for one statement of 10 µs."""
+    *_, handler = profiled(
+        "Dim n As Integer\nTIMEREVENT = 10\nRun Other\nWAIT(1000)\nEnd\n"
+        "Task Other\n  PAUSE INX(5)\nEnd Task\nEvent TIMER\n  n = n + 1\nEnd Event\n"
+    ).tasks
+    assert (handler.name, handler.ready, handler.waiting) == ("timer", 0.0, {})
+    assert handler.life == handler.computing == pytest.approx(100 * 10e-6, abs=2e-5)
+
+
 def test_a_task_may_wait_for_a_move_that_began_before_it() -> None:
     """The path goes from the second move to the task, from its wait to the first move.
 
