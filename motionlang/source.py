@@ -104,7 +104,19 @@ class Source:
     def read(cls, path: str | os.PathLike[str]) -> Source:
         """Read a file; raise OSError if `open` does, or if the file is not text."""
         with open(path, "rb") as file:
-            return cls.from_bytes(os.path.basename(os.fspath(path)), without_padding(contents(file)))
+            return cls.from_file(os.path.basename(os.fspath(path)), file)
+
+    @classmethod
+    def from_file(cls, name: str, file: BinaryIO) -> Source:
+        """Read an open file.
+
+        An OSError has its name, unlike one of an output that cannot be written.
+        """
+        try:
+            return cls.from_bytes(name, without_padding(contents(file)))
+        except OSError as error:
+            error.filename = name
+            raise
 
     def line(self, number: int) -> str:
         """Return the text of line `number`, counted from 1; "" if there is none."""

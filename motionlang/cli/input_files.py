@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from marshal import dumps, loads
 
-from motionlang.source import STDIN, STDIN_NAME, Source, contents, without_padding
+from motionlang.source import STDIN, STDIN_NAME, Source
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 def read_source(file: str) -> Source:
     """Return the program of a file, or of standard input for `-`; may raise OSError."""
     if file == STDIN:
-        return Source.from_bytes(STDIN_NAME, without_padding(contents(sys.stdin.buffer)))
+        return Source.from_file(STDIN_NAME, sys.stdin.buffer)
     return Source.read(file)
 
 

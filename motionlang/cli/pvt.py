@@ -111,7 +111,8 @@ def export(args: argparse.Namespace) -> int:
     error, when = _error(move, from_wire(made.read_back), args.start or 0.0)
     span = total(p.time for p in points)
     worst = f"largest error {error:.3g} counts at {when:.3f} s" if error > NOISE else "no error"
-    head = f"# {move.name}: {len(points) - 1} segments, {span:.3f} s, {worst}"
+    count = len(points) - 1
+    head = f"# {move.name}: {count} segment{'s' * (count != 1)}, {span:.3f} s, {worst}"
     _write(args.output, [head, *made.lines])
     if args.plot:
         _draw([_planned(from_wire(made.read_back), args.start)], [move.name], args.plot)

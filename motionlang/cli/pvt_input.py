@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import argparse
 import os
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
 
+from motionlang.cli.input_files import read_source
 from motionlang.cli.signals import SIGNALS
 from motionlang.copley.point import check_points
 from motionlang.errors import Diagnostic, ProgramError
@@ -78,7 +78,7 @@ def read_move(args: argparse.Namespace) -> Move:
     else:
         move = _from_file(args)
     if args.velocities:
-        move.points = _with_velocities(move.points, args.velocities, args.sweeps or 1)
+        _choose_velocities(move, args.velocities, args.sweeps or 1)
     if args.linear:
         move.points = [replace(point, velocity=None) for point in move.points]
     return move
@@ -131,7 +131,8 @@ def _from_positions(args: argparse.Namespace) -> Move:
         raise UsageError("--positions needs at least two positions")
     times = args.time if len(args.time) > 1 else args.time * (len(args.positions) - 1)
     if len(times) != len(args.positions) - 1:
-        raise UsageError(f"{len(args.positions)} positions need 1 or {len(args.positions) - 1} times")
+        wanted = "1 time" if len(args.positions) == 2 else f"1 or {len(args.positions) - 1} times"
+        raise UsageError(f"{len(args.positions)} positions need {wanted}, not {len(times)}")
     spans = [time / 1000.0 for time in times]
     velocities = _velocities(args.positions, spans, args.velocities or "exact", args.sweeps or 1)
     return Move("points", points_from(args.positions, velocities, spans))
@@ -141,7 +142,8 @@ def _from_scurve(args: argparse.Namespace) -> Move:
     from motionlang.planners.pvt.scurve import limited_scurve, scurve
 
     if (args.time is None) == (args.jerk is None):
-        raise UsageError("--scurve needs --time (of one of its four segments, ms) or --jerk (counts/s3)")
+        either = "needs" if args.time is None else "takes either"
+        raise UsageError(f"--scurve {either} --time (of one of its four segments, ms) or --jerk (counts/s³)")
     limits = args.accel or inf, args.speed or inf
     try:
         if args.time is not None:
@@ -160,13 +162,11 @@ def _from_scurve(args: argparse.Namespace) -> Move:
 
 
 def _from_file(args: argparse.Namespace) -> Move:
-    from motionlang.source import Source
-
     if _is_program(args.file):
         return _from_program(args)
     from motionlang.copley.table import read_points
 
-    source = Source("standard input", sys.stdin.read()) if args.file == "-" else Source.read(args.file)
+    source = read_source(args.file)
     try:
         table = read_points(source)
     except ProgramError as error:
@@ -180,9 +180,10 @@ def _from_file(args: argparse.Namespace) -> Move:
         ]
     elif args.time is not None:
         raise UsageError(f"{source.name} has its own times: --time has no effect")
+    move = Move(source.name, points, source, table.lines)
     if "velocity" not in table.has and not args.velocities:
-        points = _with_velocities(points, "exact", args.sweeps or 1)
-    return Move(source.name, points, source, table.lines)
+        _choose_velocities(move, "exact", args.sweeps or 1)
+    return move
 
 
 class SourceError(Exception):
@@ -238,6 +239,19 @@ def _span(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple[float, 
     last = moving[-1]
     ends = starts[last] + profiles[last].duration
     return starts[moving[0]], min(ends, starts[last + 1]) if last + 1 < len(starts) else ends
+
+
+def _choose_velocities(move: Move, method: str, sweeps: int) -> None:
+    """Replace the velocities of a move.
+
+    The points that prevent it are named with their lines.
+    """
+    try:
+        move.points = _with_velocities(move.points, method, sweeps)
+    except ProgramError:
+        if move.source is None:
+            raise
+        raise SourceError(move.source, diagnose(move, None, strict=True)) from None
 
 
 def _with_velocities(points: Sequence[Point], method: str, sweeps: int) -> list[Point]:

@@ -98,6 +98,8 @@ class Master:
             raise StreamError(f"there is no way {transfer!r} to stream; there is {', '.join(TRANSFERS)}")
         try:
             return self._stream(points, transfer)
+        except packet.BadPacket as problem:
+            raise StreamError(str(problem)) from None
         except canopen.SdoCommunicationError:
             raise StreamError(f"node {self.node_id} does not answer") from None
         except canopen.SdoAbortedError as rejected:

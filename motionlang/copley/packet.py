@@ -170,7 +170,10 @@ def _fitting(i: int, point: WirePoint, last: int | None) -> WirePoint:
     if point.velocity is None or point.position in INT24:
         return point
     if point.relative or last is None or point.position - last not in INT24:
-        raise BadPacket(f"point {i}: neither its position nor its distance fits 24 bits")
+        raise BadPacket(
+            f"point {i}: neither its position nor its distance fits the 24 bits of object 0x2010; "
+            "object 0x60C1 has 32"
+        )
     return WirePoint(point.position - last, point.velocity, point.time, relative=True)
 
 

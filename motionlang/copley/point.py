@@ -132,7 +132,7 @@ def _time_trouble(i: int, time: float, count: int) -> BadPoint | None:
         effect = "end the move at this point" if seen == 0 else f"take {seen} ms"
         return BadPoint(
             i,
-            f"the time {wire} ms is longer than {MAX_TIME} ms",
+            f"the time {exact:.15g} ms is longer than {MAX_TIME} ms",
             f"the field holds eight bits: the drive would {effect}",
         )
     if abs(exact - wire) > 1e-6:

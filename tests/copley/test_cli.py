@@ -80,16 +80,21 @@ def test_many_bad_points_are_counted(tmp_path: Path) -> None:
         (["plot", "--positions", "0,1,2,3", "--time", "1,2"], "4 positions need 1 or 3 times"),
         (["plot", "--positions", "0", "--time", "1"], "at least two positions"),
         (["plot", "--scurve", "5"], "--scurve needs --time"),
-        (["plot", "--scurve", "5", "--time", "1", "--jerk", "1"], "--scurve needs --time"),
+        (["plot", "--scurve", "5", "--time", "1", "--jerk", "1"], "--scurve takes either --time"),
+        (["plot", "--positions", "0,1", "--time", "0"], "'0' is not a number greater than zero"),
+        (["plot", "--positions", "0,1", "--time", "1,2"], "2 positions need 1 time, not 2"),
         (["plot", "--scurve", "5", "--time", "1", "--speed", "1"], "four equal segments"),
         (["plot", "--positions", "0,1", "--time", "5", "--jerk", "1"], "--jerk has no effect here"),
         (["plot", "--scurve", "5", "--time", "1", "--axis", "1"], "--axis has no effect here"),
         (["plot", "--positions", "0,1", "--time", "5", "--sweeps", "2"], "--sweeps has no effect here"),
         (["plot", "--scurve", "5", "--time", "1", "--plot", "x.gif"], "a .png or an .svg file"),
         (["plot", "--positions", "0,x", "--time", "1"], "not numbers with commas between them"),
-        (["plot", "--scurve", "nan", "--time", "1"], "'nan' is not from"),
-        (["export", "--scurve", "5", "--time", "1", "--node", "128"], "'128' is not from 1 to 127"),
-        (["stream", "--scurve", "5", "--time", "1", "--poll-interval", "0"], "'0' is not from"),
+        (["plot", "--scurve", "nan", "--time", "1"], "'nan' is not a number"),
+        (["export", "--scurve", "5", "--time", "1", "--node", "128"], "'128' is not a node from 1 to 127"),
+        (
+            ["stream", "--scurve", "5", "--time", "1", "--poll-interval", "0"],
+            "'0' is not a number greater than zero",
+        ),
         (["export", "--scurve", "5", "--time", "1", "--format", "xml"], "'xml' is not one of"),
         ([], "required"),
     ],
@@ -111,7 +116,7 @@ def test_a_wrong_command_line_is_status_2(words: list[str], message: str) -> Non
         ),
         (
             ["export", "--positions", "0,20000000,0", "--time", "5", "--format", "pdo"],
-            "error[range]: point 1: neither its position nor its distance fits 24 bits\n",
+            "error[range]: point 1: neither its position nor its distance fits the 24 bits of object 0x2010;",
         ),
         (
             ["export", "--scurve", "1000", "--time", "100.5"],
@@ -123,6 +128,10 @@ def test_a_wrong_command_line_is_status_2(words: list[str], message: str) -> Non
         (
             ["stream", "--scurve", "1000", "--jerk", "500000", "--speed", "3000", "--transfer", "-1"],
             "the stream failed: sub-modes 0 and -1 need one time for all segments",
+        ),
+        (
+            ["stream", "--positions", "0,20000000,0", "--time", "5"],
+            "the stream failed: point 1: neither its position nor its distance fits the 24 bits",
         ),
         (
             ["stream", "--scurve", "10000", "--jerk", "500000", "--speed", "300", "--poll-interval", "30000"],
@@ -297,7 +306,7 @@ def test_a_file_of_no_language_is_a_wrong_command_line(tmp_path: Path) -> None:
 
 
 def test_points_come_from_standard_input(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("sys.stdin", io.StringIO("0\n10\n30\n"))
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"0\n10\n30\n")))
     answer = pvt("export", "-", "--time", "10", "--velocities", "zero")
     assert answer.out.splitlines()[1:] == ["position,velocity,time", "0,0,10", "10,0,10", "30,0,0"]
 
@@ -315,3 +324,18 @@ def test_a_bus_that_is_not_there(words: list[str], message: str, monkeypatch: py
     answer = pvt("stream", "--scurve", "10", "--time", "5", *words)
     assert answer.status == 1
     assert answer.err.startswith(message)
+
+
+def test_a_file_that_is_no_text_is_named(tmp_path: Path) -> None:
+    file = tmp_path / "points.csv"
+    file.write_bytes(b"0,0,10\0\1\2\n")
+    answer = pvt("plot", str(file))
+    assert (answer.status, answer.err) == (1, "error[file]: points.csv: not a text file\n")
+
+
+def test_a_time_that_prevents_velocities_is_named_with_its_line(tmp_path: Path) -> None:
+    file = tmp_path / "points.csv"
+    file.write_text("position,time\n0,10\n100,-5\n200,0\n")
+    answer = pvt("refine", str(file))
+    assert (answer.status, answer.out) == (1, "")
+    assert answer.err.startswith("error[range]: point 1: the time is negative\n --> points.csv:3\n")

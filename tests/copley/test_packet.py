@@ -132,7 +132,7 @@ def test_a_distance_counts_from_the_position_that_a_relative_point_reaches() -> 
 
 def test_a_distance_beyond_24_bits_is_named_by_its_point() -> None:
     points = [WirePoint(0, 0, 10), WirePoint(20_000_000, 0, 0)]
-    with pytest.raises(BadPacket, match="point 1: neither its position nor its distance fits 24 bits"):
+    with pytest.raises(BadPacket, match="point 1: neither its position nor its distance fits the 24 bits"):
         packet.encode_points(points)
 
 
