@@ -139,8 +139,6 @@ class Scheduler:
         self._next_index = 0
         self._stalls = 0
         machine.log.locate_by(self._where)
-        if outside is None:
-            machine.log.slices.alone(machine.clock.now)
         # The length of the time slices of a round, and how many of them remain.
         self._length, self._left = QUANTUM, 0
 

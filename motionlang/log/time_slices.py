@@ -33,7 +33,7 @@ class TimeSliceStream(TimeSlicesInOrder):
         # How long each task has computed since one of them began or ended a wait, and the time of that.
         self.seconds: dict[str, float] = {}
         self._began = 0.0
-        self._alone_since: float | None = None
+        self._alone_since: float | None = 0.0
         self.handlers: set[str] = set()
 
     def alone(self, now: float) -> None:
