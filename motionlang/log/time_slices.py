@@ -42,9 +42,9 @@ class TimeSliceStream(TimeSlicesInOrder):
 
     def shared(self, now: float) -> None:
         """Record that there was only one task until now."""
-        if self._alone_since is not None:
-            self.add((self._alone_since, now, (), ()))
-            self._alone_since = None
+        since, self._alone_since = self._alone_since, None
+        if since is not None and since < now:
+            self.add((since, now, (), ()))
 
     def took(self, task: str, began: float, now: float, stops: bool) -> None:
         """Record a time slice of a task; `stops` is true if the task then waits or ends."""

@@ -369,6 +369,7 @@ def test_the_waits_of_a_skipped_iteration_are_logged_once() -> None:
 def test_a_period_of_time_slices_and_waits_is_repeated() -> None:
     """Two tasks alternate, and one waits from 5 to 6; the period from 3 to 6 repeats."""
     log = Log()
+    log.slices.shared(0.0)
     log.slices.took("one", 0.0, 1.0, False)
     log.slices.took("two", 1.0, 3.0, False)
     mark = log.mark_period()
