@@ -549,9 +549,7 @@ class PolledTicks:
         """Log the switches of a walk; those of rounds become a template if ticks switch."""
         first, stream, pace = 0, self._log.outputs, self._pace()
         for each in walk.rounds:
-            stream.extend(
-                self._switches(walk, [found for found in walk.switching if first <= found[0] < each.past])
-            )
+            stream.extend(self._switches(walk, walk.switching_between(first, each.past)))
             first = each.past
             if all(source is not None and source[0] == TICK for *_, source in each.switching):
                 ticks = each.shift.ticks
@@ -564,9 +562,7 @@ class PolledTicks:
                 stream.repeat((rows, each.times, ticks, 0.0), (pace.started, 0, pace.period, pace.cost))
             else:
                 stream.extend(self._switches(walk, each.repeated(pace)))
-        stream.extend(
-            self._switches(walk, [found for found in walk.switching if first <= found[0] < walk.good])
-        )
+        stream.extend(self._switches(walk, walk.switching_between(first, walk.good)))
 
     def _switches(self, walk: Walk, switching: list[Switching]) -> list[tuple[object, ...]]:
         """Return the records of the switches of some transitions."""

@@ -131,6 +131,10 @@ class Walk:
         """Return the WAITs that end in some transitions."""
         return self.ended[bisect_left(self.ended, (first,)) : bisect_left(self.ended, (past,))]
 
+    def switching_between(self, first: int, past: int) -> list[Switching]:
+        """Return some transitions that switch outputs."""
+        return self.switching[bisect_left(self.switching, (first,)) : bisect_left(self.switching, (past,))]
+
     def polled(self, first: int) -> list[tuple[str, float]]:
         """Return the tasks that poll, from one on, and their statements."""
         return [(task, count) for _, task, count in self.polling[first:]]
