@@ -165,7 +165,9 @@ class Polls:
                 )
             first, index = index, _up_to(items, index, over, _SINCE)
             made += stretch + items[first:index]
-            begin = max(begin, over)
+            # A move that was buffered may start during a WAIT, or while an inner loop waits.
+            ends = [wait[3] for wait in items[first:index]] + [until for _, until in inner[lower:number]]
+            begin = max([begin, over, *ends])
         loop.items = made + items[index:]
 
     def _wait(

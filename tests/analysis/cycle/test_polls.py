@@ -249,6 +249,23 @@ def test_a_state_machine_waits_between_its_steps() -> None:
     assert by_name(made.subs())["Finish"] == pytest.approx(1000e-5, abs=5e-5)
 
 
+def test_a_loop_does_not_wait_while_an_inner_one_does() -> None:
+    """A move takes 3 / 50 + 50 / 500 = 0.16 s and is buffered every 0.15 s.
+
+    So the last of five starts at 0.15 + 4 × 0.16 = 0.79 s, while the inner loop waits from 0.75 s to 0.9 s.
+    """
+    made = checked(
+        TimeProfile(
+            ran(
+                "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500\nLoop\n  t = TIME\n  While TIME - t < 150\n"
+                "  End While\n  MOVER(0) = 3 : GO(0)\n  n = n + 1\n  If n > 5 Then Exit Loop\nEnd Loop\n"
+            )
+        )
+    )
+    (waits,) = made.waits().values()
+    assert [wait.until for wait in waits] == pytest.approx([0.15 * n for n in range(1, 7)], abs=1e-3)
+
+
 def test_a_run_that_is_cut_short_in_a_loop_waits_as_in_a_pause() -> None:
     for wait in ("PAUSE INX(7)", "While INX(7) = 0\nEnd While"):
         made = checked(TimeProfile(ran(f"WAIT(100)\n{wait}\n", until=2.0, machine=WORLD)))
