@@ -116,46 +116,42 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
     The parent comes first, then the others in order of their start.
     """
     parent, over, slices = parent_of(run), ended_at(run), run.machine.log.slices
-    first: dict[str, float] = {}
-    last: dict[str, float] = {}
-    computed: dict[str, list[float]] = {}
+    # Begin, end and computing of each task's records, and the phases in which the parent was alone.
+    recorded: dict[str, list[tuple[float, float, float]]] = {}
     alone: list[tuple[float, float]] = []
-    for time_slice in slices.up_to(run.time):
-        if not time_slice.tasks:
-            alone.append((time_slice.time, min(time_slice.until, over)))
-        for name, seconds in zip(time_slice.tasks, time_slice.seconds, strict=True):
-            computed.setdefault(name, []).append(seconds)
-            first.setdefault(name, time_slice.time)
-            last[name] = time_slice.until
+    for each in slices.up_to(run.time):
+        if not each.tasks:
+            alone.append((each.time, min(each.until, over)))
+        for name, seconds in zip(each.tasks, each.seconds, strict=True):
+            recorded.setdefault(name, []).append((each.time, each.until, seconds))
     scheduler = run.machine.scheduler
     running = {task.name for task in scheduler.tasks if not task.done} if scheduler is not None else set()
     made = []
-    for name in dict.fromkeys((parent, *first, *waits)):
-        mine = waits.get(name, [])
-        begin = 0.0 if name == parent else min(first.get(name, over), mine[0][2] if mine else over)
-        end = (
-            over
-            if name == parent or name in running
-            else max(last.get(name, begin), mine[-1][3] if mine else begin)
-        )
-        waiting: dict[str, list[float]] = defaultdict(list)
-        for _, _, since, until, cause, _, _, _ in reported(mine):
-            waiting[cause].append((until if until < end else end) - since)
-        causes = {cause: fsum(times) for cause, times in waiting.items()}
-        computing, rest = (
-            fsum(computed.get(name, ())),
-            fsum((end, -begin, *(-time for time in causes.values()))),
-        )
-        if not slices:
-            computing = rest
-        elif name == parent:
-            computing = fsum((computing, *(until - since for since, until in alone), -_within(mine, alone)))
+    for name in dict.fromkeys((parent, *recorded, *waits)):
+        own, mine = recorded.get(name, []), waits.get(name, [])
+        begin, end = 0.0, over
+        if name != parent and name not in slices.handlers:
+            begin = min([each[0] for each in own[:1]] + [wait[2] for wait in mine[:1]], default=over)
+            if name not in running:
+                end = max([begin] + [each[1] for each in own[-1:]] + [wait[3] for wait in mine[-1:]])
+        causes = _by_cause(mine, end)
+        rest = fsum((end, -begin, *(-time for time in causes.values())))
+        computing = fsum(seconds for _, _, seconds in own)
+        if name == parent:
+            phases = fsum(until - since for since, until in alone) - _within(mine, alone)
+            computing = computing + phases if slices else rest
         computing = min(computing, rest)
-        if name in slices.handlers:
-            made.append(TaskTime(name, 0.0, over, causes, computing, 0.0))
-        else:
-            made.append(TaskTime(name, begin, end, causes, computing, fsum((rest, -computing))))
+        ready = 0.0 if name in slices.handlers else fsum((rest, -computing))
+        made.append(TaskTime(name, begin, end, causes, computing, ready))
     return made
+
+
+def _by_cause(waits: list[Wait], end: float) -> dict[str, float]:
+    """Return for how long a task waited for each cause, until its end."""
+    times: dict[str, list[float]] = defaultdict(list)
+    for _, _, since, until, cause, _, _, _ in reported(waits):
+        times[cause].append((until if until < end else end) - since)
+    return {cause: fsum(each) for cause, each in times.items()}
 
 
 def _within(waits: list[Wait], phases: list[tuple[float, float]]) -> float:
