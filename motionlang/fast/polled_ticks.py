@@ -60,7 +60,7 @@ Invariants.
 - Times that differ by no more than `ROUNDING` may be one time for the scheduler. A walk ends where they are
   close to that.
 - Records of skipped ticks are those of the run to the last bit, except that the time slices of several tasks
-  become one record, and that WAITs leave none.
+  become one record, and that a WAIT that is over while a handler runs ends then and not after it.
 
 Cost. A state takes some 10 µs a task, and a step of the walk 1 µs. Exponential back-off: if `PATIENCE`
 checkpoints have not led to as many skipped ones, 1, 2, 4, … ticks are executed without a search.
