@@ -134,6 +134,8 @@ class TimeSlices(Scheduler):
                     log.slices.trim()
         finally:
             self.next_slice = -INFINITY
+        if len(tasks) == 1:  # the last time slice has ended the others
+            log.slices.alone(clock.now)
         if resumed:
             self._end, self._idle_rounds, self._stalls = 0.0, 0, 0
         return resumed > 0
