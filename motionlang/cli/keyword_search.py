@@ -29,7 +29,7 @@ def search(question: str, tables: Mapping[str, Iterable[Keyword]]) -> tuple[dict
     scores: list[tuple[int, int, str, Keyword]] = []
     for language, rows in tables.items():
         for row in rows:
-            has = {_stem(word) for word in _words(f"{row.help} {row.group}")}
+            has = {_stem(word) for word in _words(f"{row.help} {row.group} {row.meant}")}
             named = len([word for word in words if word in row.name.lower()])
             described = [word for word in words if any(_are_similar(word, each) for each in has)]
             count = len({*described, *(word for word in words if word in row.name.lower())})

@@ -54,6 +54,11 @@ class Vocabulary:
         """Return the name of the first keyword with a verb."""
         return next(row.name for row in self.rows if row.verb == verb)
 
+    def meant_by(self, word: str) -> list[str]:
+        """Return the keywords that people who do not know them write so."""
+        upper = word.upper()
+        return [row.name for row in self.rows if upper in row.meant.split()]
+
     def names(self) -> list[str]:
         """Return all names, in the order of the rows."""
         return [row.name for row in self.rows]

@@ -12,7 +12,7 @@ from tests.cases import cases
 
 
 def row(name: str, help: str, group: str = "") -> Any:
-    return SimpleNamespace(name=name, help=help, group=group)
+    return SimpleNamespace(name=name, help=help, group=group, meant="")
 
 
 # A word of a question, one of a description, and True if they match. An ending is removed if three letters remain;

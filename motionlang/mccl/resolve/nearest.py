@@ -7,8 +7,7 @@ from motionlang.mccl.keywords import table
 
 def candidates(word: str) -> list[str]:
     """Return the commands that may have been meant by a word."""
-    upper = word.upper()
-    found = [row.name for row in table() if upper in row.meant.split()]
+    upper, found = word.upper(), table().meant_by(word)
     if found or len(upper) > 2 or upper[0] == upper[-1]:
         return found
     swapped = table().get(upper[::-1])

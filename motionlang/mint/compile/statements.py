@@ -264,6 +264,18 @@ def _call(b: Body, node: nodes.Call) -> None:
 
 # Words of the grammar that begin a statement and are often misspelled.
 _FIRST_WORDS = ("Const", "Pause", "Print", "Return", "Input", "Repeat")
+# Words that begin a statement in other languages, and what is written here.
+_OTHER_WORDS = {
+    "call": "a sub is called by its name alone",
+    "catch": "an event handles errors: Event ONERROR",
+    "let": "a variable is assigned to by its name alone: k = 3",
+    "local": "Dim declares a variable: Dim k As Integer",
+    "private": "Dim declares a variable: Dim k As Integer",
+    "public": "Dim declares a variable: Dim k As Integer",
+    "static": "Dim declares a variable: Dim k As Integer",
+    "try": "an event handles errors: Event ONERROR",
+    "var": "Dim declares a variable: Dim k As Integer",
+}
 
 
 def unknown_command(b: Body, target: nodes.Name) -> None:
@@ -278,9 +290,11 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
         return [*subs, *commands, *_FIRST_WORDS]
 
     message = f"{target.name} is neither a keyword nor a sub of this program"
-    following = b.scope.find(b.whole.problems.text(target.at + 1)) if target.name.lower() == "call" else None
-    if following is not None and following.kind == "sub":
-        hint = f"a sub is called by its name alone: {following.name}"
+    hint = _OTHER_WORDS.get(target.name.lower())
+    if hint is not None:
+        following = b.scope.find(b.whole.problems.text(target.at + 1))
+        if target.name.lower() == "call" and following is not None and following.kind == "sub":
+            hint += f": {following.name}"
         b.whole.problems.add("unknown-word", message, target.at, hint)
         return
     b.whole.problems.unknown(message, target.name, known, target.at, table=b.whole.table)

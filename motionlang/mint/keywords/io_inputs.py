@@ -254,7 +254,7 @@ ROWS = (
             "PRINT IN(0) & 3", default=0.0, group="io", driven="input"),
     Keyword("INX", "", "reading", "R", "input", "bool", Actions(read=read_bit, outcome=of(Inputs, Inputs.outcome)),
             "One digital input: 1 when it is active or, with its INPUTMODE bit set, when its edge has come.",
-            "PRINT INX(3)", default=0.0, group="io", driven="input"),
+            "PRINT INX(3)", default=0.0, group="io", driven="input", meant="DI INPUTX"),
     Keyword("INSTATE", "", "reading", "R", "bank", "bits", Actions(read=read_level_bank),
             "The electrical levels of a bank of inputs, whatever their active level and edges. With debouncing they "
             "are those of the last sample.",

@@ -55,6 +55,7 @@ from motionlang.mint.resolve.handlers import handles
 from motionlang.mint.resolve.symbols import (
     FLOAT,
     INTEGER,
+    OTHER_TYPES,
     RECORD,
     STRING,
     TIME,
@@ -252,9 +253,10 @@ class Names:
         if key in self.types:
             return Type(RECORD, record=self.types[key])
         if key not in TYPES:
-            self.problems.unknown(
-                f"there is no type {node.name}", node.name, lambda: [*TYPES.values(), *self.types], node.at
-            )
+            known = [*TYPES.values(), *self.types]
+            word = OTHER_TYPES.get(key, node.name)
+            otherwise = f"the types are {', '.join(known)}"
+            self.problems.unknown(f"there is no type {node.name}", word, lambda: known, node.at, otherwise)
             return Type(default)
         size = (
             self._whole(node.size, self.module, "the length of a String", 1)

@@ -87,15 +87,20 @@ class Problems:
     ) -> None:
         """Record an unknown word, with the most similar of `words()` as the suggestion.
 
-        With `table`, a keyword with missing brackets is also suggested. Without any suggestion the hint is `otherwise`.
+        With `table`, keywords are also suggested: one with missing brackets, and those that are meant by the word.
+        Without any suggestion the hint is `otherwise`.
         """
         if self.is_full or ("unknown-word", at) in self.found:
             return
         meant = bracketed(word, table) if table is not None else None
-        near = meant or nearest(word, words())
-        hint = f"did you mean {near}?" if near else otherwise
+        known = list(words())
+        others = table.meant_by(word) if table is not None else []
+        near = [meant] if meant else [each for each in others if each in known] or others
+        if not near and (similar := nearest(word, known)):
+            near = [similar]
+        hint = f"did you mean {' or '.join(near)}?" if near else otherwise
         # A candidate replaces the marked text, so that has to be the word.
-        candidates = (near,) if near and not meant and self.text(at).lower() == word.lower() else ()
+        candidates = tuple(near) if not meant and self.text(at).lower() == word.lower() else ()
         self.add("unknown-word", message, at, hint, fix=meant or "", candidates=candidates)
 
     def depends(self) -> None:

@@ -11,6 +11,12 @@ from motionlang.record import record
 INTEGER, FLOAT, STRING, TIME = "Integer", "Float", "String", "Time"
 SEMAPHORE, CONTROLLER, RECORD = "Semaphore", "Controller", "record"
 TYPES = {name.lower(): name for name in (INTEGER, FLOAT, STRING, TIME, SEMAPHORE, CONTROLLER)}
+# Types of other languages, and the type with such values.
+OTHER_TYPES = {
+    **dict.fromkeys(("double", "real", "single"), FLOAT),
+    **dict.fromkeys(("bool", "boolean", "byte", "int", "long", "short", "word"), INTEGER),
+    **dict.fromkeys(("char", "text"), STRING),
+}
 NUMERIC = frozenset((INTEGER, FLOAT, TIME))
 
 

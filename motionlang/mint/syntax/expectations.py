@@ -21,10 +21,14 @@ SLIPS = {
     ("|", "|"): "write Or",
     ("/", "/"): "a comment begins with '",
     ("*", "*"): "a power is written ^",
+    ("=", "{"): "values have no braces: Dim a(3) = 1, 2, 3",
+    (")", "{"): "a block has no braces, and ends with End If, End While or End Sub",
+    ("then", "{"): "an If has no braces, and ends with End If",
     ("+", "="): "write the name again: a = a + 1",
     ("-", "="): "write the name again: a = a - 1",
     ("%", "="): "names have no type sign: a = 3",
     ("wait", "until"): "PAUSE waits for a condition: PAUSE INX(0)",
+    ("wait", "for"): "WAIT waits for a time in ms: WAIT(100)",
     ("error", "goto"): "an event handles errors: Event ONERROR",
     ("error", "gosub"): "an event handles errors: Event ONERROR",
 }
@@ -58,6 +62,12 @@ def hint(kinds: set[str], before: str, text: str, first: str) -> str:
         return found_typographic[1]
     if text == "!":
         return SLIPS["!", "="]
+    if text == "/" and before.strip() in ("", ":"):
+        return SLIPS["/", "/"]
+    if text == "&" and before.lower() in ("=", "(", ",", "print"):
+        return "a hexadecimal number is written 0x1F"
+    if text.lower() == "as" and before.isidentifier():
+        return f"Dim declares a variable: Dim {before} As Integer"
     if text.lower() == "elseif" and "ELSE" in kinds:
         return "in an If of one line write Else If"
     if text.lower() == "not" and kinds >= VALUE:

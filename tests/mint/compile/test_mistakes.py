@@ -50,7 +50,7 @@ from tests.cases import cases
             1,
             1,
             "Call is neither a keyword nor a sub of this program",
-            "did you mean CANCELALL?",
+            "a sub is called by its name alone",
         ),
         (
             "Fill(q)\nEnd\nSub Fill(ByRef x)\nEnd Sub",

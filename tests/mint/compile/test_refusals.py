@@ -7,6 +7,7 @@ import pytest
 from motionlang.mint import DIALECT
 from motionlang.source import Source
 
+TYPES = "the types are Integer, Float, String, Time, Semaphore, Controller"
 # Line 1 of each program.
 DIM = "Dim n As Integer, x As Float, t As String * 5, a(3) As Integer, b(2, 2) As Integer\n"
 REFUSED = [
@@ -135,7 +136,7 @@ REFUSED = [
     ),
     ("Dim c(2) As Integer = 1, 2, 3", 2, "c has 2 elements, 3 values are given", ""),
     ('Dim c As Integer = "a"', 2, "cannot assign a String to an Integer", "convert the text with Val"),
-    ("Dim c As Whatever", 2, "there is no type Whatever", ""),
+    ("Dim c As Whatever", 2, "there is no type Whatever", TYPES),
     (
         "Dim c As String * 0",
         2,

@@ -14,6 +14,7 @@ EVENTS = (
     "TERMINALRECEIVE, SERIALRECEIVE"
 )
 OTHER = "choose another name"
+TYPES = "the types are Integer, Float, String, Time, Semaphore, Controller"
 SIZE = "the size of c must be a whole number of at least 1 that is known beforehand"
 ITSELF = "the expression of a Define must not contain its own name"
 CONST = "a Const can use numbers, texts and other constants"
@@ -74,10 +75,10 @@ CONST = "a Const can use numbers, texts and other constants"
         ("Const k = 1\nConst K = 2", (3, 1, 5), "K is already declared", "the first one is in line 2"),
         ("Sub q()\nDim z\nDim Z\nEnd Sub", (4, 5, 1), "Z is already declared", "the first one is in line 3"),
         # Types and sizes.
-        ("Dim q As Foo", (2, 10, 3), "there is no type Foo", ""),
-        ("Function q() As Foo\nEnd Function", (2, 17, 3), "there is no type Foo", ""),
-        ("Type P\n x As P\nEnd Type", (3, 7, 1), "there is no type P", ""),
-        ("Type P\n x As Q\nEnd Type\nType Q\n y As P\nEnd Type", (3, 7, 1), "there is no type Q", ""),
+        ("Dim q As Foo", (2, 10, 3), "there is no type Foo", TYPES),
+        ("Function q() As Foo\nEnd Function", (2, 17, 3), "there is no type Foo", TYPES),
+        ("Type P\n x As P\nEnd Type", (3, 7, 1), "there is no type P", TYPES),
+        ("Type P\n x As Q\nEnd Type\nType Q\n y As P\nEnd Type", (3, 7, 1), "there is no type Q", TYPES),
         ("Dim c(n) As Integer", (2, 7, 1), SIZE, ""),
         ("Dim c(1.5) As Integer", (2, 7, 3), SIZE, ""),
         ("Dim c(-1) As Integer", (2, 7, 2), SIZE, ""),
