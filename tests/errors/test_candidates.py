@@ -15,6 +15,9 @@ CANDIDATES = (
     ("mint", "counter = 2\nPrint cuonter\n", "cuonter", ("counter",)),
     ("mint", "Dim a As Integr\na = 1 : Print a\n", "Integr", ("Integer",)),
     ("mccl", "MD1,WA1\nMD2,1RM100\nXA5\n", "XA5", ("AX5",)),
+    ("mint", "Sleep 100\n", "Sleep", ("WAIT",)),
+    ("mint", "Print VELOCITY(0)\n", "VELOCITY", ("SPEED", "VEL")),
+    ("mccl", "1MN\n1VELOCITY3\n", "1VELOCITY3", ("1SV3",)),
     ("mint", "Event ONEROR\nEnd Event\n", "Event", ()),  # the whole heading is marked
 )  # fmt: skip
 

@@ -188,7 +188,8 @@ _motion_row = Group("motion").row
 
 
 ROWS = (
-    _row("WA", "statement", "W", "none", "s", wait, "Wait for a time.", "WA0.5", low=0, meant="WAIT"),
+    _row("WA", "statement", "W", "none", "s", wait, "Wait for a time.", "WA0.5", low=0,
+         meant="WAIT SLEEP DELAY DWELL"),
     _row("WS", "statement", "W", "axes", "s", wait_stop,
          "Wait for stop: until the trajectory is complete, then for a time.", "1WS0.1", low=0, meant="WAIT IDLE"),
     _row("WT", "statement", "W", "axes", "s", wait_target,

@@ -95,12 +95,12 @@ _row = Group("trajectory").row
 
 ROWS = (
     _row("SA", "setting", "W", "axes", "uu/s2", accel, "Set the acceleration.",
-         "1SA100000", default=100000, low=0, meant="ACCEL"),
+         "1SA100000", default=100000, low=0, meant="ACCEL ACCELERATION"),
     _row("DS", "setting", "W", "axes", "uu/s2", decel, "Set the deceleration.", "1DS100000", default=100000, low=0,
-         meant="DECEL", family="deceleration"),
+         meant="DECEL DECELERATION", family="deceleration"),
     _row("SV", "setting", "W", "axes", "uu/s", speed,
          "Set the velocity of moves; in velocity mode a running axis changes to it at once.",
-         "1SV40000", default=40000, low=0, meant="SPEED VEL"),
+         "1SV40000", default=40000, low=0, meant="SPEED VEL VELOCITY"),
     _row("MV", "setting", "W", "axes", "uu/s", minimum_speed,
          "Set the minimum velocity, at which a stepper starts and stops at once: trapezoidal moves begin and end with "
          "it; 0 for none.", "1MN,1MV1000,1MR5000,1WS,1TP", default=0, low=0),

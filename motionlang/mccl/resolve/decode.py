@@ -154,10 +154,8 @@ def _no_command(text: str) -> Command:
         name, axis = text[digits : digits + 2].upper(), int(text[:digits][:9] or 0)
         return Command(text, name, None, axis, NONE, 0, _Wrong(fault), False)
     word = Word(text[:end])
-    if word.row is None:
-        fault = _unknown(text[end - 2 :].rstrip("0123456789.+-"))
-    else:
-        fault = _no_parameter(text[end:], word.row)
+    letters = text[end - 2 :].rstrip("0123456789.+-")
+    fault = _unknown(letters) if word.row is None else _no_parameter(text[end:], word.row, letters)
     return _wrong(text, word, fault)
 
 
@@ -169,19 +167,28 @@ def _unknown(word: str) -> Fault:
     return Fault(codes.UNRECOGNISED, message, hint(word), "unknown-word", candidates(word))
 
 
-def _no_parameter(rest: str, row: Keyword) -> Fault:
-    """Return the fault of a text after the mnemonic that is not a parameter."""
+def _no_parameter(rest: str, row: Keyword, letters: str) -> Fault:
+    """Return the fault of a text after the mnemonic that is not a parameter.
+
+    `letters` are the mnemonic and what follows it: they may be a word of another language.
+    """
+    from motionlang.mccl.resolve.nearest import candidates, hint
+
     if rest[0] == BEGINS["REGISTER"]:
         return Fault(codes.FORMAT, f"{row.name} needs a register number after @", "such as MR@10", "syntax")
     if rest[0] == BEGINS["TEXT"]:
         return Fault(codes.FORMAT, f"the text after {row.name} is not closed", 'a text ends with "', "syntax")
     if row.unit == "text" and row.access == "W":
         return _wants_text(row)
-    hint = "commands are separated by commas" if any(c.isascii() and c.isalpha() for c in rest) else ""
+    others, advice = candidates(letters) if len(letters) > 2 else [], ""
     number = rest.strip("=()[] \t")
-    if rest[0] in "=([" and number.replace(".", "", 1).removeprefix("-").isdecimal():
-        hint = f"write the number alone: {row.name}{number}"
-    return Fault(codes.FORMAT, f"{rest} is not a number", hint, "syntax")
+    if others:
+        advice = hint(letters)
+    elif rest[0] in "=([" and number.replace(".", "", 1).removeprefix("-").isdecimal():
+        advice = f"write the number alone: {row.name}{number}"
+    elif any(c.isascii() and c.isalpha() for c in rest):
+        advice = "commands are separated by commas"
+    return Fault(codes.FORMAT, f"{rest} is not a number", advice, "syntax", others)
 
 
 def _misfit(word: Word, value: float) -> Fault:
