@@ -15,6 +15,7 @@ MAX_ALTERNATIVES = 3  # a longer list of alternatives does not help
 SLIPS = {
     ("=", "="): "one = both assigns and compares",
     ("!", "="): "unequal is written <>",
+    (":", "="): "a value is assigned by = alone",
     ("=", ">"): "greater or equal is written >=",
     ("=", "<"): "less or equal is written <=",
     ("&", "&"): "write And",
@@ -29,10 +30,14 @@ SLIPS = {
     ("%", "="): "names have no type sign: a = 3",
     ("wait", "until"): "PAUSE waits for a condition: PAUSE INX(0)",
     ("wait", "for"): "WAIT waits for a time in ms: WAIT(100)",
+    ("loop", "until"): "a loop with a condition is While … End While or Repeat … Until",
+    ("loop", "while"): "a loop with a condition is While … End While or Repeat … Until",
     ("error", "goto"): "an event handles errors: Event ONERROR",
     ("error", "gosub"): "an event handles errors: Event ONERROR",
 }
 TYPE_SIGNS = "%$"
+# The first word of a statement, and what its wrong brackets should be.
+_BRACKETS = {"DIM": "subscripts are in round brackets: Dim a(5)", "EVENT": "an event has no parameters"}
 
 
 def message(kinds: set[str], kind: str, text: str) -> str:
@@ -55,6 +60,7 @@ def hint(kinds: set[str], before: str, text: str, first: str) -> str:
 
     `before` is the token before `text`, and `first` the kind of the statement's first one.
     """
+    is_first = before.strip() in ("", ":")
     if text[:1] == '"' and not text.endswith('"', 1):
         misprint = unclosed(text)
         return misprint[1] if misprint else 'add the closing "'
@@ -62,7 +68,7 @@ def hint(kinds: set[str], before: str, text: str, first: str) -> str:
         return found_typographic[1]
     if text == "!":
         return SLIPS["!", "="]
-    if text == "/" and before.strip() in ("", ":"):
+    if text == "/" and is_first:
         return SLIPS["/", "/"]
     if text == "&" and before.lower() in ("=", "(", ",", "print"):
         return "a hexadecimal number is written 0x1F"
@@ -77,8 +83,14 @@ def hint(kinds: set[str], before: str, text: str, first: str) -> str:
     wanted = _names_of(kinds)
     if text in TYPE_SIGNS and before.isidentifier():
         return f"names have no type sign: {before}"
-    if text.lower() == "do" and before.strip() in ("", ":"):
-        return "a loop is While … End While, Repeat … Until or Loop … End Loop"
+    if text.lower() == "do":
+        return (
+            "a loop is While … End While, Repeat … Until or Loop … End Loop" if is_first else f"remove {text}"
+        )
+    if text.isdigit() and int(text) % 10 == 0 and not before.strip():  # other Basics count lines in tens
+        return "lines have no numbers; a label is a name: #begin on a line of its own"
+    if text in ("(", "[") and first in _BRACKETS:
+        return _BRACKETS[first]
     if len(wanted) == 1 and wanted[0].startswith("`"):
         return f"add {wanted[0].strip('`')}"
     if "THEN" in kinds:
