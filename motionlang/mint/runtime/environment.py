@@ -503,7 +503,7 @@ class Environment(Waits):
     def too_deep(self) -> tuple[object, ...]:
         """Raise Rejected for a call that exceeds the stack depth."""
         words = f"calls are nested more than {MAX_DEPTH} deep"
-        raise Rejected("recursion", words, "a sub or a Gosub calls itself endlessly")
+        raise Rejected("recursion", words, "a sub, a function or a Gosub calls itself endlessly")
 
     def failed(self, trouble: Exception, t: float, line: int) -> float:
         """Handle the failure of a guarded statement.
