@@ -119,7 +119,7 @@ class TimerTicks:
         quiet = min(map(_quiet_until, waits))
         resting = [task for task in scheduler.tasks if task.wait.ends is None]
         self._search = None
-        at = scheduler.current.at
+        at = scheduler.where()
         ran = False
         while clock.reach(event):
             if not self._tick(scheduler, clock.now, until, at) or quiet <= clock.now:
@@ -128,7 +128,7 @@ class TimerTicks:
                 ran = True
                 if resting:  # the last one that the scheduler would have checked
                     scheduler.current = resting[-1]
-                at = scheduler.current.at
+                at = scheduler.where()
             elif resting:
                 scheduler.current = resting[-1]
             if self._left:

@@ -138,7 +138,7 @@ class Scheduler:
         # The index of the next task, and how often in a row time did not advance while all waited.
         self._next_index = 0
         self._stalls = 0
-        machine.log.locate_by(self._where)
+        machine.log.locate_by(self.where)
         # The length of the time slices of a round, and how many of them remain.
         self._length, self._left = QUANTUM, 0
 
@@ -152,9 +152,12 @@ class Scheduler:
         """True if nothing but the tasks limits the clock, and nothing observes them."""
         return self.pace is None and self.outside is None and not self.is_observed
 
-    def _where(self) -> int:
-        """Return the source position of the program, for the log."""
-        return self.current.at
+    def where(self) -> int:
+        """Return the source position of the program, for the log.
+
+        A handler that has ended, or another task, has none: it is that of the parent then.
+        """
+        return (self.parent if self.current.done else self.current).at
 
     def start(self, task: Task) -> None:
         """Start a further task now."""

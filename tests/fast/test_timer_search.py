@@ -199,6 +199,7 @@ class Ticking:
         self.events.tick_event = self.event
         self.tasks = [SimpleNamespace(wait=each, delay=None, at=k) for k, each in enumerate(waits)]
         self.scheduler: Any = SimpleNamespace(tasks=self.tasks, current=SimpleNamespace(at=77))
+        self.scheduler.where = lambda: self.scheduler.current.at
         made: Any = TimerTicks(self.events)
         self.made = made
         made._left, made._tick = 10**6, self.tick

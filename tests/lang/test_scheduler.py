@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Generator
 from itertools import pairwise
 
@@ -12,6 +13,7 @@ from motionlang.controller.controller import Controller
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import GeneratorTask
 from motionlang.lang.waits import Wait, wait_idle, wait_until
+from motionlang.report import text as report_text
 from motionlang.source import Source
 
 Steps = Generator[float | Wait, tuple[float, float], float]
@@ -342,6 +344,16 @@ def test_a_handler_runs_to_its_end_before_any_task() -> None:
 
     begun = slices({"parent": 5, "first": 2, "handler": 6}, prepare)
     assert begun == ["handler 0", "handler 1", "parent 1.5", "first 2.5", "parent 3"]
+
+
+@pytest.mark.parametrize("fast", [True, False])
+def test_an_event_after_a_handler_or_a_task_is_located_at_the_line_of_the_parent(fast: bool) -> None:
+    """The handler runs every 10 ms and the task once; the parent waits in line 3."""
+    text = (
+        "TIMEREVENT = 10\nRun Brief\nWAIT(55)\nEnd\nEvent TIMER\nEnd Event\nTask Brief\n  n = 1\nEnd Task\n"
+    )
+    report = json.loads(report_text(execution.run(Source("a.mnt", text), cache=False, fast=fast)))
+    assert [event["line"] for event in report["events"]] == [3] * 5
 
 
 def test_motion_settles_after_the_program() -> None:

@@ -135,7 +135,7 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
             if name not in running:
                 end = max([begin] + [each[1] for each in own[-1:]] + [wait[3] for wait in mine[-1:]])
         causes = _by_cause(mine, end)
-        rest = fsum((end, -begin, *(-time for time in causes.values())))
+        rest = max(fsum((end, -begin, *(-time for time in causes.values()))), 0.0)
         computing = fsum(seconds for _, _, seconds in own)
         if name == parent:
             phases = fsum(until - since for since, until in alone) - _within(mine, alone)

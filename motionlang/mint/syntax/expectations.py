@@ -87,7 +87,7 @@ def hint(kinds: set[str], before: str, text: str, first: str) -> str:
         return (
             "a loop is While … End While, Repeat … Until or Loop … End Loop" if is_first else f"remove {text}"
         )
-    if text.isdigit() and int(text) % 10 == 0 and not before.strip():  # other Basics count lines in tens
+    if text.isdecimal() and text.endswith("0") and not before.strip():  # other Basics count lines in tens
         return "lines have no numbers; a label is a name: #begin on a line of its own"
     if text in ("(", "[") and first in _BRACKETS:
         return _BRACKETS[first]
