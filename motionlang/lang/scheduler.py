@@ -153,11 +153,12 @@ class Scheduler:
         return self.pace is None and self.outside is None and not self.is_observed
 
     def where(self) -> int:
-        """Return the source position of the program, for the log.
+        """Return the source position of the program for the log, -1 if it has ended.
 
         A handler that has ended, or another task, has none: it is that of the parent then.
         """
-        return (self.parent if self.current.done else self.current).at
+        task = self.parent if self.current.done else self.current
+        return -1 if task.done else task.at
 
     def start(self, task: Task) -> None:
         """Start a further task now."""

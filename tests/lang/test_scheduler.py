@@ -356,6 +356,16 @@ def test_an_event_after_a_handler_or_a_task_is_located_at_the_line_of_the_parent
     assert [event["line"] for event in report["events"]] == [3] * 5
 
 
+def test_an_event_after_the_end_of_the_program_has_no_line() -> None:
+    """The limit of 50 is reached after half a second, and nothing waits for it."""
+    text = "SOFTLIMITFORWARD(0) = 50 : SOFTLIMITMODE(0) = 2\nSPEED(0) = 100\nJOG(0) = 100\n"
+    report = json.loads(report_text(execution.run(Source("a.mnt", text), cache=False, until=1.0)))
+    assert [(event["kind"], event["line"], event["commanded_by"]) for event in report["events"]] == [
+        ("soft limit", 0, 3),
+        ("velocity jump", 0, 3),
+    ]
+
+
 def test_motion_settles_after_the_program() -> None:
     """The move ends at 2 s; a jog has no end."""
     for until, settled, time in (
