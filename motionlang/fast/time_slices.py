@@ -134,8 +134,6 @@ class TimeSlices(Scheduler):
                     log.slices.trim()
         finally:
             self.next_slice = -INFINITY
-        if len(tasks) == 1:  # the last time slice has ended the others
-            log.slices.alone(clock.now)
         if resumed:
             self._end, self._idle_rounds, self._stalls = 0.0, 0, 0
         return resumed > 0
@@ -157,6 +155,8 @@ class TimeSlices(Scheduler):
         """
         known: list[Any] = list(map(_WAIT_OF, self.tasks))
         self._known = known
+        if len(known) == 1:
+            self.machine.log.slices.alone(self.clock.now)  # the last time slice has ended the others
         if None in known or len(known) == 1:
             return False
         self._names = [(task.name,) for task in self.tasks]

@@ -163,11 +163,14 @@ class Scheduler:
     def start(self, task: Task) -> None:
         """Start a further task now."""
         self.invalidate_waits()
+        self.machine.log.slices.started(task.name, self.clock.now)
         self.tasks.append(task)
 
     def end(self, task: Task) -> None:
         """Stop a task at the request of the running one."""
         self.invalidate_waits()
+        if task.wait is not None:
+            self.machine.log.waits.add(task.waited(task.wait, self.clock.now))
         self._forget(task)
 
     def interrupt(self, task: Task) -> None:
@@ -441,6 +444,7 @@ class Scheduler:
         for tasks in (self.interrupts, self.tasks):
             if task in tasks:
                 tasks.remove(task)
+        self.machine.log.slices.ended(task.name, self.clock.now)
 
     def _runnable(self) -> Task | None:
         """Return the next task that can run: highest priority, round robin."""

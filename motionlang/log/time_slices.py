@@ -18,15 +18,31 @@ else:
     TimeSlicesInOrder = Stream
 
 
+class Life:
+    """The time of a task from its first `begin` to its last `end`, s.
+
+    A task may be run again after it has ended: `lived` is for how long it was there, without the last time if it still
+    runs, `since` when.
+    """
+
+    __slots__ = ("begin", "end", "lived", "since")
+
+    def __init__(self, begin: float) -> None:
+        self.begin = self.end = begin
+        self.since: float | None = begin
+        self.lived = 0.0
+
+
 class TimeSliceStream(TimeSlicesInOrder):
     """`TimeSlices` in order of time.
 
     Tasks that alternate without a wait form one record. While a task is the only one, its time slices are not
     recorded: a record without tasks has the time from which to which one was alone, and a program of one
-    task has no records. `handlers` has the names of those that are event handlers.
+    task has no records. `handlers` has the names of those that are event handlers, and `lives` all others but the
+    parent.
     """
 
-    __slots__ = ("_alone_since", "_began", "handlers", "seconds")
+    __slots__ = ("_alone_since", "_began", "handlers", "lives", "seconds")
 
     def __init__(self, store: Store) -> None:
         super().__init__(store, "TimeSlices")
@@ -35,6 +51,18 @@ class TimeSliceStream(TimeSlicesInOrder):
         self._began = 0.0
         self._alone_since: float | None = 0.0
         self.handlers: set[str] = set()
+        self.lives: dict[str, Life] = {}
+
+    def started(self, task: str, now: float) -> None:
+        """Record that a task begins."""
+        self.lives.setdefault(task, Life(now)).since = now
+
+    def ended(self, task: str, now: float) -> None:
+        """Record that a task is over."""
+        life = self.lives.get(task)
+        if life is not None and life.since is not None:
+            life.lived += now - life.since
+            life.since, life.end = None, now
 
     def alone(self, now: float) -> None:
         """Record that there is only one task from now on."""

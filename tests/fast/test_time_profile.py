@@ -57,7 +57,7 @@ def test_the_time_profile_does_not_depend_on_accelerators(family: ModuleType, se
 
     def figures(text: str, machine: dict[str, object], fast: bool) -> str:
         pieces = "".join(json_pieces(profile(text, machine, fast)))
-        return re.sub(r"\d+\.\d+", lambda found: f"{float(found[0]):.8f}", pieces)
+        return re.sub(r"\d+\.\d+(e-\d+)?", lambda found: f"{float(found[0]):.8f}", pieces)
 
     for seed in seeds:
         text, machine = family.program(seed)

@@ -30,9 +30,9 @@ MAX_REPEATED = 100_000
 class TaskTime:
     """The time of one task, in seconds.
 
-    It splits into `waiting` by cause, `computing`, and `ready` while other tasks computed, and is that from `begin` to
-    `end`. A handler is there for the whole program; its times are those of its calls while there was more than one
-    task.
+    It splits into `waiting` by cause, `computing`, and `ready` while other tasks computed. These add up to the time from
+    `begin` to `end`, without that between the end of a task and its next start. A handler is there for the whole
+    program; its times are those of its calls while there was more than one task.
     """
 
     name: str
@@ -116,29 +116,25 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
     The parent comes first, then the others in order of their start.
     """
     parent, over, slices = parent_of(run), ended_at(run), run.machine.log.slices
-    # Begin, end and computing of each task's records, and the phases in which the parent was alone.
-    recorded: dict[str, list[tuple[float, float, float]]] = {}
-    alone: list[tuple[float, float]] = []
+    computed: dict[str, list[float]] = {}
+    alone: list[tuple[float, float]] = []  # when the parent was
     for each in slices.up_to(run.time):
         if not each.tasks:
             alone.append((each.time, min(each.until, over)))
         for name, seconds in zip(each.tasks, each.seconds, strict=True):
-            recorded.setdefault(name, []).append((each.time, each.until, seconds))
-    scheduler = run.machine.scheduler
-    running = {task.name for task in scheduler.tasks if not task.done} if scheduler is not None else set()
+            computed.setdefault(name, []).append(seconds)
     made = []
-    for name in dict.fromkeys((parent, *recorded, *waits)):
-        own, mine = recorded.get(name, []), waits.get(name, [])
-        begin, end = 0.0, over
-        if name != parent and name not in slices.handlers:
-            begin = min([each[0] for each in own[:1]] + [wait[2] for wait in mine[:1]], default=over)
-            if name not in running:
-                end = max([begin] + [each[1] for each in own[-1:]] + [wait[3] for wait in mine[-1:]])
-        causes = _by_cause(mine, end)
-        rest = max(fsum((end, -begin, *(-time for time in causes.values()))), 0.0)
-        computing = fsum(seconds for _, _, seconds in own)
+    for name in dict.fromkeys((parent, *slices.lives, *computed, *waits)):
+        begin, end, lived = 0.0, over, over
+        if (life := slices.lives.get(name)) is not None:
+            begin, end, lived = life.begin, life.end, life.lived
+            if life.since is not None:
+                end, lived = over, lived + over - life.since
+        causes = _by_cause(waits.get(name, []), end)
+        rest = max(fsum((lived, *(-time for time in causes.values()))), 0.0)
+        computing = fsum(computed.get(name, ()))
         if name == parent:
-            phases = fsum(until - since for since, until in alone) - _within(mine, alone)
+            phases = fsum(until - since for since, until in alone) - _within(waits.get(name, []), alone)
             computing = computing + phases if slices else rest
         computing = min(computing, rest)
         ready = 0.0 if name in slices.handlers else fsum((rest, -computing))
@@ -150,7 +146,8 @@ def _by_cause(waits: list[Wait], end: float) -> dict[str, float]:
     """Return for how long a task waited for each cause, until its end."""
     times: dict[str, list[float]] = defaultdict(list)
     for _, _, since, until, cause, _, _, _ in reported(waits):
-        times[cause].append((until if until < end else end) - since)
+        if since < end:
+            times[cause].append((until if until < end else end) - since)
     return {cause: fsum(each) for cause, each in times.items()}
 
 

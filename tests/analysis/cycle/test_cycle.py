@@ -149,6 +149,19 @@ def test_a_task_computes_while_it_is_alone() -> None:
     assert other.computing == pytest.approx(0.1, abs=1e-4)
 
 
+def test_the_life_of_a_task_is_from_each_start_to_its_end() -> None:
+    """It runs for 0.3 s, until it is ended in its WAIT, and 0.7 s later for 0.2 s."""
+    parent, brief = profiled(
+        "Dim n As Integer\nRun Brief\nWAIT(300)\nEnd Brief\nWAIT(700)\nRun Brief\nWAIT(500)\nEnd\n"
+        "Task Brief\n  n = n + 1\n  If n = 1 Then WAIT(1000) Else WAIT(200)\nEnd Task\n"
+    ).tasks
+    assert parent.waiting["time"] == pytest.approx(1.5, abs=1e-9)
+    assert [brief.begin, brief.end] == pytest.approx([0.0, 1.2], abs=1e-3)
+    assert brief.life == pytest.approx(0.5, abs=1e-3)
+    assert brief.waiting["time"] == pytest.approx(0.5, abs=1e-3)
+    assert brief.ready < 1e-4
+
+
 def test_a_handler_is_never_ready() -> None:
     """It is called every 10 ms for a second, and computes for one statement of 10 µs."""
     *_, handler = profiled(
