@@ -6,6 +6,8 @@ and then in an unnamed file, so the memory of a run does not depend on its lengt
 
 from __future__ import annotations
 
+from math import fsum
+
 from motionlang import log as record
 from motionlang.log.stream import DISK, Store, Stream
 from motionlang.log.time_slices import TimeSliceStream
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
     from motionlang.log.time_slices import Mark as SliceMark
 
     # How many waits and time slices there are.
-    Mark = tuple[int, SliceMark]
+    Mark = tuple[int, int, SliceMark]
 
 # Profiles of all axes together that are not packed; fewer if motors follow some, whose pieces exist; and
 # those of each axis that are never packed.
@@ -144,17 +146,25 @@ class Log:
                 mine.append(wait)
         if mine:
             self.repeated_waits.add((tuple(reversed(mine)), count, period))
+            self.slices.rested(count * fsum(wait[3] - wait[2] for wait in map(whole, mine)))
 
     def mark_period(self) -> Mark:
-        """Return how many waits and time slices there are, for `repeat_period`."""
-        return len(self.waits), self.slices.mark()
+        """Return how much has been recorded of waits and time slices, for `repeat_period`."""
+        return len(self.waits), len(self.repeated_waits), self.slices.mark()
 
     def repeat_period(self, mark: Mark, began: float, now: float, until: float, times: int) -> None:
         """Log that the waits and time slices since `mark` repeat so many times.
 
         The period took from `began` to `now`, and its repetitions take up to `until`.
         """
-        waits, slices = mark
+        waits, repeated, slices = mark
+        for written, count, apart in self.repeated_waits[repeated:]:
+            # A period of some tasks may be within this one: the smaller number of records has both.
+            inner = count <= times
+            for k in range(1, (count if inner else times) + 1):
+                later = [_shifted(wait, k * (apart if inner else now - began)) for wait in written]
+                rest = (times, now - began) if inner else (count, apart)
+                self.repeated_waits.add((tuple(later), *rest))
         mine: dict[str, list[Any]] = {}
         new = len(self.waits) - waits
         for wait in self.waits.tail[-new:] if new else ():
@@ -228,3 +238,9 @@ class Log:
         return (self.moves, self.dropped, self.inputs, self.outputs, self._analogue_inputs,
                 self.analogue_outputs, self.settings, self.waits, self.repeated_waits, self.loops, self.slices,
                 self.prints, self.events, *self.others)  # fmt: skip
+
+
+def _shifted(wait: Any, seconds: float) -> tuple[object, ...]:
+    """Return the record of a wait that is later by some seconds."""
+    task, at, since, until, *about = whole(wait)
+    return task, at, since + seconds, until + seconds, *about

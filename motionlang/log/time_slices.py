@@ -42,7 +42,7 @@ class TimeSliceStream(TimeSlicesInOrder):
     parent.
     """
 
-    __slots__ = ("_alone_since", "_began", "handlers", "lives", "seconds")
+    __slots__ = ("_alone_since", "_began", "_rested", "handlers", "lives", "seconds")
 
     def __init__(self, store: Store) -> None:
         super().__init__(store, "TimeSlices")
@@ -50,6 +50,8 @@ class TimeSliceStream(TimeSlicesInOrder):
         self.seconds: dict[str, float] = {}
         self._began = 0.0
         self._alone_since: float | None = 0.0
+        # For how long the running task waits in iterations that are skipped in its time slice.
+        self._rested = 0.0
         self.handlers: set[str] = set()
         self.lives: dict[str, Life] = {}
 
@@ -74,15 +76,20 @@ class TimeSliceStream(TimeSlicesInOrder):
         if since is not None and since < now:
             self.add((since, now, (), ()))
 
+    def rested(self, seconds: float) -> None:
+        """Record that skipped iterations of the running task have waited."""
+        if self._alone_since is None:
+            self._rested += seconds
+
     def took(self, task: str, began: float, now: float, stops: bool) -> None:
         """Record a time slice of a task; `stops` is true if the task then waits or ends."""
-        seconds = self.seconds
+        seconds, rested, self._rested = self.seconds, self._rested, 0.0
         if not seconds:
             if stops:
-                self.add((began, now, (task,), (now - began,)))
+                self.add((began, now, (task,), (now - began - rested,)))
                 return
             self._began = began
-        seconds[task] = seconds.get(task, 0.0) + now - began
+        seconds[task] = seconds.get(task, 0.0) + now - began - rested
         if stops:
             self.close(now)
 

@@ -366,6 +366,33 @@ def test_the_waits_of_a_skipped_iteration_are_logged_once() -> None:
     assert log.waits[3] == Waited(*other)
 
 
+def test_a_period_within_a_period_is_repeated_with_it() -> None:
+    """A wait at 0 is repeated twice, 1 s apart, and this period of 3 s three times."""
+    log = Log()
+    outer = inner = log.mark_period()
+    log.waits.add(("one", 7, 0.0, 0.5, "time", (), "", ()))
+    log.repeat_period(inner, 0.0, 1.0, 3.0, 2)
+    log.repeat_period(outer, 0.0, 3.0, 12.0, 3)
+    begun = [whole(wait)[2] for wait in log.waits] + [
+        whole(wait)[2] + k * period
+        for waits, count, period in log.repeated_waits
+        for wait in waits
+        for k in range(1, count + 1)
+    ]
+    assert sorted(begun) == [float(n) for n in range(12)]
+
+
+def test_a_skipped_iteration_rests_during_its_waits() -> None:
+    """A time slice from 0 to 4 has two skipped iterations, each with a WAIT of 1."""
+    log = Log()
+    log.slices.shared(0.0)
+    log.waits.add(("one", 7, 0.0, 1.0, "time", (), "", ()))
+    log.repeat_waits("one", 0.0, 1.5, 2)
+    log.slices.took("one", 0.0, 4.0, True)
+    log.slices.took("one", 4.0, 5.0, True)
+    assert [each.seconds for each in log.slices] == [(2.0,), (1.0,)]
+
+
 def test_a_period_of_time_slices_and_waits_is_repeated() -> None:
     """Two tasks alternate, and one waits from 5 to 6; the period from 3 to 6 repeats."""
     log = Log()

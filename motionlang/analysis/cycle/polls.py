@@ -164,9 +164,10 @@ class Polls:
                     task, loop, dependencies, (begin, act), dependencies.within, False, stretch
                 )
             first, index = index, _up_to(items, index, over, _SINCE)
-            made += stretch + items[first:index]
+            passed = stretch + items[first:index]
+            made += passed
             # A move that was buffered may start during a WAIT, or while an inner loop waits.
-            ends = [wait[3] for wait in items[first:index]] + [until for _, until in inner[lower:number]]
+            ends = [wait[3] for wait in passed] + [until for _, until in inner[lower:number]]
             begin = max([begin, over, *ends])
         loop.items = made + items[index:]
 

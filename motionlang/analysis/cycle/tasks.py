@@ -30,9 +30,9 @@ MAX_REPEATED = 100_000
 class TaskTime:
     """The time of one task, in seconds.
 
-    It splits into `waiting` by cause, `computing`, and `ready` while other tasks computed. These add up to the time from
-    `begin` to `end`, without that between the end of a task and its next start. A handler is there for the whole
-    program; its times are those of its calls while there was more than one task.
+    It splits into `waiting` by cause, `computing`, and `ready` while other tasks computed. These add up to the time
+    from `begin` to `end`, without that between the end of a task and its next start. A handler is there for the
+    whole program; its times are those of its calls while there was more than one task.
     """
 
     name: str
