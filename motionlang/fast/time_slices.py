@@ -232,7 +232,6 @@ class TimeSlices(Scheduler):
         event = clock.next_time()
         event = horizon = event if event < until else until
         if several:
-            self.machine.log.slices.handlers.add(task.name)
             self._end = now + min(FULL_SLICE, task.max_slice)
             horizon = min(horizon, self._end)
         time, task.wait = task.resume(now, horizon)

@@ -177,7 +177,6 @@ class Scheduler:
         """Run a task to its end before any other continues."""
         self.invalidate_waits()
         self.machine.log.note(self.clock.now, "handler", text=task.name)
-        self.machine.log.slices.handlers.add(task.name)
         self.interrupts.append(task)
 
     def run(self, until: float = INFINITY) -> str:
@@ -441,10 +440,11 @@ class Scheduler:
 
     def _forget(self, task: Task) -> None:
         """Drop a task that has ended, unless another one has already dropped it."""
-        for tasks in (self.interrupts, self.tasks):
-            if task in tasks:
-                tasks.remove(task)
-        self.machine.log.slices.ended(task.name, self.clock.now)
+        if task in self.interrupts:
+            self.interrupts.remove(task)
+        elif task in self.tasks:
+            self.tasks.remove(task)
+            self.machine.log.slices.ended(task.name, self.clock.now)
 
     def _runnable(self) -> Task | None:
         """Return the next task that can run: highest priority, round robin."""

@@ -6,8 +6,6 @@ and then in an unnamed file, so the memory of a run does not depend on its lengt
 
 from __future__ import annotations
 
-from math import fsum
-
 from motionlang import log as record
 from motionlang.log.stream import DISK, Store, Stream
 from motionlang.log.time_slices import TimeSliceStream
@@ -146,7 +144,7 @@ class Log:
                 mine.append(wait)
         if mine:
             self.repeated_waits.add((tuple(reversed(mine)), count, period))
-            self.slices.rested(count * fsum(wait[3] - wait[2] for wait in map(whole, mine)))
+            self.slices.rested(count, mine)
 
     def mark_period(self) -> Mark:
         """Return how much has been recorded of waits and time slices, for `repeat_period`."""

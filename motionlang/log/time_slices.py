@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from math import fsum
+
 from motionlang.log.stream import Stream
+from motionlang.log.written_waits import whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
+    from typing import Any
 
     from motionlang.log.records import TimeSlices
     from motionlang.log.stream import Store
@@ -38,11 +42,10 @@ class TimeSliceStream(TimeSlicesInOrder):
 
     Tasks that alternate without a wait form one record. While a task is the only one, its time slices are not
     recorded: a record without tasks has the time from which to which one was alone, and a program of one
-    task has no records. `handlers` has the names of those that are event handlers, and `lives` all others but the
-    parent.
+    task has no records. `lives` has all tasks except the parent and handlers of events.
     """
 
-    __slots__ = ("_alone_since", "_began", "_rested", "handlers", "lives", "seconds")
+    __slots__ = ("_alone_since", "_began", "_rested", "lives", "seconds")
 
     def __init__(self, store: Store) -> None:
         super().__init__(store, "TimeSlices")
@@ -52,7 +55,6 @@ class TimeSliceStream(TimeSlicesInOrder):
         self._alone_since: float | None = 0.0
         # For how long the running task waits in iterations that are skipped in its time slice.
         self._rested = 0.0
-        self.handlers: set[str] = set()
         self.lives: dict[str, Life] = {}
 
     def started(self, task: str, now: float) -> None:
@@ -76,10 +78,10 @@ class TimeSliceStream(TimeSlicesInOrder):
         if since is not None and since < now:
             self.add((since, now, (), ()))
 
-    def rested(self, seconds: float) -> None:
-        """Record that skipped iterations of the running task have waited."""
+    def rested(self, count: int, waits: Iterable[Any]) -> None:
+        """Record that the running task has waited in so many skipped iterations, as it did before."""
         if self._alone_since is None:
-            self._rested += seconds
+            self._rested += count * fsum(wait[3] - wait[2] for wait in map(whole, waits))
 
     def took(self, task: str, began: float, now: float, stops: bool) -> None:
         """Record a time slice of a task; `stops` is true if the task then waits or ends."""

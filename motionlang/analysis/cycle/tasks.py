@@ -126,7 +126,8 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
     made = []
     for name in dict.fromkeys((parent, *slices.lives, *computed, *waits)):
         begin, end, lived = 0.0, over, over
-        if (life := slices.lives.get(name)) is not None:
+        life = slices.lives.get(name)
+        if life is not None:
             begin, end, lived = life.begin, life.end, life.lived
             if life.since is not None:
                 end, lived = over, lived + over - life.since
@@ -137,7 +138,8 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
             phases = fsum(until - since for since, until in alone) - _within(waits.get(name, []), alone)
             computing = computing + phases if slices else rest
         computing = min(computing, rest)
-        ready = 0.0 if name in slices.handlers else fsum((rest, -computing))
+        is_handler = life is None and name != parent
+        ready = 0.0 if is_handler else fsum((rest, -computing))
         made.append(TaskTime(name, begin, end, causes, computing, ready))
     return made
 
