@@ -79,7 +79,7 @@ class TimeSliceStream(TimeSlicesInOrder):
             self.add((since, now, (), ()))
 
     def rested(self, count: int, waits: Iterable[Any]) -> None:
-        """Record that the running task has waited in so many skipped iterations, as it did before."""
+        """Record that the running task waited as often again, in skipped iterations."""
         if self._alone_since is None:
             self._rested += count * fsum(wait[3] - wait[2] for wait in map(whole, waits))
 
