@@ -163,6 +163,7 @@ class Scheduler:
     def start(self, task: Task) -> None:
         """Start a further task now."""
         self.invalidate_waits()
+        self._alone = False
         self.machine.log.slices.started(task.name, self.clock.now)
         self.tasks.append(task)
 
@@ -296,7 +297,7 @@ class Scheduler:
         slices = self.machine.log.slices
         if several:
             slices.took(task.name, self.began, clock.now, task.wait is not None or task.done)
-        elif len(self.tasks) > 1:
+        elif not self._alone and len(self.tasks) > 1:
             slices.shared(clock.now)
         if self._end and not (event <= time < self._end and self._goes_on(task)):
             self._end = 0.0
