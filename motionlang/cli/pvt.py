@@ -14,7 +14,7 @@ from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import Commands, add_all, arrange, sentence
 from motionlang.cli.pvt_input import Move, SourceError, UsageError, diagnose, read_move, spans_of
 from motionlang.cli.pvt_options import INPUT, OPTIONS
-from motionlang.errors import Diagnostic, ProgramError, need
+from motionlang.errors import Diagnostic, ProgramError, count_of, need
 from motionlang.files import reason
 from motionlang.planners.curve import Profile
 from motionlang.planners.pvt.points import Point, absolute, plan_points, relative, until_end
@@ -111,8 +111,7 @@ def export(args: argparse.Namespace) -> int:
     error, when = _error(move, from_wire(made.read_back), args.start or 0.0)
     span = total(p.time for p in points)
     worst = f"largest error {error:.3g} counts at {when:.3f} s" if error > NOISE else "no error"
-    count = len(points) - 1
-    head = f"# {move.name}: {count} segment{'s' * (count != 1)}, {span:.3f} s, {worst}"
+    head = f"# {move.name}: {count_of(len(points) - 1, 'segment')}, {span:.3f} s, {worst}"
     _write(args.output, [head, *made.lines])
     if args.plot:
         _draw([_planned(from_wire(made.read_back), args.start)], [move.name], args.plot)

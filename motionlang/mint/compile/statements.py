@@ -267,14 +267,11 @@ _FIRST_WORDS = ("Const", "Pause", "Print", "Return", "Input", "Repeat")
 # Words that begin a statement in other languages, and what is written here.
 _OTHER_WORDS = {
     "call": "a sub is called by its name alone",
-    "catch": "an event handles errors: Event ONERROR",
+    **dict.fromkeys(("catch", "try"), "an event handles errors: Event ONERROR"),
     "let": "a variable is assigned to by its name alone: k = 3",
-    "local": "Dim declares a variable: Dim k As Integer",
-    "private": "Dim declares a variable: Dim k As Integer",
-    "public": "Dim declares a variable: Dim k As Integer",
-    "static": "Dim declares a variable: Dim k As Integer",
-    "try": "an event handles errors: Event ONERROR",
-    "var": "Dim declares a variable: Dim k As Integer",
+    **dict.fromkeys(
+        ("local", "private", "public", "static", "var"), "Dim declares a variable: Dim k As Integer"
+    ),
 }
 
 
