@@ -332,17 +332,16 @@ def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
         result.status = "until"
         result.controller.clock.advance(until)
         return
-    from motionlang.lang.ends import what_ends
-    from motionlang.lang.waits import unfinished
+    from motionlang.lang.ends import what_ends, what_frees
 
+    waits = [(stuck.task, stuck.wait), *((each, each.wait) for each in others if each.wait is not None)]
     hints = (
-        what_ends(result.dialect, result.source, result.machine, task, wait)
-        for task, wait in ((stuck.task, stuck.wait), *((each, each.wait) for each in others))
-        if wait is not None
+        find(result.dialect, result.source, result.machine, task, wait)
+        for find in (what_ends, what_frees)
+        for task, wait in waits
     )
     start = "start a move first, or add a machine file with the event it waits for and a time limit run.until"
-    controller = result.controller
-    hint = next(filter(None, hints), unfinished(controller, controller.axes) or start)
+    hint = next(filter(None, hints), start)
     result.status = "fault"
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
 

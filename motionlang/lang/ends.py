@@ -1,13 +1,15 @@
-"""Options that end a wait: `--input 2=1@0.5`, `--answer TEXT`, `--keys`.
+"""Hints for a wait that nothing can end: `--input 2=1@0.5`, `--answer TEXT`, GO, STOP.
 
-They are suggested for a wait that nothing else can end. The wait itself may state its purpose; if it does
-not, the condition at its source offset is analysed.
+The wait itself may state its purpose; if it does not, the condition at its source offset is analysed.
 """
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.controller.controller import Controller
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.loop_dependencies import Read
     from motionlang.lang.machine.machine import Machine
@@ -55,6 +57,44 @@ def what_ends(
     if any("." in each for each in driven):
         return f"the machine file says where it is: {entries}"
     return f"{entries} of the machine file says when it comes" if entries else ""
+
+
+def what_frees(dialect: Dialect, source: Source, machine: Machine, task: Task, wait: Wait) -> str:
+    """Return a hint about what a wait lacks, such as a GO; "" if there is none."""
+    if wait.cause == "axis":
+        axes = [("axis", number) for number in wait.what]
+    else:
+        leaves = _reads(dialect, source, task, wait)
+        if wait.cause == "condition" and not leaves:
+            return "let another task or an Event change it: this task does nothing while it waits"
+        axes = sorted((kind, n) for kind, n in leaves if kind in ("axis", "position") and n is not None)
+    found = next(filter(None, (_frees(machine.controller, kind, axis) for kind, axis in axes)), "")
+    return found or _raises(dialect, source, machine)
+
+
+def _raises(dialect: Dialect, source: Source, machine: Machine) -> str:
+    """Return the option that calls a handler of an input; "" if there is none."""
+    reads = dialect.input_reads(source) if source.text.strip() else []
+    handler = next((each for each in reads if each.kind == "event" and each.channel is not None), None)
+    if handler is None or handler.channel is None:
+        return ""
+    level, at = 1 - machine.controller.inputs[handler.channel], round(machine.clock.now + SOON, 1)
+    option = f"--input {handler.channel}={level:d}@{at:g}"
+    return f"{option} calls the handler in line {handler.line}, as does [[input]] of the machine file"
+
+
+def _frees(controller: Controller, kind: str, axis: int) -> str:
+    a = controller.axes[axis]
+    if a.suspended and (a.move is not None or a.buffer):
+        return f"resume axis {axis} first: it is suspended"
+    if a.move is None and a.buffer and not a.buffer[0].released:
+        return f"write GO({axis}) first: it starts the buffered moves"
+    end = a.scale.position_to_user(a.target)
+    if kind == "axis":
+        return f"stop axis {axis} first: it runs without an end" if abs(end) == INFINITY else ""
+    if abs(end) == INFINITY:
+        return f"axis {axis} runs without an end and never gets there: check its direction"
+    return f"axis {axis} stops at {end:.6g}" if len(a.starts) > 1 else ""
 
 
 def _reads(dialect: Dialect, source: Source, task: Task, wait: Wait) -> frozenset[Read]:

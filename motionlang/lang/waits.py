@@ -199,18 +199,6 @@ def until_idle(axes: tuple[int, ...]) -> str:
     return f"for axis {', '.join(map(str, axes))} to be idle"
 
 
-def unfinished(controller: Controller, axes: Iterable[int]) -> str:
-    """Return the hint if one of some axes runs without an end, or is suspended."""
-    running = [axis for axis in axes if abs(controller.target(axis)) == INFINITY]
-    if running:
-        return f"stop axis {running[0]} first: it runs without an end"
-    for axis in axes:
-        a = controller.axes[axis]
-        if a.suspended and (a.move is not None or a.buffer):
-            return f"resume axis {axis} first: it is suspended"
-    return ""
-
-
 def next_tick(now: float) -> float:
     """Return the first tick of the profiler after a time."""
     return (int(now / TICK + 1e-6) + 1) * TICK

@@ -9,7 +9,7 @@ from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, ProgramError, missing
 from motionlang.execution import ONE_SHIFT
 from motionlang.lang.dialect import Dialect
-from motionlang.lang.ends import what_ends
+from motionlang.lang.ends import what_ends, what_frees
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.nesting import StackSpace
 from motionlang.lang.run_errors import explain
@@ -131,8 +131,8 @@ class Runner:
             self._report_at(source, at, "interrupted", "the command was interrupted from the keyboard")
         except Stuck as stuck:
             message = f"the command waits {stuck.wait.why}, which can never happen"
-            hint = "stop the axis that jogs" if moving(self.machine) else "start a move first"
-            hint = what_ends(self.dialect, source, self.machine, stuck.task, stuck.wait, True) or hint
+            blocked = self.dialect, source, self.machine, stuck.task, stuck.wait
+            hint = what_ends(*blocked, at_prompt=True) or what_frees(*blocked) or "start a move first"
             self._report_at(source, self._scheduler.parent.at, "never", message, hint)
         except Exception as error:
             self._drop_if_broken(error)

@@ -75,3 +75,38 @@ def test_the_option_that_ends_a_wait(
 def test_the_hint_names_what_the_condition_reads(text: str, hint: str) -> None:
     (found,) = run(Source("a.mnt", f"Dim n\n{text}"), cache=False).diagnostics
     assert (found.code, found.line, found.hint) == ("never", 2, hint)
+
+
+@cases(
+    "text, line, hint",
+    [
+        (
+            "JOG(0) = 50\nMOVER(1) = 1\nMOVER(1) = 1\nMOVER(1) = 1",
+            4,
+            "write GO(1) first: it starts the buffered moves",
+        ),
+        ("MOVEA(0) = 50\nPAUSE POS(0) > 40", 2, "write GO(0) first: it starts the buffered moves"),
+        ("SCALE(0) = 10\nMOVEA(0) = 50 : GO(0)\nPAUSE POS(0) > 50", 3, "axis 0 stops at 50"),
+        (
+            "JOG(0) = 50\nPAUSE POS(0) < -10",
+            2,
+            "axis 0 runs without an end and never gets there: check its direction",
+        ),
+        ("JOG(0) = 50\nPAUSE IDLE(0)", 2, "stop axis 0 first: it runs without an end"),
+        ("MOVER(0) = 5 : GO(0)\nSUSPEND(0) = 1\nPAUSE IDLE(0)", 3, "resume axis 0 first: it is suspended"),
+        (
+            "JOG(0) = 50\nDim f\nPAUSE f = 1",
+            3,
+            "let another task or an Event change it: this task does nothing while it waits",
+        ),
+        (
+            "Dim f\nPAUSE f = 1\nEvent IN4\n  f = 1\nEnd Event",
+            2,
+            "--input 4=1@0.5 calls the handler in line 3, as does [[input]] of the machine file",
+        ),
+    ],
+)
+def test_the_hint_says_what_the_wait_lacks(text: str, line: int, hint: str) -> None:
+    """A jog of another axis has nothing to do with it."""
+    (found,) = run(Source("a.mnt", text), cache=False).diagnostics
+    assert (found.code, found.line, found.hint) == ("never", line, hint)

@@ -127,7 +127,7 @@ def test_the_bottom_bar() -> None:
 def test_motion_that_never_ends_cannot_be_settled() -> None:
     assert talk("JOG(0) = 5", ".settle") == (
         "error[never]: the command waits for axis 0 to be idle, which can never happen\n"
-        "  hint: stop the axis that jogs\n"
+        "  hint: stop axis 0 first: it runs without an end\n"
     )
 
 
