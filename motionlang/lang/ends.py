@@ -1,4 +1,4 @@
-"""Hints for a wait that nothing can end: `--input 2=1@0.5`, `--answer TEXT`, GO, STOP.
+"""Hints for a wait that nothing can end: `--input 2=1@0.5`, GO, STOP.
 
 The wait itself may state its purpose; if it does not, the condition at its source offset is analysed.
 """

@@ -130,7 +130,9 @@ def leave_loop(b: Body, node: nodes.Exit, kind: str) -> None:
     if not kind:
         inner = [k for k, _ in around if k not in ("select", "if")]
         if not inner:
-            b.problem("stray-end", "Exit outside a loop", node)
+            b.problem(
+                "stray-end", "Exit outside a loop", node, "Exit Sub leaves a sub, Exit Function a function"
+            )
             return
         kind = inner[-1]
     if all(k != kind for k, _ in around):

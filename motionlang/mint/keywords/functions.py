@@ -9,29 +9,30 @@ from motionlang.lang.keyword import Keyword
 
 
 def _function(name: str, index: str, unit: str, verb: str, help: str, example: str, changes: str = "",
-              optional: int = 0) -> Keyword:  # fmt: skip
+              optional: int = 0, meant: str = "") -> Keyword:  # fmt: skip
     return Keyword(name, "", "function", "R", index, unit, verb, help, f"PRINT {example}",
-                   group="functions", changes=changes, optional=optional)  # fmt: skip
+                   group="functions", changes=changes, optional=optional, meant=meant)  # fmt: skip
 
 
 ROWS = (
     _function("Abs", "number", "same", "absolute", "The number without its sign.", "Abs(-3)"),
     _function("Sgn", "number", "integer", "sign", "-1, 0 or 1 as the number is negative, zero or positive.",
-              "Sgn(-3)"),
+              "Sgn(-3)", meant="SIGN"),
     _function("Int", "number", "integer", "whole", "The whole part of a number, the fraction cut off.",
-              "Int(3.7)"),
+              "Int(3.7)", meant="ROUND TRUNC FIX FLOOR"),
     _function("Min", "number, number", "same", "least", "The smaller of two numbers.", "Min(3, 4)"),
     _function("Max", "number, number", "same", "greatest", "The larger of two numbers.", "Max(3, 4)"),
     _function("Sqrt", "number", "number", "root", "The square root.", "Sqrt(2)"),
     _function("Sqr", "number", "number", "root", "The square root.", "Sqr(2)"),
     _function("Exp", "number", "number", "exponential", "e to a power.", "Exp(1)"),
-    _function("Log", "number", "number", "logarithm", "The natural logarithm.", "Log(10)"),
+    _function("Log", "number", "number", "logarithm", "The natural logarithm.", "Log(10)", meant="LN"),
     _function("Sin", "number", "number", "sine", "The sine of an angle in degrees.", "Sin(30)"),
     _function("Cos", "number", "number", "cosine", "The cosine of an angle in degrees.", "Cos(60)"),
     _function("Tan", "number", "number", "tangent", "The tangent of an angle in degrees.", "Tan(45)"),
     _function("Asin", "number", "number", "arcsine", "The angle in degrees that has a sine.", "Asin(0.5)"),
     _function("Acos", "number", "number", "arccosine", "The angle in degrees that has a cosine.", "Acos(0.5)"),
-    _function("Atan", "number", "number", "arctangent", "The angle in degrees that has a tangent.", "Atan(1)"),
+    _function("Atan", "number", "number", "arctangent", "The angle in degrees that has a tangent.", "Atan(1)",
+              meant="ATN ARCTAN"),
     _function("Rnd", "", "number", "random", "The next number of a fixed sequence between 0 and 1.",
               "Rnd < 1", changes="always"),
     _function("Len", "text", "integer", "length", "The number of characters of a text.", 'Len("Mint")'),

@@ -1,7 +1,7 @@
-"""Checks of conditions about moving axes, and of WAITs whose time is a condition.
+"""Checks of conditions: those of moving axes, of a WAIT and of a PAUSE.
 
-A WAIT takes a time. A moving axis is rarely read at exactly one position. A wait never ends if the axis jogs, or if
-its moves never reach the position it waits for.
+A WAIT takes a time, a PAUSE a condition. A moving axis is rarely read at exactly one position. A wait never ends if
+the axis jogs, or if its moves never reach the position it waits for.
 """
 
 from __future__ import annotations
@@ -63,6 +63,7 @@ class Conditions:
             if type(node) is nodes.Assign or type(node) is nodes.Call:
                 self._wait_for_condition(node)
             elif type(node) is nodes.Pause:
+                self._pause_for_time(node)
                 self._waits(node.condition, True, before[step], node.at)
             elif step.kind == TEST:
                 self._equalities(node, None, before[step])
@@ -86,17 +87,28 @@ class Conditions:
         values = node.values if type(node) is nodes.Assign else target.args or []
         if len(values) != 1 or not self._is_condition(values[0]):
             return
+        message = "WAIT takes a time in ms, and this is a condition: it waits 0 or 1 ms"
+        self._wrong_wait(node, message, "PAUSE waits until a condition is true", "PAUSE")
+
+    def _pause_for_time(self, node: nodes.Pause) -> None:
+        """Report a PAUSE whose condition is a number above 1, which was meant as a time."""
+        number = meant(node.condition)
+        if type(number) is nodes.Number and number.value > 1:
+            message = f"PAUSE takes a condition, and {number.value:g} is always true: it does not wait"
+            self._wrong_wait(node, message, "WAIT waits for a time in ms", "WAIT")
+
+    def _wrong_wait(self, node: nodes.Node, message: str, hint: str, word: str) -> None:
+        """Report a WAIT or PAUSE that should be the other, which is `word`."""
         line = self.offsets.source.line(self.offsets.line(node.at))
         found = _WAIT.match(line, self.offsets.column(node.at) - 1)
         assert found is not None
-        spaced = found[0][-1:].isspace()
         self.add(
             "wait-condition",
-            "WAIT takes a time in ms, and this is a condition: it waits 0 or 1 ms",
+            message,
             node.at,
-            "PAUSE waits until a condition is true",
+            hint,
             length=len(found[0].rstrip()),
-            fix=("PAUSE" if found[1].isupper() else "Pause") + " " * (not spaced),
+            fix=(word if found[1].isupper() else word.capitalize()) + " " * (not found[0][-1:].isspace()),
         )
 
     def _is_condition(self, node: nodes.Expr) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from motionlang.lang.parsing.parser import BAD, END
 from motionlang.lang.typography import typographic, unclosed
 from motionlang.mint.syntax.tables import SPELLINGS
@@ -32,9 +34,16 @@ SLIPS = {
     ("wait", "for"): "WAIT waits for a time in ms: WAIT(100)",
     ("loop", "until"): "a loop with a condition is While … End While or Repeat … Until",
     ("loop", "while"): "a loop with a condition is While … End While or Repeat … Until",
+    ("pause", "until"): "PAUSE waits until its condition is true: PAUSE INX(0)",
+    ("continue", "for"): "there is no Continue: put the rest of the loop in an If",
+    ("continue", "while"): "there is no Continue: put the rest of the loop in an If",
+    (",", "\n"): "write another value after the comma, or remove it",
+    ("=", "$"): "a hexadecimal number is written 0x1F",
+    ("print", "$"): "a hexadecimal number is written 0x1F",
     ("error", "goto"): "an event handles errors: Event ONERROR",
     ("error", "gosub"): "an event handles errors: Event ONERROR",
 }
+_WITH_UNIT = re.compile(r"(\d+(?:\.\d*)?)(?:m?s|[cmu]?m|in|deg|rad|rev|rpm|k?hz|v|counts?)", re.IGNORECASE)
 TYPE_SIGNS = "%$"
 # The first word of a statement, and what its wrong brackets should be.
 _BRACKETS = {"DIM": "subscripts are in round brackets: Dim a(5)", "EVENT": "an event has no parameters"}
@@ -76,6 +85,12 @@ def hint(kinds: set[str], before: str, text: str, first: str) -> str:
         return f"Dim declares a variable: Dim {before} As Integer"
     if text.lower() == "elseif" and "ELSE" in kinds:
         return "in an If of one line write Else If"
+    if text.lower() in ("end", "endif") and "ELSE" in kinds:
+        return "an If of one line has no End If: remove it"
+    if text.lower() == "in" and first == "FOR":
+        return "a loop over numbers is For i = 1 To 3 … Next"
+    if number := _WITH_UNIT.fullmatch(text):
+        return f"numbers have no unit: {number[1]}"
     if text.lower() == "not" and kinds >= VALUE:
         return "Not takes all that follows; write it in brackets, (Not b)"
     if slip := SLIPS.get((before, text[:1])) or SLIPS.get((before.lower(), text.lower())):

@@ -258,7 +258,7 @@ REFUSED = [
     ("SPEED(n) = -1", 2, "SPEED cannot be -1", "it takes 0 to 8388607"),
     ("PRINT k()\nTask k\nEnd Task", 2, "k is a task and has no value", ""),
     ("While n\nExit For\nEnd While", 3, "Exit For outside a For", ""),
-    ("Exit", 2, "Exit outside a loop", ""),
+    ("Exit", 2, "Exit outside a loop", "Exit Sub leaves a sub, Exit Function a function"),
     ("Exit Function", 2, "Exit Function outside a Function", ""),
     ("Function q() As Integer\nExit Sub\nEnd Function", 3, "Exit Sub outside a Sub", ""),
     ("Sub q()\nExit Function\nEnd Sub", 3, "Exit Function outside a Function", ""),
