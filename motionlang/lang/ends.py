@@ -32,7 +32,7 @@ def what_ends(
     from now.
     """
     dash, now = (".", 0.0) if at_prompt else ("--", machine.clock.now)
-    at = f"{round(now + SOON, 1):g}"
+    at = f"{round(now + SOON, 1):.10g}"
     driven = dialect.driven_by(wait.why)
     leaves = _reads(dialect, source, task, wait)
     channels = sorted(number for kind, number in leaves if kind == "input" and number is not None)
@@ -65,11 +65,16 @@ def what_frees(dialect: Dialect, source: Source, machine: Machine, task: Task, w
         axes = [("axis", number) for number in wait.what]
     else:
         leaves = _reads(dialect, source, task, wait)
-        if wait.cause == "condition" and not leaves:
+        if not leaves and _is_of_program(dialect, source, task):
             return "let another task or an Event change it: this task does nothing while it waits"
         axes = sorted((kind, n) for kind, n in leaves if kind in ("axis", "position") and n is not None)
     found = next(filter(None, (_frees(machine.controller, kind, axis) for kind, axis in axes)), "")
     return found or _raises(dialect, source, machine)
+
+
+def _is_of_program(dialect: Dialect, source: Source, task: Task) -> bool:
+    """Return True if a task waits for a condition that the program states."""
+    return bool(source.text.strip()) and dialect.loop_dependencies(source)(task.at) is not None
 
 
 def _raises(dialect: Dialect, source: Source, machine: Machine) -> str:
@@ -79,7 +84,7 @@ def _raises(dialect: Dialect, source: Source, machine: Machine) -> str:
     if handler is None or handler.channel is None:
         return ""
     level, at = 1 - machine.controller.inputs[handler.channel], round(machine.clock.now + SOON, 1)
-    option = f"--input {handler.channel}={level:d}@{at:g}"
+    option = f"--input {handler.channel}={level:d}@{at:.10g}"
     return f"{option} calls the handler in line {handler.line}, as does [[input]] of the machine file"
 
 
@@ -94,7 +99,7 @@ def _frees(controller: Controller, kind: str, axis: int) -> str:
         return f"stop axis {axis} first: it runs without an end" if abs(end) == INFINITY else ""
     if abs(end) == INFINITY:
         return f"axis {axis} runs without an end and never gets there: check its direction"
-    return f"axis {axis} stops at {end:.6g}" if len(a.starts) > 1 else ""
+    return f"axis {axis} stops at {end:.10g}" if len(a.starts) > 1 else ""
 
 
 def _reads(dialect: Dialect, source: Source, task: Task, wait: Wait) -> frozenset[Read]:
