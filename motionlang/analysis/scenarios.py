@@ -109,7 +109,7 @@ def _off(what: str, found: float, entry: Entry, name: str, unit: str) -> str:
     assert isinstance(within, (int, float))
     if abs(found - wanted) <= within:
         return ""
-    return f"{what}, not at {wanted:g} {unit}: {found - wanted:+g} {unit}, allowed {within:g}"
+    return f"{what}, not at {wanted:.10g} {unit}: {found - wanted:+g} {unit}, allowed {within:.10g}"
 
 
 def _unmet_print(result: Run, entry: Entry) -> str:
@@ -143,11 +143,11 @@ def _untimely(what: str, did: str, times: list[float], entry: Entry, never: bool
         return f"{what} {did} at {inside[0]:.6f} s" if inside else ""
     if inside:
         return ""
-    when = f" from {low:g} to {high:g} s"
+    when = f" from {low:.10g} to {high:.10g} s"
     if high == inf:
-        when = f" after {low:g} s" if low else ""
+        when = f" after {low:.10g} s" if low else ""
     elif not low:
-        when = f" before {high:g} s"
+        when = f" before {high:.10g} s"
     if times:
         return f"{what} {did} at {times[0]:.6f} s, not{when}"
     never_did = did.replace("was ", "was not ") if did.startswith("was ") else "did not happen"

@@ -160,7 +160,7 @@ def lines_of(probe: Probe, axis: int, step: float) -> tuple[list[str], str, list
 
     def filled(text: str) -> str:
         text = text.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
-        return text.replace("{2d}", f"{2 * step:g}").replace("{d}", f"{step:g}")
+        return text.replace("{2d}", f"{2 * step:.10g}").replace("{d}", f"{step:.10g}")
 
     return [filled(each) for each in probe.before], filled(probe.ask), [filled(each) for each in probe.after]
 
@@ -170,17 +170,17 @@ def _reach(probe: Probe, motion: Motion) -> str:
     both = any("{b}" in line for line in (*probe.before, probe.ask, *probe.after))
     axes = f"axes {motion.axis} and {motion.axis + 1}" if both else f"axis {motion.axis}"
     where = "their positions" if both else "its position"
-    within = f"within {motion.distance:g} user units of {where}"
+    within = f"within {motion.distance:.10g} user units of {where}"
     return f"It moves {axes} {within}. Enable what moves; stop it as any motion."
 
 
 def _promise(language: str, motion: Motion | None) -> str:
     if motion is None:
         return "It moves nothing and writes no setting. It can be stopped at any time."
-    within = f"It moves axis {motion.axis} within {motion.distance:g} user units of its position"
+    within = f"It moves axis {motion.axis} within {motion.distance:.10g} user units of its position"
     if language == "mint":
         return f"{within}, and puts back what it writes. The axis must be enabled. Stop it as any motion."
-    speed = f"leaves its velocity at {motion.distance / 2:g}"
+    speed = f"leaves its velocity at {motion.distance / 2:.10g}"
     return f"{within}, which is 0 afterwards, switches it on and {speed}. Stop it as any motion."
 
 
@@ -208,7 +208,7 @@ def _mint(found: Sequence[Assumption], axis: int, motion: Motion | None) -> Iter
             slow = True
             yield "Dim fs As Float"
             yield f"fs = SPEED({axis})"
-            yield f"SPEED({axis}) = {motion.distance / 2:g}"
+            yield f"SPEED({axis}) = {motion.distance / 2:.10g}"
         before, ask, after = lines_of(each.probe, axis, motion.step if motion is not None else 0.0)
         yield from before
         yield f'PRINT "<{each.name}|"; {ask}; ">"'
@@ -244,7 +244,7 @@ def _mccl(found: Sequence[Assumption], axis: int, motion: Motion | None) -> Iter
 
     yield frame["begin"].format(mark=mark(BEGIN), count=len(found))
     if motion is not None:
-        yield frame["slow"].format(a=axis, speed=f"{motion.distance / 2:g}")
+        yield frame["slow"].format(a=axis, speed=f"{motion.distance / 2:.10g}")
     for each in found:
         assert each.probe is not None
         before, ask, after = lines_of(each.probe, axis, motion.step if motion is not None else 0.0)

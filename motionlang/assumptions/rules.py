@@ -199,7 +199,7 @@ def _scale(row: Keyword) -> Questions:
             f"{row.name}({{a}}) = {VALUE}",
             f"SCALEFACTOR({{a}}) = {second}",
         ),
-        answers=(f"{stored:g}", f"{VALUE}"),
+        answers=(f"{stored:.10g}", f"{VALUE}"),
         alone=True,
         needs=AGAIN,
     )
@@ -214,8 +214,8 @@ def _type(row: Keyword) -> Questions:
     probe = Probe(
         "mint",
         f"{row.name}({{a}})",
-        before=(f"fa = {low + FRACTION:g}", f"{row.name}({{a}}) = fa"),
-        answers=(f"{low}", f"{low + FRACTION:g}", f"{low + 1}", ERROR),
+        before=(f"fa = {low + FRACTION:.10g}", f"{row.name}({{a}}) = fa"),
+        answers=(f"{low}", f"{low + FRACTION:.10g}", f"{low + 1}", ERROR),
         alone=True,
         needs=AGAIN,
     )

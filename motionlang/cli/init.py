@@ -56,7 +56,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         type=machine_time,
         default=UNTIL,
         metavar="S",
-        help=f"the time limit of the machine file, in seconds of machine time ({UNTIL:g})",
+        help=f"the time limit of the machine file, in seconds of machine time ({UNTIL:.10g})",
     )
     add_format(parser, REPORTS, "what follows the program's own output, as in run")
     arrange(parser, {"program": "dialect until", "report": "format quiet output"})

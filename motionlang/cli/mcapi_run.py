@@ -74,7 +74,7 @@ def _environment(own: Mapping[str, str], address: str, library: Path, factor: fl
             )
         else:
             preload.append(fake)
-            found["FAKETIME"] = f"+0 x{factor:g}"
+            found["FAKETIME"] = f"+0 x{factor:.10g}"
     found["LD_PRELOAD"] = ":".join([*preload, *filter(None, [own.get("LD_PRELOAD")])])
     found["LD_LIBRARY_PATH"] = ":".join([str(library.parent), *filter(None, [own.get("LD_LIBRARY_PATH")])])
     return found

@@ -175,7 +175,7 @@ def _unreached(move: dict[str, float], wanted: dict[str, float]) -> list[str]:
         each = f"{move['accel'] * factor:.6g} uu/s² for acceleration and deceleration"
     return [
         (
-            f"the move does not reach {speed:g} uu/s: its peak is {move['speed']:.6g} after "
+            f"the move does not reach {speed:.10g} uu/s: its peak is {move['speed']:.6g} after "
             f"{move['accel_time']:.6g} s; it needs a distance of {needed:.6g} uu, or {each}"
         )
     ]

@@ -51,13 +51,13 @@ def scale_of(arguments: argparse.Namespace) -> tuple[float, str]:
     if lines is None and (factors or arguments.degrees):
         raise ValueError(f"--{factors[0] if factors else 'degrees'} needs --encoder-lines")
     if resolution is not None:
-        scale, how = linear_scale(resolution), f"1/{resolution:g}"
+        scale, how = linear_scale(resolution), f"1/{resolution:.10g}"
     elif lines is not None:
         scale, how = _rotary(arguments)
     else:
         scale, how = (1.0 if arguments.scale is None else arguments.scale), ""
     if not MIN_VALUE <= scale <= MAX_VALUE:
-        raise ValueError(f"--scale must be a number of counts from {MIN_VALUE:g} to {MAX_VALUE:g}")
+        raise ValueError(f"--scale must be a number of counts from {MIN_VALUE:.10g} to {MAX_VALUE:.10g}")
     return scale, how
 
 
@@ -67,5 +67,9 @@ def _rotary(arguments: argparse.Namespace) -> tuple[float, str]:
     lines, gear = arguments.encoder_lines, 1.0 if arguments.gear is None else arguments.gear
     quadrature = 4 if arguments.quadrature is None else arguments.quadrature
     per_turn = 360.0 if arguments.degrees else arguments.pitch
-    how = f"{lines:g} lines · {quadrature}" + (f" · {gear:g}" if gear != 1.0 else "") + f" / {per_turn:g}"
+    how = (
+        f"{lines:.10g} lines · {quadrature}"
+        + (f" · {gear:.10g}" if gear != 1.0 else "")
+        + f" / {per_turn:.10g}"
+    )
     return rotary_scale(lines, per_turn, gear, quadrature), how

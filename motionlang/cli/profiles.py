@@ -109,10 +109,10 @@ def _draw(demand: Demand, path: str) -> int:
 
 def _lines(demand: Demand, rows: Sequence[Row], as_printed: bool, colour: bool) -> list[str]:
     head = "TN1069: one move in four profiles"
-    slowing = "" if demand.symmetric else f"D = {demand.deceleration:g} counts/s², "
+    slowing = "" if demand.symmetric else f"D = {demand.deceleration:.10g} counts/s², "
     given = (
-        f"A = {demand.acceleration:g} counts/s², {slowing}V = {demand.velocity:g} counts/s, S = "
-        f"{demand.distance:g} counts; 1000 cycles per second"
+        f"A = {demand.acceleration:.10g} counts/s², {slowing}V = {demand.velocity:.10g} counts/s, S = "
+        f"{demand.distance:.10g} counts; 1000 cycles per second"
     )
     lines = [styled(head, "bold", colour), given, ""]
     lines += _table(demand, rows, as_printed, colour)

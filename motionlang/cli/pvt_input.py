@@ -158,7 +158,7 @@ def _from_scurve(args: argparse.Namespace) -> Move:
         raise ProgramError.of("range", "no finite move is possible within these limits") from None
     except ValueError as problem:
         raise ProgramError.of("range", str(problem)) from None
-    return Move(f"S-curve, {args.scurve:g} counts", points)
+    return Move(f"S-curve, {args.scurve:.10g} counts", points)
 
 
 def _from_file(args: argparse.Namespace) -> Move:

@@ -126,13 +126,13 @@ _OPTIONS = (
     option("--realtime", "FACTOR", "run at FACTOR × real time; FACTOR defaults to 1",
            real("a factor above 0: --realtime 10 is ten times as fast", 0.0, above=True), nargs="?", const=1.0),
     option("--trace", "OUT", f"sample the motion into a file: {either(TRACES)}"),
-    option("--rate", "HZ", f"samples per second of the trace ({RATE:g}; with --trajectory-points {SERVO_RATE:g})",
+    option("--rate", "HZ", f"samples per second of the trace ({RATE:.10g}; with --trajectory-points {SERVO_RATE:.10g})",
            _RATE),
     option("--columns", "NAME,…", "columns of the trace in addition to time, for every axis or for one, such as "
            "position,velocity.0", _columns),
     flag("--trajectory-points", "trace the controller's trajectory points, joined by straight lines, as the servo "
          "loop receives them, instead of the exact curve"),
-    option("--trajectory-rate", "HZ", f"trajectory points per second ({TRAJECTORY_RATE:g}, as on PMC's MultiFlex "
+    option("--trajectory-rate", "HZ", f"trajectory points per second ({TRAJECTORY_RATE:.10g}, as on PMC's MultiFlex "
            "boards)", _RATE),
     option("--plot", "OUT", f"draw the motion into a file: {either(PLOTS)}"),
     option("--from", "S", "start of the time span that --plot shows, s; an .html page also has the rest",

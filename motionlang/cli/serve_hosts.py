@@ -24,7 +24,7 @@ def greet(args: argparse.Namespace, title: str, axes: int) -> None:
     """Print what is served, and the time scale."""
     time = "in lock step" if args.clock == "lockstep" else "in real time"
     if args.factor:
-        time += f", {args.factor:g} × real time"
+        time += f", {args.factor:.10g} × real time"
     say(f"{title}, {axes} axes, {time}; Ctrl-C ends it\n")
 
 

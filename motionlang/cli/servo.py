@@ -162,7 +162,7 @@ def step(args: argparse.Namespace) -> int:
     if args.plot:
         from motionlang.views.servo_plot import plot_trace
 
-        plot_trace(trace, f"a step of {args.size:g} counts", args.plot)
+        plot_trace(trace, f"a step of {args.size:.10g} counts", args.plot)
     return OK
 
 
@@ -191,7 +191,7 @@ def tune(args: argparse.Namespace) -> int:
     if args.plot:
         from motionlang.views.servo_plot import plot_trace
 
-        plot_trace(trace, f"a step of {args.size:g} counts, tuned for {args.bandwidth:g} Hz", args.plot)
+        plot_trace(trace, f"a step of {args.size:.10g} counts, tuned for {args.bandwidth:.10g} Hz", args.plot)
     return OK
 
 

@@ -76,7 +76,7 @@ class Core(Readings):
         if not speed > 0.0:
             raise Rejected(
                 "zero-speed",
-                f"axis {a.index} cannot move: its speed is {speed:g}",
+                f"axis {a.index} cannot move: its speed is {speed:.10g}",
                 "set a speed above zero; the move would never end",
             )
         self.rates(a, speed)
@@ -360,6 +360,6 @@ def _check_rate(a: Axis, rate: float, what: str, purpose: str) -> None:
         name = what.split()[1]
         raise Rejected(
             "zero-acceleration",
-            f"axis {a.index} cannot {purpose}: its {name} is {rate:g}",
+            f"axis {a.index} cannot {purpose}: its {name} is {rate:.10g}",
             f"a {purpose} needs {what} above zero",
         )

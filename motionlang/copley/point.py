@@ -75,8 +75,8 @@ def check_points(points: Sequence[Point], start: float | None = None) -> list[Ba
         found.append(
             BadPoint(
                 0,
-                f"the move begins at {first.position:g} but the motor is at {start:g}",
-                f"the drive would command a step of {first.position - start:g} counts at once",
+                f"the move begins at {first.position:.10g} but the motor is at {start:.10g}",
+                f"the drive would command a step of {first.position - start:.10g} counts at once",
                 severe=False,
             )
         )

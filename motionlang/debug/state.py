@@ -106,7 +106,7 @@ class State:
             return None
         value = found[1].value
         if subscripts:
-            wanted = f"{found[1].name}({', '.join(f'{each:g}' for each in subscripts)})"
+            wanted = f"{found[1].name}({', '.join(f'{each:.10g}' for each in subscripts)})"
             elements = value if isinstance(value, list) else []
             element = next((each for each in elements if each.name.lower() == wanted.lower()), None)
             if element is None:

@@ -151,7 +151,7 @@ class Keyword:
         if low <= value <= high:
             return None
         hint = "" if self.low is None or self.high is None else f"it takes {low:.10g} to {high:.10g}"
-        return f"{self.name} cannot be {value:g}", hint
+        return f"{self.name} cannot be {value:.10g}", hint
 
     @property
     def accepted(self) -> str:

@@ -102,7 +102,7 @@ class Delay(Wait):
 
     @property
     def why(self) -> str:  # type: ignore[override]
-        return f"for {self.ends - self.since:g} s"
+        return f"for {self.ends - self.since:.10g} s"
 
 
 class Condition(Wait):

@@ -60,7 +60,7 @@ def demonstrate(
     16 bits it allows as many steps per update as fit into the motor's time constant.
     """
     if not share < 1.0:
-        raise ValueError(f"the demanded fraction of the limit must be below 1, not {share:g}")
+        raise ValueError(f"the demanded fraction of the limit must be below 1, not {share:.10g}")
     coarse = dac_timing(speed, limit, 12)
     fine_steps = int(coarse.electrical_time_constant / dac_timing(speed, limit, 16).step_time)
     hold_updates = ceil(coarse.hold_time / UPDATE * (1.0 - 1e-9))

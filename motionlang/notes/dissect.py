@@ -76,7 +76,7 @@ def _times(distance: float, speed: float, accel_time: float, accel_distance: flo
     check_positive(distance=distance, speed=speed, accel_time=accel_time)
     slew = (distance - 2.0 * accel_distance) / speed
     if slew < 0.0:
-        raise ValueError(f"the move is too short to reach its speed: that takes {2.0 * accel_distance:g}")
+        raise ValueError(f"the move is too short to reach its speed: that takes {2.0 * accel_distance:.10g}")
     return MoveTimes(accel_time, accel_distance, slew, 2.0 * accel_time + slew)
 
 

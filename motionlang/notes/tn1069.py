@@ -76,9 +76,9 @@ class Demand:
         for name in ("acceleration", "velocity", "distance", "deceleration"):
             value = getattr(self, name)
             if not 0.0 < value < LARGEST:
-                raise ValueError(f"the {name} must be above zero and below {LARGEST:g}, not {value:g}")
+                raise ValueError(f"the {name} must be above zero and below {LARGEST:.10g}, not {value:.10g}")
         if not 0.0 < ramp < 0.5:
-            raise ValueError(f"the ramp must be above 0 and below 0.5, not {ramp:g}")
+            raise ValueError(f"the ramp must be above 0 and below 0.5, not {ramp:.10g}")
 
     @property
     def printed(self) -> bool:
@@ -94,7 +94,7 @@ class Demand:
     @property
     def columns(self) -> tuple[str, str, str, str]:
         """The names of the profiles; the trapezoidal S-curve's includes its ramp."""
-        return (*COLUMNS[:2], f"trapezoidal {self.ramp:g}", COLUMNS[3])
+        return (*COLUMNS[:2], f"trapezoidal {self.ramp:.10g}", COLUMNS[3])
 
 
 NOTE = Demand()

@@ -81,7 +81,7 @@ def accel_for(shape: str, distance: float, speed: float, time: float, ramp: floa
     """
     if time <= distance / speed:
         raise ValueError(
-            f"{distance:g} counts at {speed:g} counts/s take longer than {time:g} s in every shape"
+            f"{distance:.10g} counts at {speed:.10g} counts/s take longer than {time:.10g} s in every shape"
         )
 
     def duration(acceleration: float) -> float:

@@ -120,7 +120,7 @@ def _run(session: Session, argument: str) -> None:
     except ValueError:
         seconds = -1.0
     if not 0.0 <= seconds <= ONE_SHIFT:
-        _wrong(session, "range", f".run takes 0 to {ONE_SHIFT:g} seconds, not {argument}", ".run 0.5")
+        _wrong(session, "range", f".run takes 0 to {ONE_SHIFT:.10g} seconds, not {argument}", ".run 0.5")
         return
     if session.runner.pass_time(seconds):
         _time(session, "")

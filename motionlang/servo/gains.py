@@ -198,5 +198,5 @@ class _Complete(dict[str, float]):
         value = self[quantity]
         if not low <= value <= high:
             word = self._gains[quantity][1]
-            raise ValueError(f"{word} must be {low:g} to {high:g}, not {value:g}")
+            raise ValueError(f"{word} must be {low:.10g} to {high:.10g}, not {value:.10g}")
         return value

@@ -109,7 +109,7 @@ class Loop:
         ratio = self.servo_rate / self.trajectory_rate
         _check(
             ratio >= 1.0 and abs(ratio - round(ratio)) < 1e-9 * ratio,
-            f"the servo rate must be a multiple of the trajectory rate, not {ratio:g} times it",
+            f"the servo rate must be a multiple of the trajectory rate, not {ratio:.10g} times it",
         )
 
     @property
@@ -156,7 +156,7 @@ def _check_numbers(loop: Loop) -> None:
             _check(whole, f"{name.replace('_', ' ')} must be a whole number in this form, not {value}")
     for name in ("servo_rate", "trajectory_rate"):
         value = getattr(loop, name)
-        _check(1.0 <= value <= 1e6, f"{name.replace('_', ' ')} must be 1 to 1e6 Hz, not {value:g}")
+        _check(1.0 <= value <= 1e6, f"{name.replace('_', ' ')} must be 1 to 1e6 Hz, not {value:.10g}")
 
 
 def _check(good: bool, message: str) -> None:

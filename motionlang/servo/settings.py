@@ -148,8 +148,8 @@ def problem(key: Key, value: object) -> str | None:
     if not inside:
         return _range_words(key)
     if abs(value) > LARGEST:
-        return f"no larger than {LARGEST:g}"
-    return f"0, or no smaller than {SMALLEST:g}" if 0.0 < abs(value) < SMALLEST else None
+        return f"no larger than {LARGEST:.10g}"
+    return f"0, or no smaller than {SMALLEST:.10g}" if 0.0 < abs(value) < SMALLEST else None
 
 
 def _range_words(key: Key) -> str:
@@ -157,7 +157,7 @@ def _range_words(key: Key) -> str:
         return "greater than zero" if key.exclusive else "zero or more"
     if key.high == inf:
         return "a finite number"
-    return f"{key.low:g} to {key.high:g}"
+    return f"{key.low:.10g} to {key.high:.10g}"
 
 
 def setting_problem(key: str, generic: str, value: object) -> tuple[str, str] | None:

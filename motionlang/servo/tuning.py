@@ -160,9 +160,9 @@ def _range(plant: Motor | Drive, shaped: Callable[[float], Loop], target: float)
         loop = shaped(high)
         if not is_stable(loop, plant):
             best = max((bandwidth(each, plant) for each in tried), default=0.0)
-            where = f"this plant at {loop.servo_rate:g} servo samples a second"
+            where = f"this plant at {loop.servo_rate:.10g} servo samples a second"
             raise BeyondPlant(
-                f"a bandwidth of {target:g} Hz is beyond {where}: about {best:.3g} Hz is possible", best
+                f"a bandwidth of {target:.10g} Hz is beyond {where}: about {best:.3g} Hz is possible", best
             )
         if reaches(loop, plant, target):
             return low, high
@@ -180,5 +180,7 @@ def _warnings(plant: Motor | Drive, figures: LoopFigures) -> tuple[str, ...]:
     if isinstance(plant, Motor) and plant.backlash:
         found.append("backlash is not in these figures: the loop may hunt inside it")
     if isinstance(plant, Motor) and plant.resonance and figures.bandwidth > plant.resonance / 3.0:
-        found.append(f"the resonance at {plant.resonance:g} Hz is less than three times the bandwidth away")
+        found.append(
+            f"the resonance at {plant.resonance:.10g} Hz is less than three times the bandwidth away"
+        )
     return tuple(found)

@@ -102,7 +102,7 @@ def plant_line(plant: Motor | Drive) -> str:
     values = [
         (field.name, getattr(plant, field.name), getattr(kind(), field.name)) for field in fields(plant)
     ]
-    own = [f"{name} {value:g}" if isinstance(value, float) else f"{name} {value}"
+    own = [f"{name} {value:.10g}" if isinstance(value, float) else f"{name} {value}"
            for name, value, default in values if value != default]  # fmt: skip
     name = "motor" if kind is Motor else "drive"
     rest = "the rest is that of [axis.N.plant] in docs/machine-file.md"

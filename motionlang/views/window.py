@@ -25,7 +25,7 @@ class Window(NamedTuple):
         """
         end = last if self.end is None else min(self.end, last)
         if self.begin >= end and self.begin > 0.0:
-            raise ValueError(f"the run ended after {last:g} s, before --from {self.begin:g} s")
+            raise ValueError(f"the run ended after {last:.10g} s, before --from {self.begin:.10g} s")
         return self.begin, end
 
     def of(self, axes: Sequence[int]) -> tuple[int, ...]:

@@ -437,4 +437,4 @@ def _middle(found: tuple[str, str]) -> str:
     """Return the middle of a range, as an integer if an integer lies in the range."""
     low, high = float(found[0]), float(found[1])
     middle = (low + high) / 2
-    return f"{int(middle) if int(middle) >= low else middle:g}"
+    return f"{int(middle) if int(middle) >= low else middle:.10g}"

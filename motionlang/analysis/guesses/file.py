@@ -29,7 +29,7 @@ HEAD = """\
 # A line with `guess = true` is a guess. Correct it and remove `guess = true`; until then, a run that depends on it
 # reports it. docs/machine-file.md explains every key.
 
-run.until = {until:g}    # the run ends here if the program does not
+run.until = {until:.10g}    # the run ends here if the program does not
 """
 INPUTS = """
 # Digital inputs. `at` is a time in seconds, `output` the output that the input follows after `delay`; `every` repeats
@@ -118,7 +118,7 @@ def _table(name: str, head: str, lines: list[str]) -> list[str]:
 
 def _axis(number: int, guesses: Guesses, result: Run) -> str:
     scale = result.controller.axes[number].scale.counts
-    text = f"\n[axis.{number}]    # {scale:g} {'count' if scale == 1 else 'counts'} per user unit\n"
+    text = f"\n[axis.{number}]    # {scale:.10g} {'count' if scale == 1 else 'counts'} per user unit\n"
     keys = guesses.axes.get(number, {})
     text += "".join(f"{key} = {_value(value)}\n" for key, value in keys.items())
     text += "guess = true    # the switches\n" if keys else ""

@@ -142,7 +142,7 @@ class Grid(Space):
         for each in dimensions:
             if not len(each):
                 raise ValueError(
-                    f"how many values of {each.name}? A grid needs {each.name}={each.first:g}:{each.last:g}:COUNT"
+                    f"how many values of {each.name}? A grid needs {each.name}={each.first:.10g}:{each.last:.10g}:COUNT"
                 )
             self._count *= len(each)
         if self._count > MAX_VARIANTS:

@@ -18,7 +18,9 @@ AUXILIARY = 1000
 def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None:
     """Run an encoder at `velocity`, counts/s, with a ramp at `accel`; 0 means no ramp."""
     if not (abs(velocity) < 1e300 and 0.0 <= accel < 1e300):
-        raise Rejected("range", f"an encoder cannot run at {velocity:g} counts/s with a ramp of {accel:g}")
+        raise Rejected(
+            "range", f"an encoder cannot run at {velocity:.10g} counts/s with a ramp of {accel:.10g}"
+        )
     state = encoder.at(controller.clock.now)
     if state.velocity == velocity == encoder.profiles[-1].end_velocity and not state.acceleration:
         return

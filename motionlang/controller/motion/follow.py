@@ -408,7 +408,7 @@ class Gear(Follow):
         gap = added(wanted, chase.scaled(0.0, -1.0), "gap")
         meets = gap.velocity_crossing(0.0)
         if meets is None:
-            words = f"axis {self.a.index} cannot ramp to {want:g} counts/s, the speed of its master"
+            words = f"axis {self.a.index} cannot ramp to {want:.10g} counts/s, the speed of its master"
             raise Rejected("range", words, "raise its rates, or lower the ratio")
         self._locks_at = now + meets
         head = chase.cut(meets)
@@ -449,7 +449,7 @@ def set_ratio(a: Axis, ratio: float) -> None:
 
 def _check_ratio(ratio: float) -> None:
     if not abs(ratio) < 1e12:
-        raise Rejected("range", f"an axis cannot follow at a ratio of {ratio:g}")
+        raise Rejected("range", f"an axis cannot follow at a ratio of {ratio:.10g}")
 
 
 def leave_master(controller: Core, a: Axis) -> None:

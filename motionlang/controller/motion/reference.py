@@ -149,7 +149,7 @@ class PositionReference(Reference):
 def refer_position(controller: Core, a: Axis, position: float, command: str, line: int) -> None:
     """Move an axis to a position within a period; a no-op if it is there already."""
     if not abs(position) < INFINITY:
-        raise Rejected("range", f"axis {a.index} cannot go to {position:g}")
+        raise Rejected("range", f"axis {a.index} cannot go to {position:.10g}")
     action = a.move.action if a.move is not None else None
     if isinstance(action, PositionReference):
         if position != action.position:

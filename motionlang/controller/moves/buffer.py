@@ -126,7 +126,7 @@ class Dwell(Action):
 
     def __init__(self, duration: float) -> None:
         if not 0.0 <= duration < 1e300:
-            raise Rejected("range", f"an axis cannot dwell for {duration:g} seconds")
+            raise Rejected("range", f"an axis cannot dwell for {duration:.10g} seconds")
         self.duration = duration
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
@@ -155,7 +155,7 @@ class Pulse(Action):
 
     def __init__(self, channel: int, duration: float) -> None:
         if not 0.0 <= duration < 1e300:
-            raise Rejected("range", f"a pulse cannot last {duration:g} seconds")
+            raise Rejected("range", f"a pulse cannot last {duration:.10g} seconds")
         self.channel, self.duration = channel, duration
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:

@@ -373,7 +373,7 @@ def load_fly(
     if not (MIN_CYCLE <= abs(over) < 1e300 and abs(distance) < 1e300):
         raise Rejected(
             "range",
-            f"a segment cannot go {distance:g} counts while its master goes {over:g}",
+            f"a segment cannot go {distance:.10g} counts while its master goes {over:.10g}",
             "set its distance first",
         )
     check_chain(a, master)

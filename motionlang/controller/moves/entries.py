@@ -99,7 +99,7 @@ def curve_of(a: Axis, points: Points) -> Profile:
     except ValueError as problem:
         raise Rejected("range", f"axis {a.index} cannot follow the table: {problem}") from None
     if curve.duration < MIN_CYCLE:
-        raise Rejected("range", f"a cam of {curve.duration:g} counts of the master is too short")
+        raise Rejected("range", f"a cam of {curve.duration:.10g} counts of the master is too short")
     return curve
 
 

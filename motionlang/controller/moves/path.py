@@ -303,7 +303,7 @@ def _put(
         if len(a.buffer) >= a.buffer_size:
             raise Rejected("buffer-full", f"the move buffer of axis {a.index} is full")
         if not abs(target) < 1e300:
-            raise Rejected("range", f"axis {a.index} cannot move to {target:g}")
+            raise Rejected("range", f"axis {a.index} cannot move to {target:.10g}")
     moves = [Move(a.index, command, line, target) for a, target in zip(members, targets, strict=True)]
     action = PathMove(members, moves, geometry, bases is not None, policy)
     for k, (a, move) in enumerate(zip(members, moves, strict=True)):

@@ -207,12 +207,14 @@ def _times(text: str, form: str) -> tuple[float | None, float | None, float | No
         raise WrongEntry(f"{_quoted(text)} is not a time", form)
     begin, end, every = (None if each is None else float(each) for each in found.groups())
     if every is not None and every < SHORTEST_PERIOD:
-        raise WrongEntry(f"a period is at least {SHORTEST_PERIOD:g} s, not {every:g} s", form)
+        raise WrongEntry(f"a period is at least {SHORTEST_PERIOD:.10g} s, not {every:.10g} s", form)
     return begin, end, every
 
 
 def _length(begin: float, end: float) -> float:
     """Return the duration of a pulse, s; WrongEntry if it ends before it begins."""
     if not end > begin:
-        raise WrongEntry(f"the pulse ends at {end:g} s, not after it begins at {begin:g} s", "write 0.5..0.9")
+        raise WrongEntry(
+            f"the pulse ends at {end:.10g} s, not after it begins at {begin:.10g} s", "write 0.5..0.9"
+        )
     return round(end - begin, 12)

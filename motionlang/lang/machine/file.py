@@ -254,12 +254,12 @@ def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str
         return
     if "times" not in entry and every < SHORTEST_PERIOD:  # type: ignore[operator]
         yield (
-            f"every of [[input]] must be at least {SHORTEST_PERIOD:g} s without times, not {shown(every)}",
+            f"every of [[input]] must be at least {SHORTEST_PERIOD:.10g} s without times, not {shown(every)}",
             "times = 1000 says how often it happens",
             "every",
         )
     elif every <= last:  # type: ignore[operator]
-        yield "[[input]] repeats before it ends", f"every must be more than {last:g}", "every"
+        yield "[[input]] repeats before it ends", f"every must be more than {last:.10g}", "every"
 
 
 def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:

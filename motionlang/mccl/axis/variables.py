@@ -191,7 +191,7 @@ def write(board: Board, axis: AxisState, address: int, value: float) -> None:
         what = f"{name} can only be read" if name else f"address {address} cannot be written"
         raise Fault(codes.PARAMETER, what, f"these can be written: {known}", "range")
     if name not in _SIGNED and value < 0.0:
-        raise Fault(codes.PARAMETER, f"{name} accepts 0 or more, not {value:g}", kind="range")
+        raise Fault(codes.PARAMETER, f"{name} accepts 0 or more, not {value:.10g}", kind="range")
     writing(board, axis, value)
 
 

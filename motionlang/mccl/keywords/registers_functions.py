@@ -71,7 +71,7 @@ def evaluate(task: CommandTask, command: Command) -> None:
         raise too_large() from None
     except ValueError:
         plain = name.removesuffix(" of degrees").removesuffix(", degrees")
-        raise Fault(codes.PARAMETER, f"there is no {plain} of {given:g}", kind="range") from None
+        raise Fault(codes.PARAMETER, f"there is no {plain} of {given:.10g}", kind="range") from None
 
 
 # ------------------------------------------------------------------------------------------------- keywords

@@ -50,4 +50,4 @@ def exact_positions(lines: Iterable[Line], add: Add) -> None:
 
 def _exact(command: Command, verb: str) -> Fault:
     message = f"{command.text} compares a moving position for equality, which is rarely true"
-    return Fault(0, message, _EQUALITIES[verb].format(f"{command.value:g}"), "exact-position")
+    return Fault(0, message, _EQUALITIES[verb].format(f"{command.value:.10g}"), "exact-position")

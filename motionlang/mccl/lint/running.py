@@ -100,7 +100,7 @@ def _waits_too_far(axis: _Axis, number: int, command: Command) -> Fault | None:
         axis.distance = 0.0
     elif verb == "wait_relative":
         if axis.distance and command.kind == NUMBER and abs(float(command.value)) > axis.distance:
-            message = f"{command.text} never ends: axis {number} moves only {axis.distance:g}"
+            message = f"{command.text} never ends: axis {number} moves only {axis.distance:.10g}"
             return Fault(
                 0, message, f"wait for less, or for the end of the move with {number}WS", "endless-wait"
             )

@@ -132,7 +132,7 @@ class Path:
             ("override", vector.override, "zero-speed"),
         ):
             if value <= 0.0:
-                words = f"a contour path cannot be run: {table().doing(verb)} is {value:g}"
+                words = f"a contour path cannot be run: {table().doing(verb)} is {value:.10g}"
                 raise Fault(codes.PARAMETER, words, kind=code)
         shape = str(controller.setting(axis.number, "shape"))
         ramp = float(controller.setting(axis.number, "ramp") or 0.0)

@@ -6,6 +6,7 @@ integer, a real number, `@n` (the content of register n) or a text in quotes.
 
 from __future__ import annotations
 
+import re
 from math import nextafter
 
 from motionlang.errors import as_hint
@@ -97,6 +98,7 @@ class Commands(dict[str, Command]):
 
 
 COMMANDS = Commands()
+_LETTERS = re.compile("[A-Za-z]{2}")
 
 
 def _decoded(
@@ -146,7 +148,7 @@ def _no_command(text: str) -> Command:
         hint = "a command is [axis] two letters [parameter], such as 1MR1000"
         if not text.strip(_DIGITS):
             wrong = "a number alone is not a command"
-            hint = "no blank separates a command from its number: 1MR1000"
+            hint = "a number follows its command directly: 1MR1000"
         elif text.startswith(("#", "'", "//")):
             hint = "; begins a comment"
         fault = Fault(codes.FORMAT, wrong, hint, "syntax")
@@ -186,8 +188,10 @@ def _no_parameter(rest: str, row: Keyword, letters: str) -> Fault:
         advice = hint(letters)
     elif rest[0] in "=([" and number.replace(".", "", 1).removeprefix("-").isdecimal():
         advice = f"write the number alone: {row.name}{number}"
-    elif any(c.isascii() and c.isalpha() for c in rest):
-        advice = "commands are separated by commas"
+    else:
+        found = _LETTERS.search(rest)
+        is_command = found is not None and table().get(found[0].upper()) is not None
+        advice = "commands are separated by commas" if is_command else f"only a number follows {row.name}"
     return Fault(codes.FORMAT, f"{rest} is not a number", advice, "syntax", others)
 
 
@@ -222,5 +226,7 @@ def out_of_range(value: float | int, row: Keyword) -> Fault:
     accepted = row.accepted
     if abs(value) > _MAX_NUMBER and (row.low if value < 0 else row.high) is None:
         low = -_MAX_NUMBER if row.low is None else row.low
-        accepted = f"{low:g} to {_MAX_NUMBER if row.high is None else row.high:g}"
-    return Fault(codes.PARAMETER, f"{row.name} accepts {accepted}, not {value:g}", as_hint(row.help), "range")
+        accepted = f"{low:.10g} to {_MAX_NUMBER if row.high is None else row.high:.10g}"
+    return Fault(
+        codes.PARAMETER, f"{row.name} accepts {accepted}, not {value:.10g}", as_hint(row.help), "range"
+    )

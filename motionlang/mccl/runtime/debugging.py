@@ -68,7 +68,7 @@ def _register(task: CommandTask, number: int) -> Variable:
             raise ValueError(f"a register takes a number, not {value!r}")
         if value == int(value):
             if not _LOW <= value <= _HIGH:
-                raise ValueError(f"{value:g} is outside the 32 bits of a register")
+                raise ValueError(f"{value:.10g} is outside the 32 bits of a register")
             value = int(value)
         task.set_register(number, value)
 

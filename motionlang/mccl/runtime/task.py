@@ -250,7 +250,9 @@ class CommandTask(Task):
         """Return the parameter as an integer; a fraction is a parameter error (Fault)."""
         value = self.value(command)
         if value != int(value):
-            raise Fault(codes.PARAMETER, f"{command.name} needs a whole number, not {value:g}", kind="range")
+            raise Fault(
+                codes.PARAMETER, f"{command.name} needs a whole number, not {value:.10g}", kind="range"
+            )
         return int(value)
 
     def axes(self, command: Command) -> tuple[AxisState, ...]:

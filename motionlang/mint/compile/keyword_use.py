@@ -446,7 +446,9 @@ def _with_value(target: nodes.Name, row: Keyword, shown: str) -> str:
     given = target.args or []
     if row.index == "none" and given:
         number = given[0] if len(given) == 1 else None
-        return f"{row.name} = {number.value:g}" if isinstance(number, nodes.Number) else f"{row.name} = value"
+        return (
+            f"{row.name} = {number.value:.10g}" if isinstance(number, nodes.Number) else f"{row.name} = value"
+        )
     return f"{shown} = value sets it, PRINT {shown} shows it" if "R" in row.access else f"{shown} = value"
 
 

@@ -123,7 +123,7 @@ class CamBox:
         found: list[tuple[float, int]] = []
         for begin, end in zip(positions[::2], positions[1::2], strict=True):
             if not source.period and begin >= end:
-                raise self._wrong(f"it is on from {begin:g} to {end:g}")
+                raise self._wrong(f"it is on from {begin:.10g} to {end:.10g}")
             found += [(source.counts(begin), 1), (source.counts(end), 0)]
         if source.period:
             found = sorted((position % source.period, state) for position, state in found)

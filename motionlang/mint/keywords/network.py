@@ -93,7 +93,7 @@ def write_value(nodes: Nodes, bus: int, node: int, index: int, sub: int, value: 
 def read_text(nodes: Nodes, bus: int, node: int, index: int, sub: int) -> str:
     """REMOTEOBJECTSTRING: return an object of a node as a string."""
     value = nodes.node(bus, node).objects.get(_object(index, sub), "")
-    return value if isinstance(value, str) else f"{value:g}"
+    return value if isinstance(value, str) else f"{value:.10g}"
 
 
 def _of_type(value: int, type: int) -> int:

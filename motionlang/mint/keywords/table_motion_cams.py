@@ -40,7 +40,7 @@ def elements(array: Sequence[float], word: str) -> list[float]:
     """
     count = int(array[1]) if len(array) > 1 else 0
     if not 1 <= count <= len(array) - 2:
-        words = f"element 1 of the table says that it has {count:g} segments, and the array has room for "
+        words = f"element 1 of the table says that it has {count:.10g} segments, and the array has room for "
         raise Rejected(
             "range", f"{word}: {words}{max(0, len(array) - 2)}", "element 1 is the number of segments"
         )
@@ -54,7 +54,7 @@ def span(first: float, last: float, count: int, word: str) -> tuple[int, int]:
     """
     end = int(last) or count
     if not 1 <= first <= end <= count:
-        words = f"the table has segments 1 to {count}, not {first:g} to {end:g}"
+        words = f"the table has segments 1 to {count}, not {first:.10g} to {end:.10g}"
         raise Rejected("range", f"{word}: {words}", f"write {word}START and {word}END")
     return int(first) - 1, end
 
@@ -199,7 +199,7 @@ def do_phase(cams: Cams, axis: int, index: int, segments: int, delta: int, line:
     first, end = span(index, index + segments - 1, len(lengths), "CAM")
     counts = delta * cams.masters.of(axis).per_unit
     if total(lengths[first:end]) + counts <= 0.0 or min(lengths[first:end]) + counts / (end - first) <= 0.0:
-        raise Rejected("range", f"CAMPHASE cannot take {-delta:g} from segments {index} to {end}",
+        raise Rejected("range", f"CAMPHASE cannot take {-delta:.10g} from segments {index} to {end}",
                       "the master must still advance in each of them")  # fmt: skip
     cams.phases[axis] = Phase(index, end, counts)
 

@@ -110,7 +110,7 @@ def seconds(milliseconds: float) -> float:
     Raises Rejected if the time is out of range.
     """
     if not MIN_TIME <= milliseconds <= MAX_TIME:
-        words = f"a segment of a spline cannot take {milliseconds:g} ms"
+        words = f"a segment of a spline cannot take {milliseconds:.10g} ms"
         raise Rejected("range", words, f"it takes {MIN_TIME} to {MAX_TIME} ms, in steps of {STEP}")
     return STEP * int(milliseconds // STEP) / 1000.0
 

@@ -33,7 +33,7 @@ def check_blends(facts: Facts, add: Add) -> None:
         if min(given) > SHARE * length:
             assert act.row is not None
             message = (
-                f"{word} of axis {spelt(key)} is {min(given):g}, but a blend takes at most "
+                f"{word} of axis {spelt(key)} is {min(given):.10g}, but a blend takes at most "
                 f"{SHARE * length:g} of this {act.row.name}"
             )
             add("blend-distance", message, act.at, "set it to half of the shortest path, or less")

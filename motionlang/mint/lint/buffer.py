@@ -63,9 +63,9 @@ class Buffers:
     def _overfilled(self, act: Act, key: Key, size: float) -> None:
         self.add(
             "buffer-overfilled",
-            f"axis {spelt(key)} already has {size:g} moves in its buffer and no GO: this waits forever",
+            f"axis {spelt(key)} already has {size:.10g} moves in its buffer and no GO: this waits forever",
             act.at,
-            f"write GO before this, or set MOVEBUFFERSIZE above {size:g}",
+            f"write GO before this, or set MOVEBUFFERSIZE above {size:.10g}",
         )
 
     def _may_trigger(self, key: Key) -> bool:

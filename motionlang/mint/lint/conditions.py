@@ -94,8 +94,9 @@ class Conditions:
         """Report a PAUSE whose condition is a number above 1, which was meant as a time."""
         number = meant(node.condition)
         if type(number) is nodes.Number and number.value > 1:
-            message = f"PAUSE takes a condition, and {number.value:g} is always true: it does not wait"
-            self._wrong_wait(node, message, "WAIT waits for a time in ms", "WAIT")
+            message = f"PAUSE takes a condition, and {number.value:.10g} is always true: it does not wait"
+            word = next(row.name for row in self.facts.table if row.verb == "wait")
+            self._wrong_wait(node, message, f"{word} waits for a time in ms", word)
 
     def _wrong_wait(self, node: nodes.Node, message: str, hint: str, word: str) -> None:
         """Report a WAIT or PAUSE that should be the other, which is `word`."""
@@ -152,11 +153,11 @@ class Conditions:
         elif number == axis.target:
             hint = f"PAUSE IDLE({spelt(key)}) waits for the end of the move"
         elif axis.span is not None and axis.target == axis.span[0] < axis.span[1]:
-            hint = f"{what} <= {number:g} stays true from there on"
+            hint = f"{what} <= {number:.10g} stays true from there on"
         elif axis.span is not None and axis.target == axis.span[1] > axis.span[0]:
-            hint = f"{what} >= {number:g} stays true from there on"
+            hint = f"{what} >= {number:.10g} stays true from there on"
         else:
-            hint = f"compare it with >= {number:g} or <= {number:g}, as the axis moves"
+            hint = f"compare it with >= {number:.10g} or <= {number:.10g}, as the axis moves"
         message = f"{what} is compared for equality while axis {spelt(key)} moves, which is rarely true"
         self.add("exact-position", message, node.at, hint)
 
@@ -216,7 +217,7 @@ class Conditions:
         below = op in ("=", "<", "<=") and number < low - margin
         if not (above or below) or low == high:
             return None
-        why = f"axis {spelt(key)} moves between {low:g} and {high:g}"
+        why = f"axis {spelt(key)} moves between {low:.10g} and {high:.10g}"
         return why, f"compare POS({spelt(key)}) with a position that a move reaches"
 
     def _stops_otherwise(self, key: Key) -> bool:

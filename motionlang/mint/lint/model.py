@@ -119,8 +119,8 @@ def _lacking(module: Module, product: str, table: Vocabulary) -> Iterator[tuple[
         largest = LARGEST[row.family][0]
         for value in node.values:
             if type(value) is nodes.Number and value.value > largest:
-                bounds = f"it takes {-largest:g} to {largest:g} there"
-                yield value.at, f"{row.name} cannot be {value.value:g} on the {product}", bounds
+                bounds = f"it takes {-largest:.10g} to {largest:.10g} there"
+                yield value.at, f"{row.name} cannot be {value.value:.10g} on the {product}", bounds
 
 
 def _never_raised(module: Module, product: str) -> Iterator[tuple[int, str, str]]:
@@ -217,5 +217,5 @@ def _ends(texts: list[str]) -> Found:
 
 def _shown(node: nodes.Expr) -> str:
     if type(node) is nodes.Number or type(node) is nodes.String:
-        return f"{node.value:g}" if type(node) is nodes.Number else f'"{node.value}"'
+        return f"{node.value:.10g}" if type(node) is nodes.Number else f'"{node.value}"'
     return node.name if type(node) is nodes.Name and node.args is None else "…"

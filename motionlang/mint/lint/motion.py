@@ -33,9 +33,9 @@ class Reach:
             return ""
         forward, reverse = self._software(key)
         if forward is not None and target > forward:
-            return f"the software limit at {forward:g}"
+            return f"the software limit at {forward:.10g}"
         if reverse is not None and target < reverse:
-            return f"the software limit at {reverse:g}"
+            return f"the software limit at {reverse:.10g}"
         travel = self.settings.get(f"axis.{key}.travel")
         if not isinstance(travel, list) or axis.frame is None:
             return ""
@@ -45,7 +45,7 @@ class Reach:
         if travel[0] <= zero + target <= travel[1]:
             return ""
         switch = travel[1] if zero + target > travel[1] else travel[0]
-        return f"the limit switch at {switch - zero:g}"
+        return f"the limit switch at {switch - zero:.10g}"
 
     def _software(self, key: Key) -> tuple[float | None, float | None]:
         if key in self.unlimited or None in self.unlimited:
@@ -114,7 +114,7 @@ class Motion:
 
     def _beyond(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
         what = self.reach.beyond(key, axis)
-        self.add("beyond-travel", f"the move ends at {axis.target:g}, beyond {what} of axis {spelt(key)}", act.at,
+        self.add("beyond-travel", f"the move ends at {axis.target:.10g}, beyond {what} of axis {spelt(key)}", act.at,
                  "the axis stops there with an error")  # fmt: skip
 
 

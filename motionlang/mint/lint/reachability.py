@@ -110,7 +110,7 @@ class Reachability:
         effect = f"so the condition is always {always}" if always else "so it changes nothing"
         self.add(
             "constant-condition",
-            f"{side.value:g} is an operand of {node.op} on its own, {effect}",
+            f"{side.value:.10g} is an operand of {node.op} on its own, {effect}",
             side.at,
             "compare it, as in x = 1 Or x = 2; & and | work on bits",
         )

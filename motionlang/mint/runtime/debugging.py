@@ -198,5 +198,5 @@ def converted(kind: str, value: object) -> object:
     if kind == "Float":
         return float(value)
     if not _LOW <= value <= _HIGH:
-        raise ValueError(f"{value:g} is outside the range of an Integer")
+        raise ValueError(f"{value:.10g} is outside the range of an Integer")
     return int(value)

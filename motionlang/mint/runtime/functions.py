@@ -172,7 +172,7 @@ def cosine(angle: float) -> float:
 def tangent(angle: float) -> float:
     below = cosine(angle)
     if below == 0:
-        raise Rejected("argument", f"Tan has no value at {angle:g} degrees", "")
+        raise Rejected("argument", f"Tan has no value at {angle:.10g} degrees", "")
     return 1.0 if angle % 180.0 == 45.0 else -1.0 if angle % 180.0 == 135.0 else sine(angle) / below
 
 

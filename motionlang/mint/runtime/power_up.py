@@ -42,5 +42,5 @@ class PowerUp:
             try:
                 write(axis, *given)
             except Rejected as rejected:
-                message = f"the assumption {name} cannot be {given[0]:g}: {rejected.message}"
+                message = f"the assumption {name} cannot be {given[0]:.10g}: {rejected.message}"
                 raise ProgramError.of("machine-file", message, hint=rejected.hint) from None

@@ -289,7 +289,7 @@ class Rests:
                 if end_units < EXACT:
                     return self._pass_among_others(t, site, end, end_units)
             if not 0 <= milliseconds < INFINITY:
-                raise Rejected("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
+                raise Rejected("range", f"WAIT cannot be {milliseconds:.10g}", "a wait lasts 0 ms or longer")
             # Too late for whole units to be distinct floats, or too short.
             return self._yield_to_others(t, site, (units(base) + round((t * cost + seconds) * UNITS)) / UNITS)
 

@@ -8,7 +8,7 @@ from motionlang.mint.syntax import nodes
 def shown(node: nodes.Expr, inside: bool = False) -> str:
     """Return the text of an expression; a nested operation is in brackets."""
     if type(node) is nodes.Number:
-        return f"{node.value:g}"
+        return f"{node.value:.10g}"
     if type(node) is nodes.String:
         return f'"{node.value}"'
     if type(node) is nodes.Given:

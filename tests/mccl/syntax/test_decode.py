@@ -39,7 +39,7 @@ def test_a_command_has_its_axis_and_parameter(
 
 
 FORM = "a command is [axis] two letters [parameter], such as 1MR1000"
-ALONE = "no blank separates a command from its number: 1MR1000"
+ALONE = "a number follows its command directly: 1MR1000"
 COMMAS = "commands are separated by commas"
 CODE = "set the code that lets the controller send; 0 for none"
 # The text; the name, axis, code, kind of error, message and hint.
@@ -69,14 +69,16 @@ WRONG: list[tuple[str, str, int, int, str, str, str]] = [
     ("#", "#", 0, 2, "syntax", "# is not a command", "; begins a comment"),
     ("//start", "//", 0, 2, "syntax", "//start is not a command", "; begins a comment"),
     ("1 MR5", " M", 1, 2, "syntax", "1 MR5 is not a command", FORM),
-    ("1MR1.2.3", "MR", 1, 2, "syntax", "1.2.3 is not a number", ""),
+    ("1MR1.2.3", "MR", 1, 2, "syntax", "1.2.3 is not a number", "only a number follows MR"),
+    ("1WA1s", "WA", 1, 2, "syntax", "1s is not a number", "only a number follows WA"),
+    ("CNx", "CN", 0, 2, "syntax", "x is not a number", "only a number follows CN"),
     ("1MR10002MR5", "MR", 1, 2, "syntax", "10002MR5 is not a number", COMMAS),
     ("MR@", "MR", 0, 2, "syntax", "MR needs a register number after @", "such as MR@10"),
     ("MR=5", "MR", 0, 2, "syntax", "=5 is not a number", "write the number alone: MR5"),
     ("MR= 5", "MR", 0, 2, "syntax", "= 5 is not a number", "write the number alone: MR5"),
     ("1WS(0.1)", "WS", 1, 2, "syntax", "(0.1) is not a number", "write the number alone: WS0.1"),
     ("MR[-5", "MR", 0, 2, "syntax", "[-5 is not a number", "write the number alone: MR-5"),
-    ("MR=", "MR", 0, 2, "syntax", "= is not a number", ""),
+    ("MR=", "MR", 0, 2, "syntax", "= is not a number", "only a number follows MR"),
     ('LU"X', "LU", 0, 2, "syntax", "the text after LU is not closed", 'a text ends with "'),
     ("MR“5”", "MR", 0, 2, "syntax", '“ is a typographic quote, not a plain "', 'type "'),
     ("LUx", "LU", 0, 2, "values", 'LU needs a text in quotes, such as LU"STATUS"', ""),
@@ -92,6 +94,15 @@ WRONG: list[tuple[str, str, int, int, str, str, str]] = [
         "move by a distance, counted from the present target",
     ),
     ("XN256", "XN", 0, -1, "range", "XN accepts 0 to 255, not 256", CODE),
+    (
+        "TR1000000",
+        "TR",
+        0,
+        -1,
+        "range",
+        "TR accepts 0 to 255, not 1000000",
+        "tell a register; 0 is the accumulator",
+    ),
     ("XN-1e16", "XN", 0, -1, "range", "XN accepts 0 to 255, not -1e+16", CODE),
     ("1SA-1", "SA", 1, -1, "range", "SA accepts 0 or more, not -1", "set the acceleration"),
     ("1SA1e16", "SA", 1, -1, "range", "SA accepts 0 to 1e+15, not 1e+16", "set the acceleration"),
