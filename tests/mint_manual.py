@@ -15,10 +15,8 @@ INDEX = FOLDER / "README.md"
 INTRODUCTION = """\
 # Mint by example
 
-Each page is a program that runs, with what it shows beside it; a test runs all of them. A line that begins with `'>` is
-what the terminal shows, `'?` a diagnostic and its line, `'|` a line of the machine file that the program runs on, `'!`
-what the report says that the run could not know. The words themselves are in
-[docs/keywords/mint.md](../../../docs/keywords/mint.md), the readings chosen where sources are silent in
+Each page is a program that runs, with its results beside it in comments ([the marks](../README.md#marks)). The keywords
+are in [docs/keywords/mint.md](../../../docs/keywords/mint.md), the assumptions where sources are silent in
 [docs/contributing/assumptions.md](../../../docs/contributing/assumptions.md).
 """
 
