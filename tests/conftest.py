@@ -179,22 +179,45 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         "--all-examples", action="store_true", help="draw all examples of properties instead of a quarter"
     )
     parser.addoption("--prove", action="store_true", help="prove every run; always on in the whole suite")
+    parser.addoption("--slow", action="store_true", help="run the tests marked slow, too")
+    parser.addoption(
+        "--max-cpu",
+        type=float,
+        metavar="S",
+        help="fail a test that takes more processor time and is not slow",
+    )
+
+
+def _processor_time() -> float:
+    """Return the processor time of this process and of its ended children, s."""
+    return sum(os.times()[:4])
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Generator[None, None, None]:
+    """Limit the processor time of a test that is not marked slow."""
+    begun, most = _processor_time(), item.config.option.max_cpu
+    yield
+    taken = _processor_time() - begun
+    if most is not None and taken > most and not any(map(item.get_closest_marker, ("slow", "long"))):
+        pytest.fail(f"it took {taken:.1f} s of processor time; make it faster, or mark it slow")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Skip tests that take minutes unless requested by `pytest -m long`.
+    """Leave out the slow tests without `--slow`, and those that take minutes without `-m long`.
 
     The files at the top of `tests` come first. Some of their tests share a built wheel or the syntax trees of
     the package. The first process gets an eighth of all tests at once, so only that process builds these. The
     last tests take less than two seconds each, so that no process waits long for another at the end.
     """
     items.sort(key=lambda item: item.path.parent != TESTS)
-    if "long" in (config.getoption("-m") or ""):
-        return
-    long = [item for item in items if item.get_closest_marker("long")]
-    if long:
-        config.hook.pytest_deselected(items=long)
-        items[:] = [item for item in items if item not in long]
+    chosen = config.option.markexpr
+    left_out = [] if "long" in chosen else ["long"]
+    if not config.option.slow and "slow" not in chosen:
+        left_out.append("slow")
+    out = [item for item in items if any(map(item.get_closest_marker, left_out))]
+    config.hook.pytest_deselected(items=out)
+    items[:] = [item for item in items if item not in set(out)]
 
 
 @pytest.fixture(scope="session")

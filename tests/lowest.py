@@ -1,9 +1,11 @@
-"""Test of the wheel with the lowest dependencies: `python -m tests.lowest`.
+"""Test with the lowest versions of the dependencies: `python -m tests.lowest`.
 
 For each Python, an environment in a temporary folder gets the wheel and the lowest versions that it declares.
 There the help and the real uses of every command run, with all warnings as errors; in the first environment, also
-without assertions and docstrings (-OO), since each compiles all modules anyway. Without arguments, each Python from
-3.11 to 3.14 on PATH or of pyenv is used; missing ones are skipped. A package index is needed.
+without assertions and docstrings (-OO), since each compiles all modules anyway. With the first Python, the tests of
+`FOLDERS`, which show what these libraries write, then run with the lowest versions of the extras, too. Without
+arguments, each Python from 3.11 to 3.14 on PATH or of pyenv is used; missing ones are skipped. A package index is
+needed.
 """
 
 from __future__ import annotations
@@ -13,6 +15,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 from pathlib import Path
@@ -20,9 +23,10 @@ from pathlib import Path
 from packaging.requirements import Requirement
 from packaging.version import Version
 
-from tests.built import distributions
+from tests.built import ROOT, distributions
 from tests.installed import (
     DRIVER,
+    EXTRAS,
     PROJECT,
     STRICT,
     check_helps,
@@ -34,15 +38,26 @@ from tests.installed import (
 )
 
 SUPPORTED = ("3.11", "3.12", "3.13", "3.14")
+TEST_TOOLS = ("hypothesis", "pytest", "jsonschema", "pyvcd", "packaging")
 WHEELS = ("--quiet", "--only-binary", ":all:")
+# The tests that use the libraries, and the extras whose files and pictures they read.
+FOLDERS = (
+    "tests/golden",
+    "tests/views",
+    "tests/repl",
+    "tests/log",
+    "tests/lang/parsing",
+    "tests/generated/test_results.py",
+)
+TESTED_EXTRAS = ("can", "plot", "parquet", "polars", "pandas", "completion")
 VERSION = "import platform; print(platform.python_version())"
 
 
-def lowest(python_version: str) -> list[str]:
-    """Return each dependency with its lowest version for a Python, like "numpy==1.26"."""
+def lowest(python_version: str, extras: Iterable[str] = ()) -> list[str]:
+    """Return each dependency with its lowest version for a Python, like "numpy==1.26"; also those of extras."""
     environment = {"python_version": ".".join(python_version.split(".")[:2])}
     found = []
-    for text in PROJECT["dependencies"]:
+    for text in [*PROJECT["dependencies"], *(each for extra in extras for each in EXTRAS[extra])]:
         required = Requirement(text)
         if required.marker is None or required.marker.evaluate(environment):
             bounds = [Version(each.version) for each in required.specifier if each.operator == ">="]
@@ -74,6 +89,21 @@ def run(python: str, wheel: Path, folder: Path, *flags: str) -> str:
     check_helps(ran)
     check_uses(ran, uses, set())
     return f"Python {' '.join((version, *flags))} with {', '.join(versions)}: {len(helps())} helps, {len(uses)} uses"
+
+
+def run_tests(python: str, folder: Path) -> str:
+    """Run the tests of `FOLDERS` with `python` and the lowest versions in an environment of its own."""
+    version = subprocess.check_output([python, "-c", VERSION], text=True).strip()
+    versions = lowest(version, TESTED_EXTRAS)
+    subprocess.run([python, "-m", "venv", "--without-pip", str(folder / "env")], check=True)
+    installed = str(folder / "env" / ("Scripts" if os.name == "nt" else "bin") / "python")
+    command = [sys.executable, "-m", *installer(installed), *WHEELS, *versions, *TEST_TOOLS]
+    subprocess.run(command, check=True)
+    # Old libraries use what the newest versions of their own dependencies deprecate.
+    ignored = ("-W", "ignore::DeprecationWarning", "-W", "ignore::PendingDeprecationWarning")
+    tests = [installed, "-m", "pytest", "-p", "no:cacheprovider", *ignored, *FOLDERS]
+    subprocess.run(tests, cwd=ROOT, check=True)
+    return f"Python {version} with {', '.join(versions)}: {', '.join(FOLDERS)}"
 
 
 def installer(python: str) -> list[str]:
@@ -113,11 +143,13 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(os.cpu_count()) as pool:
         folder = Path(name)
         (wheel,) = distributions(folder, "wheel")
+        tested = pool.submit(run_tests, present[0], folder / "suite")
         for line in pool.map(
             lambda number: run(present[number], wheel, folder / str(number), *([] if number else ["-OO"])),
             range(len(present)),
         ):
             print(line, flush=True)
+        print(tested.result(), flush=True)
     for version, python in given.items():
         if python is None:
             print(f"Python {version} skipped: this machine has none that can make environments")

@@ -3,7 +3,7 @@
     python -m tests.wording [COMMIT]       the counts by package, compared with a commit
     python -m tests.wording --draw DATE    30 docstrings, 30 names, 20 messages and 10 passages of docs
 
-`test_wording.py` requires all counts to be zero. A text is a docstring, a comment, a paragraph of a page, or
+A tool for whoever changes texts; no test fails for a word. A text is a docstring, a comment, a paragraph of a page, or
 a message, which is a string of the package with more than one word. Names and quotations do not count. They
 are recognised by rule: code in backticks and blocks, texts in double quotes, words in capitals, and the
 target of a link.

@@ -182,9 +182,9 @@ def pixel_of(axes: Axes, span: tuple[float, float]) -> float:
 
     A point is the unit of an SVG and at least a pixel of a PNG.
     """
-    figure = axes.get_figure(root=True)
+    figure = axes.get_figure()
     assert figure is not None
-    inches = axes.get_position().width * figure.get_figwidth()
+    inches = axes.bbox.width / figure.dpi
     return (span[1] - span[0]) / (inches * POINTS_PER_INCH)
 
 

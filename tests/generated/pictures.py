@@ -1,82 +1,98 @@
-"""Pictures as texts that describe what matplotlib would draw."""
+"""Pictures as texts: what the package hands to matplotlib, call by call.
+
+Nothing that matplotlib computes is in them, so they are the same with every version of it.
+"""
 
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterable, Iterator
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from functools import wraps
+from types import FunctionType
 from typing import IO, Any
 
 from tests.generated.command_lines import motor
 from tests.generated.draw import Draw
 
-# Points of a curve in the text; longer curves are sampled evenly.
+# Numbers of a series in the text; longer series are sampled evenly.
 POINTS = 48
 
 
 @contextlib.contextmanager
 def described() -> Iterator[None]:
-    """Let figures write a description instead of an image within the context."""
+    """Let figures write the package's calls of their methods instead of an image within the context."""
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.collections import LineCollection
     from matplotlib.figure import Figure
+    from matplotlib.patches import FancyBboxPatch, Patch, Rectangle
+    from mpl_toolkits.mplot3d.art3d import Line3DCollection
+    from mpl_toolkits.mplot3d.axes3d import Axes3D
 
-    save = Figure.savefig
+    calls: list[str] = []
+    numbers: dict[int, int] = {}
+    drawn: list[object] = []  # keeps what has a number alive
+    saved: list[tuple[type, str, FunctionType]] = []
 
-    def describe(figure: Figure, file: IO[bytes], **options: object) -> None:
-        metadata = sorted(options.pop("metadata", {}))  # type: ignore[call-overload]
+    def name_of(value: Any) -> str:
+        kind = next((each for each in (Axes, Figure) if isinstance(value, each)), Artist)
+        return f"{kind.__name__} {numbers.setdefault(id(value), len(numbers) + 1)}"
+
+    def recorded(method: FunctionType) -> Callable[..., Any]:
+        @wraps(method)
+        def call(self: Any, *arguments: Any, **options: Any) -> Any:
+            if sys._getframe(1).f_globals["__name__"].startswith("motionlang."):
+                drawn.append(self)
+                given = [*map(shown, arguments), *(f"{each}={shown(options[each])}" for each in options)]
+                calls.append(f"{name_of(self)}.{method.__name__}({', '.join(given)})")
+            return method(self, *arguments, **options)
+
+        return call
+
+    def shown(value: Any) -> str:
+        return name_of(value) if isinstance(value, Artist) else _shown(value)
+
+    def record(kind: type, name: str, method: FunctionType) -> None:
+        saved.append((kind, name, method))
+        setattr(kind, name, recorded(method))
+
+    def save(figure: Figure, file: IO[bytes], **options: object) -> None:
         size = " by ".join(f"{each:g}" for each in figure.get_size_inches())
-        lines = [f"{size} {sorted(options.items())} {metadata}", *_figure(figure)]
-        file.write("".join(f"{line}\n" for line in lines).encode())
+        file.write("".join(f"{line}\n" for line in [size, *calls]).encode())
+        calls.clear()
+        numbers.clear()
+        drawn.clear()
 
-    Figure.savefig = describe  # type: ignore[method-assign,assignment]
+    for kind in dict.fromkeys((*Axes3D.__mro__, *Axes.__mro__, *Figure.__mro__)):
+        for name, method in list(vars(kind).items()):
+            if isinstance(method, FunctionType) and not name.startswith("_"):
+                record(kind, name, method)
+    for kind in (LineCollection, Line3DCollection, Rectangle, FancyBboxPatch, Patch):
+        record(kind, "__init__", kind.__init__)  # type: ignore[arg-type]
+    Figure.savefig = save  # type: ignore[method-assign,assignment]
     try:
         yield
     finally:
-        Figure.savefig = save  # type: ignore[method-assign]
+        for kind, name, method in saved:
+            setattr(kind, name, method)
 
 
-def _figure(figure: Any) -> Iterator[str]:
-    yield from map(_text, figure.texts)
-    for axes in figure.axes:
-        box = ", ".join(f"{float(each):.4g}" for each in axes.get_position().bounds)
-        yield f"axes {box}: {axes.get_xlabel()!r} {axes.get_ylabel()!r} {axes.get_xscale()} {axes.get_yscale()}"
-        yield f"  from {_points([axes.get_xlim()])} {_points([axes.get_ylim()])} {axes.get_aspect()}"
-        for child in axes.get_children():
-            yield from (f"  {line}" for line in _artist(child))
-
-
-def _artist(artist: Any) -> Iterator[str]:
-    """Yield the description of one element of a figure."""
-    name = type(artist).__name__
-    if hasattr(artist, "get_xydata"):
-        style = artist.get_color(), artist.get_linestyle(), artist.get_linewidth(), artist.get_marker()
-        yield f"curve {style} {artist.get_alpha()} {artist.get_zorder()} {_points(artist.get_xydata())}"
-    elif hasattr(artist, "get_texts"):
-        yield f"legend {[each.get_text() for each in artist.get_texts()]} {artist._loc}"
-    elif hasattr(artist, "get_text"):
-        yield _text(artist)
-    elif hasattr(artist, "get_offsets"):
-        yield f"{name} {_points(artist.get_offsets())} {_points(artist.get_facecolor())} {artist.get_alpha()}"
-        paths = artist.get_paths()
-        yield from (f"  {_points(path.vertices)}" for path in paths[:: len(paths) // POINTS + 1])
-    elif hasattr(artist, "get_patch_transform"):
-        shape = artist.get_path().vertices if "Box" in name else artist.get_verts()
-        outline = _points(artist.get_patch_transform().transform(artist.get_path().vertices))
-        yield f"{name} {_points([artist.get_facecolor()])} {artist.get_linewidth()} {len(shape)} {outline}"
-    elif hasattr(artist, "get_array") and artist.get_array() is not None:
-        yield f"{name} {_points(artist.get_array())}"
-
-
-def _text(text: Any) -> str:
-    where = _points([text.get_position()])
-    manner = text.get_horizontalalignment(), text.get_verticalalignment(), text.get_rotation()
-    target = f" to {_points([text.xy])}" if hasattr(text, "xy") else ""
-    return f"text {text.get_text()!r} {where}{target} {text.get_fontsize():g} {text.get_color()} {manner}"
-
-
-def _points(rows: Iterable[Any]) -> str:
-    found = [tuple(map(float, row)) if hasattr(row, "__len__") else float(row) for row in rows]
-    step = len(found) / POINTS
-    sampled = found if step <= 1.0 else [found[int(number * step)] for number in range(POINTS)] + found[-1:]
-    return f"{len(found)}: {sampled}"
+def _shown(value: Any) -> str:
+    """Return an argument as a text; series are sampled."""
+    if isinstance(value, str | bool | int | float) or value is None:
+        return f"{value:.9g}" if isinstance(value, float) else repr(value)
+    if isinstance(value, Mapping):
+        return f"{{{', '.join(f'{name}: {_shown(each)}' for name, each in value.items())}}}"
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+        if not isinstance(value, list):
+            return _shown(value)
+    if isinstance(value, list | tuple):
+        step = len(value) / POINTS
+        sampled = value if step <= 1.0 else [value[int(n * step)] for n in range(POINTS)] + [value[-1]]
+        return f"{len(value)}: [{', '.join(map(_shown, sampled))}]"
+    return "an object"
 
 
 def picture_line(seed: int) -> list[str]:

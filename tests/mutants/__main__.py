@@ -23,13 +23,13 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import tomllib
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-from tests.mutants.equivalent import EQUIVALENT
 from tests.mutants.forks import (
     ALONE,
     BEGUN,
@@ -49,6 +49,8 @@ from tests.mutants.forks import (
 from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen, files, woven
 from tests.mutants.recorder import ACTIVE
 
+# Mutants without a visible effect, by name, each with the reason.
+EQUIVALENT: dict[str, str] = tomllib.loads(Path(__file__).with_name("equivalent.toml").read_text("utf-8"))
 # Tests that cannot be run on mutants: they test the tests, the wheel, other interpreters, or run for weeks.
 NOT_RUN = (
     "mutants",

@@ -8,8 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.mutants.__main__ import BAR, default_tests, killers, main, table, that_reach
-from tests.mutants.equivalent import EQUIVALENT
+from tests.mutants.__main__ import BAR, EQUIVALENT, default_tests, killers, main, table, that_reach
 from tests.mutants.forks import BUDGET, NET, within_budget
 from tests.mutants.mutate import ROOT, chosen, every, mutants, woven
 

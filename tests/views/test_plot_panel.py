@@ -145,7 +145,8 @@ def test_phases_are_shaded_and_short_ones_are_a_point_wide(axes: Axes) -> None:
     curve = Curve(np.array([0.0, 2.0]), np.array([0.0, 1.0]), "#000000")
     rows = [move(3, 1.0, 0.1, 0.3, 0.001)]
     plot_panel.draw_panel(axes, Panel("position", "uu", (curve,)), rows, (0.0, 2.0), MS)
-    shades = [(each.get_x(), each.get_width(), each.get_zorder()) for each in axes.patches]  # type: ignore[attr-defined]
+    outlines = [(each.get_patch_transform().transform_path(each.get_path()), each) for each in axes.patches]
+    shades = [(path.get_extents().x0, path.get_extents().width, each.get_zorder()) for path, each in outlines]
     assert shades == [
         pytest.approx((1000.0, 100.0, 0.5)),
         pytest.approx((1100.0, 300.0, 0.5)),
