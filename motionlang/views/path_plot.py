@@ -89,7 +89,7 @@ def _draw(axes: Any, positions: Array, speeds: Array, colours: Any) -> None:
     middle = 0.5 * (speeds[:-1] + speeds[1:])
     kind: Any
     if positions.shape[1] == 3:
-        from mpl_toolkits.mplot3d import art3d  # type: ignore[import-untyped]
+        from mpl_toolkits.mplot3d import art3d
 
         kind = art3d.Line3DCollection
     else:
