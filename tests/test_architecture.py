@@ -8,9 +8,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
+import pytest
+
 from tests.cases import cases
 from tests.sizes import CLASSES, Classes
 from tests.trees import nodes_of, tree_of
+
+pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "motionlang"

@@ -28,6 +28,7 @@ def benchmarks(*names: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT)
 
 
+@pytest.mark.slow
 def test_ratios_within_one_run_come_halfway_to_their_bars() -> None:
     ran = benchmarks("--halfway", "loop", "mccl")
     assert (ran.returncode, ran.stderr) == (0, ""), ran.stdout
@@ -43,6 +44,7 @@ def test_every_benchmark_is_listed() -> None:
     assert files - helpers - {"cliffs", "cliff_styles"} == set(listed)  # cliffs prints a table of its own
 
 
+@pytest.mark.slow
 def test_every_style_of_the_cliffs_runs_and_has_a_neighbour_that_is_plain() -> None:
     assert len(STYLES) >= 85
     for name, style in STYLES.items():
@@ -118,6 +120,7 @@ def test_a_commit_that_does_not_exist_is_an_error() -> None:
     assert (ran.returncode, ran.stderr) == (2, "there is no commit no-such-commit in this repository\n")
 
 
+@pytest.mark.slow
 def test_a_shallow_clone_skips_with_a_message(tmp_path: Path) -> None:
     clone = tmp_path / "clone"
     subprocess.run(["git", "clone", "-q", "--depth", "1", ROOT.as_uri(), str(clone)], check=True)

@@ -334,6 +334,7 @@ def test_a_program_compiled_by_another_compiler_is_compiled_again(tmp_path: Path
     assert ran() == "bye\n"
 
 
+@pytest.mark.slow
 def test_without_files_to_check_nothing_is_cached(tmp_path: Path, folder: Path) -> None:
     installed(tmp_path / "loose")
     archive = shutil.make_archive(str(tmp_path / "motionlang"), "zip", tmp_path / "loose")

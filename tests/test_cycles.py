@@ -9,7 +9,11 @@ import ast
 from collections import defaultdict
 from pathlib import Path
 
+import pytest
+
 from tests.trees import nodes_of
+
+pytestmark = pytest.mark.slow
 
 PACKAGE = Path(__file__).parent.parent / "motionlang"
 

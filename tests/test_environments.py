@@ -18,7 +18,7 @@ from tests.cli.programs import MAX_SECONDS
 from tests.installed import PROJECT, STRICT, Install, closure, first_uses, needed
 
 posix = pytest.mark.skipif(os.name == "nt", reason="POSIX descriptors, homes and locales")
-pytestmark = posix
+pytestmark = [posix, pytest.mark.slow]
 
 
 @pytest.fixture

@@ -11,8 +11,12 @@ import ast
 from functools import cache
 from pathlib import Path
 
+import pytest
+
 import motionlang
 from tests.trees import nodes_of, tree_of
+
+pytestmark = pytest.mark.slow
 
 PACKAGE = Path(motionlang.__file__).parent
 # Libraries that take longer to import than most programs run, or may be missing.

@@ -16,6 +16,8 @@ import pytest
 
 from motionlang._wheel import without_links
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parent.parent
 
 

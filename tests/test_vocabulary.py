@@ -6,6 +6,8 @@ import ast
 from collections import defaultdict
 from pathlib import Path
 
+import pytest
+
 import motionlang
 from motionlang.lang.keyword import ROLES, TRAITS
 from motionlang.mccl.keywords import table as commands
@@ -14,6 +16,8 @@ from motionlang.mint.keywords import table
 from motionlang.mint.models import ABSENT, LARGEST
 from motionlang.servo import gains
 from tests.trees import nodes_of
+
+pytestmark = pytest.mark.slow
 
 PACKAGE = Path(motionlang.__file__).parent
 MINT = {row.name for row in table()}

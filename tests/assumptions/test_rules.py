@@ -45,6 +45,7 @@ def answered(assumption: Assumption, machine: dict[str, object] | None = None) -
 
 
 @pytest.mark.parametrize("language", NAMES)
+@pytest.mark.slow
 def test_each_question_is_answered_as_the_fact_that_was_taken(language: str) -> None:
     """The program compiles, runs and prints the assumed fact."""
     unsettled = [each for row in dialect(language).table() for each in unsettled_facts(language, row)]

@@ -104,6 +104,7 @@ def test_ctrl_c_while_it_waits_for_the_machine(tmp_path: Path) -> None:
     assert err.startswith("error[interrupted]: the run was ended from the keyboard\n")
 
 
+@pytest.mark.slow
 def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
     """The progress line appears after a second; Ctrl-C replaces it by a message."""
     pty = pytest.importorskip("pty")
@@ -147,6 +148,7 @@ def test_a_loop_that_never_waits_is_reported_while_it_runs(tmp_path: Path) -> No
     assert "the run was ended from the keyboard" in err
 
 
+@pytest.mark.slow
 def test_on_a_terminal_it_is_above_the_line_of_progress(tmp_path: Path) -> None:
     pty = pytest.importorskip("pty")
     program = tmp_path / "hurry.mnt"

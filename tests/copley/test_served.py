@@ -541,6 +541,7 @@ def status(node: Any, bit: int) -> Callable[[], bool]:
     return lambda: bool(node.sdo[0x6041].raw & bit)
 
 
+@pytest.mark.slow
 def test_a_foreign_master_does_profile_position(node: Any) -> None:
     node.op_mode = "PROFILED POSITION"
     assert node.op_mode == "PROFILED POSITION"

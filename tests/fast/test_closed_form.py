@@ -80,6 +80,7 @@ def even(loop: Loop, size: int) -> list[int]:
 
 
 @cases(("name", "plant"), [(name, plant) for name in FORMS for plant in ("motor", "gravity", "drive")])
+@pytest.mark.slow
 def test_every_linear_loop_is_the_plain_loop(name: str, plant: str) -> None:
     assert closed_form(FORMS[name], LINEAR[plant]) is not None
     assert_plain(FORMS[name], LINEAR[plant], even(FORMS[name], 500))

@@ -62,6 +62,7 @@ def test_a_register_that_the_loop_recalls_by_another_one_is_no_counter() -> None
         ("RA40,AS2,AR40,RA43,AA1,AR43,1RL@21,IC3,JR-8,NO", -2, 104),
     ),
 )
+@pytest.mark.slow
 def test_a_counting_loop_is_skipped(
     loop: str, counted: int, jumps: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -102,6 +102,7 @@ def test_a_counter_has_counted_every_tick_of_a_move(skipped: Callable[[], int]) 
         ("m = POS(1)", 1e-5, 7),
     ),
 )
+@pytest.mark.slow
 def test_iterations_of_any_length_are_interrupted_at_the_same_statement(
     body: str, cost: float, count: int, skipped: Callable[[], int]
 ) -> None:
@@ -134,6 +135,7 @@ def test_a_toggled_output_has_a_record_for_each_change(skipped: Callable[[], int
         ("If POS(0) > 205.05 Then n = n + 1", 2000, 0, 12),
     ),
 )
+@pytest.mark.slow
 def test_a_handler_that_decides_does_so_at_the_right_tick(
     handler: str, n: int, m: int, count: int, skipped: Callable[[], int]
 ) -> None:
@@ -155,6 +157,7 @@ def test_a_handler_that_decides_does_so_at_the_right_tick(
         ("OUTX(3) = Not OUTX(3)", "If INX(2) Then OUTX(4) = 1 Else OUTX(4) = 0", 118),
     ),
 )
+@pytest.mark.slow
 def test_what_was_executed_before_an_event_is_known_after_it(
     handler: str, body: str, count: int, skipped: Callable[[], int]
 ) -> None:

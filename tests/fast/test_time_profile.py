@@ -52,6 +52,7 @@ def test_skipped_periods_compute_and_wait_like_the_others(fast: bool) -> None:
     "family, seeds",
     ((tasks, (15, 28, 34, 69)), (handlers, (5, 63, 65, 79, 89, 97, 98, 5084)), (polls, (5024, 5025, 5060))),
 )
+@pytest.mark.slow
 def test_the_time_profile_does_not_depend_on_accelerators(family: ModuleType, seeds: tuple[int, ...]) -> None:
     """Up to rounding."""
 

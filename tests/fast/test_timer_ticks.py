@@ -52,6 +52,7 @@ def printed(found: Run) -> list[int]:
     return [int(each) for each in line.split()]
 
 
+@pytest.mark.slow
 def test_a_counter_has_counted_every_tick(ticks: list[float]) -> None:
     """The timer starts at 30 µs, and the wait of 10 s ends after its 10 000th tick."""
     found = ran("n = n + 1")
@@ -96,6 +97,7 @@ def test_a_pulse_within_a_tick_keeps_its_width() -> None:
         ("If POS(0) > 0 Then n = n + 1", 0, 0, 10),
     ),
 )
+@pytest.mark.slow
 def test_a_handler_that_decides_does_so_at_the_right_tick(
     handler: str, n: int, m: int, count: int, ticks: list[float]
 ) -> None:

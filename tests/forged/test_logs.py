@@ -20,6 +20,7 @@ def verdicts(logs: list[Forged]) -> dict[str, bool]:
     return found
 
 
+@pytest.mark.slow
 def test_a_forged_log_is_rejected() -> None:
     found = verdicts(chosen(112))
     assert len(found) >= 100

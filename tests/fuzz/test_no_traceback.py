@@ -19,6 +19,7 @@ SLICE, LONG = 300, 100_000
 
 
 @cases("name", dialects())
+@pytest.mark.slow
 def test_words_in_every_form_in_every_loop(name: str) -> None:
     words = list(WORDS[name]())
     for text in Random(f"words of {name}").sample(words, examples(SLICE)):

@@ -15,6 +15,7 @@ from tests.generated.handlers import PARTS, is_equal, program
 SLICE, BATCHES, BATCH = 60, 30, 100
 
 
+@pytest.mark.slow
 def test_a_slice_of_programs_is_the_same_without_accelerators(monkeypatch: pytest.MonkeyPatch) -> None:
     """The sample has every step, condition, action, task and line of the main program.
 

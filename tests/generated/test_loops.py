@@ -39,6 +39,7 @@ def test_an_overflow_is_found_whatever_the_range_of_a_counter(name: str) -> None
 
 
 @cases("seed", range(examples(300)))
+@pytest.mark.slow
 def test_loops_end_as_they_do_without_range_analysis(seed: int) -> None:
     text = Draw(seed).program()
     assert outcome(text) == outcome(text, analysed=False), text

@@ -1,19 +1,23 @@
-"""Every program of the gallery matches its golden files.
+"""Every program of the gallery runs once: it matches its golden files, and its motion and its time are accounted for.
 
-`pytest --update` rewrites these.
+`pytest --update` rewrites the golden files.
 """
 
 from __future__ import annotations
 
+from itertools import pairwise
+from math import fsum
 from pathlib import Path
 
 import pytest
 
 from motionlang import run
+from motionlang.analysis.cycle.profile import TimeProfile
 from motionlang.analysis.scenarios import scenario_files
 from motionlang.cli.golden import differences, golden_files, update
 from motionlang.cli.program_files import programs
 from motionlang.cli.verify_further import further_checks, sweep_golden
+from motionlang.result import Run
 
 ROOT = Path(__file__).parent.parent.parent
 PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]
@@ -26,6 +30,21 @@ def test_program(program: Path, request: pytest.FixtureRequest) -> None:
     result = run(program, cache=False, prove=True)
     assert differences(str(program), result) == []
     assert result.proof().violations == []
+    assert_every_second_is_charged_once(result)
+
+
+def assert_every_second_is_charged_once(result: Run) -> None:
+    """Compare the time profile with the run: no second is missing, and none is in two links or shares."""
+    made = TimeProfile(result)
+    assert made.seconds == pytest.approx(result.time, abs=1e-9)
+    assert all(link.end == after.begin for link, after in pairwise(made.links))
+    assert [made.links[0].begin, made.links[-1].end] == [0.0, result.time] if made.links else True
+    for shares in (made.lines(), made.kinds(), made.subs()):
+        assert fsum(share.seconds for share in shares) == pytest.approx(result.time, abs=1e-9)
+    for task in made.tasks:
+        parts = [task.computing, task.ready, *task.waiting.values()]
+        assert fsum(parts) == pytest.approx(task.life, abs=1e-9)
+        assert min(parts) > -1e-9
 
 
 def test_scenarios_and_sweeps_are_as_expected(request: pytest.FixtureRequest) -> None:

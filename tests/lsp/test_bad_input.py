@@ -283,6 +283,7 @@ linux = pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="needs /
 
 @linux
 @pytest.mark.parametrize("victim", ["server", "worker", "client"])
+@pytest.mark.slow
 def test_no_process_is_left_after_a_kill(victim: str) -> None:
     served = Process()
     served.open("Print 1 1\n")
@@ -310,6 +311,7 @@ def test_no_process_is_left_after_a_kill(victim: str) -> None:
             stream.close()
 
 
+@pytest.mark.slow
 def test_a_line_of_ten_megabytes_gets_one_warning() -> None:
     served = Process()
     served.open("x = 1" + " + 1" * 2_500_000)

@@ -65,6 +65,7 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 @needs_compiler
 @needs_hosts
 @needs_file
+@pytest.mark.slow
 def test_every_method_of_the_binding(environment: dict[str, str]) -> None:
     """All 139 methods work; Python errors are the binding's own.
 
@@ -90,6 +91,7 @@ def test_every_method_of_the_binding(environment: dict[str, str]) -> None:
 @needs_hosts
 @needs_file
 @pytest.mark.skipif(sys.version_info >= (3, 12), reason="yaqd-pmc does not yield to its event loop there")
+@pytest.mark.slow
 def test_a_laboratory_stage(environment: dict[str, str], tmp_path: Path) -> None:
     """yaqd-pmc moves the stage with its approach against backlash, and stops it.
 

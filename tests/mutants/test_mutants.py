@@ -59,6 +59,7 @@ def test_what_is_changed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     assert {each.line for each in mutants(path) if each.imported} == {5}
 
 
+@pytest.mark.slow
 def test_the_same_are_chosen_again_from_every_package() -> None:
     once = chosen(300, 0)
     assert chosen(300, 0) == once != chosen(300, 1)

@@ -63,7 +63,7 @@ def command(*arguments: str) -> str:
     return out.getvalue().decode()
 
 
-@pytest.mark.parametrize("path", one_in(4, GALLERY), ids=lambda path: path.name)
+@pytest.mark.parametrize("path", one_in(14, GALLERY), ids=lambda path: path.name)
 def test_output_and_table_are_those_of_the_command_line(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     machine_file = path.with_suffix(".machine.toml")
     machine = machine_file.read_text(encoding="utf-8") if machine_file.exists() else ""

@@ -14,6 +14,7 @@ from tests.serve.conftest import Serve, Wire
 
 
 @pytest.mark.parametrize("clock", ["lockstep", "real"])
+@pytest.mark.slow
 def test_fifty_hosts_at_once_none_starved(serve: Serve, clock: str) -> None:
     """Each host sends again as soon as it is answered, and all get similar shares.
 

@@ -170,6 +170,7 @@ def test_a_window_of_a_run_has_the_peaks_of_that_window(tmp_path: Path) -> None:
 
 @pytest.mark.usefixtures("texts")
 @pytest.mark.parametrize("axes", [(0, 1), (0, 1, 2)])
+@pytest.mark.slow
 def test_a_path_is_drawn_in_the_colour_of_its_speed(tmp_path: Path, axes: tuple[int, ...]) -> None:
     write_plot(pick(), str(tmp_path / "x.svg"), window=Window(path=axes))
     found = re.findall(r"<text[^>]*>([^<]*)</text>", (tmp_path / "x.svg").read_text(encoding="utf-8"))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import tracemalloc
-from itertools import pairwise
 from math import fsum
 from pathlib import Path
 
@@ -19,7 +18,6 @@ from motionlang.source import Source
 from motionlang.views.cycle import render_profile
 
 ROOT = Path(__file__).parents[3]
-GALLERY = sorted((ROOT / "scripts").rglob("*.mnt")) + sorted((ROOT / "scripts").rglob("*.mcl"))
 
 # X takes 1.1 s, Z half a second, and waits for X; then a dwell, a sub that is called twice, and an input at 3
 # s.
@@ -195,26 +193,6 @@ def test_a_run_that_is_cut_short_waits_to_its_end() -> None:
         "dwell": pytest.approx(0.1, abs=1e-3),
         "computing": pytest.approx(0.0, abs=1e-3),
     }
-
-
-@pytest.mark.parametrize("offset", range(4))
-def test_every_second_of_the_gallery_is_charged_once(offset: int, tmp_path: Path) -> None:
-    """The file of each profile is what json would write."""
-    for path in GALLERY[offset::4]:
-        made, name = TimeProfile(run(path)), path.name
-        assert made.seconds == pytest.approx(made.run.time, abs=1e-9), name
-        for link, after in pairwise(made.links):
-            assert link.end == after.begin, name
-        if made.links:
-            assert (made.links[0].begin, made.links[-1].end) == (0.0, made.run.time), name
-        for shares in (made.lines(), made.kinds(), made.subs()):
-            assert fsum(share.seconds for share in shares) == pytest.approx(made.run.time, abs=1e-9), name
-        for task in made.tasks:
-            assert life(task) == pytest.approx(task.life, abs=1e-9), name
-            assert min(task.computing, task.ready, *task.waiting.values(), 0.0) > -1e-9, name
-        write_profile(made, str(tmp_path / "cycle.json"))
-        written = (tmp_path / "cycle.json").read_text(encoding="utf-8")
-        assert written == json.dumps(made.report(), indent=1) + "\n", name
 
 
 # ------------------------------------------------------------------------------------------ exports

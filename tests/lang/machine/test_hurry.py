@@ -23,6 +23,7 @@ def ran(name: str, text: str) -> Run:
         ("a.mcl", "1MN\n1MR1000,RP\n", 2),
     ],
 )
+@pytest.mark.slow
 def test_warning_is_reported_once_with_its_line(name: str, text: str, line: int) -> None:
     (found,) = ran(name, text).diagnostics
     assert (found.code, found.severity, found.line) == ("never-waits", "warning", line)

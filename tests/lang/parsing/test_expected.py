@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 
 import lark
+import pytest
 from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from motionlang.lang.parsing.generate import build_lark
@@ -42,6 +43,7 @@ class Accepted:
         return self._known[stack]
 
 
+@pytest.mark.slow
 def test_mint_expects_what_lark_accepts() -> None:
     reference, accepted, seen = build_lark("mint.lark"), Accepted(), 0
     own = cache(lambda top: expected(TABLES, top))

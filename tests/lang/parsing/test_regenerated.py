@@ -60,6 +60,7 @@ def product(copy: Path, tmp_path: Path) -> Product:
     return start  # type: ignore[return-value]
 
 
+@pytest.mark.slow
 def test_a_further_separator_of_mccl(product: Product) -> None:
     """`|` becomes a separator, and ends a parameter."""
     changes = {"/[, \\t]/": "/[, \\t|]/", "[, \\t\\n;]|$": "[, \\t\\n;|]|$"}

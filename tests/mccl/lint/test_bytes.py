@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -43,6 +44,7 @@ def test_any_commands(text: str) -> None:
     survives(Source("any.mcl", "MN\n" + text))
 
 
+@pytest.mark.slow
 def test_a_line_of_a_megabyte() -> None:
     result = run(Source("long.mcl", "1TP," * 250_000 + "\n1TP\n"), dialect="mccl")
     assert result.output == ["?4", "01 0"]

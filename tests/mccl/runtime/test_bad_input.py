@@ -203,6 +203,7 @@ def test_a_macro_that_is_redefined_while_it_runs_goes_on_as_it_was(mccl: Runner)
 
 
 @cases("row", list(table()), ids=lambda row: row.name)
+@pytest.mark.slow
 def test_no_number_that_is_sent_with_a_command_breaks_anything(row: Keyword, mccl: Runner) -> None:
     numbers = (
         "-1",

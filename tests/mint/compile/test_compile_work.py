@@ -82,6 +82,7 @@ def calls_of(work: Callable[[], object]) -> int:
 @pytest.mark.parametrize(
     "write", [labels, handler, jumps, subroutines, in_blocks, back_to_few_labels, counted_loops]
 )
+@pytest.mark.slow
 def test_twice_the_statements_are_twice_the_work(write: object) -> None:
     assert callable(write)
     calls_to_compile(write(40))  # imports and caches are complete after this
@@ -120,6 +121,7 @@ def test_a_variable_takes_less_than_ten_kilobytes(write: object) -> None:
 
 
 @pytest.mark.parametrize("write", [labels, jumps, subroutines])
+@pytest.mark.slow
 def test_a_label_takes_less_than_eight_kilobytes(write: object) -> None:
     """So 20 000 labels stay below 200 MB, with the text and the syntax tree."""
     assert callable(write)

@@ -99,6 +99,7 @@ def test_chunks_make_no_difference(path: Path, monkeypatch: pytest.MonkeyPatch) 
 
 
 @pytest.mark.parametrize("cut", [False, True], ids=["whole", "in parts"])
+@pytest.mark.slow
 def test_every_line_names_the_variables_that_are_shared(cut: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """A shared variable that a line did not declare would become a different global."""
     if cut:
@@ -216,6 +217,7 @@ def test_a_loop_that_polls_may_be_long() -> None:
     assert result.time == pytest.approx(5.0, abs=0.02)
 
 
+@pytest.mark.slow
 def test_a_choice_may_have_many_branches() -> None:
     cases = "\n".join(f"Case {n}\n  PRINT {n}" for n in range(5000))
     branches = "\n".join(f"ElseIf x = {n} Then\n  PRINT {n}" for n in range(190))

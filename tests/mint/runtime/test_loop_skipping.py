@@ -337,6 +337,7 @@ SHIFTED = {
 
 
 @pytest.mark.parametrize("name", SHIFTED)
+@pytest.mark.slow
 def test_sums_counters_copies_and_host_memory_cost_no_more_than_a_reading(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
