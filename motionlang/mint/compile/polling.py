@@ -51,7 +51,8 @@ class Idle:
     """Values that change in each iteration of a loop and decide nothing.
 
     `counters` maps variables to the constants that they are compared with; `mere` are all such variables. Both
-    use Python names. `copies` is true if the loop writes to host memory that it does not read.
+    use Python names. `copies` is true if the loop stores readings in host memory that it does not read, or for a loop
+    around it.
     """
 
     counters: dict[str, list[float]]
@@ -209,7 +210,10 @@ def idle(b: Body, iteration: Sequence[nodes.Node]) -> Idle:
     The readings assigned are called with a level. The condition of an extremum does not change until the reading
     reverses, so its reading is called with that in place of a level. A mere copy depends on nothing.
     """
-    if b.function.kind == "sub" or b.function.jumps or b.watching:
+    if b.watching:
+        copies = any(id(node) in b.copies or id(node) in b.levels for node in iteration)
+        return Idle({}, frozenset(), copies)
+    if b.function.kind == "sub" or b.function.jumps:
         return NO_IDLE
     uses: dict[Symbol | None, int] = {}
     # How each variable is assigned. One that is assigned in several ways does decide something.
