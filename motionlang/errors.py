@@ -245,7 +245,10 @@ class Spellings:
         self._rows = [(each, len(each), _letters(each)) for each in self._spelt]
 
     def nearest(self, word: str, cutoff: float = 0.6) -> str | None:
-        """Return the most similar word, None if none has a `difflib` ratio of `cutoff`."""
+        """Return the most similar word that `word` may be meant as, None if there is none.
+
+        Its `difflib` ratio is at least `cutoff`, and it differs by few letters or is abbreviated by `word`.
+        """
         from difflib import get_close_matches  # only an error pays for this import
 
         word = word.lower()
@@ -258,8 +261,8 @@ class Spellings:
             / (size + length or 1)
             >= cutoff
         ]
-        found = get_close_matches(word, likely, n=1, cutoff=cutoff)
-        return self._spelt[found[0]] if found else None
+        found = get_close_matches(word, likely, n=5, cutoff=cutoff)
+        return next((self._spelt[each] for each in found if _is_near(word, each)), None)
 
 
 def _letters(word: str) -> int:
@@ -268,6 +271,28 @@ def _letters(word: str) -> int:
     for letter in word:
         bits |= 1 << (ord(letter) & 63)
     return bits
+
+
+def _is_near(word: str, other: str) -> bool:
+    """True if a third of the letters differs at most, or one, or if `word` abbreviates `other`."""
+    if edits(word, other) <= max(1, max(len(word), len(other)) // 3):
+        return True
+    letters = iter(other)
+    return all(letter in letters for letter in word)
+
+
+def edits(word: str, other: str) -> int:
+    """Return how many letters to insert, delete, change or swap with their neighbour turn `word` into `other`."""
+    before: list[int] = []
+    last: list[int] = []
+    row = list(range(len(other) + 1))
+    for i, letter in enumerate(word, 1):
+        before, last, row = last, row, [i]
+        for j, wanted in enumerate(other, 1):
+            row.append(min(last[j] + 1, row[-1] + 1, last[j - 1] + (letter != wanted)))
+            if i > 1 and j > 1 and (letter, wanted) == (other[j - 2], word[i - 2]):
+                row[j] = min(row[j], before[j - 2] + 1)
+    return row[-1]
 
 
 def nearest(word: str, words: Iterable[str]) -> str | None:

@@ -101,12 +101,12 @@ def _group(name: str, tables: Mapping[str, Iterable[Keyword]]) -> dict[str, list
 
 
 def _is_misspelt(name: str, near: str, found: dict[str, list[Keyword]]) -> bool:
-    """True unless `name` is a part of keywords found, but not of the nearest one.
+    """True unless `name` is a part of keywords found, and the nearest one does not begin with it.
 
     JERK is near RK, but part of ACCELJERK.
     """
     part = name.lower()
-    return part in near.lower() or not any(
+    return near.lower().startswith(part) or not any(
         part in row.name.lower() for rows in found.values() for row in rows
     )
 

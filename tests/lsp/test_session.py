@@ -203,7 +203,7 @@ def test_fixes_are_for_the_text_that_was_checked() -> None:
         wire.request(3, "textDocument/codeAction", {**request, "range": span(1, 0, 9)})
         return [len(wire.answers()[number][0]["result"]) for number in (1, 2, 3)]
 
-    assert asyncio.run(whole()) == [1, 0, 1]
+    assert asyncio.run(whole()) == [2, 0, 2]
 
 
 def test_a_text_that_is_closed_has_no_diagnostics() -> None:
@@ -219,7 +219,7 @@ def test_a_text_that_is_closed_has_no_diagnostics() -> None:
         await wire.settled()
         return wire
 
-    assert published(asyncio.run(whole())) == [("a.mnt", 1, ["unknown-word"]), ("a.mnt", 2, [])]
+    assert published(asyncio.run(whole())) == [("a.mnt", 1, ["unused-variable"]), ("a.mnt", 2, [])]
 
 
 def test_programs_are_checked_again_when_a_machine_file_changes() -> None:

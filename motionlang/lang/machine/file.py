@@ -5,7 +5,7 @@ An unknown key, or a value of the wrong kind, is a diagnostic with its line.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from motionlang.errors import Diagnostic, ProgramError, as_hint, nearest, renamed, shown
 from motionlang.lang.dialect import dialect, unknown_model
@@ -127,6 +127,19 @@ def _keys_below(key: str) -> str:
     return f"{known}; docs/machine-file.md lists all"
 
 
+def _nearest_key(key: str, keys: Iterable[str]) -> str | None:
+    """Return the most similar key: by its last part within its section, or else by its section."""
+    section, _, last = key.rpartition(".")
+    sections: dict[str, dict[str, str]] = {}
+    for each in keys:
+        above, _, name = each.rpartition(".")
+        sections.setdefault(above, {})[name] = each
+    if section not in sections:
+        section = nearest(section, sections) or ""
+    near = nearest(last, sections[section])
+    return sections[section][near] if near else None
+
+
 def check_setting(key: str, value: object) -> tuple[str, str] | None:
     """Return the problem of one plain setting and a hint, or None if it is valid."""
     row = KEYS.get(generic(key))
@@ -137,7 +150,7 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
     if row is None:
         from motionlang.servo.settings import KEYS as SERVO_KEYS
 
-        near = nearest(generic(key), (*KEYS, *TABLES, *SERVO_KEYS))
+        near = _nearest_key(generic(key), (*KEYS, *TABLES, *SERVO_KEYS))
         words = f"did you mean {near}?" if near else _keys_below(key)
         return f"there is no key {key}", words
     if key.startswith(ASSUMPTIONS):

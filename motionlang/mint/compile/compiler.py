@@ -181,9 +181,10 @@ def _function(whole: SharedData, function: Function) -> Body:
 
 
 def warn_of_misspellings(whole: SharedData) -> None:
-    """Report names that are only assigned to and resemble a keyword.
+    """Warn of names that are only assigned to and resemble a keyword.
 
-    Such a name is more likely a typing error than a variable.
+    Such a name may be a typing error, or a variable that an old program no longer uses. A keyword with a number and
+    without brackets, as in `OUT3 = 1`, is an error.
     """
     words: Spellings | None = None
     for function in whole.names.functions:
@@ -195,11 +196,23 @@ def warn_of_misspellings(whole: SharedData) -> None:
             words = words or Spellings(r.name for r in whole.table if r.simulated and r.kind != "statement")
             near = words.nearest(symbol.name, 0.75)
             if near is not None:
-                meant = bracketed(symbol.name, whole.table) or near
+                message, meant = (
+                    f"{symbol.name} is assigned but never read",
+                    bracketed(symbol.name, whole.table),
+                )
+                if meant is not None:
+                    hint = f"did you mean {meant}? If it is a variable, declare it with Dim"
+                    whole.problems.add("unknown-word", message, symbol.at, hint, candidates=(meant,))
+                    continue
+                whole.problems.in_run.add(("unused-variable", symbol.at))
                 whole.problems.add(
-                    "unknown-word", f"{symbol.name} is assigned but never read", symbol.at,
-                    f"did you mean {meant}? If it is a variable, declare it with Dim", candidates=(meant,),
-                )  # fmt: skip
+                    "unused-variable",
+                    message,
+                    symbol.at,
+                    f"did you mean {near}?",
+                    "warning",
+                    candidates=(near,),
+                )
 
 
 def compile_text(

@@ -139,4 +139,4 @@ def _ending(b: Body, node: nodes.Node, row: Keyword, writes: bool) -> None:
         node,
         f"{row.name}: {as_hint(row.help)}; {end}",
     )
-    b.whole.problems.ends.add((CODE, node.at))
+    b.whole.problems.in_run.add((CODE, node.at))

@@ -60,7 +60,10 @@ def _check(source: Source, settings: dict[str, object], known: Known | None) -> 
     except ProgramError as error:
         found = list(error.diagnostics)
     else:
-        found = [*compiled.problems.found.values(), *lint(module, compiled.names, settings, recall)]
+        found = list(compiled.problems.found.values())
+        reported = {(each.code, each.line, each.column) for each in found}
+        warnings = lint(module, compiled.names, settings, recall)
+        found += [each for each in warnings if (each.code, each.line, each.column) not in reported]
         if recall is not None:
             recall.finish()
     found += _foreign(module, source, str(settings.get("controller.model", "")))

@@ -23,8 +23,8 @@ class Problems:
         self._module = module
         self.recorder: Recorder | None = None  # records the problems of each function
         self.found: dict[tuple[str, int], Diagnostic] = {}
-        # Keys in `found` of warnings about keywords that end a run. The run reports them before it starts.
-        self.ends: set[tuple[str, int]] = set()
+        # Keys in `found` of the warnings that a run reports, too: what may end it, and names that may be misspelt.
+        self.in_run: set[tuple[str, int]] = set()
         self._wrong = (
             False  # True once there is an error, so that warnings, however many, never hide the first one
         )
@@ -109,8 +109,9 @@ class Problems:
             self.recorder.depends()
 
     def of_the_run(self) -> list[Diagnostic]:
-        """Return the warnings that a run repeats: of keywords that may end it early."""
-        return [each for key, each in self.found.items() if key in self.ends]
+        """Return the warnings that a run reports before it starts."""
+        found = [each for key, each in self.found.items() if key in self.in_run]
+        return sorted(found, key=lambda each: (each.line, each.column))
 
     def is_pattern(self, at: int) -> bool:
         """True if the number at a token is written in hexadecimal or binary."""

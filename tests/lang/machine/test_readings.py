@@ -58,7 +58,6 @@ def test_assumptions_of_a_board() -> None:
             "no assumption mint.homesped-default",
             "mint.homespeed-default",
         ),
-        ('"mint.home-types" = 1', "no assumption mint.home-types can be set", "did you mean"),
         ('"other.thing" = 1', "no assumption other.thing can be set", "docs/contributing/assumptions.md"),
         ('"mint.idletime-default" = 7.5', "must be a whole number, not 7.5", "motionlang probe"),
         ('"mint.idletime-default" = "x"', "must be a number, not 'x'", "motionlang probe"),

@@ -171,7 +171,7 @@ REFUSED = [
     ("PRINT (1", 2, "expected `)` before the end of the line", "add )"),
     ("PRINT 1 +", 2, "expected a value before the end of the line", ""),
     ('PRINT "a', 2, "the string is not closed", 'add the closing "'),
-    ("RELEASE", 2, "RELEASE is neither a keyword nor a sub of this program", "did you mean RESET?"),
+    ("RELEASE", 2, "RELEASE is neither a keyword nor a sub of this program", ""),
     ("Run SPEED", 2, "there is no task SPEED", ""),
     ("PRINT TASKSTATUS(q)", 2, "there is no task q", ""),
     ("LOCATE(1)", 2, "LOCATE takes 2 values (column, row) in brackets, 1 given", ""),

@@ -39,12 +39,6 @@ CONST = "a Const can use numbers, texts and other constants"
             "CANCELALL3 is neither a keyword nor a sub of this program",
             "did you mean CANCELALL?",
         ),
-        (
-            "IDL = 1",
-            (2, 1, 3),
-            "IDL is assigned but never read",
-            "did you mean IDLE? If it is a variable, declare it with Dim",
-        ),
         # Events.
         ("Event FOO\nEnd Event", (2, 1, 5), "there is no event FOO", EVENTS),
         ("Event TIMR\nEnd Event", (2, 1, 5), "there is no event TIMR", "did you mean TIMER?"),
