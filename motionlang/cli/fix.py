@@ -48,14 +48,37 @@ def fix(path: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[
         return []
     fixed: list[Fixed] = []
     for _ in range(MAX_PASSES):
-        text, made = _fixed(text, found)
+        text, made, found = _pass(text, found, check)
         if not made:
             break
         fixed += made
-        found = check(text)
     with replacing(path, only_copy=True) as out:
         out.write((mark + text).encode())
     return fixed
+
+
+def _pass(
+    text: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[Diagnostic]]
+) -> tuple[str, list[Fixed], Sequence[Diagnostic]]:
+    """Return the text with all fixes that cause no new warning in their lines, these fixes, and what is left."""
+    wanted = list(found)
+    while True:
+        fixed, made = _fixed(text, wanted)
+        if not made:
+            return text, [], found
+        left = check(fixed)
+        lines = {each.line for each in made}
+        before = {(each.line, each.code, each.message) for each in found}
+        worse = {
+            each.line
+            for each in left
+            if each.severity == "warning"
+            and each.line in lines
+            and (each.line, each.code, each.message) not in before
+        }
+        if not worse or fixed.count("\n") != text.count("\n"):
+            return fixed, made, left
+        wanted = [each for each in wanted if each.line not in worse]
 
 
 def _fixed(text: str, found: Sequence[Diagnostic]) -> tuple[str, list[Fixed]]:

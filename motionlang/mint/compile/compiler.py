@@ -193,17 +193,14 @@ def warn_of_misspellings(whole: SharedData) -> None:
                 return
             if symbol.kind != "variable" or symbol.declared or symbol.uses > 0 or len(symbol.name) < 3:
                 continue
+            message, meant = f"{symbol.name} is assigned but never read", bracketed(symbol.name, whole.table)
+            if meant is not None:
+                hint = f"did you mean {meant}? If it is a variable, declare it with Dim"
+                whole.problems.add("unknown-word", message, symbol.at, hint, fix=meant)
+                continue
             words = words or Spellings(r.name for r in whole.table if r.simulated and r.kind != "statement")
             near = words.nearest(symbol.name, 0.75)
             if near is not None:
-                message, meant = (
-                    f"{symbol.name} is assigned but never read",
-                    bracketed(symbol.name, whole.table),
-                )
-                if meant is not None:
-                    hint = f"did you mean {meant}? If it is a variable, declare it with Dim"
-                    whole.problems.add("unknown-word", message, symbol.at, hint, candidates=(meant,))
-                    continue
                 whole.problems.in_run.add(("unused-variable", symbol.at))
                 whole.problems.add(
                     "unused-variable",
