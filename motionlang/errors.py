@@ -197,6 +197,14 @@ class Terminated(SystemExit):
         super().__init__(128 + number)
 
 
+class OutOfTime(KeyboardInterrupt):
+    """The run has used up its processor time, `seconds`."""
+
+    def __init__(self, seconds: float) -> None:
+        super().__init__()
+        self.seconds = seconds
+
+
 def shown(value: object) -> str:
     """Return a user's value for a message, on one line of limited length."""
     try:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.errors import Diagnostic, Terminated, clipped, count_of
+from motionlang.errors import Diagnostic, OutOfTime, Terminated, clipped, count_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -359,6 +359,8 @@ def _why(task: Task) -> str:
 
 def who_ended(error: BaseException) -> str:
     """Return the external cause of a run's end, as text."""
+    if isinstance(error, OutOfTime):
+        return f"after {error.seconds:.10g} s of processor time"
     if isinstance(error, Terminated):
         import signal
 
@@ -368,12 +370,14 @@ def who_ended(error: BaseException) -> str:
 
 def interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) -> Diagnostic:
     """Return the diagnostic of Ctrl-C or a signal, at the current task's position."""
-    message = f"the run was ended {who_ended(error)}"
+    message, hint = f"the run was ended {who_ended(error)}", ""
+    if isinstance(error, OutOfTime):
+        hint = "--until S ends it at a machine time; --cpu S gives it more processor time, --cpu 0 any"
     if scheduler is None:
-        return Diagnostic("interrupted", message)
+        return Diagnostic("interrupted", message, hint=hint)
     # Until the next event a program runs ahead of the clock, which only an end like this one can show.
     clock, reached = result.machine.clock, scheduler.current.time_at_error(error)
     if reached < clock.next_time():
         clock.advance(reached)
     line, column, length = result.dialect.locate(result.source, scheduler.current.at_error(error))
-    return Diagnostic("interrupted", message, line, column, length=length)
+    return Diagnostic("interrupted", message, line, column, length=length, hint=hint)

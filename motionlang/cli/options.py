@@ -7,6 +7,7 @@ TRACES = (".csv", ".npz", ".parquet", ".vcd", ".mcap")
 PLOTS = (".png", ".svg", ".html")
 PROFILES = (".json", ".trace.json", ".speedscope.json")
 RATE = 1000.0
+CPU = 60.0
 # TN1069: trajectory points per second, and samples of the loop that interpolates linearly between them.
 TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
 
@@ -25,6 +26,8 @@ class Options:
         self.everything = False
         self.until: float | None = None
         self.realtime: float | None = None
+        # Processor time of a run that no machine time ends, s; 0 means any.
+        self.cpu = CPU
         self.trace: str | None = None
         self.rate = RATE
         # Trajectory points per second if the trace has to be as the controller computes it.

@@ -252,22 +252,24 @@ def _run_unwatched(
         if outside is None and options.file != STDIN:
             machine.ask = lambda: _ask(machine)
 
-    return run(
-        source,
-        dialect=options.dialect or dialect_of(options.file),
-        machine=settings,
-        until=options.until,
-        overrides=options.overrides,
-        show=None if options.report == "json" else show,
-        pace=None if options.realtime is None else pacer(options.realtime),
-        outside=outside,
-        begun=prepare,
-        nv=options.nv,
-        keep_crash=True,
-        cache=options.cache,
-        prove=options.prove,
-        log_size=options.log_size,
-    )
+    is_endless = options.until is None and "run.until" not in settings
+    with SIGNALS.limited(options.cpu if is_endless else 0.0):
+        return run(
+            source,
+            dialect=options.dialect or dialect_of(options.file),
+            machine=settings,
+            until=options.until,
+            overrides=options.overrides,
+            show=None if options.report == "json" else show,
+            pace=None if options.realtime is None else pacer(options.realtime),
+            outside=outside,
+            begun=prepare,
+            nv=options.nv,
+            keep_crash=True,
+            cache=options.cache,
+            prove=options.prove,
+            log_size=options.log_size,
+        )
 
 
 def _ask(machine: Machine) -> str | None:

@@ -11,7 +11,7 @@ from motionlang.cli.event_status import ALLOWED
 from motionlang.cli.format_options import add_format
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.numbers import machine_time, real
-from motionlang.cli.options import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
+from motionlang.cli.options import CPU, PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
 from motionlang.cli.output_files import refused, wrong_target
 from motionlang.cli.parser import Commands, add_all, add_command, arrange, either, flag, option
 from motionlang.cli.run import run_command
@@ -43,7 +43,7 @@ examples:
 GROUPS = {
     "program": "dialect machine set",
     "report": "format quiet output all paths profile profile-to",
-    "time": "until realtime",
+    "time": "until cpu realtime",
     "checks": "prove certify allow",
     "trace": "trace rate columns trajectory-points trajectory-rate",
     "pictures": "plot from to axes path",
@@ -123,6 +123,8 @@ _OPTIONS = (
     flag("--all", "list every move, phase and line in the table"),
     option("--until", "S", "end the run after S seconds of machine time; default: run.until of the machine file, or "
            f"{ONE_SHIFT:.0f} s = 8 h", machine_time),
+    option("--cpu", "S", "end the run after S seconds of processor time if neither --until nor run.until ends it "
+           f"({CPU:.10g}); 0 means no limit", real("a number of seconds, 0 or more", 0.0, 1e9), default=CPU),
     option("--realtime", "FACTOR", "run at FACTOR × real time; FACTOR defaults to 1",
            real("a factor above 0: --realtime 10 is ten times as fast", 0.0, above=True), nargs="?", const=1.0),
     option("--trace", "OUT", f"sample the motion into a file: {either(TRACES)}"),

@@ -1,4 +1,4 @@
-"""Ctrl-C, SIGTERM and SIGHUP end a command, with complete output.
+"""Ctrl-C, SIGTERM, SIGHUP and a limit of processor time end a command, with complete output.
 
 Results computed so far are reported.
 """
@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import signal
 import sys
+from contextlib import contextmanager
 from time import monotonic
 
-from motionlang.errors import Terminated
+from motionlang.errors import OutOfTime, Terminated
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from types import FrameType, TracebackType
     from typing import Any, Self
 
@@ -37,7 +39,7 @@ class Signals:
         # The last signal that was raised, the one that waits for the end of a held block, and the lost one.
         self._raised = self._pending = self._lost = 0
         self._depth = 0
-        self._since = 0.0
+        self._since = self._limit = 0.0
         self._hook: Any = None
 
     def __enter__(self) -> Self:
@@ -67,8 +69,8 @@ class Signals:
 
     @property
     def status(self) -> int:
-        """The exit status after the last signal raised; that of Ctrl-C if there was none."""
-        return 128 + (self._raised or signal.SIGINT)
+        """The exit status after the last signal raised; that of Ctrl-C if there was none, or a limit of time."""
+        return 128 + (self._raised if self._raised in self._before else signal.SIGINT)
 
     def end_with(self, result: Run) -> None:
         """Raise the signal that ended a run again, so that it ends the command as well."""
@@ -83,6 +85,24 @@ class Signals:
         """
         return Deferral(self)
 
+    @contextmanager
+    def limited(self, seconds: float) -> Iterator[None]:
+        """Raise `OutOfTime` in a block that takes more processor time than this; 0 means no limit.
+
+        Systems without interval timers, such as Windows, have no limit.
+        """
+        if not seconds or not self._before or not hasattr(signal, "setitimer"):
+            yield
+            return
+        self._limit = seconds
+        before = signal.signal(signal.SIGPROF, self._end)
+        signal.setitimer(signal.ITIMER_PROF, seconds)
+        try:
+            yield
+        finally:
+            signal.setitimer(signal.ITIMER_PROF, 0.0)
+            signal.signal(signal.SIGPROF, before)
+
     def _end(self, number: int, frame: FrameType | None) -> None:
         now = monotonic()
         if self._raised and now - self._since < DUPLICATE_WINDOW:
@@ -91,7 +111,7 @@ class Signals:
         if self._depth and first:
             self._pending = number
             return
-        raise error_of(number)
+        raise OutOfTime(self._limit) if number not in self._before else error_of(number)
 
     def defer(self) -> None:
         """Begin a block in which the first signal waits for `deliver`."""

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 PATIENCE = 0.5
 PERIOD = 0.1
 # The same for a run, whose line a thread writes.
-RUN_PATIENCE, RUN_PERIOD = 1.0, 0.2
+RUN_PATIENCE, RUN_PERIOD = 0.5, 0.2
 
 
 class Progress:

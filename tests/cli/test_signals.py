@@ -329,3 +329,21 @@ def test_a_crash_that_cannot_be_stored_is_reported(cell: Cell, monkeypatch: pyte
     monkeypatch.setattr("motionlang.cli.check.check_command", broken)
     ran = cell("check", "a.mnt")
     assert (ran.status, "the crash report could not be written" in ran.err) == (70, True)
+
+
+def test_a_run_that_nothing_ends_stops_after_its_processor_time(cell: Cell) -> None:
+    """The report has what was computed; --until, run.until and --cpu 0 leave the run to its end."""
+    cell.write("a.mnt", ENDLESS)
+    ran = cell("run", "a.mnt", "--cpu", "0.05", "--format", "json")
+    report = json.loads(ran.out)
+    assert (ran.status, report["status"], report["output"]) == (130, "interrupted", ["1"])
+    (diagnostic,) = report["diagnostics"]
+    assert (diagnostic["message"], diagnostic["line"]) == (
+        "the run was ended after 0.05 s of processor time",
+        3,
+    )
+    assert "--until S" in diagnostic["hint"]
+    assert "--cpu S" in diagnostic["hint"]
+    assert cell("run", "a.mnt", "--cpu", "0.001", "--until", "0.5").status == 0
+    cell.write("b.mnt", MOVE)
+    assert cell("run", "b.mnt", "--cpu", "0").status == 0

@@ -167,7 +167,7 @@ def test_a_bar_appears_after_half_a_second_and_changes_ten_times_a_second(
     assert [after > before for before, after in pairwise(lengths)] == [False, False, True, False, True, False]
 
 
-def test_the_line_of_a_run_appears_after_a_second_and_changes_five_times_a_second() -> None:
+def test_the_line_of_a_run_appears_after_half_a_second_and_changes_five_times_a_second() -> None:
     """The thread waits for its end, and writes after each wait; the third is the last."""
     waits: list[float] = []
 
@@ -181,7 +181,7 @@ def test_the_line_of_a_run_appears_after_a_second_and_changes_five_times_a_secon
     watcher._stop = Stop()
     watcher._ended.acquire()
     watcher._watch()
-    assert waits == [1.0, 0.2, 0.2]
+    assert waits == [0.5, 0.2, 0.2]
     assert terminal.words()[0] == "line 1"
     assert terminal.words()[-1] == "line 2"
     assert not watcher._ended.locked()
