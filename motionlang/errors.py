@@ -282,11 +282,14 @@ def _letters(word: str) -> int:
 
 
 def _is_near(word: str, other: str) -> bool:
-    """True if a third of the letters differs at most, or one, or if `word` abbreviates `other`."""
-    if edits(word, other) <= max(1, max(len(word), len(other)) // 3):
-        return True
+    """True if the words differ little, or if `word` abbreviates `other`."""
     letters = iter(other)
-    return all(letter in letters for letter in word)
+    return differ_little(word, other) or all(letter in letters for letter in word)
+
+
+def differ_little(word: str, other: str) -> bool:
+    """True if a third of the letters differs at most, or one; case does not matter."""
+    return edits(word.lower(), other.lower()) <= max(1, max(len(word), len(other)) // 3)
 
 
 def edits(word: str, other: str) -> int:

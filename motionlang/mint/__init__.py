@@ -120,9 +120,11 @@ class Mint(Dialect):
         return age(name) is not None
 
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
-        from motionlang.mint.keywords.machine_readings import problem
+        from motionlang.mint.keywords import machine_readings
+        from motionlang.mint.resolve import aliases
 
-        return problem(key, value)
+        checks = aliases.problem if key.startswith(aliases.SECTION) else machine_readings.problem
+        return checks(key, value)
 
     def switches(self) -> Mapping[str, Switch]:
         from motionlang.mint.keywords.switchable import switches

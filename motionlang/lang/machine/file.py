@@ -392,6 +392,8 @@ def generic(key: str) -> str:
         components[1] = "N"
     if components[:2] == ["mint", "values"] and len(components) > 2:
         components[2:] = ["KEYWORD"]
+    if components[:2] == ["mint", "words"] and len(components) == 3:
+        components[2:] = ["WORD"]
     if components[:2] == ["mccl", "codes"] and len(components) > 2:
         components[2:] = ["COMMAND"]
     if components[0] == "assumptions" and len(components) > 1:

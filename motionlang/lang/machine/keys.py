@@ -78,6 +78,10 @@ KEYS: dict[str, tuple[str, str]] = {
         "The value of a Mint keyword that no simulation can know, such as DRIVEBUSVOLTS = 325, or "
         '{ "0" = 325, "1" = 326 } for each number in its brackets.',
     ),
+    "mint.words.WORD": (
+        "text",
+        'The present name of a word of an older Mint, such as GAIN = "KPROP".',
+    ),
     "assumptions.NAME": (
         "reading",
         "The behaviour of this controller where the sources leave a question open, such as "
@@ -90,7 +94,7 @@ SERVO = ("axis.N.plant.", "axis.N.servo.")
 # Old names of sections, which are still accepted: the old and the new beginning of a key.
 OLD_SECTIONS = {"readings.": "assumptions.", "mint.readings.": "mint.values."}
 # The section of a dialect, whose keys the dialect checks.
-OF_DIALECTS = ("mint.values.",)
+OF_DIALECTS = ("mint.values.", "mint.words.")
 # Tables of events: table -> key -> (kind, help).
 _WHEN = {
     "at": ("time", "Time of the event, in seconds of machine time."),

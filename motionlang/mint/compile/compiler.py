@@ -22,6 +22,7 @@ from motionlang.mint.compile.statements import block, handle_errors, leave
 from motionlang.mint.compile.stops import Debugging
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.machine_readings import words
+from motionlang.mint.resolve.aliases import rename_old_words
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems, bracketed
 from motionlang.mint.syntax.extent import blocks_of
@@ -69,6 +70,7 @@ def compile_module(
     With `debug` the program counts its statements, and a debugger can stop it. With `recall` the functions that it
     already has are not compiled, so the code is incomplete.
     """
+    rename_old_words(module, settings or {})
     problems = Problems(module)
     _mark_faults(module, settings, problems)
     whole = _declared(module, settings, problems, None, "")

@@ -17,7 +17,7 @@ from motionlang.mint.models import ABSENT, LARGEST, MINTMT, V4, age, named
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.tables import TABLES
-from motionlang.mint.syntax.traversal import walk
+from motionlang.mint.syntax.traversal import names_of, walk
 from motionlang.source import Source
 
 # A token, what it is, a hint, and the text that replaces it, "" if that is not certain.
@@ -71,7 +71,7 @@ def check_model(
 def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:
     texts = TABLES.texts(source.text)
     yield from _v4_tokens(module, texts)
-    for name in _names(module):
+    for name in names_of(module):
         if not name.axes or table.get(name.name) is None:
             continue
         word, *channels = texts[name.at].split(".")
@@ -87,7 +87,7 @@ def _not_v4(module: Module, source: Source, table: Vocabulary) -> Found:
     texts = TABLES.texts(source.text)
     yield from _mt_tokens(texts)
     yield from _ends(texts)
-    for name in _names(module):
+    for name in names_of(module):
         row = table.get(name.name)
         brackets = name.args is not None and not name.axes
         if brackets and row is not None and row.kind not in ("function", "constant", "statement"):
@@ -103,11 +103,11 @@ def _not_v4(module: Module, source: Source, table: Vocabulary) -> Found:
 
 def _lacking(module: Module, product: str, table: Vocabulary) -> Iterator[tuple[int, str, str]]:
     """Find keywords and values that the manuals give only for other products."""
-    for name in _names(module):
+    for name in names_of(module):
         row = table.get(name.name)
         if row is not None and product in ABSENT.get(row.family, ()):
             yield name.at, f"the {product} has no {row.name}", as_hint(row.help)
-    for node in walk(_everything(module)):
+    for node in walk(module.everything):
         target = node.target if type(node) is nodes.Assign else None
         row = table.get(target.name) if type(target) is nodes.Name else None
         if (
@@ -139,16 +139,6 @@ def _never_raised(module: Module, product: str) -> Iterator[tuple[int, str, str]
         else:
             known = f"those of {span[0]} to {span[1]} do"
         yield event.at, f"{event.name} never comes on the {product}", known
-
-
-def _everything(module: Module) -> list[nodes.Node]:
-    return [*module.body, *module.subs, *module.tasks, *module.events, *module.startup]
-
-
-def _names(module: Module) -> Iterator[nodes.Name]:
-    for node in walk(_everything(module)):
-        if type(node) is nodes.Name:
-            yield node
 
 
 def _v4_tokens(module: Module, texts: list[str]) -> Found:

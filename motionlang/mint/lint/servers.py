@@ -45,7 +45,7 @@ def _spans(settings: Mapping[str, object]) -> dict[int, tuple[int, int]]:
 
 def _requests(module: Module) -> Iterator[tuple[nodes.Name, int, int]]:
     """Yield each client keyword whose server and register are literals, with both."""
-    blocks = [*module.body, *module.subs, *module.tasks, *module.events, *module.startup]
+    blocks = module.everything
     for node in walk(blocks):
         if type(node) is not nodes.Name or node.name.lower() not in _REACHED:
             continue

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from motionlang.errors import Diagnostic, ProgramError, nearest
+from functools import cached_property
+
+from motionlang.errors import Diagnostic, ProgramError, differ_little, nearest
+from motionlang.mint.syntax.traversal import names_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,6 +31,11 @@ class Problems:
         self._wrong = (
             False  # True once there is an error, so that warnings, however many, never hide the first one
         )
+
+    @cached_property
+    def _is_v4(self) -> bool:
+        """True if a name of the program has the dots or square brackets of Mint v4."""
+        return any(name.axes for name in names_of(self._module))
 
     @property
     def is_full(self) -> bool:
@@ -88,7 +96,8 @@ class Problems:
         """Record an unknown word, with the most similar of `words()` as the suggestion.
 
         With `table`, keywords are also suggested: one with missing brackets, and those that are meant by the word.
-        Without any suggestion the hint is `otherwise`.
+        Without any suggestion the hint is `otherwise`. In a program with the notation of v4, a word that is no
+        misspelling may be one of an older Mint.
         """
         if self.is_full or ("unknown-word", at) in self.found:
             return
@@ -98,6 +107,12 @@ class Problems:
         near = [meant] if meant else [each for each in others if each in known] or others
         if not near and (similar := nearest(word, known)):
             near = [similar]
+            if table is not None and self._is_v4 and not differ_little(word, similar):
+                near = []
+        if table is not None and self._is_v4 and not otherwise:
+            otherwise = (
+                f'for a word of an older Mint, add its keyword to the machine file: [mint.words] {word} = "…"'
+            )
         hint = f"did you mean {' or '.join(near)}?" if near else otherwise
         # A candidate replaces the marked text, so that has to be the word.
         candidates = tuple(near) if not meant and self.text(at).lower() == word.lower() else ()

@@ -449,3 +449,8 @@ class Module(Located):
         self.at = 0
         self.body, self.subs, self.tasks, self.events = body, subs, tasks, events
         self.startup, self.types = startup, types
+
+    @property
+    def everything(self) -> list[Node]:
+        """All statements and blocks, without the types."""
+        return [*self.body, *self.subs, *self.tasks, *self.events, *self.startup]

@@ -160,3 +160,10 @@ class Survey:
     def of(self, *kinds: type) -> list[nodes.Node]:
         """Return the statements of these kinds, in the order of the text."""
         return sorted((node for node in self.statements if node.__class__ in kinds), key=lambda node: node.at)
+
+
+def names_of(module: nodes.Module) -> Iterator[nodes.Name]:
+    """Yield every name of a program, in no particular order."""
+    for node in walk(module.everything):
+        if type(node) is nodes.Name:
+            yield node
