@@ -22,6 +22,7 @@ FOLDER = Path(__file__).parent
 COMMENTS = {".mnt": "'", ".mcl": ";"}
 MARKS = ">?!=#|*"
 TITLE = "== "
+HINT = "; hint: "
 # Characters that a page shows as symbols.
 SYMBOLS = str.maketrans({"\x1b": "␛", "\r": "␍", "\a": "␇"})
 
@@ -167,9 +168,11 @@ def located(case: Case, mark: str) -> list[tuple[bool, int, str]]:
 
 
 def as_expected(diagnostic: Diagnostic, expected: str) -> str:
-    """Return a diagnostic in as much detail as the expected text has: column and code, or also the message."""
-    brief = f"{diagnostic.column} {diagnostic.code}" if diagnostic.column else diagnostic.code
-    return f"{brief}: {diagnostic.message}" if ":" in expected or not expected else brief
+    """Return a diagnostic in as much detail as the expected text has: column and code, message, hint."""
+    text = f"{diagnostic.column} {diagnostic.code}" if diagnostic.column else diagnostic.code
+    if ":" in expected or not expected:
+        text += f": {diagnostic.message}"
+    return f"{text}{HINT}{diagnostic.hint}" if HINT in expected else text
 
 
 def compared(case: Case, result: Found) -> Iterator[tuple[str, list[Any], list[Any]]]:

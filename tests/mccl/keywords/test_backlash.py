@@ -24,11 +24,6 @@ def test_the_motor_is_ahead_of_the_load_in_either_direction(machine: dict[str, o
     assert result.controller.position(1) == pytest.approx(before, abs=1)
 
 
-def test_a_size_that_changes_leaves_the_motor_where_it_is(mccl: Runner) -> None:
-    result = mccl("1MN,1BD10,1BN,1MA500,1WS,1TP\n1BD4,1TP,1MR1,1WS,1TP,1DH0,1TP,1MA-100,1WS,1TP")
-    assert [int(line.split()[1]) for line in result.output] == [510, 510, 505, 0, -104]
-
-
 @pytest.mark.parametrize("motor", [False, True])
 def test_mint_has_the_same_with_the_play_on_one_side(motor: bool) -> None:
     machine = {"axis.0.plant.amplifier": "current"} if motor else {}
@@ -40,27 +35,6 @@ def test_mint_has_the_same_with_the_play_on_one_side(motor: bool) -> None:
     )
     result = run(Source("play.mnt", text), machine=machine, cache=False)
     assert [float(line) for line in result.output] == [20.0, 0.0]
-
-
-def test_the_variable_is_the_position_of_the_motor(mccl: Runner) -> None:
-    """The motor is 10 counts ahead of the load.
-
-    A written 100 is the motor's, and the load is at 90.
-    """
-    written = 'LU"POSITION",AR10,AL100,1WL@10,1RL@10,TR0,1TP,1TT,1TO'
-    result = mccl(f"1MN,1BD10,1BN,1MR500,1WS\n{written}\n1MA190,1WS,1TP,1TT\n1MA90,1WS,1TP,1TT")
-    assert result.output == [
-        "100", "01 100", "01 90", "01 100", "01 200", "01 190", "01 80", "01 90",
-    ]  # fmt: skip
-
-
-def test_a_new_size_counts_from_the_next_motion_on(mccl: Runner) -> None:
-    """BD20 while compensation is on.
-
-    The motor stays where it is, and leads by 20 after the next move.
-    """
-    result = mccl('1MN,1BD10,1BN,1MR500,1WS,1TP,1BD20,1TP,1MR100,1WS,1TP,1TT,LU"BACKLASH",1RL@0,TR0')
-    assert result.output == ["01 510", "01 510", "01 620", "01 600", "20"]
 
 
 def test_recorded_positions_are_those_of_the_motor(mccl: Runner) -> None:

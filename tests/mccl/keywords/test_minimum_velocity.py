@@ -181,19 +181,3 @@ def test_a_move_from_rest(commands: str, end: float, duration: float) -> None:
 def test_a_further_target_in_motion(then: str, end: float, duration: float) -> None:
     found = ended(f"1MN,1SA10000,1DS5000,1MV1000,{then},1WS")
     assert found == pytest.approx((end, duration), abs=1e-3)
-
-
-@cases("setting", ["1SV0", "1SA0", "1DS0"])
-def test_no_velocity_or_ramp_is_a_parameter_error_with_a_minimum_velocity_too(setting: str) -> None:
-    result = run(Source("step.mcl", f"1MN,1MV1000,{setting},1MR10\n1TP"), cache=False)
-    assert result.output == ["?-1", "01 0"]
-
-
-def test_a_move_to_where_the_axis_is_takes_no_time() -> None:
-    result = run(Source("step.mcl", "1MN,1MV1000,1MR0,1TS,1TV"), cache=False)
-    assert result.output == ["01 4110", "01 0"]
-
-
-def test_an_axis_that_is_off_does_not_step() -> None:
-    result = run(Source("step.mcl", "1MV1000,1MR500,WA0.1,1TV,1WS,1TP"), cache=False)
-    assert result.output == ["01 0", "01 0"]
