@@ -44,7 +44,3 @@ def compare(path: Path, found: str, update: bool) -> None:
 def test_there_are_some_of_both() -> None:
     assert CHECKED
     assert RUN
-
-
-def test_a_clean_file_has_no_mistakes() -> None:
-    assert DIALECT.check(Source("a.mcl", "MD1,1MR100,1WS0.1,RP4\n1MN,MC1,1TP ; fine\n")) == []
