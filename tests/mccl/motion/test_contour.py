@@ -59,100 +59,6 @@ def test_at_a_corner_the_axes_come_to_rest(mccl: Runner) -> None:
     assert state(result, second.start_time)[2:] == (0.0, 0.0)
 
 
-def test_stop_stays_on_the_path_and_forgets_the_rest(mccl: Runner) -> None:
-    result = mccl(f"{HEAD}1CP1,1MA30000,2MA40000\n1CP1,1MA0,2MA0\nWA1,1ST,1WS,1TP,2TP")
-    # 20000 counts/s: 0.95 s of travel less the ramp, and 1000 counts to stop.
-    x, y = (int(line.split()[1]) for line in result.output)
-    assert hypot(x, y) == pytest.approx(20000 * 1.00001 - 1000 + 1000, abs=2)
-    assert y * 3 == pytest.approx(x * 4, abs=4)
-    assert {move.ended for move in result.controller.log.moves} == {"stop"}
-
-
-# Paths that do not have the same axes run one after another, each from rest to rest.
-APART = "1CP1,1MR1000,1CP1,2MR1000,1CP1,1MR1000,"
-
-
-@pytest.mark.parametrize("wait", ["1WS", "1WT", "1SN,1NS,1WS", "1WA0.1,1WS", 'LU"STATUS",1RL@0,IC3,JR-3,NO'])
-def test_an_axis_whose_path_waits_has_not_stopped(mccl: Runner, wait: str) -> None:
-    """Axis 1 is at rest while axis 2 moves, but its target is 2000."""
-    result = mccl(f"{HEAD}{APART}{wait},1TP,2TP,1TX")
-    assert result.output == ["01 2000", "02 1000", "01 3"]
-
-
-def test_the_target_is_the_end_of_the_path_that_waits(mccl: Runner) -> None:
-    """Bit 3 of the status word is clear: 4098 is motor on and amplifier on."""
-    result = mccl(f"{HEAD}{APART}1TT,2TT,2TO,2TS,2WS,2TO,2TS,1WS,1TT,1TS")
-    assert result.output == [
-        "01 2000",
-        "02 1000",
-        "02 0",
-        "02 4098",
-        "02 1000",
-        "02 4110",
-        "01 2000",
-        "01 4110",
-    ]
-
-
-@pytest.mark.parametrize(
-    "paths", ["1CP1,1MR1000,1CP1,1MR1000,1CP1,1MR-1000", "1CP1,1MR1500,RP1,1CP1,1MR-2000"]
-)
-def test_the_target_is_the_end_of_the_last_path(mccl: Runner, paths: str) -> None:
-    """The axis is at target within 100 of it, on its last path only."""
-    start = f"{HEAD}1DB100,{paths},1TT,"
-    for wait in ("1WT,", 'LU"STATUS",1RL@0,IC2,JR-3,NO,'):
-        run = mccl(f"{start}{wait}1TO,1TX,1WS,1TT,1TP")
-        assert run.output == ["01 1000", "01 1100", "01 2", "01 1000", "01 1000"]
-
-
-@pytest.mark.parametrize("wait", ["3WS", "3WT", "4WS", 'LU"STATUS",4RL@0,IC3,JR-3,NO'])
-def test_a_slave_waits_for_the_paths_of_its_master(mccl: Runner, wait: str) -> None:
-    """Axis 3 follows axis 1 at a ratio of 2, and axis 4 follows axis 3 at -1."""
-    gears = "3MN,4MN,3SS2,3SM1,4SS-1,4SM3\n"
-    run = mccl(f"{gears}{HEAD}{APART}3TT,4TT,{wait},1TP,3TP,4TP,3TT,4TT")
-    assert run.output == ["03 4000", "04 -4000", "01 2000", "03 4000", "04 -4000", "03 4000", "04 -4000"]
-
-
-@pytest.mark.parametrize("axis", [1, 2, 3])
-def test_stop_of_an_axis_that_waits_or_controls_stops_the_contour(mccl: Runner, axis: int) -> None:
-    """After 0.1 s at 100000 counts/s² axis 3 is at 500, and needs as much to stop."""
-    paths = "1CP1,3MR10000,1CP1,2MR1000,"
-    result = mccl(f"{HEAD}3MN,3CM1,1VA100000,1VD100000,{paths}WA0.1,{axis}ST,3TT,1WS,2WS,3WS,1TP,2TP,3TP,1TX")
-    assert [int(line.split()[1]) for line in result.output] == [
-        pytest.approx(1000, abs=5),
-        0,
-        0,
-        pytest.approx(1000, abs=5),
-        0,
-    ]
-
-
-@pytest.mark.parametrize("axis", [1, 2, 3])
-def test_abort_of_an_axis_that_waits_or_controls_aborts_the_contour(mccl: Runner, axis: int) -> None:
-    paths = "1CP1,3MR10000,1CP1,2MR1000,"
-    result = mccl(f"{HEAD}3MN,3CM1,1VA100000,1VD100000,{paths}WA0.1,{axis}AB,3TV,3TP,1WS,2WS,3WS,2TP,3TP,1TX")
-    assert result.output == ["03 0", "03 500", "02 0", "03 500", "01 0"]
-
-
-@pytest.mark.parametrize("second", ["1CP1,1MR500", "1CP1,2MR500,1CP1,1MR500", "1CP1,1MR500,2MR0"])
-def test_a_path_that_is_commanded_after_go_waits_for_the_next_one(mccl: Runner, second: str) -> None:
-    """It waits, also if the path before it runs at that time; NS lets it start."""
-    for release in ("1GO", "1NS"):
-        run = mccl(f"{HEAD}1SN,1CP1,1MR1000,1GO,{second},1TT,1WS,WA1,1TP,1TX,{release},1TT,1WS,1TP")
-        assert run.output == ["01 1000", "01 1000", "01 1", "01 1500", "01 1500"]
-
-
-def test_a_wait_goes_on_to_paths_that_another_task_commands(mccl: Runner) -> None:
-    text = "MD1,WA0.05,1CP1,2MR500,1CP1,1MR500\n1MN,2MN,1CM1,2CM1,GT1,1CP1,1MR1000,1WS,1TP,2TP"
-    assert mccl(text).output == ["01 1500", "02 500"]
-
-
-@pytest.mark.parametrize("path", ["1CP1,2MR0", "1SN,1CP1,2MR0,1GO,1CP1,1MR500"])
-def test_a_path_starts_where_the_axis_is_after_it_left_the_contour(mccl: Runner, path: str) -> None:
-    run = mccl(f"{HEAD}{path},2PM,2MA300,2WS,2CM1,1CP1,2MR100,1GO,1WS,2WS,2TP")
-    assert run.output == ["02 400"]
-
-
 @pytest.mark.parametrize("wait", [0.45 + k * 0.0043 for k in range(34)])
 def test_a_path_given_while_another_one_stops_waits_until_it_rests(mccl: Runner, wait: float) -> None:
     """The stop may end at the end of its path, which rounding must not decide."""
@@ -211,13 +117,6 @@ def test_an_arc_that_misses_its_end_a_little_goes_through_it(
     assert max(distances) <= 20000 * (result.time - begin) / 2000 * (1 + 1e-9)
 
 
-@pytest.mark.parametrize("path", ["1CP3,1CA0,2CA10000,1MA10011,2MA10000", "1CP2,1CA5000,2CA0,1MA-1,2MA0"])
-def test_an_arc_that_misses_its_end_by_much_or_after_a_whole_turn_is_refused(path: str, mccl: Runner) -> None:
-    result = mccl(f"{HEAD}{path}\n1TP")
-    assert result.output == ["?-1", "01 0"]
-    assert "from the centre" in result.diagnostics[0].message
-
-
 def test_paths_whose_directions_differ_by_the_rounding_of_their_ends_are_run_through(mccl: Runner) -> None:
     """The second path continues 3001, 997 by half of it, rounded to whole counts."""
     result = mccl(f"{HEAD}1CP1,1MA3001,2MA997\n1CP1,1MA4502,2MA1496\n1WS,1TX", prove=True)
@@ -244,13 +143,6 @@ def test_a_scaled_contour_is_measured_in_its_own_units(mccl: Runner) -> None:
         assert hypot(x / 100 - 40, y / 200) == pytest.approx(40, abs=2e-6)
 
 
-def test_a_fault_of_one_axis_stops_the_others(mccl: Runner) -> None:
-    machine = {"fault": [{"axis": 2, "kind": "following-error", "at": 0.3}]}
-    result = mccl(f"{HEAD}1CP1,1MA30000,2MA40000\n1WS,1TV,2TV", machine=machine)
-    assert result.output == ["01 0", "02 0"]
-    assert result.time < 0.31
-
-
 @pytest.mark.parametrize("then", ["1VO0.5", "1CP1,1MR20000,2MR20000", "NO"])
 def test_a_new_zero_in_a_running_path_shifts_the_path_with_it(then: str, mccl: Runner) -> None:
     """The end of the path stays at the same physical position with any new zero."""
@@ -267,17 +159,6 @@ def test_a_new_zero_in_a_running_path_shifts_the_path_with_it(then: str, mccl: R
     assert max(speeds) <= 20000.5
 
 
-def test_paths_that_wait_shift_with_a_new_zero(mccl: Runner) -> None:
-    result = mccl(f"{HEAD}1SN,1CP1,1MA20000,2MA0\n1CP3,1CA20000,2CA5000,1EA90\n1DH-7000,1GO,1WS,1TP,2TP")
-    assert result.output == ["01 13000", "02 10000"]
-
-
-def test_a_helix_that_waits_shifts_with_a_new_zero_of_its_rise(mccl: Runner) -> None:
-    waiting = "1SN,1CP1,1MA20000,2MA0,3MA0\n1CP3,1CA20000,2CA5000,3MA8000,1EA90\n"
-    result = mccl(f"3MN,3CM1,{HEAD}{waiting}3DH-7000,1GO,1WS,1TP,2TP,3TP")
-    assert result.output == ["01 20000", "02 10000", "03 1000"]
-
-
 def test_an_arc_whose_axes_are_given_a_new_zero_stays_a_circle(mccl: Runner) -> None:
     result = mccl(f"{HEAD}1CP3,1CR-5000,2CR0,1EA180\nWA0.3,1DH0,2DH0,1VO0.4,1WS")
     moves = result.controller.log.moves
@@ -291,17 +172,6 @@ def test_an_arc_whose_axes_are_given_a_new_zero_stays_a_circle(mccl: Runner) -> 
             for move in moves[:2]
         )
         assert hypot(x + 5000, y) == pytest.approx(5000, abs=1e-3)
-
-
-def test_units_that_change_in_a_running_path_leave_it_where_it_is(mccl: Runner) -> None:
-    result = mccl(f"{HEAD}1CP1,1MA20000,2MA20000\nWA0.5,1US100,1MN,1VO0.5\n1WS,1TP,2TP")
-    assert result.output == ["01 200.000000", "02 20000"]
-
-
-@pytest.mark.parametrize("leave", ["1MF,1MN", "1AB", "1PM,1MA500,1WS,1CM1", "1RT,1MN,1CM1"])
-def test_paths_that_wait_are_forgotten_when_an_axis_leaves(leave: str, mccl: Runner) -> None:
-    result = mccl(f"{HEAD}1SN,1CP1,1MA20000,2MA0\n{leave},1TP,1GO,1WS,1TP")
-    assert result.output[0] == result.output[1]
 
 
 @pytest.mark.parametrize("shape", ["1PT", "1PS", "1PS0.2", "1PP"])
@@ -326,36 +196,6 @@ def test_a_stop_out_of_a_shaped_ramp_does_not_jump(shape: str, wait: float, path
     assert axis.at(result.time).velocity == 0.0
 
 
-def test_a_path_that_goes_somewhere_has_a_length(mccl: Runner) -> None:
-    result = mccl(f"{HEAD}1CP0,1CD0,1MR10\n1CP0,1CD0,1MR0\n1WS,1TP,1TX")
-    assert result.output == ["?-1", "01 0", "01 1"]
-
-
-def test_a_user_defined_path_that_has_a_length_and_leads_nowhere_takes_its_time(mccl: Runner) -> None:
-    """10000 at 20000 counts/s with ramps of 0.1 s: 0.5 s + 0.1 s, both axes at rest."""
-    result = mccl(f"{HEAD}1CP0,1CD10000,1MR0,2MR0\n1WS,1TP,1TX", prove=True)
-    assert result.output == ["01 0", "01 1"]
-    assert result.time == pytest.approx(0.6, abs=1e-3)
-
-
-def test_an_arc_described_while_a_path_stops_begins_where_it_rests(mccl: Runner) -> None:
-    """The path stops from 20000 counts/s within 1000 counts of ST.
-
-    The arc ends a quarter of a revolution from where it starts.
-    """
-    result = mccl(f"{HEAD}1CP1,1MA90000,2MA0\nWA1,1ST,1CP3,1CR0,2CR500,1ER90\n1WS,1TP,2TP", prove=True)
-    x, y = (int(line.split()[1]) for line in result.output)
-    assert x == pytest.approx(20500, abs=2)
-    assert y == 500
-    assert result.proof().violations == []
-
-
-def test_a_path_cannot_begin_where_an_axis_runs_on_for_ever(mccl: Runner) -> None:
-    result = mccl(f"{HEAD}3MN,2SM3,3VM,3DI0,3GO,1CP1,1MA500,2MA500", until=1.0)
-    assert result.output == ["?-2"]
-    assert "axis 2 is jogging: no contour path can start from there" in result.diagnostics[0].message
-
-
 @cases(
     "between, is_run_through",
     [("NO", True), ("1VV20000", True), ("1VV10000", False), ("1VA100000", False), ("1VD100000", False), ("1PS", False),
@@ -370,46 +210,6 @@ def test_paths_with_other_vector_settings_are_not_joined(
     first = result.controller.log.moves[0].profile
     assert first is not None
     assert (first.end_velocity > 0.0) is is_run_through
-
-
-@cases(
-    "then, end",
-    [
-        # After 0.5 s at 20000 counts/s less 1000 for the ramp; 1000 counts to stop.
-        ("1ST,1WS", 10000.0), ("1AB", 9000.0), ("1MF", 9000.0), ("1VO0.5,1WS", 30000.0), ("1WS", 30000.0),
-    ],
-)  # fmt: skip
-def test_a_contour_of_one_axis(then: str, end: float, mccl: Runner) -> None:
-    result = mccl(f"1MN,1CM1,1VV20000,1VA200000,1VD200000\n1CP1,1MA30000\nWA0.5,{then},1TP")
-    assert int(result.output[0].split()[1]) == pytest.approx(end, abs=3)
-
-
-@cases(
-    "text, output",
-    [
-        # VO without a number is 1; the length of 50000 counts at 5000, 10000, 20000 counts/s and a ramp.
-        ("1VO0.5,1VO", "01 10000"), ("1VO0.5", "01 5000"), ("VO0.5", "01 5000"), ("1VO10,1VO1", "01 10000"),
-        ("1VO11", "?-1"), ("1VO-1", "?-1"),
-    ],
-)  # fmt: skip
-def test_the_override_without_a_number_is_one(text: str, output: str, mccl: Runner) -> None:
-    result = mccl(f"1MN,1CM1,1VV10000,1VA1000000,1VD1000000\n{text}\n1CP1,1MA50000,WA1,1TV,1AB")
-    assert result.output[0] == output
-
-
-@cases(
-    "text, code",
-    [("1CM2\n1CM1", -16), ("1CM2\n1PM\n1CM1", 0), ("1CM1\n1CM1", 0), ("1CM9", -15), ("1CM1\n2CP1", -15), ("1CP1", -15),
-     ("1CM2\n1CP1", -15), ("1MR9999,1CM1", -2), ("1CM1.5", -1), ("1CM0", -15)],
-)  # fmt: skip
-def test_which_axes_join_a_contour(text: str, code: int, mccl: Runner) -> None:
-    assert mccl(f"1MN,2MN\n{text}").output == ([f"?{code}"] if code else [])
-
-
-def test_segments_are_counted_and_paths_of_no_length_are(mccl: Runner) -> None:
-    """A path that leads nowhere takes no time; a path that is stopped does not count."""
-    result = mccl(f"{HEAD}1CP1,1MR0,2MR0\n1CP1,1MR10,2MR0\n1WS,1TX,1CP1,1MR9999,2MR0\n1ST,1WS,1TX")
-    assert result.output == ["01 2", "01 2"]
 
 
 # The axes of the current paths, if they stop, the shape of one in progress; the axes, length and shape of the next.
