@@ -1,4 +1,4 @@
-"""A telescope's program in velocity mode: a profile that needs a standstill is refused, another one is not."""
+"""Velocity mode with a profile that needs a standstill, in a telescope program."""
 
 from __future__ import annotations
 

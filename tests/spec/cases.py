@@ -168,7 +168,7 @@ def located(case: Case, mark: str) -> list[tuple[bool, int, str]]:
 
 
 def as_expected(diagnostic: Diagnostic, expected: str) -> str:
-    """Return a diagnostic in as much detail as the expected text has: column and code, message, hint."""
+    """Return a diagnostic in as much detail as the expected text has."""
     text = f"{diagnostic.column} {diagnostic.code}" if diagnostic.column else diagnostic.code
     if ":" in expected or not expected:
         text += f": {diagnostic.message}"

@@ -1,4 +1,4 @@
-"""The settings that a machine file or a caller gives, and the page of the keys."""
+"""The settings of a machine file or a caller, and the page of its keys."""
 
 from __future__ import annotations
 

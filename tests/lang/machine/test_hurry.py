@@ -1,4 +1,4 @@
-"""A loop that starts motion after motion without a wait is reported once, while the run goes on."""
+"""A loop of motions without a wait is reported once, while the run goes on."""
 
 from __future__ import annotations
 
