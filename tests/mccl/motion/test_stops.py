@@ -12,7 +12,6 @@ import pytest
 
 from motionlang import run
 from motionlang.source import Source
-from tests.mccl.conftest import Runner
 
 V, D, TARGET = 40_000.0, 100_000.0, 100_000.0
 RATIO = 0.1
@@ -139,22 +138,3 @@ def test_ab_stops_at_once(kind: str, change: str) -> None:
     begin = (TARGET - 2 * size * V * whole) / V + whole
     time, end = stopped(kind, change, begin + 0.3 * whole, "AB")
     assert end == pytest.approx(TARGET - in_the_ramp(kind, time - begin)[1], abs=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("target", "moves"),
-    [
-        # At 1.5 counts it needs 0.5 to stop, in 1 s. From rest at 2 it takes 7 / 1 + 1 s to -5.
-        (-5, [("MR", "stop", 3.0), ("MA", "", 8.0)]),
-        # 2.25 is beyond that point: with rates of 1 the next move takes 1 s from 1.5 to 2, and the rest 0.25.
-        (3, [("MR", "retarget", 2.0), ("MA", "", 2.0)]),
-    ],
-)
-def test_a_move_in_the_other_direction_begins_at_rest(
-    target: float, moves: list[tuple[str, str, float]], mccl: Runner
-) -> None:
-    """At 1 count/s and 1 count/s² a ramp takes 1 s over 0.5 counts."""
-    result = mccl(f"1MN,1SV1,1SA1,1DS1,1MR100,WA2,1MA{target},1WS")
-    found = [(move.command, move.ended, move.profile.duration) for move in result.machine.log.moves]  # type: ignore[union-attr]
-    assert [row[:2] for row in found] == [row[:2] for row in moves]
-    assert [row[2] for row in found] == pytest.approx([row[2] for row in moves], abs=1e-3)
