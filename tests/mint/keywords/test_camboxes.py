@@ -5,7 +5,6 @@ Each program reads the output at many times.
 
 from __future__ import annotations
 
-import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -82,33 +81,3 @@ def test_output_is_on_between_the_positions_of_the_table(
 @given(positions=WITHIN_WRAP, steps=STEPS, scale=st.sampled_from([1.0, 250.0]))
 def test_output_is_on_there_in_every_revolution(positions: list[int], steps: list[str], scale: float) -> None:
     check(positions, switched(positions, steps, "POSWRAP(0) = 80", scale))
-
-
-@pytest.mark.parametrize(
-    ("table", "message"),
-    [
-        ("Dim p(3) As Float = 2, 30, 20", "cam box 0: it is on from 30 to 20"),
-        ("Dim p(5) As Float = 4, 10, 20, 15, 30", "cam box 0: its stretches touch or overlap"),
-        ("Dim p(3) As Float = 5, 10, 20", "CAMBOXDATA: element 1 of the table says that it has 5 segments"),
-    ],
-)
-def test_a_table_that_makes_no_sense_is_refused(table: str, message: str) -> None:
-    text = f"{table}\nCAMBOXDATA(0, 5, 0, 0, 0, p)\nCAMBOX(0) = 1\n"
-    (found,) = run(Source("box.mnt", text), cache=False).diagnostics
-    assert found.line == 3
-    assert message in found.message
-
-
-def test_the_outputs_of_a_box_and_their_times() -> None:
-    """At 100 per second and 1000 per s², a distance of d takes 50 ms + 10 ms * d."""
-    text = (
-        "Dim p(5) As Float = 4, 20, 30, 40, 45\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
-        "CAMBOXDATA(0, 5, 0, 0, 0, p) : CAMBOX(0) = 1 : MOVER(0) = 100 : GO(0)"
-    )
-    result = run(Source("box.mnt", text), machine={"controller.instruction_time": 1e-9}, cache=False)
-    assert [(round(each.time, 6), each.channel, each.value) for each in result.controller.log.outputs] == [
-        (0.25, 5, 1),
-        (0.35, 5, 0),
-        (0.45, 5, 1),
-        (0.5, 5, 0),
-    ]

@@ -29,61 +29,6 @@ def offset_of(result: Run) -> Any:
     return next(row for row in moves if row["command"] == "OFFSET")
 
 
-def test_a_correction_moves_the_end_of_the_move() -> None:
-    """100 at speed 100 and rate 1000 take 1.1 s; 2 more take another 20 ms."""
-    result = ran(
-        RATES + "MOVER(0) = 100\nGO(0)\nWAIT = 500\nMOVECORRECTION(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)"
-    )
-    (move,) = result.controller.log.moves
-    assert move.profile is not None
-    assert move.profile.duration == pytest.approx(1.12)
-    assert result.output == ["102.0000"]
-
-
-def test_a_correction_backwards_when_it_comes_late() -> None:
-    text = (
-        RATES
-        + "MOVER(0) = 100\nGO(0)\nPAUSE POSREMAINING(0) < 1\nMOVECORRECTION(0) = -5\nPAUSE IDLE(0)\nPRINT POS(0)"
-    )
-    assert ran(text).output == ["95.0000"]
-
-
-def test_at_rest_there_is_nothing_to_correct() -> None:
-    result = run(Source("a.mnt", "MOVECORRECTION(0) = 2"), cache=False)
-    assert [each.message for each in result.diagnostics] == ["axis 0 is on no move that could be corrected"]
-
-
-def test_speeds_may_be_a_minute() -> None:
-    """600 per minute are 10 per second, and 36000 per minute² are 10 per second².
-
-    So the move takes 1 s up, 1 s at speed, and 1 s down.
-    """
-    result = ran(
-        "TIMESCALE(0) = 60\nSPEED(0) = 600 : ACCEL(0) = 36000 : DECEL(0) = 36000\n"
-        "MOVER(0) = 20\nGO(0)\nWAIT = 1500\nPRINT VEL(0)"
-    )
-    (move,) = result.controller.log.moves
-    assert move.profile is not None
-    assert (move.profile.duration, move.profile.peak_speed) == pytest.approx((3.0, 10.0))
-    assert result.output == ["600.0000"]
-
-
-def test_jogs_and_references_too_and_through_a_new_scale() -> None:
-    text = (
-        "TIMESCALE(0) = 60\nSCALEFACTOR(0) = 4\nPRINT TIMESCALE(0)\nJOG(0) = 120\nWAIT = 1000\nPRINT VEL(0)\n"
-    )
-    result = ran(
-        text
-        + (
-            "STOP(0)\nPAUSE IDLE(0)\nSPEEDREF(0) = 60\nWAIT = 100\nPRINT VEL(0)\nCANCEL(0)\n"
-            "DEFAULT(0)\nPRINT TIMESCALE(0)"
-        )
-    )
-    assert result.output == ["60.0000", "120.0000", "60.0000", "1.0000"]
-    assert result.controller.log.moves[0].profile is not None
-    assert result.controller.log.moves[0].profile.peak_speed == pytest.approx(8.0)
-
-
 def test_an_offset_on_a_follower_is_an_entry_of_its_own() -> None:
     """10 at 20 with 100 takes 0.2 + 0.3 + 0.2 s.
 

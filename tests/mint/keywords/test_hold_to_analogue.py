@@ -75,29 +75,6 @@ def test_the_law_to_the_tick(kp: float, kd: float, ki: float) -> None:
     assert at_ticks(result, 200) == pytest.approx(law(40.0, kp, kd, ki), abs=1e-9)
 
 
-def test_negative_gains_reverse_the_direction() -> None:
-    falling = [{"channel": 2, "axis": 0, "below": 30.0, "value": 10.0, "per_unit": -2.0}]
-    text = RATES + "HTAKPROP(0) = -10\nHTA(0) = 40\nWAIT = 2000\nPRINT ADC(2), POS(0)\nSTOP(0)"
-    assert ran(text, falling).output == ["40.000015.0000"]
-
-
-def test_axis_rests_within_the_dead_band() -> None:
-    result = ran(
-        RATES + "HTAKPROP(0) = 10 : HTADEADBAND(0) = 100\nHTA(0) = 40\nWAIT = 2000\nPRINT VEL(0)\nSTOP(0)"
-    )
-    assert result.output == ["0.0000"]
-    assert 40.0 - 100 * 200 / 4096 <= 2.0 * result.controller.position(0) < 36.0
-
-
-def test_it_keeps_to_speed_and_acceleration() -> None:
-    """Speed 50 at a rate of 200 takes 0.25 s over 6.25; the gain alone would give 400."""
-    text = "SPEED(0) = 50 : ACCEL(0) = 200 : DECEL(0) = 200\nHTACHANNEL(0) = 2 : HTAKPROP(0) = 10\n"
-    result = ran(text + "HTA(0) = 40\nWAIT = 2000\nSTOP(0)")
-    a = result.controller.axes[0]
-    assert max(profile.peak_speed for profile in a.profiles) == pytest.approx(50.0)
-    assert a.velocity(a.starts[2] + 0.1) == pytest.approx(20.0)
-
-
 def test_a_new_value_and_a_filter() -> None:
     text = RATES + "HTAKPROP(0) = 10 : HTAFILTER(0) = 0.5\nHTA(0) = 40\nWAIT = 2000\nPRINT ADC(2)\n"
     result = ran(
@@ -115,82 +92,6 @@ def test_it_sleeps_when_there_is_nothing_to_do_and_wakes_when_the_input_changes(
     assert result.output == ["0.0000"]
     assert result.controller.position(0) == pytest.approx(-3.0, abs=0.04)
     assert len(result.controller.axes[0].profiles) < 10
-
-
-def test_the_gain_is_zero_until_it_is_written() -> None:
-    """MN1270 p. 91: the default of HTAKPROP is 0, so nothing moves."""
-    result = ran(RATES + "PRINT HTAKPROP(0)\nHTA(0) = 40\nWAIT = 100\nPRINT POS(0)\nSTOP(0)")
-    assert result.output == ["0.0000", "0.0000"]
-
-
-def test_sum_restarts_within_the_dead_band_and_with_a_new_gain() -> None:
-    """40 percent for 100 ms give an integral of 4000, which commands 40 uu/s.
-
-    Writing the gain, or entering the dead band, sets the integral to zero.
-    """
-    pulse = [{"channel": 2, "at": 0.0, "value": 0.0}, {"channel": 2, "at": 0.1, "value": 39.0}]
-    head = RATES + "HTAKINT(0) = 0.01\nHTA(0) = 40\nWAIT = 99\nPRINT Abs(VEL(0) - 40) < 1.5\n"
-    written = ran(head + "HTAKINT(0) = 0.01\nWAIT = 2\nPRINT VEL(0) < 2\nSTOP(0)", pulse)
-    assert written.output == ["1", "1"]
-    banded = ran("HTADEADBAND(0) = 40\n" + head + "WAIT = 10\nPRINT VEL(0)\nSTOP(0)", pulse)
-    assert banded.output == ["1", "0.0000"]
-    outside = ran(head + "WAIT = 10\nPRINT VEL(0) > 39\nSTOP(0)", pulse)
-    assert outside.output == ["1", "1"]
-
-
-@pytest.mark.parametrize(("range_", "counts"), [(0, 20.48), (1, 40.96)])
-def test_the_dead_band_is_in_counts_of_the_converter(range_: int, counts: float) -> None:
-    """12 bits cover -100 to 100 or 0 to 100 percent: 50 counts are 2.4 or 1.2 percent."""
-    text = RATES + f"ADCMODE(2) = {range_} : HTAKPROP(0) = 10 : HTADEADBAND(0) = 50\n"
-    position = 2.0 * ran(text + "HTA(0) = 40\nWAIT = 3000\nSTOP(0)").controller.position(0)
-    assert 40.0 - 50 / counts <= position < 40.0 - 50 / counts + 0.5
-
-
-@pytest.mark.parametrize(
-    ("before", "after", "message"),
-    [
-        ("JOG(0) = 1\n", "", "axis 0 is moving"),
-        ("MOVER(0) = 5\nGO(0)\n", "", "axis 0 is moving"),
-        ("ERRORDECEL(0) = 1e6 : ABORT\nPAUSE IDLE(0)\n", "", "axis 0 has an error: abort"),
-        ("", "MOVER(0) = 1", "axis 0 is in HTA, which takes no other motion"),
-        ("", "JOG(0) = 1", "axis 0 is in HTA, which takes no other motion"),
-        ("", "FOLLOW(0) = 1", "axis 0 is in HTA, which takes no other motion"),
-        ("", "INCA(0) = 1", "axis 0 is in HTA, which takes no other motion"),
-    ],
-)
-def test_it_begins_at_rest_and_allows_no_other_motion(before: str, after: str, message: str) -> None:
-    text = RATES.replace("1e5", "50").replace("1e8", "100") + "HTAKPROP(0) = 1 : MASTERCHANNEL(0) = 1\n"
-    result = run(Source("a.mnt", f"{text}{before}HTA(0) = 40\nWAIT = 5\n{after}"),
-                 machine={"analogue": SENSOR}, cache=False, until=5.0)  # fmt: skip
-    assert [each.message for each in result.diagnostics if each.severity == "error"] == [message]
-
-
-def test_short_forms() -> None:
-    result = ran("HKP(0) = 3 : HDB(0) = 4\nPRINT HTAKPROP(0), HTADEADBAND(0)")
-    assert result.output == ["3.00004.0000"]
-
-
-def test_suspended_it_rests_and_goes_on() -> None:
-    text = (
-        RATES
-        + "HTAKPROP(0) = 10\nHTA(0) = 40\nWAIT = 20\nSUSPEND(0) = 1\nWAIT = 100\nPRINT VEL(0)\nSUSPEND(0) = 0\n"
-    )
-    assert ran(text + "WAIT = 2000\nPRINT ADC(2)\nSTOP(0)").output == ["0.0000", "40.0000"]
-
-
-def test_a_program_waits_for_the_force() -> None:
-    """Contact is at 20; with 5 percent per unit beyond, 50 percent is at 30."""
-    contact = [{"channel": 2, "axis": 0, "above": 20.0, "value": 0.0, "per_unit": 5.0}]
-    result = ran(
-        "SPEED(0) = 10\nJOG(0) = 10\nPAUSE ADC(2) >= 50\nSTOP(0)\nPAUSE IDLE(0)\nPRINT POS(0)", contact
-    )
-    assert float(result.output[0]) == pytest.approx(30.0, abs=0.02)
-
-
-def test_an_end_of_the_program_ends_a_run_that_holds_for_ever() -> None:
-    never = [{"channel": 2, "at": 0.0, "value": 10.0}]
-    result = ran(RATES + "HTA(0) = 40\nWAIT = 100", never)
-    assert result.status == "until"
 
 
 def test_per_unit_needs_an_axis() -> None:

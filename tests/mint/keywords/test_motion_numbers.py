@@ -67,50 +67,6 @@ def test_the_samples_of_the_first_s_ramp() -> None:
         assert profile.velocity(time) == pytest.approx(velocity, abs=1e-9)
 
 
-SPEEDS = "ACCEL(0) = 100 : DECEL(0) = 100\nFEEDRATEMODE(0) = {mode} : SPEED(0) = {speed}\n"
-
-
-def test_a_speed_written_in_motion_acts_at_once_in_speed_mode() -> None:
-    """Speed 30 for half of the 50, then 0.2 s down to speed 10, then 10.
-
-    In all that takes 0.3 + 20.5/30 + 0.2 + 20.5/10 + 0.1 s.
-    """
-    result = ran(
-        SPEEDS.format(mode=0, speed=30)
-        + "MOVER(0) = 50 : GO(0)\nPAUSE POSREMAINING(0) < 25\nFEEDRATE(0) = 10\nPAUSE IDLE(0)"
-    )
-    (move,) = result.controller.log.moves
-    assert move.profile is not None
-    # The statement that writes the new speed begins at the end of the wait, at 25 units.
-    assert move.profile.duration == pytest.approx(0.3 + 20.5 / 30 + 0.2 + 20.5 / 10 + 0.1, abs=1e-4)
-    assert move.profile.end == 50.0
-
-
-def test_a_move_keeps_its_speed_in_feed_rate_mode() -> None:
-    result = ran(
-        SPEEDS.format(mode=1, speed=30)
-        + "MOVER(0) = 50 : GO(0)\nPAUSE POSREMAINING(0) < 25\nFEEDRATE(0) = 10\nMOVER(0) = 20 : GO(0)\nPAUSE IDLE(0)"
-    )
-    first, second = (move.profile for move in result.controller.log.moves)
-    assert first is not None
-    assert second is not None
-    assert first.duration == pytest.approx(0.3 + 41 / 30 + 0.3, abs=1e-9)
-    assert second.duration == pytest.approx(0.1 + 19 / 10 + 0.1, abs=1e-9)
-
-
-def test_the_override_ends_in_motion() -> None:
-    """Speed 10 up to position 5, then 20: the ramp between them takes 0.1 s."""
-    result = ran(
-        SPEEDS.format(mode=2, speed=20)
-        + "FEEDRATEOVERRIDE(0) = 50\nMOVEA(0) = 20 : GO(0)\nPAUSE POS(0) >= 5\nFEEDRATEMODE(0) = 0\nPAUSE IDLE(0)"
-    )
-    (move,) = result.controller.log.moves
-    assert move.profile is not None
-    times = 0.1 + 4.5 / 10 + 0.1 + (15 - 1.5 - 2) / 20 + 0.2
-    assert move.profile.duration == pytest.approx(times, abs=1e-4)
-    assert move.profile.peak_speed == pytest.approx(20.0)
-
-
 def test_an_arc_lies_on_its_circle() -> None:
     result = ran(
         "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nCIRCLER(0, 1) = 0, 50, 270 : GO(0)\nPAUSE IDLE(0)"
@@ -180,18 +136,3 @@ def test_a_continuous_spline_goes_over_into_itself() -> None:
         before, after = axis.at(begin - 1e-9), axis.at(begin + 1e-9)
         assert after.velocity == pytest.approx(before.velocity, abs=1e-5)
         assert after.velocity == pytest.approx(10 * 2 * pi / 0.4, rel=0.01)
-
-
-def test_a_contour_at_three_speeds_arrives() -> None:
-    result = ran("""ACCEL(0)=90:DECEL(0)=60
-MOVEBUFFERSIZE(0)=3:MOVEBUFFERSIZE(1)=3
-FEEDRATEMODE(0)=1:CONTOURMODE(0)=1
-SPEED(0)=20:VECTORR(0,1)=80,0
-SPEED(0)=30:VECTORR(0,1)=30,0
-SPEED(0)=45:VECTORR(0,1)=80,0
-GO(0)
-PAUSE IDLE(0)
-PRINT POS(0)""")
-    assert result.output == ["190.0000"]
-    times = [move.profile.duration for move in result.controller.log.moves if move.profile and move.axis == 0]
-    assert times == pytest.approx([20 / 90 + (80 - 20 / 9) / 20, 1 / 9 + (30 - 25 / 9) / 30, 157 / 72])

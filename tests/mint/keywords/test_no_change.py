@@ -100,9 +100,3 @@ def test_what_is_in_force_already_changes_nothing(case: str, ramps: str) -> None
 )
 def test_another_value_does(motion: str, other: str) -> None:
     assert track(RATES + motion + f"WAIT = 50\n{other}")[1] != track(RATES + motion + "WAIT = 50")[1]
-
-
-def test_a_speed_of_0_is_refused_as_often_as_it_is_written() -> None:
-    text = MOVE + "SPEED(0) = 0\nSPEED(0) = 0\nWAIT = 10\nEnd\nEvent ONERROR\nPRINT 1\nEnd Event"
-    result = run(Source("a.mnt", RATES + text), cache=False, until=4.0)
-    assert result.output == ["1", "1"]

@@ -65,35 +65,3 @@ def test_spline_continues_in_the_cycle_in_which_it_was_suspended(wait: int, rest
     time = (wait + 50 + rest) / 1000.0 + since - 0.1
     assert result.controller.position(0) == pytest.approx(undisturbed(4, time), abs=1e-6)
     assert result.output == ["3" if wait < 550 else "1"]
-
-
-def test_a_spline_that_ends_while_it_slows_down_has_ended() -> None:
-    text = "WAIT = 560\nSUSPEND(0) = 1\nPAUSE IDLE(0)\nPRINT POS(0)\nSUSPEND(0) = 0\n"
-    text += "MOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\n"
-    assert ran(TABLE.format(100, 0) + text + "PRINT POS(0)").output == ["35.0000", "36.0000"]
-
-
-@pytest.mark.parametrize("stop_at", [500, 900])
-def test_the_rest_of_the_segment_takes_the_suspend_time(stop_at: int) -> None:
-    """MN1270 p. 128: a suspended segment ends SPLINESUSPENDTIME after it is resumed.
-
-    The segment takes 1000 ms, SPLINESUSPENDTIME is 400 ms.
-    """
-    text = f"""Dim c(3) As Float = 2, 10, 30
-SPLINETABLE(0, c)
-SPLINETIME(0) = 1000 : SPLINESUSPENDTIME(0) = 400
-SPLINE(0) = 0
-GO(0)
-WAIT = {stop_at}
-SUSPEND(0) = 1
-WAIT = 1000
-Dim began As Time = 0
-SUSPEND(0) = 0
-PAUSE POS(0) >= {10 if stop_at == 500 else 40}
-PRINT began, SPLINEINDEX(0)
-PAUSE IDLE(0)
-PRINT began, POS(0)
-"""
-    # At 900 the ramp runs 100 ms of the spline's time into the second segment, which ends the spline.
-    expected = ["4002", "140040.0000"] if stop_at == 500 else ["4000", "40040.0000"]
-    assert ran(text).output == expected

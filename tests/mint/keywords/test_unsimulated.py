@@ -91,40 +91,7 @@ def test_unknown_value_ends_the_run_unless_the_machine_file_gives_it(row: Keywor
     assert (result.status, result.output, result.diagnostics) == ("ended", [shown(row)], [])
 
 
-# ------------------------------------------------------------------------------------------- the end of the
-# run
-
-
-def test_onerror_is_not_called() -> None:
-    result = ran("AUTOHOMEMODE(0) = 5", "End", "Event ONERROR", ' PRINT "handled"', "End Event")
-    assert (result.status, result.output) == ("fault", [])
-
-
-@pytest.mark.parametrize(
-    ("lines", "location"),
-    [
-        (["Fill()", "End", "Sub Fill()", "  AUTOTUNE(0, 1)", "End Sub"], (4, 3)),
-        (["Run Move", "WAIT = 10", "End", "Task Move", "  x = 1 : AUTOTUNE(0, 1)", "End Task"], (5, 11)),
-        (["PAUSE TEMPERATURE(0) > 40"], (1, 7)),
-        (["WHILE 1 > 0 AND HALL(0) = 1 : WAIT = 1", "ENDW"], (1, 17)),
-        (["TIMEREVENT = 10", "WAIT = 50", "Event TIMER", "  PRINT dbv(0)", "End Event"], (4, 9)),
-        (["SPEED(0) = 100 + TEMPERATURE(1)"], (1, 18)),
-    ],
-)
-def test_the_run_ends_at_the_word(lines: list[str], location: tuple[int, int]) -> None:
-    last = ran(*lines).diagnostics[-1]
-    assert (last.code, last.severity, last.line, last.column) == ("not-simulated", "error", *location)
-
-
-def test_what_was_computed_so_far_stays() -> None:
-    result = ran("MOVER(0) = 100", "GO(0)", "PAUSE IDLE(0)", "AUTOTUNE(0, 1)")
-    assert [each["distance"] for each in result.report["moves"]] == [100.0]
-
-
-def test_a_word_that_the_program_does_not_come_to_ends_nothing() -> None:
-    result = ran("If 0 Then AUTOTUNE(0, 1)", 'PRINT "done"')
-    assert (result.status, result.output) == ("ended", ["done"])
-    assert locations(result) == [("warning", 1, 11)]
+# ------------------------------------------------------------------------------------------- warnings
 
 
 def test_run_reports_the_check_warnings_at_which_it_may_end() -> None:
@@ -143,19 +110,9 @@ def test_the_warnings_stay_with_a_program_in_the_cache() -> None:
     assert [each.as_dict() for each in again.warnings] == [each.as_dict() for each in program.warnings] != []
 
 
-def test_lines_are_named_once_and_not_too_many() -> None:
-    result = ran("For i = 1 To 3", *["PARAMETERSAVE"] * 7, "Next")
-    assert result.notes == ["keywords without effect here: PARAMETERSAVE (lines 2, 3, 4, 5, 6, …)"]
-
-
 def test_a_text_is_no_number_for_them_either() -> None:
     codes = {each.code for each in DIALECT.check(Source("a.mnt", 'DRIVEPARAMETERFLOAT(1, 2) = "abc"'))}
     assert "type" in codes
-
-
-def test_brackets_accept_any_values() -> None:
-    result = ran("Dim a(3) = 1, 2, 3", "PRECISIONTABLE(0, a, NULL)", 'PLCTASK(1, "x", 2.5, 4)', 'PRINT "on"')
-    assert (result.status, result.output) == ("ended", ["on"])
 
 
 def test_at_the_prompt_they_end_the_line() -> None:
@@ -169,12 +126,6 @@ def test_at_the_prompt_they_end_the_line() -> None:
     for line in ("PARAMETERSAVE", "AUTOTUNE(0, 1)", "Sub S()\n AUTOTUNE(0, 1)\nEnd Sub", "PRINT 1 : S()"):
         runner.execute(Source("<line>", line))
     assert reported == [("AUTOTUNE is not simulated", 1, column) for column in (1, 11)]
-
-
-def test_the_demand_can_be_read_and_not_written() -> None:
-    result = ran("PRINT POSDEMAND(0)", "POSDEMAND(0) = 5")
-    assert result.output == ["0.0000"]
-    assert result.diagnostics[-1].message.startswith("writing POSDEMAND makes the demanded position jump")
 
 
 # ------------------------------------------------------------------------------------------- the machine file
@@ -242,34 +193,3 @@ def test_no_program_ends_in_a_traceback(lines: list[str]) -> None:
     result = ran(first, *lines)
     assert result.status in ("ended", "fault")
     assert all(each.line for each in result.diagnostics)
-
-
-@cases(
-    "written, read",
-    [
-        ("0", "0"),
-        ("_on", "1"),
-        ("n", "3"),
-        ("3", "n"),
-        ("a", "0"),
-        ("0", "a"),
-        ("a(2)", "5"),
-        ("NULL", "0"),
-        ("n + 1", "4"),
-    ],
-)
-def test_a_stored_value_is_found_by_its_indices(written: str, read: str) -> None:
-    """A whole array and NULL count as 0."""
-    result = ran(
-        "Dim a(3) : a(2) = 5 : n = 3",
-        *(f"AUTOTUNEPARAM({k}) = {k}" for k in range(7)),
-        f"AUTOTUNEPARAM({written}) = 9",
-        f"PRINT AUTOTUNEPARAM({read})",
-    )
-    assert result.output == ["9.0000"]
-
-
-def test_a_jump_of_the_demand_ends_the_run_at_its_line() -> None:
-    result = ran("PRINT 1", "PRINT 2", "POSDEMAND(0) = 5", "PRINT 3")
-    assert result.output == ["1", "2"]
-    assert {each.line for each in result.diagnostics} == {3}
