@@ -98,31 +98,6 @@ def test_the_end_of_the_run_cuts_both_paths() -> None:
     assert [move["ended"] for move in moves] == ["end-of-run"] * 4
 
 
-def test_values_of_an_axis_whose_paths_come_to_rest() -> None:
-    """0.02 s after the stop the paths have 0.32 and 0.045 left, at speeds of 8 and 3.
-
-    At 0.07 s the second one is at rest.
-    """
-    words = (
-        "VEL(0)",
-        "VEL(1)",
-        "IDLE(0)",
-        "POSTARGET(0)",
-        "POSTARGET(1)",
-        "POSREMAINING(0)",
-        "VELDEMANDPATH(0)",
-    )
-    printing = "PRINT " + '; " "; '.join(words) + "\n"
-    result = proved(
-        PATHS.format(how="R", x=0)
-        + f"STOP(0)\nWAIT = 20\n{printing}WAIT = 50\n{printing}PAUSE IDLE(0)\nPRINT TIME"
-    )
-    values = [[float(word) for word in line.split()] for line in result.output[:2]]
-    assert values[0] == pytest.approx([8.0, 3.0, 0.0, 5.5, 0.25, 0.32, 3.0])
-    assert values[1] == pytest.approx([3.0, 0.0, 0.0, 5.5, 0.25, 0.045, 3.0])
-    assert result.output[2] == "650"
-
-
 @pytest.mark.parametrize(
     ("mode", "cancelled", "begins"),
     [
