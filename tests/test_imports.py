@@ -40,7 +40,7 @@ LAZY = {
     "resolve.definitions resolve.loop_dependencies resolve.listing "
     "runtime.program runtime.session syntax.parser syntax.tokens syntax.tree",
     "mint/__init__.py": "compile.listing interactive keywords keywords.machine_readings keywords.switchable lint "
-    "models program resolve.definitions resolve.loop_dependencies runtime.wait_sources syntax.extent syntax.layout "
+    "models program resolve.aliases resolve.definitions resolve.loop_dependencies runtime.wait_sources syntax.extent syntax.layout "
     "syntax.parser",
     "mccl/keywords/__init__.py": "keywords.index",
     "mint/keywords/__init__.py": "keywords.index",

@@ -282,12 +282,14 @@ WITHOUT_EXAMPLE = {
 
 # By code: what to do about it.
 FIXES: dict[str, str] = {
-    "syntax": "correct the text at the mark; the hint names what is expected there",
+    "syntax": 'write what the hint names at the mark, such as a missing ) or "; motionlang keywords WORD shows how a '
+    "keyword is written",
     "language": "give the file the extension of its language, or choose the language with --dialect",
     "missing-end": "close the block with the End, Next or Until that the hint names",
     "answers": "pass the text that the probe program printed on the controller, from its first line to its last",
     "stray-end": "delete the line, or open the block before it",
-    "unknown-word": "correct the spelling; motionlang keywords WORD finds a keyword",
+    "unknown-word": "write the keyword that the hint names, or declare a variable with Dim; motionlang keywords TEXT "
+    "searches keywords by what they do, and [mint.words] of the machine file names those of an older Mint",
     "not-simulated": "remove the keyword for a run, or give its value in [mint.values] of the machine file",
     "values": "give as many axes, arguments or values as motionlang keywords WORD shows",
     "read-only": "read the keyword instead of writing it",
@@ -332,20 +334,24 @@ FIXES: dict[str, str] = {
     "golden": "if the change is intended, motionlang verify --update FILE accepts it",
     "proof": "end the run sooner with --until; report a violation as a mistake of motionlang",
     "beyond-limit": "reduce the speed or the rate at the line that the certificate names, or correct the limit",
-    "interrupted": "start the command again; a sweep continues with --resume",
+    "interrupted": "end the run with --until S, or give it more processor time with --cpu S; a sweep continues with "
+    "--resume",
     "crash": "report it with the folder that the hint names",
     "window": "choose a time span and axes that the run has",
     "budget": "shorten the lines that --profile shows, or correct the budget",
     "recording": "assign its columns with --map; the hint lists them",
     "extra": "install the library with the command in the hint, or choose another format",
-    "file": "correct the name of the file, or its permissions",
+    "file": "give the path of a file that exists, in a folder that you may read and write",
     "mcapi": "compile the library with motionlang mcapi build, or record the log again with mcapi run --record",
     "address": "choose a free port, and an address of this computer",
-    "machine-file": "correct the key or the value; docs/machine-file.md lists all keys",
-    "option": "correct the option; motionlang check --literals lists the addresses of a program",
+    "machine-file": "write the key or the value that the hint names; motionlang check PROGRAM reports all mistakes of "
+    "the file, and docs/machine-file.md lists all keys",
+    "option": "write the address or the value that the hint names; motionlang check --literals FILE lists the "
+    "addresses of a program",
     "guess": "correct the entry in the machine file, and remove its guess = true",
     "unasked": "remove the answer, or correct the prompt that it is for",
-    "command-error": "correct the command; the hint names the state that it needs",
+    "command-error": "bring the axis into the state that the hint names before the command, such as 1PM for position "
+    "mode or 1MN to switch it on",
     "model": "write it in the notation of the model, or choose another model; --fix converts Mint v4",
     "never-started": "write GO after the move",
     "in-motion": "wait for the end of the move with PAUSE IDLE before you use the position",
@@ -376,5 +382,5 @@ FIXES: dict[str, str] = {
     "nothing-to-wait-for": "move the axis before you wait for it",
     "still-running": "stop the axis with ST before you wait for it",
     "else-if": "write ElseIf, or Else on a line of its own",
-    "silenced": "correct the code after lint: ignore",
+    "silenced": "write a code that check shows in brackets, as in lint: ignore unused-variable",
 }

@@ -75,7 +75,8 @@ def _result(options: Options) -> Run | int:
         from motionlang.cli.complaints import unreadable
 
         return _refuse(options, [unreadable(options.file, error)], None, 1)
-    if options.dialect is None and dialect_of(options.file) is None:
+    language = dialect(options.dialect) if options.dialect else dialect_of(options.file)
+    if language is None:
         from motionlang.cli.complaints import no_dialect
 
         return _refuse(options, [no_dialect(options.file)], None, 2)
@@ -86,9 +87,10 @@ def _result(options: Options) -> Run | int:
         if status:
             return status
     if options.world:
-        from motionlang.lang.machine.entries import WrongEntry, with_entries
+        from motionlang.lang.machine.entries import WrongEntry, check_inputs_are_read, entries, with_entries
 
         try:
+            check_inputs_are_read(source, language, settings, entries(settings, **options.world))
             settings = Checked(with_entries(settings, **options.world))
         except WrongEntry as error:
             return _refuse(options, [Diagnostic("option", error.message, hint=error.hint)], None, 2)
@@ -227,16 +229,12 @@ def _run(
         return watched(
             lambda show, begun: _run_unwatched(options, source, settings, outside, show, begun), warn
         )
-    show: Callable[[str], object] = sys.stdout.write
-    if sys.stdout.isatty():  # without a terminal a script need not import `shower`
-        from motionlang.views.terminal import shower
-
-        show = shower(sys.stdout)
+    from motionlang.views.terminal import shower
 
     def begun(machine: Machine) -> None:
         machine.warn = warn
 
-    return _run_unwatched(options, source, settings, outside, show, begun)
+    return _run_unwatched(options, source, settings, outside, shower(sys.stdout), begun)
 
 
 def _run_unwatched(

@@ -260,10 +260,12 @@ def _chosen(found: Sequence[Literal], address: str, source: Source) -> list[Lite
     base, at, line_text = key.partition("@")
     same = [each for each in found if each.base.lower() == base]
     if not at:
-        whole = [each for each in same if each.is_whole and each.is_write]
-        if whole:
-            return whole
         indexed = [each for each in found if each.base.lower().startswith(f"{base}[")]
+        every = [
+            each for each in found if each.is_write and ((each in same and each.is_whole) or each in indexed)
+        ]
+        if every:
+            return every
         raise _wrong(f"the program writes no literal to {address}", same or indexed or found, address)
     here = [each for each in same if str(each.line) == line_text]
     if here:

@@ -105,11 +105,28 @@ def printable(text: str) -> str:
 def shower(stream: TextIO) -> Callable[[str], object]:
     """Return the function that writes a program's output to `stream`.
 
-    On a terminal the output is made harmless; in a file or a pipe it is unchanged.
+    On a terminal the output is made harmless. A file or a pipe has no screen: the sequences of CLS and LOCATE end a
+    begun line there.
     """
-    if not is_terminal(stream):
-        return stream.write
-    return lambda text: stream.write(harmless(text))
+    if is_terminal(stream):
+        return lambda text: stream.write(harmless(text))
+    is_begun = has_moved = False
+
+    def write(text: str) -> None:
+        nonlocal is_begun, has_moved
+        for number, part in enumerate(_between_screens(text) if "\x1b" in text else [text]):
+            has_moved = has_moved or number > 0
+            if part:
+                stream.write(f"\n{part}" if has_moved and is_begun else part)
+                is_begun, has_moved = not part.endswith("\n"), False
+
+    return write
+
+
+def _between_screens(text: str) -> list[str]:
+    from re import split  # few programs have a screen
+
+    return split(_SCREEN, text)
 
 
 def harmless(text: str) -> str:
@@ -129,6 +146,8 @@ def plain(text: str) -> str:
     return text.translate(_ASCII)
 
 
+# The sequences of CLS and LOCATE.
+_SCREEN = r"\x1b\[(?:2J|H|\d+;\d+H)"
 # Control characters of seven and eight bits, and all escape sequences except those that clear the screen or
 # position the cursor.
 _POWERS = r"\x1b(?!\[(?:2J|H|\d+;\d+H))|[\x00-\x06\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]"

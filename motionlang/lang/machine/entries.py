@@ -16,9 +16,11 @@ import re
 from collections.abc import Iterable, Mapping
 
 from motionlang.errors import clipped, nearest
+from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine.file import first_mistake
 from motionlang.lang.machine.keys import SHORTEST_PERIOD
 from motionlang.lang.machine.layers import layered
+from motionlang.source import Source
 
 Entry = dict[str, object]
 Value = float | int | bool | str
@@ -55,6 +57,31 @@ def with_entries(
     all answers; an answer with a prompt replaces those with the same prompt.
     """
     return layered(settings, entries(settings, inputs, analog, answers, keys))
+
+
+def check_inputs_are_read(
+    source: Source, language: Dialect, settings: Mapping[str, object], given: Mapping[str, object]
+) -> None:
+    """Raise WrongEntry for an input in `given` that the program never reads.
+
+    A program that computes the number of an input, or reads a bank, may read any, and the machine file may connect an
+    input to a switch.
+    """
+    tokens = [(kind, text) for kind, text, _ in language.tokens(source.text)]
+    words = {text.lower().partition(".")[0] for _, text in tokens}
+    banks = {row.name.lower() for row in language.table() if row.driven == "input" and row.index == "bank"}
+    reads = language.input_reads(source)
+    if banks & words or any("@" in text for _, text in tokens) or any(each.channel is None for each in reads):
+        return
+    numbers = {number for _, text in tokens for number in text.split(".")}
+    read = {each.channel for each in reads if each.kind != "key"}
+    switches = {value for key, value in settings.items() if key.endswith("_input")}
+    for entry in given.get("input", ()):  # type: ignore[attr-defined]
+        channel = entry["channel"]
+        if channel not in read | switches and str(channel) not in numbers:
+            listed = ", ".join(map(str, sorted(each for each in read if each is not None)))
+            hint = f"it reads {listed}" if listed else "it reads no input"
+            raise WrongEntry(f"--input {channel}: the program never reads input {channel}", hint)
 
 
 def entries(
