@@ -223,6 +223,8 @@ def _finish(result: Run, settings: Mapping[str, object]) -> None:
         result.machine.nv.close()
     result.machine.close_terminals()
     result.time = result.machine.clock.now
+    if result.program is not None and result.machine.log.moves:
+        result.notes += result.program.remarks
     if settings:
         report_guesses(result)
     if "answer" in settings and result.status in ("ended", "until"):

@@ -40,8 +40,8 @@ LAZY = {
     "resolve.definitions resolve.loop_dependencies resolve.listing "
     "runtime.program runtime.session syntax.parser syntax.tokens syntax.tree",
     "mint/__init__.py": "compile.listing interactive keywords keywords.machine_readings keywords.switchable lint "
-    "models program resolve.aliases resolve.definitions resolve.loop_dependencies runtime.wait_sources "
-    "syntax.extent syntax.layout syntax.parser",
+    "models program resolve.aliases resolve.chosen_rates resolve.definitions resolve.loop_dependencies "
+    "runtime.wait_sources syntax.extent syntax.layout syntax.parser",
     "mccl/keywords/__init__.py": "keywords.index",
     "mint/keywords/__init__.py": "keywords.index",
     "mint/program.py": "compile.compiler runtime.debugging syntax.parser",

@@ -27,7 +27,7 @@ from motionlang.record import record
 from motionlang.source import STDIN, STDIN_NAME, Source, name_of
 from motionlang.views.diagnostics import tally
 from motionlang.views.findings import Found, written
-from motionlang.views.terminal import printable, wants_colour, width_of
+from motionlang.views.terminal import printable, styled, wants_colour, width_of
 
 SCHEMA = "motionlang.check/3"
 GROUPS = {
@@ -138,12 +138,19 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
         if options.form not in ("text", "json"):
             document.append(Found(name, diagnostics, source, path, options.strict))
             continue
+        remarks: list[str] = []
+        if source is not None and settings is not None:
+            remarks = dialect(language).remarks(source, settings)
         if fixed and options.form == "text":
             sys.stdout.write("".join(f"{printable(f'{name}:{each}')}\n" for each in fixed))
         if options.form == "text":
             complain(diagnostics, source, path, sys.stdout)
+            for remark in () if options.quiet else remarks:
+                sys.stdout.write(f"{styled('note:', 'note', wants_colour(sys.stdout))} {remark}\n")
         found = [each.as_dict() for each in diagnostics]
         rows.append({"program": name, "dialect": language, "diagnostics": found})
+        if remarks:
+            rows[-1]["notes"] = remarks
         if options.fix:
             rows[-1]["fixed"] = [each._asdict() for each in fixed]
         if options.form == "text" and not options.quiet:

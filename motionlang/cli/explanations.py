@@ -209,6 +209,9 @@ EXAMPLES: dict[str, Pair] = {
     "time-before-speed": _checked(
         "ACCELTIME(0) = 100\nSPEED(0) = 50\n" + _MOVE, "SPEED(0) = 50\nACCELTIME(0) = 100\n" + _MOVE
     ),
+    "short-ramp": _checked(
+        "SPEED(0) = 50\nACCELTIME(0) = 0.2\n" + _MOVE, "SPEED(0) = 50\nACCELTIME(0) = 200\n" + _MOVE
+    ),
     "unused-setting": _checked("SPEED(0) = 100\n", "SPEED(0) = 100\n" + _MOVE),
     "nothing-loaded": _checked("GO(0)\nPAUSE IDLE(0)\n", _MOVE),
     "exact-position": _checked(
@@ -358,6 +361,7 @@ FIXES: dict[str, str] = {
     "scale-in-motion": "change the scale while the axis is at rest",
     "scale-after-speed": "set the scale first",
     "time-before-speed": "set SPEED first",
+    "short-ramp": "write the time in milliseconds, or the rate in user units/s²",
     "unused-setting": "remove the setting, or move it in front of the motion that needs it",
     "nothing-loaded": "load a move first, or remove the GO",
     "exact-position": "compare with >= or <=, or wait for the end of the move",

@@ -198,6 +198,10 @@ class Dialect:
         """Return the lines where a program depends on digital inputs and keys."""
         return []
 
+    def remarks(self, source: Source, settings: Mapping[str, object]) -> list[str]:
+        """Return what the result of a program rests on that no statement and no source says, a line each."""
+        return []
+
     def driven_by(self, why: str) -> list[str]:
         """Return the tables and keys of the machine file that could end a wait.
 

@@ -21,6 +21,7 @@ WARNINGS: dict[str, str] = {
     "scale-in-motion": "Mint",
     "scale-after-speed": "Mint",
     "time-before-speed": "Mint",
+    "short-ramp": "Mint",
     "unused-setting": "Mint",
     "blend-distance": "Mint",
     "zero-speed": "Mint",

@@ -45,6 +45,11 @@ class Program:
         return ()
 
     @property
+    def remarks(self) -> Sequence[str]:
+        """What the motion rests on that no statement and no source says, a line each."""
+        return ()
+
+    @property
     def outline(self) -> Outline | None:
         """Blocks and lines, if stored by the compiler; None if parsing is needed."""
         return None

@@ -72,3 +72,17 @@ def negative_repeat(times: int) -> Fault:
 
 def needs_axis(name: str, text: str) -> Fault:
     return Fault(NO_AXIS, f"{name} needs an axis number in front", f"such as 1{text}", "axis")
+
+
+def no_distance(text: str) -> Fault:
+    """Return the warning about a relative move without a number, which is a move by 0."""
+    return Fault(
+        0, f"{text} has no number, so it moves by 0", f"write the distance, as in {text}1000", "values"
+    )
+
+
+def rounded(text: str, value: float, whole: float) -> Fault:
+    """Return the warning about a rate that the board rounds, since no scale is set."""
+    message = f"{text} sets {whole:.10g}: a rate is a whole number until a scale is set"
+    name = text.removesuffix(f"{value:.10g}")
+    return Fault(0, message, f"write {name}{whole or 1:.10g}, or set the units of the axis first", "range")

@@ -136,6 +136,17 @@ class Mint(Dialect):
 
         return input_reads(source)
 
+    def remarks(self, source: Source, settings: Mapping[str, object]) -> list[str]:
+        """Return a line about rates that no statement sets."""
+        from motionlang.errors import ProgramError
+        from motionlang.mint.resolve.chosen_rates import chosen_rates
+        from motionlang.mint.syntax.parser import parse
+
+        try:
+            return chosen_rates(parse(source), settings)
+        except ProgramError:
+            return []
+
     def driven_by(self, why: str) -> list[str]:
         from motionlang.mint.runtime.wait_sources import driven_by
 

@@ -53,6 +53,7 @@ class MintProgram(Program):
         self._others: dict[tuple[tuple[str, float | str], ...], MintProgram] = {}
         self._warnings = [(each.code, each.message, each.line, each.column, each.length, each.hint)
                           for each in warnings]  # fmt: skip
+        self._remarks: Sequence[str] = ()
 
     @property
     def size(self) -> int:
@@ -66,6 +67,11 @@ class MintProgram(Program):
             return []
         return [_warning(*each) for each in self._warnings]
 
+    @property
+    def remarks(self) -> Sequence[str]:
+        """What the motion rests on that no statement and no source says, a line each."""
+        return self._remarks
+
     def payload(self) -> bytes:
         """Return the program as bytes, for `load`."""
         from marshal import dumps
@@ -76,6 +82,7 @@ class MintProgram(Program):
             self.text,
             self.settings,
             self._warnings,
+            self._remarks,
             self._outline,
             self.stops,
         )
@@ -200,7 +207,9 @@ def compile_source(
 
     compiled = compile_text(source, settings, overrides, given, ranges, debug)
     code, outline, warnings = compiled.code, compiled.outline, compiled.problems.of_the_run()
-    return MintProgram(code, source.name, source.text, settings, warnings, given, outline, compiled.stops)
+    program = MintProgram(code, source.name, source.text, settings, warnings, given, outline, compiled.stops)
+    program._remarks = compiled.remarks
+    return program
 
 
 def compile_given(
@@ -238,9 +247,9 @@ def load(payload: bytes) -> MintProgram:
     """Recreate the program from the result of `MintProgram.payload`."""
     from marshal import loads
 
-    code, name, text, settings, warnings, outline, stops = loads(payload)
+    code, name, text, settings, warnings, remarks, outline, stops = loads(payload)
     program = MintProgram(loaded(code), name, text, settings, outline=outline, stops=stops)
-    program._warnings = warnings
+    program._warnings, program._remarks = warnings, remarks
     return program
 
 

@@ -44,7 +44,7 @@ def test_warnings_are_no_mistakes_unless_strict(cell: Cell) -> None:
 
 
 def test_the_machine_is_given_or_next_to_the_program(cell: Cell) -> None:
-    cell.write("far.mnt", "MOVEA(0) = 300\nGO(0)\n")
+    cell.write("far.mnt", "ACCEL(0) = 9 : DECEL(0) = 9\nMOVEA(0) = 300\nGO(0)\n")
     cell.write("small.toml", "axis.0.travel = [0.0, 100.0]\n")
     assert cell("check", "far.mnt").out == "far.mnt: no problems\n"
     ran = cell("check", "far.mnt", "--machine", "small.toml")

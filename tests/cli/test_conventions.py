@@ -29,7 +29,7 @@ PRINTING = {
 
 @pytest.fixture
 def program(cell: Cell) -> Cell:
-    cell.write("a.mnt", "Dim rate = 1\nSPEED(0) = rate\n" + MOVE)
+    cell.write("a.mnt", "Dim rate = 1\nSPEED(0) = rate\nACCEL(0) = 1e5 : DECEL(0) = 1e5\n" + MOVE)
     return cell
 
 

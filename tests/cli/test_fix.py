@@ -124,7 +124,7 @@ def test_what_is_not_certain_stays(cell: Cell) -> None:
 
 
 def test_json_has_what_was_fixed(cell: Cell) -> None:
-    cell.write("a.mnt", "MOVER(3) = 5\nGo3\nPAUSE IDLE(3)\n")
+    cell.write("a.mnt", "MOVER(3) = 5\nGo3\nACCEL(3) = 9 : DECEL(3) = 9\nPAUSE IDLE(3)\n")
     ran = cell("check", "a.mnt", "--fix", "--format", "json")
     (row,) = json.loads(ran.out)["files"]
     assert row["diagnostics"] == []

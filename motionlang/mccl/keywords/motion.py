@@ -56,6 +56,9 @@ def move_by(task: CommandTask, command: Command) -> Wait | None:
 
     On a path, the move is relative to the end of the path so far.
     """
+    if command.is_bare:
+        fault = codes.no_distance(command.text)
+        task.board.warn(task, fault.kind, fault.message, fault.hint)
     value = float(task.value(command))
     path = task.path_open
     targets = []

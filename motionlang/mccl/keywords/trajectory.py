@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Actions
+from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.keywords.motion import run_in_velocity_mode
 from motionlang.mccl.keywords.row import Group
@@ -79,7 +80,11 @@ def half_step(task: CommandTask, command: Command) -> None:
 def _write(task: CommandTask, command: Command, name: str, unit: str) -> tuple[AxisState, ...]:
     value, axes = task.value(command), task.axes(command)
     for axis in axes:
-        axis.write[name](axis.rate(value, unit))
+        rate = axis.rate(value, unit)
+        if value and not rate:
+            fault = codes.rounded(command.text, float(value), rate)
+            task.board.warn(task, fault.kind, fault.message, fault.hint)
+        axis.write[name](rate)
     return axes
 
 
@@ -94,12 +99,14 @@ _row = Group("trajectory").row
 
 
 ROWS = (
-    _row("SA", "setting", "W", "axes", "uu/s2", accel, "Set the acceleration.",
+    _row("SA", "setting", "W", "axes", "uu/s2", accel, "Set the acceleration; a whole number until a scale is set.",
          "1SA100000", default=100000, low=0, meant="ACCEL ACCELERATION"),
-    _row("DS", "setting", "W", "axes", "uu/s2", decel, "Set the deceleration.", "1DS100000", default=100000, low=0,
+    _row("DS", "setting", "W", "axes", "uu/s2", decel,
+         "Set the deceleration; a whole number until a scale is set.", "1DS100000", default=100000, low=0,
          meant="DECEL DECELERATION", family="deceleration"),
     _row("SV", "setting", "W", "axes", "uu/s", speed,
-         "Set the velocity of moves; in velocity mode a running axis changes to it at once.",
+         "Set the velocity of moves, a whole number until a scale is set; in velocity mode a running axis changes to "
+         "it at once.",
          "1SV40000", default=40000, low=0, meant="SPEED VEL VELOCITY"),
     _row("MV", "setting", "W", "axes", "uu/s", minimum_speed,
          "Set the minimum velocity, at which a stepper starts and stops at once: trapezoidal moves begin and end with "

@@ -14,6 +14,7 @@ from motionlang.mccl.keywords import table
 from motionlang.mccl.lint.channels import check_channels
 from motionlang.mccl.lint.checks import CALLS, lint
 from motionlang.mccl.lint.flow import Flow, flow_of
+from motionlang.mccl.lint.numbers import check_numbers
 from motionlang.mccl.models import DEFAULT, MODELS, Model, missing, written_for
 from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.decode import problem
@@ -65,6 +66,7 @@ def _lint(
 
     lint(lines, flow_of(settings), add)
     check_channels(lines, settings, model, add)
+    check_numbers(lines, model, add)
     return found
 
 

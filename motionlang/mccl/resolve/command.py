@@ -40,6 +40,11 @@ class Command:
         return self.row.verb if self.row is not None else ""
 
     @property
+    def is_bare(self) -> bool:
+        """True if it has no parameter, which then counts as 0."""
+        return self.kind == NONE
+
+    @property
     def polls(self) -> str:
         """The kind of value that a loop of it polls (`keywords.row.polls`), "" if none."""
         kind: str = "" if self.row is None else getattr(self.row.actions.do, "polls", "")

@@ -23,8 +23,10 @@ from motionlang.mint.compile.stops import Debugging
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.machine_readings import words
 from motionlang.mint.resolve.aliases import rename_old_words
+from motionlang.mint.resolve.chosen_rates import chosen_rates
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems, bracketed
+from motionlang.mint.resolve.short_ramps import warn_of_short_ramps
 from motionlang.mint.syntax.extent import blocks_of
 from motionlang.mint.syntax.parser import parse
 
@@ -51,11 +53,12 @@ class Compiled:
     the text again. `stops` is the payload of `Debugging` in a debug build.
     """
 
-    __slots__ = ("code", "names", "outline", "problems", "stops")
+    __slots__ = ("code", "names", "outline", "problems", "remarks", "stops")
 
     def __init__(self, code: Code, names: Names, problems: Problems, stops: Stops | None = None) -> None:
         self.code, self.names, self.problems, self.stops = code, names, problems, stops
         self.outline = b""
+        self.remarks: list[str] = []
 
 
 def compile_module(
@@ -77,6 +80,7 @@ def compile_module(
     whole.ranges, whole.debugging = ranges, Debugging() if debug else None
     bodies = _new_bodies(whole, recall)
     warn_of_misspellings(whole)
+    warn_of_short_ramps(module, problems)
     problems.raise_errors()
     code = assemble(whole, bodies)
     return Compiled(code, whole.names, problems, whole.debugging.payload() if whole.debugging else None)
@@ -232,6 +236,7 @@ def compile_text(
             override(module, overrides or {}, given)
         blocks = blocks_of(module)
         compiled = compile_module(module, settings, ranges, debug)
+        compiled.remarks = chosen_rates(module, settings or {})
         compiled.outline = dumps((blocks, module.offsets.lines(compiled.code.offsets)))
         return compiled
 
