@@ -37,9 +37,19 @@ The alternatives are what the sources leave possible; each is a guess.
 MEANINGS = {
     "manual": "printed in a manual",
     "code": "read in running code",
+    "name only": "known by name only",
     "memory high": "memory, high confidence",
     "memory medium": "memory, medium confidence",
     "memory low": "memory, low confidence",
+}
+# The kinds of evidence by the first word of their strength.
+KINDS = {
+    "manual": "printed in a manual",
+    "code": "read in running code",
+    "name": "known by name, or from a sibling product",
+    "sibling": "known by name, or from a sibling product",
+    "memory": "remembered",
+    "choice": "chosen here",
 }
 TABLE = "| question | assumption | evidence | name |\n|---|---|---|---|\n"
 
@@ -60,6 +70,14 @@ def summary() -> str:
     for strength, title in MEANINGS.items():
         lines.append(f"| {title} | {' | '.join(str(each[strength]) for each in counts)} |\n")
     assert all(each.keys() <= MEANINGS.keys() for each in counts)
+    lines.append(
+        "\nThe share of all facts about simulated keywords (meaning, short form, brackets, unit, default,\n"
+    )
+    lines.append("range) that is printed, read, remembered or chosen:\n\n")
+    lines.append("| facts | Mint | MCCL |\n|---|---|---|\n")
+    shares = [_shares(language) for language in ("mint", "mccl")]
+    for title in dict.fromkeys(KINDS.values()):
+        lines.append(f"| {title} | {' | '.join(f'{each[title]:.0%}' for each in shares)} |\n")
     lines.append("\nThe assumptions by subject:\n\n")
     lines.append("| subject | assumptions | confirmed | a probe settles | the machine file sets |\n")
     lines.append("|---|---|---|---|---|\n")
@@ -81,6 +99,15 @@ def _strengths(language: str) -> Counter[str]:
     """Count a language's simulated keywords by the evidence of their meaning."""
     rows = (row for row in dialect(language).table() if row.simulated)
     return Counter(of_word(language, row)["meaning"].strength for row in rows)
+
+
+def _shares(language: str) -> dict[str, float]:
+    """Return the share of each kind of evidence in all facts about a language's simulated keywords."""
+    rows = (row for row in dialect(language).table() if row.simulated)
+    found = Counter(
+        KINDS[each.strength.partition(" ")[0]] for row in rows for each in of_word(language, row).values()
+    )
+    return {kind: found[kind] / found.total() for kind in KINDS.values()}
 
 
 def basis_of(assumption: Assumption) -> str:
