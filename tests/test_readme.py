@@ -14,7 +14,7 @@ def test_a_sentence_the_playground_and_the_picture_come_first() -> None:
     title, lead, picture = README.split("\n\n")[:3]
     assert title == "# motionlang"
     sentence, _, link = lead.partition("\n[")
-    assert link.startswith("Try it in your browser](playground/")
+    assert link.startswith("The playground](docs/playground.md)")
     assert len(sentence) <= 240
     assert sentence.count(". ") == 0
     assert re.fullmatch(r"!\[[^\]]+\]\((.+)\)", picture), picture
