@@ -154,18 +154,6 @@ def test_joining_across_a_gap_is_our_own_mistake() -> None:
         move.then(move)
 
 
-def test_before_and_after_the_move() -> None:
-    move = plan_trapezoid(1.0, 13.0, 8.0, 16.0, 16.0)
-    assert (move.position(-1.0), move.position(9.0), move.velocity(9.0)) == (1.0, 13.0, 0.0)
-    assert move.at(2.0).acceleration == 0.0
-    assert move.cut(1.0).position(2.0) == 7.0 + 8.0
-
-
-def test_the_state_at_a_time() -> None:
-    state = plan_trapezoid(0.0, 12.0, 8.0, 16.0, 16.0).at(0.25)
-    assert (state.position, state.velocity, state.acceleration, state.jerk) == (0.5, 4.0, 16.0, 0.0)
-
-
 @quick
 @given(moves(), st.sampled_from([-2.5, -1.0, 0.5, 3.0]), fractions)
 def test_scaling(move: Move, factor: float, when: float) -> None:

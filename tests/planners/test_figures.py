@@ -3,20 +3,13 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from math import exp, inf, nan, pi
+from math import inf, nan, pi
 
 import pytest
 
 from motionlang.notes.dissect import (
-    buildup,
     dac_timing,
     discrete_trapezoid,
-    equal_time_accel,
-    fastest_time,
-    friction_force,
-    s_curve_times,
-    step_segments,
-    trapezoid_times,
 )
 from motionlang.planners import Profile, plan_sinusoidal, plan_trapezoid, plan_velocity
 from motionlang.planners.counts import linear_scale, rotary_scale
@@ -38,13 +31,10 @@ from motionlang.planners.pvt.fit import motion_error, track_error
 from motionlang.planners.pvt.points import Point, plan_points
 from motionlang.planners.rate import Rate
 from motionlang.planners.reach import needed_distance, remedies, triangle
-from motionlang.planners.root import bracketed_root
 from motionlang.planners.sequence import ProfileSequence, chained
 from motionlang.planners.solve import solve_move
 from motionlang.planners.superposition import added
 from motionlang.planners.table_motion import table_curve
-from motionlang.planners.total import exact_terms, total
-from tests.planners.splines import cubic_table
 
 Piece = tuple[float, float, float, float, float, float, float]
 # x³ - 6x² + 9x + 2, with extrema at 1 and 3 and an inflection at 2.
@@ -127,37 +117,6 @@ MOVE = plan_trapezoid(0.0, 100.0, 100.0, 1000.0, 1000.0)
 SHORT = plan_trapezoid(10.0, 30.0, 50.0, 500.0, 500.0)
 
 
-@pytest.mark.parametrize("both", [added(MOVE, SHORT, "sum"), added(SHORT, MOVE, "sum")])
-def test_a_sum_has_the_positions_and_velocities_of_both(both: object) -> None:
-    """At 0.25 s they are at 20 and 20; from 0.5 s on the short one is at 30."""
-    from motionlang.planners import Profile
-
-    assert isinstance(both, Profile)
-    assert (both.start, both.end, both.duration) == pytest.approx((10.0, 130.0, 1.1))
-    assert (both.position(0.25), both.velocity(0.25)) == pytest.approx((40.0, 150.0))
-    assert (both.position(0.8), both.velocity(0.8)) == pytest.approx((75.0 + 30.0, 100.0))
-    assert both.velocity(0.05) == pytest.approx(50.0 + 25.0)
-    assert (both.start_velocity, both.end_velocity) == (0.0, 0.0)
-
-
-@pytest.mark.parametrize(
-    ("velocity", "end"), [(25.0, inf), (-25.0, inf), (-75.0, -inf), (-50.0, 7.0), (0.0, inf)]
-)
-def test_a_sum_of_two_motions_without_an_end(velocity: float, end: float) -> None:
-    """It runs on at both velocities, from 7. If they cancel, it stays there."""
-    first = plan_velocity("trapezoid", 0.0, 50.0, 50.0, 10.0, 10.0)
-    second = plan_velocity("trapezoid", 7.0, velocity, velocity, 10.0, 10.0)
-    both = added(first, second, "sum")
-    assert (both.start_velocity, both.end_velocity) == (50.0 + velocity, 50.0 + velocity)
-    assert both.position(2.0) == pytest.approx(7.0 + 2.0 * (50.0 + velocity))
-    assert both.end == end
-
-
-def test_a_sum_with_a_rest_is_shifted() -> None:
-    both = added(MOVE, hold(5.0), "sum")
-    assert (both.start, both.position(0.1), both.position(9.0)) == pytest.approx((5.0, 10.0, 105.0))
-
-
 def test_a_lead_adds_its_share_of_each_derivative() -> None:
     """At 0.05 s it is at 1.25 and 50 per second; 10 ms later on the tangent is 1.75."""
     ahead = Extrapolated(MOVE, 0.01)
@@ -194,27 +153,6 @@ def test_a_sequence_runs_one_profile_after_the_other() -> None:
     assert hold(0.0).cut(0.0).then(MOVE) is MOVE
     doubled = both.scaled(1000.0, 2.0)
     assert (doubled.start, doubled.end, doubled.position(1.3)) == pytest.approx((1000.0, 1240.0, 1215.0))
-
-
-# The nut is at 0, 101 and 199 for 0, 100 and 200 of the motor, all 50 further.
-SCREW = Leadscrew(50.0, 100.0, [0.0, 101.0, 199.0])
-
-
-@pytest.mark.parametrize(
-    ("nut", "motor", "slope"),
-    [
-        (0.0, 50.0, 100 / 101),
-        (50.5, 100.0, 100 / 101),
-        (101.0, 150.0, 100 / 98),
-        (150.0, 200.0, 100 / 98),
-        (199.0, 250.0, 1.0),
-        (209.0, 260.0, 1.0),
-        (-10.0, 40.0, 1.0),
-    ],
-)
-def test_a_leadscrew_by_its_table(nut: float, motor: float, slope: float) -> None:
-    """Beyond the table the motor is as far from its end as the nut."""
-    assert (SCREW.motor(nut), SCREW.slope(nut)) == pytest.approx((motor, slope))
 
 
 @pytest.mark.parametrize(
@@ -303,38 +241,6 @@ def test_what_makes_a_move_possible(given: dict[str, float], texts: list[str]) -
     assert remedies(None, given) == texts
 
 
-def test_the_root_of_a_monotone_function() -> None:
-    assert bracketed_root(lambda x: (x * x - 2.0, 2.0 * x), 0.0, 2.0, True) == pytest.approx(
-        2.0**0.5, rel=1e-15
-    )
-    assert bracketed_root(lambda x: (2.0 - x * x, -2.0 * x), 0.0, 2.0, False) == pytest.approx(
-        2.0**0.5, rel=1e-15
-    )
-    assert bracketed_root(lambda x: (x - 1.0, 0.0), 0.0, 2.0, True) == 1.0
-
-
-def test_sums_are_rounded_once() -> None:
-    assert total([0.1] * 10) == 1.0
-    assert total([]) == 0.0
-    assert total([1e308, 1e308]) == inf
-    assert exact_terms([1.0, 1e-30]) == [1.0, 1e-30]
-
-
-def test_the_formulas_of_chapter_12() -> None:
-    """1000 at 200 and 400: T_a 0.5, T_s 4.5, and the S-curve has twice the ramps."""
-    trapezoid, s_curve = trapezoid_times(1000.0, 200.0, 400.0), s_curve_times(1000.0, 200.0, 400.0)
-    assert (trapezoid.accel_time, trapezoid.slew_time, trapezoid.move_time) == (0.5, 4.5, 5.5)
-    assert (s_curve.accel_time, s_curve.slew_time, s_curve.move_time) == (1.0, 4.0, 6.0)
-    assert trapezoid_times(100.0, 200.0, 400.0).slew_time == 0.0
-    with pytest.raises(ValueError, match="too short to reach its speed: that takes 100"):
-        trapezoid_times(99.0, 200.0, 400.0)
-    assert (equal_time_accel(400.0), friction_force(5.0, 0.1), fastest_time(100.0, 400.0)) == (
-        800.0,
-        0.5,
-        0.25,
-    )
-
-
 def test_the_time_of_a_dac_step() -> None:
     """12 bits are 2048 steps each way: 204.8 is 0.1 a step, at 400 a step in 0.25 ms."""
     timing = dac_timing(204.8, 400.0)
@@ -346,18 +252,6 @@ def test_the_time_of_a_dac_step() -> None:
     for bits in (1, 33):
         with pytest.raises(ValueError, match=f"2 to 32 bits, not {bits}"):
             dac_timing(204.8, 400.0, bits)
-
-
-def test_the_answer_to_steps_of_a_dac() -> None:
-    """After one time constant 63 % of a step, and of the rest of it 63 % again."""
-    first, second = step_segments((1, 0), 1.0)
-    share = 1.0 - exp(-1.0)
-    assert (first.from_velocity, first.to_velocity, first.onset, first.mean) == pytest.approx(
-        (0.0, share, 1.0, share)
-    )
-    assert (second.from_velocity, second.to_velocity) == pytest.approx((share, 1.0 - exp(-2.0)))
-    assert (second.onset, second.steps) == pytest.approx((exp(-1.0), 0))
-    assert (buildup(2.0, 2.0), buildup(inf, 2.0), buildup(0.0, 2.0)) == pytest.approx((share, 1.0, 0.0))
 
 
 def test_the_updates_of_the_discrete_trapezoid() -> None:
@@ -380,14 +274,6 @@ def test_a_curve_from_pieces_has_their_positions() -> None:
     made = from_curve("table", 2.0, 15.0, curve, 9.0, 9.0)
     assert [made.position(t) for t in (0.0, 1.0, 3.0, 4.0, 4.5, 5.0)] == [2.0, 6.0, 2.0, 6.0, 10.5, 15.0]
     assert made.duration == 5.0
-
-
-def test_a_slew_shorter_than_a_count_is_part_of_the_move() -> None:
-    """From 50 to 100 takes 0.05 s and 3.75, down 0.1 s and 5; 0.5 at 100 take 5 ms."""
-    made = plan_trapezoid(0.0, 9.25, 100.0, 1000.0, 1000.0, 50.0)
-    assert made.duration == pytest.approx(0.155)
-    assert (made.position(0.0525), made.position(0.155)) == pytest.approx((4.0, 9.25))
-    assert made.velocity(0.0525) == pytest.approx(100.0)
 
 
 @pytest.mark.parametrize(
@@ -511,27 +397,6 @@ def test_a_table_that_makes_no_curve(positions: list[float], values: list[float]
         table_curve(positions, values)
 
 
-def test_a_table_of_two_kinds() -> None:
-    """A line from 0 to 4 in 2 has slope 2; a level cubic has slope 3 halfway.
-
-    A quarter of the way it is at 3/16 - 1/32 of the rise, 0.625.
-    """
-    line, cubic = table_curve([0.0, 2.0], [0.0, 4.0]), cubic_table([0.0, 2.0], [0.0, 4.0])
-    assert (line.position(0.5), line.start_velocity, line.end_velocity) == (1.0, 2.0, 2.0)
-    assert [cubic.position(x) for x in (0.0, 0.5, 1.0, 2.0)] == pytest.approx([0.0, 0.625, 2.0, 4.0])
-    assert [cubic.velocity(x) for x in (0.0, 1.0)] == pytest.approx([0.0, 3.0])
-
-
-def test_a_cyclic_table_continues_into_its_beginning() -> None:
-    """0, 1, 0, -1, 0 at equal distances: by symmetry the slopes are m, 0, -m, 0, m.
-
-    The condition at 0 is 2 · 0 + 4 m + 0 = 3 (1 + 1), so m is 1.5.
-    """
-    wave = cubic_table([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, -1.0, 0.0], True)
-    assert [wave.velocity(x) for x in (0.0, 1.0, 2.0, 3.0)] == pytest.approx([1.5, 0.0, -1.5, 0.0])
-    assert (wave.start_velocity, wave.end_velocity) == pytest.approx((1.5, 1.5))
-
-
 @pytest.mark.parametrize(
     ("time", "state"),
     [
@@ -548,25 +413,6 @@ def test_the_state_before_in_and_behind_a_move(time: float, state: tuple[float, 
     """Position, velocity, acceleration and jerk of 100 at 100/s and 1000/s²."""
     found = MOVE.at(time)
     assert (found.position, found.velocity, found.acceleration, found.jerk) == pytest.approx(state, abs=1e-9)
-
-
-def test_a_motion_that_runs_on_has_its_velocity_behind_its_end() -> None:
-    """From 10 to 20 per second at 10 per second² takes 1 s and 15, then 2 s take 40."""
-    found = plan_velocity("trapezoid", 0.0, 10.0, 20.0, 10.0, 10.0).at(3.0)
-    assert (found.position, found.velocity, found.acceleration) == pytest.approx((55.0, 20.0, 0.0))
-
-
-def test_a_table_with_unequal_distances() -> None:
-    """From 0 by 1 to 1, by 2 to 1 and by 1 to 0 the slopes inside are m and -m.
-
-    The condition at 1 is 2 m (1/1 + 1/2) - m/2 = 3 (1/1 + 0/2), so m is 1.2. With two segments, from 0 by 1 to 1 and by
-    2 to 0, it is 2 m (1/1 + 1/2) = 3 (1/1 - 0.5/2), so m is 0.75.
-    """
-    made = cubic_table([0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 1.0, 0.0])
-    assert [made.velocity(x) for x in (0.0, 1.0, 3.0)] == pytest.approx([0.0, 1.2, -1.2])
-    assert cubic_table([0.0, 1.0, 3.0], [0.0, 1.0, 0.0]).velocity(1.0) == pytest.approx(0.75)
-    # The same mirrored: 2 m (1/2 + 1/1) = 3 (0.5/2 - 1/1).
-    assert cubic_table([0.0, 2.0, 3.0], [0.0, 1.0, 0.0]).velocity(2.0) == pytest.approx(-0.75)
 
 
 def test_a_sum_of_formulas_adds_their_states() -> None:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from math import exp, inf, nextafter, pi, sqrt, tanh
+from math import inf, nextafter, pi, sqrt, tanh
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from motionlang.notes import tn1069
-from motionlang.notes.dissect import s_curve_times, slip_acceleration, step_segments, trapezoid_times
 from motionlang.planners import (
     Profile,
     plan_jerk,
@@ -24,24 +22,18 @@ from motionlang.planners.cubics import _fit, cubics
 from motionlang.planners.curve import State, from_curve
 from motionlang.planners.extrapolation import Extrapolated
 from motionlang.planners.feasibility import finish, stretched
-from motionlang.planners.jerk import jerk_ramps, peak_from_rest
-from motionlang.planners.jerk_limited import jerk_limited_approach
+from motionlang.planners.jerk import peak_from_rest
 from motionlang.planners.limits import LARGEST, SMALLEST
 from motionlang.planners.lookahead import Pace, plan_course
-from motionlang.planners.pieces import position_in
-from motionlang.planners.pvt.fit import Rounding, fit_track
 from motionlang.planners.ramps import MOMENT
-from motionlang.planners.rate import Rate
 from motionlang.planners.reach import remedies
 from motionlang.planners.reparametrised import knot_distances
 from motionlang.planners.segment_speed import _farthest, between, entry_speed, exit_speed
-from motionlang.planners.sequence import ProfileSequence
 from motionlang.planners.solve import solve_move
 from motionlang.planners.stop import ramps_of
 from motionlang.planners.superposition import Superposed, added
 from motionlang.planners.table_motion import spline_slopes
 from motionlang.planners.trapezoid import from_rest
-from tests.planners.splines import cubic_table
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -50,15 +42,6 @@ if TYPE_CHECKING:
 
 LIMITS = (200.0, 400.0, 400.0)
 MOVE = plan_trapezoid(0.0, 100.0, *LIMITS)
-
-
-def test_a_load_slips_beyond_friction_times_gravity() -> None:
-    assert slip_acceleration(0.4, 9.81) == pytest.approx(3.924)
-
-
-def test_the_distances_of_ramps_go_by_the_square_of_the_speed() -> None:
-    assert trapezoid_times(1000.0, 200.0, 400.0).accel_distance == pytest.approx(50.0)
-    assert s_curve_times(1000.0, 200.0, 400.0).accel_distance == pytest.approx(100.0)
 
 
 @pytest.mark.parametrize("given", [{"time": 1.0}, {"time": 1.0, "distance": 200.0}, {"distance": 200.0}])
@@ -75,12 +58,6 @@ def test_a_speed_that_even_a_triangle_exceeds_has_the_two_ends_of_its_range() ->
     ]
 
 
-def test_the_motor_answers_the_first_step_from_nothing() -> None:
-    first, second = step_segments((1, -1), 2.0)
-    assert first.onset == pytest.approx(0.5)
-    assert second.onset == pytest.approx(-0.5 * (1.0 - exp(-0.5)))
-
-
 def test_what_is_too_fast_brakes_to_the_speed_and_holds_it() -> None:
     ramps = ramps_of("trapezoid", 10.0, 10.0, 0.0, inf, inf)
     _, rows = between(ramps, 100.0, 10.0, 20.0, 0.0, 5.0)
@@ -92,31 +69,6 @@ def test_a_course_that_is_over_already_stands() -> None:
     made = plan_course([(10.0, Pace("trapezoid", *LIMITS))], 10.0, 0.0)
     assert made is not None
     assert (made.duration, made.position(5.0), made.end_velocity) == (0.0, 10.0, 0.0)
-
-
-@pytest.mark.parametrize(("v0", "a0"), [(20.0, 100.0), (20.0, -100.0), (-20.0, -100.0), (20.0, 20.0)])
-@pytest.mark.parametrize("distance", [30.0, 1000.0])
-@pytest.mark.parametrize("unit", [1.0, 1e-3])
-def test_the_search_comes_to_the_plan_of_the_closed_form(
-    v0: float, a0: float, distance: float, unit: float
-) -> None:
-    """The figures are in millimetres; in metres the plan is the same."""
-    rates = (400.0 * unit, 300.0 * unit, 2000.0 * unit, 1500.0 * unit)
-    target = distance * unit if v0 > 0.0 else -distance * unit
-
-    def straight(here: float, velocity: float) -> Profile:
-        return plan_jerk(here, target, 200.0 * unit, *rates, velocity)
-
-    searched = jerk_limited_approach(
-        jerk_ramps(*rates), 0.0, target, 200.0 * unit, v0 * unit, a0 * unit, straight
-    )
-    closed = plan_jerk(0.0, target, 200.0 * unit, *rates, v0 * unit, a0 * unit)
-    assert searched is not None
-    assert (searched.duration, searched.end_velocity) == pytest.approx((closed.duration, 0.0))
-    for i in range(12):
-        time = closed.duration * i / 12
-        assert searched.position(time) == pytest.approx(closed.position(time), abs=1e-9 * distance * unit)
-        assert searched.velocity(time) == pytest.approx(closed.velocity(time), abs=1e-6 * unit)
 
 
 @pytest.mark.parametrize("v0", [1e-3, -1e-3])
@@ -138,12 +90,6 @@ def test_a_profile_of_ramps_too_short_to_count_stands_still() -> None:
     assert made.knots == (0.0, time)
     assert made.pieces == ((3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),)
     assert made.curve[2] == (("slew", 0),)
-
-
-def test_all_of_a_sequence_is_the_sequence() -> None:
-    both = ProfileSequence("pvt", [MOVE, MOVE.shifted(100.0)], "pvt")
-    assert both.cut(both.duration) is both
-    assert both.cut(MOVE.duration).duration == MOVE.duration
 
 
 def test_a_ramp_that_never_ends_is_a_move_too_large() -> None:
@@ -180,44 +126,10 @@ def test_a_curve_has_no_turning_points_beyond_its_pieces() -> None:
     assert knot_distances(from_curve("table", 0.0, 1.75, curve, 1.0, 0.5)) == [0.0, 1.0, 2.0]
 
 
-def test_each_cubic_of_a_table_ends_where_the_next_one_begins() -> None:
-    made = cubic_table([0.0, 1.0, 3.0, 4.0], [0.0, 5.0, 2.0, 8.0])
-    ends = [
-        position_in(piece, b - a)
-        for piece, a, b in zip(made.pieces, made.knots, made.knots[1:], strict=False)
-    ]
-    assert ends == pytest.approx([5.0, 2.0, 8.0])
-
-
-def test_a_position_with_a_lead_is_that_of_later_at_constant_velocity() -> None:
-    ahead = Extrapolated(MOVE, 0.1)
-    middle = 0.5 * MOVE.duration
-    assert ahead.at(middle).position == pytest.approx(MOVE.position(middle) + 20.0)
-    assert ahead.position(0.2) == pytest.approx(200.0 * 0.2 * 0.2 + 0.1 * 80.0)
-
-
 def test_the_peaks_of_a_formula_that_runs_on_are_of_their_own_kind() -> None:
     ahead = Extrapolated(plan_velocity("trapezoid", 0.0, 0.0, 100.0, 10.0, 10.0), 0.1)
     assert ahead.peak_acceleration == pytest.approx(10.0)
     assert ahead.peak_speed >= 100.0
-
-
-def test_a_fit_has_the_velocity_of_every_knot() -> None:
-    top = 1000.0  # counts/s in the middle of two milliseconds
-    motion = plan_trapezoid(0.0, top * 1e-3, top, top * 1e3, top * 1e3)
-    fit = fit_track([0.0], [motion], 1e-3, 0.0, motion.duration, Rounding(1e-6, 1e-6))
-    assert [point.velocity for point in fit.points] == pytest.approx([0.0, top, 0.0], abs=1e-3)
-
-
-def test_a_fit_ends_after_it_begins() -> None:
-    with pytest.raises(ValueError, match="a motion of more than 0"):
-        fit_track([0.0], [MOVE], 1.0, 0.3, 0.2)
-
-
-def test_the_printed_slews_cover_their_distances() -> None:
-    a_cycle = tn1069.VELOCITY / tn1069.CYCLES
-    for distance, time in zip(tn1069.PRINTED["S_V"], tn1069.PRINTED["T_V"], strict=True):
-        assert abs(distance / a_cycle - time) < 0.5
 
 
 def test_a_move_from_rest_takes_numbers_that_add_up_to_the_largest() -> None:
@@ -226,14 +138,6 @@ def test_a_move_from_rest_takes_numbers_that_add_up_to_the_largest() -> None:
     assert found is not None
     assert found[0] == 2.0
     assert from_rest(100.0, nextafter(LARGEST, inf), 100.0, 100.0) is None
-
-
-def test_a_rate_is_the_velocity_of_a_profile_as_a_position() -> None:
-    """After 0.25 s at 400 the velocity is 100, and so is the rate's position."""
-    state = Rate(MOVE).at(0.25)
-    assert (state.position, state.velocity, state.acceleration, state.jerk) == (100.0, 400.0, 0.0, 0.0)
-    assert (Rate(MOVE).start, Rate(MOVE).end, Rate(MOVE).duration) == (0.0, 0.0, MOVE.duration)
-    assert Rate(plan_trapezoid(5.0, 5.0, *LIMITS)).start_velocity == 0.0
 
 
 @pytest.mark.parametrize("most", [1000.0, 110.0])
@@ -412,23 +316,6 @@ def test_a_sum_without_an_end_is_drawn_with_its_last_velocity() -> None:
     assert knots == (0.0, 0.5, inf)
     assert pieces[0][:4] == pytest.approx((0.0, 0.0, 100.0, 0.0), abs=1e-6)
     assert pieces[1] == pytest.approx((25.0, 100.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-
-
-@pytest.mark.parametrize(
-    ("v0", "ramps"),
-    [
-        # From 1 to 10 at 20 in 0.45 s over 2.475, and 2.5 to rest.
-        (1.0, [("accel", 0.45, 2.475), ("slew", 9.5025, 95.025), ("decel", 0.5, 2.5)]),
-        # To rest over 0.025, and from there 2.5 each up and down.
-        (-1.0, [("stop", 0.05, -0.025), ("accel", 0.5, 2.5), ("slew", 9.5025, 95.025), ("decel", 0.5, 2.5)]),
-    ],
-)
-def test_a_move_from_a_velocity_of_one(v0: float, ramps: list[tuple[str, float, float]]) -> None:
-    made = plan_trapezoid(0.0, 100.0, 10.0, 20.0, 20.0, v0)
-    assert made.start_velocity == v0
-    assert [phase.name for phase in made.phases] == [name for name, _, _ in ramps]
-    found = [(phase.duration, phase.distance) for phase in made.phases]
-    assert found == [pytest.approx(figures) for _, *figures in ramps]
 
 
 def test_a_known_end_replaces_that_of_the_pieces() -> None:

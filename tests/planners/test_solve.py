@@ -25,17 +25,6 @@ def test_the_exercise() -> None:
     assert solve_move(distance=200.0, time=1.0, accel_time=0.2, decel_time=0.2) == pytest.approx(SHEET)
 
 
-def test_third_and_quarter_rule() -> None:
-    third = solve_move("third", distance=20.0, time=0.6)
-    quarter = solve_move("quarter", distance=20.0, time=0.6)
-    assert (third["speed"], third["accel"]) == pytest.approx((50.0, 250.0))
-    assert (quarter["speed"], quarter["accel"]) == pytest.approx((400 / 9, 8000 / 27))
-
-
-def test_equal_ramps() -> None:
-    assert solve_move("equal", distance=200.0, time=1.0, speed=250.0) == pytest.approx(SHEET)
-
-
 def solvable(names: tuple[str, ...]) -> bool:
     try:
         solve_move(**{name: SHEET[name] for name in names})
@@ -105,10 +94,3 @@ def test_a_rule_leaves_no_time_after_a_ramp_of_more_than_two_thirds() -> None:
     """0.9 s up and 1/3 s down take longer than 1 s."""
     with pytest.raises(ValueError, match="the ramps alone take longer than the move"):
         solve_move("third", distance=5.0, time=1.0, accel_time=0.9)
-
-
-def test_an_unknown_rule() -> None:
-    with pytest.raises(ValueError, match="no rule called half"):
-        solve_move("half", distance=1.0, time=1.0)
-    with pytest.raises(ValueError, match="a rule splits the time"):
-        solve_move("third", distance=1.0)
