@@ -79,27 +79,6 @@ def test_a_loaded_move_waits_for_go() -> None:
     assert c.idle_time(0) == 3.0
 
 
-@pytest.mark.parametrize(
-    ("time", "position", "velocity"),
-    [
-        (0.25, 0.5, 4.0),
-        (0.5, 2.0, 8.0),
-        (1.0, 6.0, 8.0),
-        (1.75, 11.5, 4.0),
-        (2.0, 12.0, 0.0),
-        (9.0, 12.0, 0.0),
-    ],
-)
-def test_position_and_velocity_are_exact_at_any_time(time: float, position: float, velocity: float) -> None:
-    c = machine()
-    c.load_by(0, 12.0)
-    c.go([0])
-    c.clock.advance(time)
-    assert c.position(0) == pytest.approx(position, rel=1e-12)
-    assert c.velocity(0) == pytest.approx(velocity, abs=1e-12)
-    assert c.remaining(0) == pytest.approx(12.0 - position, abs=1e-12)
-
-
 def test_go_starts_several_axes_in_the_same_instant() -> None:
     c = machine()
     c.load_by(0, 12.0)
@@ -134,41 +113,6 @@ def test_a_move_loaded_after_go_waits_for_its_own_go() -> None:
     assert c.position(0) == 24.0
 
 
-def test_a_full_buffer_refuses_the_next_move() -> None:
-    c = machine()
-    c.load_by(0, 1.0)
-    c.load_by(0, 1.0)
-    assert c.room(0) == 0
-    with pytest.raises(Rejected, match="full"):
-        c.load_by(0, 1.0)
-
-
-def test_stop_decelerates_at_the_set_rate_and_empties_the_buffer() -> None:
-    c = machine()
-    c.load_by(0, 12.0)
-    c.load_by(0, 12.0)
-    c.go([0])
-    c.clock.advance(1.0)
-    c.stop(0)
-    assert c.idle_time(0) == 1.5
-    c.clock.advance(9.0)
-    assert c.position(0) == 8.0  # 6 when it was stopped, and v²/2a = 2 more
-    assert c.log.moves[0].ended == "stop"
-    assert len(c.log.moves) == 1
-
-
-def test_abort_stands_still_at_once() -> None:
-    c = machine()
-    c.load_by(0, 12.0)
-    c.go([0])
-    c.clock.advance(1.0)
-    c.abort(0)
-    assert c.is_idle(0)
-    c.clock.advance(2.0)
-    assert (c.position(0), c.velocity(0)) == (6.0, 0.0)
-    assert c.log.moves[0].ended == "cancel"
-
-
 def test_a_new_target_replaces_the_old_one_in_motion() -> None:
     c = machine()
     c.move_to(0, 12.0)
@@ -188,21 +132,6 @@ def test_a_relative_move_counts_from_the_target_not_from_where_the_axis_is() -> 
     assert c.position(0) == 24.0
 
 
-def test_live_speed_acts_on_the_move_in_progress() -> None:
-    c = machine(live_speed=True)
-    c.load_by(0, 12.0)
-    c.go([0])
-    c.clock.advance(1.0)  # at 6, running at 8
-    c.configure(0, "speed", 4.0)
-    # 0.25 s down to 4 over 1.5 counts, 4 counts at 4, 0.25 s down to rest over 0.5 counts
-    assert c.idle_time(0) == pytest.approx(1.0 + 0.25 + 1.0 + 0.25)
-    c.clock.advance(1.25)
-    assert c.velocity(0) == pytest.approx(4.0)
-    c.clock.advance(3.0)
-    assert c.position(0) == 12.0
-    assert len(c.log.moves) == 1
-
-
 def test_define_position_at_rest_and_in_motion() -> None:
     c = machine()
     c.define_position(0, 100.0)
@@ -215,25 +144,6 @@ def test_define_position_at_rest_and_in_motion() -> None:
     assert c.position(0) == 6.0
     assert c.log.moves[0].profile is not None
     assert c.log.moves[0].profile.end == 112.0
-
-
-def test_jog_runs_until_it_is_stopped() -> None:
-    c = machine()
-    c.jog(0, -8.0)
-    c.clock.advance(1.5)
-    assert (c.position(0), c.velocity(0)) == (-10.0, -8.0)
-    assert c.idle_time(0) == float("inf")
-    c.stop(0)
-    c.clock.advance(2.0)
-    assert (c.position(0), c.is_idle(0)) == (-12.0, True)
-
-
-def test_crossing_time_is_exact() -> None:
-    c = machine()
-    c.load_by(0, 12.0)
-    c.go([0])
-    assert c.crossing_time(0, 6.0) == pytest.approx(1.0, rel=1e-12)
-    assert c.crossing_time(0, 13.0) == float("inf")
 
 
 def test_an_axis_that_is_off_refuses_to_move() -> None:
@@ -255,24 +165,6 @@ def test_a_move_with_a_zero_is_refused_with_its_name(name: str, code: str) -> No
     with pytest.raises(Rejected) as rejected:
         c.go([0])
     assert (rejected.value.code, rejected.value.line) == (code, 7)
-
-
-def test_rates_by_time_follow_the_speed() -> None:
-    c = machine(accel_time=0.5, decel_time=0.25)
-    c.load_by(0, 12.0)
-    c.go([0])
-    assert c.idle_time(0) == pytest.approx(0.5 + (12 - 2 - 1) / 8 + 0.25)
-
-
-def test_the_same_verbs_give_the_same_motion() -> None:
-    def once() -> list[float]:
-        c = machine(shape="sinusoidal")
-        c.move_to(0, 12.0)
-        c.clock.advance(0.7)
-        c.move_to(0, 3.0)
-        return [c.axes[0].position(t / 100) for t in range(600)]
-
-    assert once() == once()
 
 
 def test_a_recorder_answers_like_axes_at_rest() -> None:

@@ -40,14 +40,6 @@ def test_a_number_too_large_for_a_float_is_infinite() -> None:
     assert memory.integer("comms", 1) == 0xFF800000 - (1 << 32)
 
 
-@pytest.mark.parametrize(
-    ("area", "element"), [("comms", 0), ("comms", 100), ("netdata", -1), ("netdata", 1000)]
-)
-def test_elements_that_do_not_exist(area: str, element: int) -> None:
-    with pytest.raises(Rejected):
-        HostMemory().integer(area, element)
-
-
 def test_element_n_is_registers_2n_and_2n_plus_1_low_word_first() -> None:
     memory = HostMemory()
     memory.set_integer("netdata", 3, 0x12345678)
@@ -70,15 +62,6 @@ def test_what_is_written_to_registers_is_read_from_them(first: int, values: list
     memory = HostMemory()
     memory.write_registers("comms", first, values)
     assert memory.registers("comms", first, len(values)) == values
-
-
-def test_which_registers_exist() -> None:
-    memory = HostMemory()
-    assert not memory.has_registers("comms", 0, 2)
-    assert memory.has_registers("comms", 2, 198)
-    assert not memory.has_registers("comms", 199, 2)
-    assert memory.has_registers("netdata", 0, 2000)
-    assert not memory.has_registers("netdata", 1999, 2)
 
 
 def test_listeners_are_notified_of_host_writes_and_of_changes() -> None:

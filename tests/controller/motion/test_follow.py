@@ -67,16 +67,6 @@ def test_the_log_has_one_entry_for_all_of_the_following() -> None:
     assert c.is_idle(1)
 
 
-def test_stop_brakes_a_slave_at_its_own_rate_and_frees_it() -> None:
-    c = machine()
-    c.gear(1, 0, 1.0)
-    c.jog(0, 10.0)
-    until(c, 1.0).stop(1)
-    assert c.idle_time(1) == pytest.approx(1.1)
-    assert until(c, 3.0).position(1) == pytest.approx(9.5 + 0.5)
-    assert c.master_of(1) is None
-
-
 def test_slaves_of_slaves() -> None:
     c = machine(3)
     c.gear(1, 0, 2.0)
@@ -147,17 +137,6 @@ def test_a_master_that_changes_during_the_ramp_is_met_all_the_same() -> None:
     assert c.velocity(1) == pytest.approx(20.0)
     assert speed(c, 1, 1.5) == pytest.approx(10.0)
     assert speed(c, 1, 1.99) == pytest.approx(19.8)
-
-
-def test_suspend_lets_a_slave_ramp_out_and_in() -> None:
-    c = machine()
-    c.gear(1, 0, 1.0)
-    c.jog(0, 10.0)
-    until(c, 1.0).suspend(1)
-    assert until(c, 2.0).velocity(1) == 0.0
-    c.resume(1)
-    assert until(c, 2.05).velocity(1) == pytest.approx(5.0)
-    assert until(c, 3.0).velocity(1) == pytest.approx(10.0)
 
 
 def test_a_slave_that_is_off_follows_no_master() -> None:
@@ -418,70 +397,6 @@ def test_a_second_offset_adds_to_the_first() -> None:
     offset(until(c, 2.0), 1, -25.0)
     until(c, 9.0)
     assert c.position(1) - c.position(0) == pytest.approx(-5.0)
-
-
-def test_at_rest_an_offset_is_a_move() -> None:
-    c = machine()
-    offset(c, 1, 20.0, command="OFFSET")
-    assert until(c, 9.0).position(1) == 20.0
-
-
-def test_mode_1_never_runs_faster_than_allowed_and_never_backwards() -> None:
-    c = moving_slave()
-    c.configure(1, "max_speed", 14.0)
-    offset(c, 1, 20.0, mode=1)
-    assert until(c, 2.0).velocity(1) == pytest.approx(14.0)
-    assert c.offset_status(1) == 1
-    until(c, 20.0)
-    c.configure(1, "speed", 50.0)
-    offset(c, 1, -20.0, mode=1)
-    assert min(speed(c, 1, 20.0 + 0.01 * k) for k in range(300)) == pytest.approx(0.0, abs=1e-9)
-    until(c, 20.5)
-    assert min(speed(c, 1, 20.0 + 0.01 * k) for k in range(50)) >= -1e-9
-    assert c.offset_status(1) == 2
-
-
-def test_mode_2_is_a_triangle_over_a_distance_of_the_master() -> None:
-    c = moving_slave()
-    offset(c, 1, 4.0, mode=2, over=10.0)  # 1 s
-    assert until(c, 1.5).velocity(1) == pytest.approx(10.0 + 8.0)
-    assert until(c, 2.0).velocity(1) == pytest.approx(10.0)
-    assert c.position(1) - c.position(0) == pytest.approx(4.0)
-
-
-def test_mode_3_changes_the_speed_so_that_it_fits_the_distance() -> None:
-    c = moving_slave()
-    offset(c, 1, 4.0, mode=3, over=10.0)
-    assert until(c, 2.0).position(1) - c.position(0) == pytest.approx(4.0)
-    top = (1.0 - math.sqrt(1.0 - 4.0 * 0.01 * 4.0)) / 0.02
-    assert speed(c, 1, 1.5) == pytest.approx(10.0 + top)
-
-
-@pytest.mark.parametrize(
-    ("mode", "distance", "over", "status"),
-    [(3, 400.0, 10.0, 4 | 8), (2, 20.0, 10.0, 1 | 16), (3, 4.0, 0.0, 16)],
-)
-def test_an_offset_that_cannot_be_done_says_why(mode: int, distance: float, over: float, status: int) -> None:
-    c = moving_slave()
-    c.configure(1, "max_speed", 20.0)
-    offset(c, 1, distance, mode=mode, over=over)
-    assert c.offset_status(1) == status
-    assert until(c, 5.0).position(1) == pytest.approx(c.position(0))
-
-
-@pytest.mark.parametrize(
-    ("max_accel", "max_decel", "status"),
-    [(16.0, 16.0, 0), (15.0, 16.0, 4), (16.0, 15.0, 8), (15.0, 15.0, 4 | 8)],
-)
-def test_a_triangle_of_16_a_second_squared_is_done_where_both_limits_allow_it(
-    max_accel: float, max_decel: float, status: int
-) -> None:
-    c = moving_slave()
-    c.configure(1, "max_accel", max_accel)
-    c.configure(1, "max_decel", max_decel)
-    offset(c, 1, 4.0, mode=2, over=10.0)
-    assert c.offset_status(1) == status
-    assert until(c, 3.0).position(1) - c.position(0) == pytest.approx(0.0 if status else 4.0)
 
 
 def test_an_offset_on_a_cam() -> None:

@@ -9,23 +9,6 @@ from motionlang.controller.faults import Rejected
 from tests.controller.machines import machine, until
 
 
-def test_suspend_ramps_to_rest_and_resume_goes_on_to_the_same_target() -> None:
-    c = machine()
-    c.load_by(0, 20.0)
-    c.go([0])
-    until(c, 1.0).suspend(0)  # at 9.5
-    assert until(c, 1.1).velocity(0) == pytest.approx(0.0)
-    assert until(c, 7.0).position(0) == pytest.approx(10.0)
-    assert not c.is_idle(0)
-    assert c.idle_time(0) == float("inf")
-    c.resume(0)
-    assert c.idle_time(0) == pytest.approx(7.0 + 1.1)
-    assert until(c, 9.0).position(0) == 20.0
-    assert len(c.log.moves) == 1
-    assert c.log.moves[0].profile is not None
-    assert c.log.moves[0].profile.duration == pytest.approx(8.1)
-
-
 def test_resumed_before_it_has_come_to_rest_the_axis_goes_on_from_its_speed() -> None:
     c = machine()
     c.move_to(0, 20.0)
@@ -47,15 +30,6 @@ def test_moves_started_while_suspended_wait_for_resume() -> None:
     c.resume(0)
     assert until(c, 5.2).position(0) == 20.0
     assert c.is_idle(0)
-
-
-def test_a_suspended_jog_takes_up_its_speed_again() -> None:
-    c = machine()
-    c.jog(0, -10.0)
-    until(c, 1.0).suspend(0)
-    assert until(c, 2.0).velocity(0) == 0.0
-    c.resume(0)
-    assert until(c, 3.0).velocity(0) == -10.0
 
 
 def test_stop_ends_what_is_suspended() -> None:

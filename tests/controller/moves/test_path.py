@@ -214,32 +214,6 @@ def test_an_arc_never_leaves_its_circle(
 # ------------------------------------------------------------------------------- stop, suspend, abort, faults
 
 
-def test_stop_on_any_axis_stops_all_on_the_path() -> None:
-    c = plane()
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.go([0])
-    until(c, 0.3).stop(1)
-    assert c.idle_time(0) == c.idle_time(1) == pytest.approx(0.4)
-    until(c, 3.0)
-    assert positions(c) == pytest.approx([1.8, 2.4])
-    assert [move.ended for move in c.log.moves] == ["stop", "stop"]
-    assert [c.room(axis) for axis in (0, 1)] == [20, 20]
-    assert (c.target(0), c.target(1)) == pytest.approx((180.0, 120.0))
-
-
-def test_suspend_and_resume_keep_the_line() -> None:
-    c = plane()
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.go([0])
-    until(c, 0.3).suspend(0)
-    assert positions(until(c, 2.0)) == pytest.approx([1.8, 2.4])
-    assert not c.is_idle(1)
-    c.resume(1)
-    assert c.idle_time(0) == pytest.approx(2.0 + 0.3)
-    assert positions(until(c, 4.0)) == [3.0, 4.0]
-
-
 def test_a_path_started_while_an_axis_is_suspended_waits() -> None:
     c = plane()
     c.suspend(1)
@@ -249,19 +223,6 @@ def test_a_path_started_while_an_axis_is_suspended_waits() -> None:
     assert not c.is_idle(0)
     c.resume(1)
     assert positions(until(c, 2.6)) == [3.0, 4.0]
-
-
-@pytest.mark.parametrize("how", ["abort", "disable"])
-def test_what_holds_one_axis_holds_all(how: str) -> None:
-    c = plane()
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.load_by(1, 100.0)
-    c.go([0])
-    getattr(until(c, 0.3), how)(1)
-    assert c.is_idle(0)
-    assert c.is_idle(1)
-    assert positions(until(c, 3.0)) == pytest.approx([1.5, 2.0])
-    assert [move.ended for move in c.log.moves] == ["cancel", "cancel"]
 
 
 def test_an_error_stop_uses_the_error_rate_of_the_master() -> None:
@@ -292,19 +253,6 @@ def test_a_path_without_speed_is_refused_with_its_line() -> None:
     with pytest.raises(Rejected) as rejected:
         c.go([0])
     assert (rejected.value.code, rejected.value.line) == ("zero-speed", 9)
-
-
-def test_a_limit_stops_the_path() -> None:
-    from motionlang.controller.triggers.limit import Limit
-
-    c = plane()
-    limit = Limit(c, 1, 1, 4, "stop")
-    c.axes[1].limits.append(limit)
-    limit.set_position(100.0)
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.go([0])
-    assert positions(until(c, 3.0)) == pytest.approx([1.5 + 0.3, 2.0 + 0.4])
-    assert c.faults(1) == 4
 
 
 # ------------------------------------------------------------------------------------------------ contours

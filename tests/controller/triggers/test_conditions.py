@@ -482,7 +482,33 @@ def test_an_error_of_no_direction_holds(name: str) -> None:
                     assert c.axes[0].velocity(END) == 0.0, where
 
 
+# A verb that ends a motion, where the axis comes to rest, and how the log calls it.
+ENDING = (("stop", "stop", "stop"), ("abort", "abort", "cancel"), ("disable", "abort", "cancel"))
 PLAYBACKS, REFUSING = ("spline",), ("cam", "fly")
+
+
+@pytest.mark.parametrize("name", KINDS)
+@cases("verb, action, ended", ENDING)
+def test_a_verb_ends_a_motion_and_all_that_waits_behind_it(
+    name: str, verb: str, action: str, ended: str
+) -> None:
+    kind, c = KINDS[name], machine(False)
+    kind.begin(c)
+    c.clock.advance(kind.moment)
+    free = free_at(kind, kind.moment, False)
+    expected = rest(kind, free, action)
+    if name in PLAYBACKS and verb == "stop":  # its playback slows down linearly within 0.1 s
+        expected = free_at(kind, kind.moment + 0.05, False).position
+    getattr(c, verb)(0)
+    c.clock.advance(END)
+    assert c.position(0) == pytest.approx(expected, abs=2e-3)
+    assert (c.velocity(0), c.is_idle(0), c.room(0), c.master_of(0)) == (0.0, True, 10, None)
+    assert c.target(0) == pytest.approx(c.position(0))
+    assert {move.ended for move in c.log.moves if move.axis == 0} <= {ended, "", "blend"}
+    assert next(move for move in reversed(c.log.moves) if move.axis == 0).ended == ended
+    c.enable(0)
+    c.clock.advance(END + 5.0)
+    assert c.is_idle(0)
 
 
 @pytest.mark.parametrize("name", KINDS)

@@ -119,16 +119,6 @@ def test_homing_on_a_limit_switch_is_no_error() -> None:
     assert c.faults(0) != 0  # and an error again afterwards
 
 
-def test_another_motion_ends_the_homing() -> None:
-    c = machine()
-    homing = Homing(c, 0, -1, 8.0, 0.8, 0.8)
-    c.clock.advance(0.5)
-    c.jog(0, -2.0)
-    c.clock.advance(60.0)
-    assert (homing.found, homing.state) == (False, "done")
-    assert c.velocity(0) == -2.0
-
-
 @pytest.mark.parametrize("command", ["JOG(0) = 2", "SPEEDREF(0) = 2", "JOG(1) = 2 : FOLLOW(0) = 1"])
 def test_another_motion_ends_the_homing_at_once(command: str) -> None:
     """It passes the mark at 10 at 2/s and goes on.

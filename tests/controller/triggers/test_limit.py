@@ -24,26 +24,6 @@ def limited(action: str, position: float = 6.0, physical: bool = False) -> tuple
     return c, limit
 
 
-@pytest.mark.parametrize(
-    ("action", "rest", "ended"),
-    [
-        ("ignore", 12.0, ""),
-        ("stop", 8.0, "fault"),
-        ("error-stop", 7.0, "fault"),
-        ("abort", 6.0, "fault"),
-        ("off", 6.0, "fault"),
-    ],
-)
-def test_a_limit_does_what_its_action_says(action: str, rest: float, ended: str) -> None:
-    c, _ = limited(action)
-    c.move_to(0, 12.0)
-    c.clock.advance(9.0)
-    assert c.position(0) == pytest.approx(rest)
-    assert c.log.moves[0].ended == ended
-    assert c.faults(0) == (0 if action == "ignore" else SOFT_LIMIT_FORWARD)
-    assert c.is_enabled(0) is (action != "off")
-
-
 def test_an_active_limit_stops_a_move_into_it_and_lets_one_out() -> None:
     c, limit = limited("abort")
     c.move_to(0, 12.0)
@@ -95,17 +75,6 @@ def test_a_new_zero_takes_the_axis_out_of_a_software_limit() -> None:
     c.move_to(0, -10.0)
     c.clock.advance(9.0)
     assert (c.position(0), c.faults(0)) == (-10.0, 0)
-
-
-def test_a_limit_that_is_only_a_switch() -> None:
-    c = machine()
-    limit = Limit(c, 0, +1, LIMIT_FORWARD, "error-stop", True)
-    c.axes[0].limits.append(limit)
-    c.move_to(0, 12.0)
-    c.clock.at(1.0, lambda: limit.set_active(True))
-    c.clock.advance(9.0)
-    assert c.position(0) == pytest.approx(6.0 + 8.0**2 / 64.0)
-    assert (c.faults(0), limit.active) == (LIMIT_FORWARD, True)
 
 
 def test_the_action_of_one_kind_of_limit() -> None:
