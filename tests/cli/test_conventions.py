@@ -11,20 +11,8 @@ from tests.cli.programs import Cell
 from tests.cli.test_old_names import ALL
 
 MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
-# Commands that print data, with what they need.
-PRINTING = {
-    "run": ("a.mnt",),
-    "profile": ("a.mnt",),
-    "prove": ("a.mnt",),
-    "check": ("a.mnt",),
-    "verify": ("a.mnt",),
-    "diff": ("a.mnt", "a.mnt"),
-    "sweep": ("a.mnt", "--vary", "rate=1,2", "--keep", "time"),
-    "plan": ("--distance", "20", "--time", "0.6", "--rule", "third"),
-    "keywords": ("SPEED",),
-    "notes": ("tn1069",),
-    "servo": ("slip", "--speed", "10", "--weight", "5"),
-}
+PLAN = ("--distance", "20", "--time", "0.6", "--rule", "third")
+SWEEP = ("a.mnt", "--vary", "rate=1,2", "--keep", "time")
 
 
 @pytest.fixture
@@ -48,23 +36,6 @@ def test_a_long_example_continues_after_a_backslash(cell: Cell, monkeypatch: pyt
     ) in cell("serve", "--help").out
 
 
-@pytest.mark.parametrize("verb", PRINTING)
-def test_o_writes_what_is_printed_into_a_file(verb: str, program: Cell) -> None:
-    line = (verb, *PRINTING[verb], "--format", "json")
-    printed = program(*line)
-    written = program(*line, "-o", "out.json")
-    assert (written.status, written.out, written.err) == (printed.status, "", printed.err)
-    text = (program.folder / "out.json").read_text(encoding="utf-8")
-    assert text == printed.out
-    assert json.loads(text)["schema"].startswith("motionlang.")
-
-
-def test_a_file_that_cannot_be_written_is_one_message(program: Cell) -> None:
-    ran = program("run", "a.mnt", "-o", "missing/out.txt")
-    assert (ran.status, ran.out) == (1, "")
-    assert "error[file]: missing/out.txt cannot be written: no such file or directory" in ran.err
-
-
 def test_a_wrong_command_line_leaves_the_old_file(program: Cell) -> None:
     path = program.write("out.json", "old")
     assert program("plan", "--distance", "20", "-o", "out.json").status == 2
@@ -73,9 +44,7 @@ def test_a_wrong_command_line_leaves_the_old_file(program: Cell) -> None:
 
 @pytest.mark.parametrize(("old", "new"), [("--report", "--format"), ("--json", "--format json")])
 def test_old_spellings_work_with_a_note(old: str, new: str, program: Cell) -> None:
-    given = (
-        ("run", "a.mnt", "--report", "json") if old == "--report" else ("plan", *PRINTING["plan"], "--json")
-    )
+    given = ("run", "a.mnt", "--report", "json") if old == "--report" else ("plan", *PLAN, "--json")
     ran = program(*given)
     assert ran.status == 0
     assert json.loads(ran.out)["schema"]
@@ -91,13 +60,6 @@ def test_q_prints_no_report(program: Cell) -> None:
 def test_a_proof_without_a_report_still_has_its_verdict(program: Cell) -> None:
     proof = program("prove", "a.mnt", "-q").out
     assert proof.startswith("5.0000\nproof: moves 1, profiles 1, joins 2, paths 0; no violations\n")
-
-
-def test_j_is_the_number_of_processes(program: Cell) -> None:
-    for verb in ("check", "verify", "sweep"):
-        ran = program(verb, "-j", "0", "a.mnt")
-        assert ran.status == 2
-        assert "argument -j/--jobs" in ran.err
 
 
 def test_capital_v_is_the_version(cell: Cell) -> None:
@@ -127,16 +89,10 @@ def test_without_a_path_this_folder_is_meant(
 
 def test_rows_of_a_sweep_as_json(program: Cell) -> None:
     """A move of 5 uu at 1 and 2 uu/s takes 5 s and 2.5 s; the ramps add v/a."""
-    ran = program("sweep", *PRINTING["sweep"], "--format", "json")
+    ran = program("sweep", *SWEEP, "--format", "json")
     rows = json.loads(ran.out)["rows"]
     assert [(row["variant"], row["rate"], row["problem"]) for row in rows] == [(0, 1, None), (1, 2, None)]
     accel = 40_000.0  # MintMT's default, counts/s²
     assert [row["time"] for row in rows] == [
         pytest.approx(5.0 / rate + rate / accel, abs=1e-4) for rate in (1.0, 2.0)
     ]
-
-
-def test_a_note_that_does_not_exist(cell: Cell) -> None:
-    ran = cell("notes", "x")
-    assert ran.status == 2
-    assert "there is no note x; choose tn1069, an00115 or chapter12" in ran.err

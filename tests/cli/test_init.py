@@ -156,13 +156,6 @@ def test_the_limits_are_there_to_fill_in(cell: Cell) -> None:
             "error[file]: old.machine.toml exists, and is not overwritten",
             "  hint: motionlang run old.prg runs the program with it",
         ),
-        ("none.prg", None, "error[file]: none.prg cannot be read: no such file or directory", ""),
-        (
-            "old.txt",
-            "PRINT 1\n",
-            "error[file]: unknown language of old.txt: no language has the extension .txt",
-            "  hint: add --dialect mint",
-        ),
     ],
 )
 def test_what_is_wrong_takes_two_lines(

@@ -169,7 +169,6 @@ def test_the_file_beside_the_program_says_what_the_line_does_not(stroke: Cell) -
         (("--vary", "rate=1", "--rows-to", "rows.xls"), "--rows-to writes .csv and .parquet files, not .xls"),
         (("--vary", "rate=1", "--rows-to", "no/rows.csv"), "there is no folder no"),
         (("--vary", "rate=1", "--resume"), "--resume needs --rows-to"),
-        (("--vary", "rate=1", "--jobs", "0"), "is not a whole number above 0"),
     ],
 )
 def test_what_the_command_line_lacks_is_reported(stroke: Cell, words: tuple[str, ...], message: str) -> None:
@@ -180,7 +179,6 @@ def test_what_the_command_line_lacks_is_reported(stroke: Cell, words: tuple[str,
 
 def test_what_cannot_be_read_is_reported(stroke: Cell) -> None:
     for words, message in (
-        (("no.mnt", "--vary", "a=1"), "no.mnt cannot be read"),
         (("stroke.mnt", "--machines", "nowhere"), "nowhere cannot be read"),
         (("stroke.mnt", "--machines", "empty"), "no machine files in empty"),
         (("wrong.mnt", "--vary", "a=1"), "error[unknown-word]"),

@@ -100,26 +100,6 @@ def test_a_wait_that_never_ends_names_the_option_that_ends_it(
     assert f"hint: {hint}" in ran.err
 
 
-@pytest.mark.parametrize(
-    ("option", "message", "hint"),
-    [
-        ("--input=2=5", '"5" is not a level of input 2: 0 or 1', "write 2=1@0.5, 2=1@0.5..0.9"),
-        ("--input=door=1", "the machine file names no input door", "write its number"),
-        ("--keys=R@x", '"x" is not a time', "write R@0.5"),
-    ],
-)
-@pytest.mark.parametrize("command", ["run", "sweep", "repl"])
-def test_what_is_wrong_takes_two_lines(
-    cell: Cell, command: str, option: str, message: str, hint: str
-) -> None:
-    cell.write("spool.mnt", SPOOL)
-    vary = ["--vary", "controller.axes=2,4"] if command == "sweep" else []
-    ran = cell(command, "spool.mnt", option, *vary)
-    first, second = ran.err.splitlines()
-    assert (ran.status, first) == (2, f"error[option]: {message}")
-    assert second.startswith(f"  hint: {hint}")
-
-
 def test_a_sweep_runs_every_variant_in_this_world(cell: Cell) -> None:
     cell.write("spool.mnt", SPOOL)
     vary = ("--vary", "controller.axes=2,4", "--keep", "time", "--format", "csv", "--jobs", "1")
