@@ -1,4 +1,4 @@
-"""Digital inputs of Mint against a sampling model, and errors in fault entries.
+"""Digital inputs of Mint against a sampling model, the log of outputs, and errors in fault entries.
 
 The fault entries are those of the machine file.
 """
@@ -87,3 +87,15 @@ End Sub
 
 def test_a_hidden_word_is_no_word() -> None:
     assert "(line)" not in DIALECT.table().names()
+
+
+def test_an_output_is_logged_as_1_or_0_when_it_changes() -> None:
+    text = "OUTX(5) = 7 : OUTX(5) = 1 : OUTX(6) = -1 : OUTX(5) = 0 : OUT(1) = 5"
+    result = run(Source("a.mnt", text), cache=False)
+    assert [(each.channel, each.value) for each in result.controller.log.outputs] == [
+        (5, 1),
+        (6, 1),
+        (5, 0),
+        (32, 1),
+        (34, 1),
+    ]
