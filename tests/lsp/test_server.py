@@ -13,7 +13,11 @@ from pygls.exceptions import JsonRpcException
 from tests.lsp.conftest import Editor, InOneServer, at, insertion, session
 from tests.lsp.wire import PROGRAM
 
-EDITORS = ("visual-studio-code", "neovim", "emacs")
+# One kind of client in the normal run; the others differ in their capabilities alone.
+EDITORS = (
+    "visual-studio-code",
+    *(pytest.param(name, marks=pytest.mark.slow) for name in ("neovim", "emacs")),
+)
 
 
 def changes_of(edit: types.WorkspaceEdit, uri: str) -> list[types.TextEdit]:
