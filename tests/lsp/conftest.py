@@ -19,6 +19,8 @@ from pytest_lsp import LanguageClient, client_capabilities, make_test_lsp_client
 # The longest time that a test waits for an answer, s; a loaded computer is slow.
 MAX_SECONDS = 120.0
 ROOT = Path(__file__).parents[2]
+# The commands of an editor, two of which have lenses.
+OPTIONS = {"commands": ["motionlang.run", "motionlang.debug", "motionlang.other"]}
 
 
 class Editor:
@@ -122,10 +124,12 @@ def in_one_server() -> Iterator[InOneServer]:
     """
     with asyncio.Runner() as runner:
         first = Editor(make_test_lsp_client(), "")
-        runner.run(asyncio.wait_for(start(first), MAX_SECONDS))
+        runner.run(asyncio.wait_for(start(first, options=OPTIONS), MAX_SECONDS))
 
         def use(work: Work, path: Path) -> None:
-            runner.run(asyncio.wait_for(work(Editor(first.client, path.as_uri())), MAX_SECONDS))
+            shown = Editor(first.client, path.as_uri())
+            shown.registered = first.registered
+            runner.run(asyncio.wait_for(work(shown), MAX_SECONDS))
 
         yield use
         assert runner.run(asyncio.wait_for(stop(first.client), MAX_SECONDS)) == 0

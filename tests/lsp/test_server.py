@@ -125,7 +125,9 @@ def test_a_program_is_checked_with_the_machine_file_next_to_it(
     in_one_server(work, tmp_path / "a.mnt")
 
 
-def test_a_machine_file_that_changes_on_disk_checks_the_program_again(tmp_path: Path) -> None:
+def test_a_machine_file_that_changes_on_disk_checks_the_program_again(
+    in_one_server: InOneServer, tmp_path: Path
+) -> None:
     """The editor is asked to report changes of such files. The move ends at 500."""
     machine = tmp_path / "a.machine.toml"
 
@@ -139,7 +141,7 @@ def test_a_machine_file_that_changes_on_disk_checks_the_program_again(tmp_path: 
             client.client.workspace_did_change_watched_files(types.DidChangeWatchedFilesParams([event]))
             assert [each.code for each in await client.diagnostics()] == codes
 
-    assert session(work, tmp_path) == 0
+    in_one_server(work, tmp_path / "a.mnt")
 
 
 def test_a_machine_file_in_latin_1_is_read_as_a_run_reads_it(
@@ -200,14 +202,13 @@ def test_positions_are_in_units_of_utf_16(in_one_server: InOneServer, tmp_path: 
     in_one_server(work, tmp_path / "a.mnt")
 
 
-def test_lenses_are_for_editors_that_have_their_commands(tmp_path: Path) -> None:
+def test_lenses_are_for_editors_that_have_their_commands(in_one_server: InOneServer, tmp_path: Path) -> None:
     async def work(client: Editor) -> None:
         await client.open("Print 1\n")
         lenses = await client.client.text_document_code_lens_async(types.CodeLensParams(client.document))
         assert [each.command.title for each in lenses or () if each.command] == ["run", "debug"]
 
-    options = {"commands": ["motionlang.run", "motionlang.debug", "motionlang.other"]}
-    assert session(work, tmp_path, options=options) == 0
+    in_one_server(work, tmp_path / "a.mnt")
 
 
 def test_tokens_are_sent_whole_and_as_a_difference(in_one_server: InOneServer, tmp_path: Path) -> None:
