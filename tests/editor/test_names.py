@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.editor import navigation
 from motionlang.editor.hover import hover
-from motionlang.editor.navigation import Refused, Symbol
+from motionlang.editor.navigation import Refused
 from motionlang.mint.syntax.tables import TABLES
 from tests.cases import cases
 from tests.editor.pages import at_cursor, page
@@ -129,29 +129,6 @@ def test_what_is_no_name_is_refused(name: str) -> None:
     with pytest.raises(Refused) as refused:
         navigation.rename(*at_cursor("x| = 1\nPrint x\n"), name)
     assert str(refused.value) == f"{name} is not a name: use letters, digits and _, and no keyword"
-
-
-def test_the_outline_has_blocks_with_their_declarations() -> None:
-    def names(symbols: list[Symbol]) -> list[object]:
-        return [
-            (each.kind, each.name, names(each.inner)) if each.inner else (each.kind, each.name)
-            for each in symbols
-        ]
-
-    text = (
-        PROGRAM + "Type Job\n  Dim size As Float\nEnd Type\nTask t\n  Sub s\n    Dim a\n  End Sub\nEnd Task\n"
-    )
-    assert names(navigation.symbols(page(text))) == [
-        ("constant", "limit"),
-        ("variable", "count"),
-        ("sub", "Travel"),
-        ("type", "Job", [("member", "size")]),
-        ("task", "t", [("sub", "s", [("variable", "a")])]),
-    ]
-
-
-def test_blocks_and_comments_fold() -> None:
-    assert navigation.folds(page(PROGRAM)) == [(3, 4, True), (5, 7, False)]
 
 
 def test_offsets_are_found_when_a_position_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:

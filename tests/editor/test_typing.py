@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from motionlang.editor.completion import Item, complete
-from motionlang.editor.signature import signature
 from tests.cases import cases
 from tests.editor.pages import at_cursor
 
@@ -168,30 +167,6 @@ def test_a_keyword_gets_the_case_that_was_begun() -> None:
 def test_brackets_that_are_there_are_not_added_again() -> None:
     for text in ("SPEE|(0) = 3\n", "SPEE|[0] = 3\n", "SPEE|.0 = 3\n", "SPEE|D = 3\n", "SPEE|_ = 3\n"):
         assert {each.snippet for each in proposed(text) if each.label == "SPEED"} == {""}, text
-
-
-# A text with the cursor, the signature there, and the number of the parameter.
-SIGNATURES = (
-    (SUBS + "Spin(|\n", "Sub Spin(turns As Float, n As Float)", 0),
-    (SUBS + "Spin(POS(0), |\n", "Sub Spin(turns As Float, n As Float)", 1),
-    (SUBS + "Spin(POS(|\n", "POS(axis) = user units", 0),
-    (SUBS + "Spin(1, 2, |\n", "Sub Spin(turns As Float, n As Float)", -1),
-    ("SPEED(|\n", "SPEED(axis) = user units/s", 0),
-    ("IDLE(|\n", "IDLE(axis)", 0),
-)
-
-
-@cases("text, wanted, active", SIGNATURES)
-def test_the_signature_is_that_of_the_innermost_call(text: str, wanted: str, active: int) -> None:
-    shown = signature(*at_cursor(text))
-    assert shown is not None
-    assert (shown.text, shown.active) == (wanted, active)
-
-
-def test_no_call_has_no_signature() -> None:
-    assert signature(*at_cursor("x = (|\n")) is None
-    assert signature(*at_cursor("GO(0) |\n")) is None
-    assert signature(*at_cursor("' SPEED(|\n")) is None
 
 
 @pytest.mark.parametrize(

@@ -84,6 +84,10 @@ OUTLINES: tuple[tuple[str, str, list[object]], ...] = (
         ("Startup", "startup", "", "Startup\nPrint 2\nEnd Startup", []),
         ("top", "label", "", "top", []),
     ]),
+    ("mint", "Type Job\n  Dim size As Float\nEnd Type\nTask t\n  Sub s\n  End Sub\nEnd Task", [
+        ("Job", "type", "", "Type Job\n  Dim size As Float\nEnd Type", [("size", "member", "Float", "size", [])]),
+        ("t", "task", "", "Task t\n  Sub s\n  End Sub\nEnd Task", [("s", "sub", "", "Sub s\n  End Sub", [])]),
+    ]),
     ("mccl", "MD3,1MR100\nMD4,1WS\nMC5\nAL1,AR2", [
         ("3", "macro", "", "MD3,1MR100", []), ("4", "macro", "", "MD4,1WS", []),
     ]),
@@ -122,6 +126,8 @@ CALLS: tuple[tuple[str, str, list[str], int], ...] = (
     (f"{TWO}S(|", "Sub S(a As Float, b As Float)", ["a As Float", "b As Float"], 0),
     (f"{TWO}S(1 + (2), |", "Sub S(a As Float, b As Float)", ["a As Float", "b As Float"], 1),
     (f"{TWO}S(1, 2, |", "Sub S(a As Float, b As Float)", ["a As Float", "b As Float"], -1),
+    (f"{TWO}S(POS(0), |", "Sub S(a As Float, b As Float)", ["a As Float", "b As Float"], 1),
+    (f"{TWO}S(POS(|", "POS(axis) = user units", ["axis"], 0),
     ("Sub S()\nEnd Sub\nS(|", "Sub S()", [], -1),
     ("Function F(a) As Float\nEnd Function\nx = F(|", "Function F(a As Float) As Float", ["a As Float"], 0),
     ("  SPEED (|", "SPEED(axis) = user units/s", ["axis"], 0),
@@ -139,6 +145,8 @@ NO_CALLS = (
     "SPEED(0) + (1, |",
     "TIME(|",
     "None(|",
+    "GO(0) |",
+    "' SPEED(|",
 )
 
 
