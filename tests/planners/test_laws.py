@@ -11,19 +11,20 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.planners import Profile, plan, plan_jerk, plan_stop, plan_trapezoid, plan_velocity
 from motionlang.planners.curve import relabelled
 from motionlang.planners.reference import Slope, plan_reference
-from tests.cases import cases
-from tests.planners.cases import SHAPES, Move, integrated, moves, quick, sizes
+from tests.cases import cases, examples
+from tests.planners.cases import SHAPES, Move, integrated, moves, sizes
 from tests.planners.verify import verify
 
 velocities = st.floats(-1000.0, 1000.0).map(lambda v: v if abs(v) > 1e-60 else 0.0)
 rates, edges = st.floats(10.0, 1e5), st.floats(1e-3, 2.0)
 RATIO, JERK = 0.2, 2000.0
+few = settings(max_examples=examples(80))
 
 
 class Plan(NamedTuple):
@@ -211,7 +212,7 @@ def takes_the_time_of_the_closed_form(each: Plan) -> None:
 
 @pytest.mark.parametrize("planner", PLANNERS)
 def test_a_planner_obeys_the_laws(planner: str) -> None:
-    @quick
+    @few
     @given(PLANNERS[planner])
     def check(each: Plan) -> None:
         keeps_its_limits_and_arrives(each)
