@@ -91,6 +91,14 @@ def test_json_has_the_mistakes_too(cell: Cell) -> None:
     ]
 
 
+def test_json_of_a_file_that_cannot_be_read_has_the_mistake(cell: Cell) -> None:
+    assert json.loads(cell("run", "none.mcl", "--format", "json").out)["diagnostics"][0]["code"] == "file"
+
+
+def test_a_folder_is_no_program(cell: Cell) -> None:
+    assert cell("run", ".").err == "error[file]: . cannot be read: is a directory\n"
+
+
 def test_a_suffix_that_no_dialect_owns(cell: Cell) -> None:
     cell.write("pick.txt", BALLSCREW)
     ran = cell("run", "pick.txt")

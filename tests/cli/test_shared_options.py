@@ -46,6 +46,7 @@ WRONG = (
     ("--dialect basic", "argument --dialect: 'basic' is not one of "),
     ("--jobs 0", "argument -j/--jobs: '0' is not a "),
     ("--until x", "argument --until: 'x' is not a time in seconds, 0 or more"),
+    ("--until=-1", "argument --until: '-1' is not a time in seconds, 0 or more"),
     ("--until inf", "argument --until: 'inf' is not a time in seconds, 0 or more"),
     (
         "--input=2=5",
