@@ -349,6 +349,8 @@ def _tail(run: Run) -> Row:
         "diagnostics": [diagnostic.as_dict() for diagnostic in run.diagnostics],
         "notes": list(run.notes),
     }
+    if run.quantities:
+        tail["quantities"] = [{"name": name, "value": value} for name, value in run.quantities.items()]
     if run.controller.log.dropped:
         tail["dropped"] = [
             {"axis": move.axis, "command": move.command, "line": move.line, "reason": move.ended}

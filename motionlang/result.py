@@ -44,6 +44,8 @@ class Run:
         self.time: float = 0.0
         self.diagnostics: list[Diagnostic] = []
         self.notes: list[str] = []
+        # The quantities that a caller has asked for, by name.
+        self.quantities: dict[str, float | str | bool | None] = {}
         # An internal error, which ended the run.
         self.crash: Exception | None = None
         self.program: Program | None = None  # the compiled source

@@ -39,6 +39,7 @@ LEVELS: dict[str, int] = {
     "analysis.sweeps": 11,
     "analysis.scenarios": 11,
     "execution": 10,
+    "analysis.quantities": 10,
     "analysis.cycle": 9,
     "analysis.compare": 8,
     "report": 7,

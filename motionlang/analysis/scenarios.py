@@ -10,6 +10,7 @@ import os
 from collections.abc import Mapping
 from math import inf
 
+from motionlang.analysis.quantities import unit_of, values_of
 from motionlang.execution import machine_of, run
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.layers import layered
@@ -82,6 +83,8 @@ def _unmet(result: Run, entry: Entry) -> str:
     if "time" in entry:
         what = f"the run {_ended(result)} at {result.time:.6f} s"
         return _off(what, result.time, entry, "time", "s")
+    if "quantity" in entry:
+        return _unmet_quantity(result, entry)
     if "position" in entry:
         return _unmet_position(result, entry)
     if "event" in entry or "never_event" in entry:
@@ -101,6 +104,24 @@ def _unmet_position(result: Run, entry: Entry) -> str:
     counts = a.position(at) if motor is None or at < result.time else motor.position
     position = a.scale.position_to_user(counts)
     return _off(f"axis {axis} is at {position:.6f} at {at:.6f} s", position, entry, "position", "uu")
+
+
+def _unmet_quantity(result: Run, entry: Entry) -> str:
+    name = str(entry["quantity"])
+    try:
+        found = values_of(result, [name])[name]
+    except ValueError as error:
+        return str(error)
+    if not isinstance(found, (int, float)):
+        return f"{name} has no number in this run"
+    if "value" in entry and (text := _off(f"{name} is {found:.6g}", found, entry, "value", unit_of(name))):
+        return text
+    low, high = entry.get("at_least", -inf), entry.get("at_most", inf)
+    assert isinstance(low, (int, float))
+    assert isinstance(high, (int, float))
+    if found < low:
+        return f"{name} is {found:.6g}, below {low:.10g}"
+    return f"{name} is {found:.6g}, above {high:.10g}" if found > high else ""
 
 
 def _off(what: str, found: float, entry: Entry, name: str, unit: str) -> str:

@@ -16,13 +16,14 @@ from motionlang.analysis.diff.charged import Charge, charged
 from motionlang.analysis.diff.literals import ChangedLiteral, changed_literals
 from motionlang.analysis.diff.reports import checked, difference
 from motionlang.analysis.diff.tolerance import Tolerance
+from motionlang.analysis.quantities import values_of
 from motionlang.cli.compare import add_mapping, compare_with
 from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.dialect_option import add_dialect
 from motionlang.cli.format_options import add_format
 from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import set_values
-from motionlang.cli.numbers import machine_time
+from motionlang.cli.numbers import machine_time, quantity_names
 from motionlang.cli.output_files import written
 from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.cli.signals import SIGNALS
@@ -59,16 +60,21 @@ GROUPS = {
     "program": "dialect",
     "two sides": "machine-a set-a variant-a machine-b set-b variant-b until",
     "recording": "map delay",
-    "report": "format output all tolerance",
+    "report": "format output all keep tolerance",
     "pictures": "plot",
 }
 
+
+# The name of a quantity, and its value in both runs.
+Compared = tuple[str, object, object]
 
 _OPTIONS = (
     option("--tolerance", "WHAT=SIZE", "ignore smaller differences: time=1ms, position=0.01uu, speed=2%%; may be "
            "repeated", action="append", default=[]),
     option("--until", "S", "end the runs after S seconds of machine time", machine_time),
     option("--plot", "PAGE", "draw both runs into an .html page"),
+    option("--keep", "NAME,…", "quantities to compare, such as peak.0 or cycle(12); motionlang sweep --help lists all",
+           quantity_names, default=()),
     flag("--all", "list every difference, not only the first ones of each kind"),
 )  # fmt: skip
 
@@ -147,10 +153,19 @@ def diff_command(arguments: argparse.Namespace) -> int:
         ran = old_run.program is not None and new_run.program is not None
         charges = charged(old_run, new_run) if ran and found.time is not None else []
         changed = changed_literals(old_run, new_run)
+    if arguments.keep and (old_run is None or new_run is None):
+        parser.error("--keep needs two runs, but one side is a report")
+    kept: list[Compared] = []
+    if old_run is not None and new_run is not None:
+        new_values = values_of(new_run, arguments.keep)
+        kept = [(name, old, new_values[name]) for name, old in values_of(old_run, arguments.keep).items()]
     if arguments.format == "json":
-        sys.stdout.write(json.dumps(_data(found, diverged, charges, changed), default=vars) + "\n")
+        data = _data(found, diverged, charges, changed)
+        if kept:
+            data["quantities"] = [dict(zip(("name", "old", "new"), each, strict=True)) for each in kept]
+        sys.stdout.write(json.dumps(data, default=vars) + "\n")
     else:
-        _print(found, diverged, charges, changed, arguments.all)
+        _print(found, diverged, charges, changed, arguments.all, kept)
     status = 0 if found.same else 1
     if arguments.plot is not None:
         status = max(status, _plot(old_run, new_run, arguments.plot, parser))
@@ -301,14 +316,19 @@ def _data(
 
 
 def _print(
-    found: Any, diverged: Any, charges: Sequence[Charge], changed: Sequence[ChangedLiteral], everything: bool
+    found: Any,
+    diverged: Any,
+    charges: Sequence[Charge],
+    changed: Sequence[ChangedLiteral],
+    everything: bool,
+    kept: Sequence[Compared],
 ) -> None:
-    from motionlang.views.diff import MAX_LINES, diff_lines, literal_lines
+    from motionlang.views.diff import MAX_LINES, diff_lines, literal_lines, quantity_lines
     from motionlang.views.terminal import draws, plain, wants_colour
 
     most = 1_000_000 if everything else MAX_LINES
     lines = diff_lines(found, diverged, charges, colour=wants_colour(sys.stdout), most=most) or [
         "no difference"
     ]
-    text = "\n".join([*literal_lines(changed, most), *lines]) + "\n"
+    text = "\n".join([*literal_lines(changed, most), *quantity_lines(kept), *lines]) + "\n"
     sys.stdout.write(text if draws(sys.stdout) else plain(text).replace("→", "->"))

@@ -40,3 +40,16 @@ def whole(what: str, low: int, high: int) -> Callable[[str], int]:
 
 
 machine_time = real("a time in seconds, 0 or more", 0.0)
+
+
+def quantity_names(text: str) -> tuple[str, ...]:
+    """Return the names of quantities of a run, separated by commas."""
+    from motionlang.analysis.quantities import quantity
+
+    names = tuple(each.strip() for each in text.split(","))
+    try:
+        for name in names:
+            quantity(name)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+    return names

@@ -52,6 +52,8 @@ class Options:
         self.paths = False
         self.profile_to: str | None = None
         self.certify = False
+        # Quantities of the report, by the names of analysis.quantities.
+        self.keep: tuple[str, ...] = ()
         self.show_code = self.show_tree = False
         # Gigabytes that the log may take on the disk; None for the default.
         self.log_size: float | None = None

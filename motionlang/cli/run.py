@@ -120,6 +120,10 @@ def _report_outcome(result: Run, options: Options) -> int:
         result.diagnostics.append(
             _crash(result.crash, options, result.source if options.file == STDIN else None)
         )
+    if options.keep:
+        from motionlang.analysis.quantities import values_of
+
+        result.quantities = values_of(result, options.keep)
     proof = _proof(result)
     if proof is not None:
         result.diagnostics += proof.violations

@@ -10,7 +10,7 @@ from motionlang.cli.complaints import refuse
 from motionlang.cli.event_status import ALLOWED
 from motionlang.cli.format_options import add_format
 from motionlang.cli.machine_options import add_machine, set_values
-from motionlang.cli.numbers import machine_time, real
+from motionlang.cli.numbers import machine_time, quantity_names, real
 from motionlang.cli.options import CPU, PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
 from motionlang.cli.output_files import refused, wrong_target
 from motionlang.cli.parser import Commands, add_all, add_command, arrange, either, flag, option
@@ -42,7 +42,7 @@ examples:
 
 GROUPS = {
     "program": "dialect machine set",
-    "report": "format quiet output all paths profile profile-to",
+    "report": "format quiet output all keep paths profile profile-to",
     "time": "until cpu realtime",
     "checks": "prove certify allow",
     "trace": "trace rate columns trajectory-points trajectory-rate",
@@ -149,6 +149,8 @@ _OPTIONS = (
     option("--allow", "KIND,…", "events that do not make the exit status 1: limit, soft-limit, following-error, fault "
            "or all", _allowed, default=frozenset()),
     flag("--prove", "verify the motion against the commanded limits; exit 1 on a violation"),
+    option("--keep", "NAME,…", "quantities to report, such as peak.0 or cycle(12), the median time between moves of "
+           "line 12; motionlang sweep --help lists all", quantity_names, default=()),
     flag("--paths", "list the paths of several axes: length, path speed, corner angle and the reason for each stop"),
     flag("--profile", "show where the time goes, by cause, line and sub, along the critical path"),
     option("--profile-to", "FILE", "write the time profile into FILE: .json, .trace.json (Perfetto) or "

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from motionlang.analysis.sweeps.quantities import ROWS
+from motionlang.analysis.quantities import ROWS
 from motionlang.cli.format_options import add_format
 from motionlang.cli.machine_options import add_machine
 from motionlang.cli.numbers import machine_time, whole

@@ -8,10 +8,11 @@ import sys
 from math import inf
 from typing import TYPE_CHECKING, Any
 
+from motionlang.analysis.quantities import unit_of
 from motionlang.analysis.sweeps.expression import Expression, pareto
-from motionlang.analysis.sweeps.quantities import unit_of
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.errors import Diagnostic
+from motionlang.execution import end_of
 
 if TYPE_CHECKING:
     import argparse
@@ -72,10 +73,21 @@ class Report:
         if arguments.format == "table" and rows:
             self._print(arguments.rows, cells, good, best, front)
         sys.stdout.flush()
+        self._note_limit(sweep, good)
         if bad:
             self._report_failures(sweep, bad, len(rows))
         status = self._draw(arguments, good, best, front) if arguments.plot is not None else 0
         return 1 if bad else status
+
+    def _note_limit(self, sweep: Sweep, good: Good) -> None:
+        """Say that every variant ran to the time limit, so that its time compares nothing."""
+        limit = sweep.job.until if sweep.job.until is not None else end_of(sweep.job.settings)
+        has_cycle = any(name.startswith("cycle(") for name in self.keep)
+        if not has_cycle and len(good) > 1 and all(values.get("time") == limit for values in good.values()):
+            sys.stderr.write(
+                f"note: every variant ran to the time limit of {limit:.10g} s; compare a cycle instead: "
+                'cycle(LINE), "cycle(output N)" or "cycle(print TEXT)"\n'
+            )
 
     @property
     def _wanted(self) -> Expression | None:

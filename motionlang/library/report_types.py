@@ -147,6 +147,13 @@ class ReportPhase(TypedDict):
     distance: float
 
 
+class ReportQuantity(TypedDict):
+    """The object `quantity` of the schema."""
+
+    name: str
+    value: float | str | bool | None
+
+
 class ReportTerminal(TypedDict):
     """The object `terminal` of the schema."""
 
@@ -209,6 +216,8 @@ class Report(dict[str, object]):
         @overload
         def __getitem__(self, name: Literal["notes"], /) -> list[str]: ...
         @overload
+        def __getitem__(self, name: Literal["quantities"], /) -> list[ReportQuantity]: ...
+        @overload
         def __getitem__(self, name: Literal["certificate"], /) -> list[ReportLimit]: ...
         @overload
         def __getitem__(self, name: Literal["dropped"], /) -> list[ReportDropped]: ...
@@ -223,6 +232,8 @@ class Report(dict[str, object]):
         def __getitem__(self, name: str, /) -> object: ...
 
         @overload  # type: ignore[override]
+        def get(self, name: Literal["quantities"], default: None = ..., /) -> list[ReportQuantity] | None: ...
+        @overload
         def get(self, name: Literal["certificate"], default: None = ..., /) -> list[ReportLimit] | None: ...
         @overload
         def get(self, name: Literal["dropped"], default: None = ..., /) -> list[ReportDropped] | None: ...

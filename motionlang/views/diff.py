@@ -229,3 +229,19 @@ def _print(old: int | None, new: int | None, was: str, is_: str) -> str:
     if new is None:
         return f"missing: printed line {old}, {printable(was)!r}"
     return f"printed line {new}: {printable(was)!r} → {printable(is_)!r}"
+
+
+def quantity_lines(kept: Sequence[tuple[str, object, object]]) -> list[str]:
+    """Return a line for each quantity of two runs: name, both values, and the change of a number."""
+    lines = []
+    for name, old, new in kept:
+        change = ""
+        if isinstance(old, float) and isinstance(new, float):
+            percent = f", {_percent(100.0 * (new - old) / old)} %" if old else ""
+            change = f" ({new - old:+.6g}{percent})"
+        lines.append(f"{name}: {_shown(old)} → {_shown(new)}{change}")
+    return lines
+
+
+def _shown(value: object) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else "none" if value is None else printable(str(value))

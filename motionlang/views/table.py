@@ -120,8 +120,16 @@ def render(
         sections.append(_axes(axes, width, colour))
     if writes := writes_of(run):
         sections.append(written(writes, width, colour))
+    if run.quantities:
+        sections.append([f"{name}: {_quantity(value)}" for name, value in run.quantities.items()])
     sections += [[f"{styled('note:', 'note', colour)} {printable(each)}"] for each in run.notes]
     return "\n\n".join("\n".join(section) for section in sections) + "\n"
+
+
+def _quantity(value: float | str | bool | None) -> str:
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    return "does not occur twice" if value is None else printable(str(value))
 
 
 class _Total:

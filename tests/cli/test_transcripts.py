@@ -108,6 +108,11 @@ FILES = {
     "lost.mnt": "MR0 = 10 : GO0\nPAUSE IDLE(0)\n",
     "screen.mnt": 'PRINT "a";\nCLS\nLOCATE 3, 4\nPRINT "x"\n',
     "both.prg": "SPEED[0,1] = 100, 50\nACCEL[0,1] = 1000, 500\nMOVER[0,1] = 10, 20\nGO[0,1]\nPAUSE IDLE[0,1]\n",
+    "shift.mnt": (
+        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nLoop\n  OUTX(1) = 1\n  MOVER(0) = 50 : GO(0)\n"
+        '  PAUSE IDLE(0)\n  OUTX(1) = 0\n  PRINT "done ", POS(0)\n  WAIT = 100\nEnd Loop\n'
+    ),
+    "shift.machine.toml": 'run.until = 5\n[[expect]]\nquantity = "cycle(4)"\nat_most = 0.6\n',
     "waits.mnt": "PAUSE INX(3)\nPRINT TIME\n",
     "idle.mnt": "GO3\nPRINT 1\n",
     "one.mnt": "Print “x”\n",

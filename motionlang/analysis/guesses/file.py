@@ -9,7 +9,7 @@ import json
 import os
 
 from motionlang.analysis.guesses import answer_entry
-from motionlang.analysis.sweeps.quantities import quantity
+from motionlang.analysis.quantities import quantity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -8,9 +8,9 @@ from __future__ import annotations
 import os
 
 from motionlang.analysis.cores import cores
+from motionlang.analysis.quantities import quantity
 from motionlang.analysis.sweeps.job import Job
 from motionlang.analysis.sweeps.pool import Hand
-from motionlang.analysis.sweeps.quantities import quantity
 from motionlang.analysis.sweeps.space import Space, space_of
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_for, settings_next_to
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor
     from typing import Any
 
+    from motionlang.analysis.quantities import ResultValue
     from motionlang.analysis.sweeps.job import Problem, Result
-    from motionlang.analysis.sweeps.quantities import ResultValue
     from motionlang.analysis.sweeps.space import Value
     from motionlang.lang.dialect import Dialect
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 
+from motionlang.analysis.quantities import quantity
 from motionlang.analysis.sweeps.expression import Expression
 from motionlang.analysis.sweeps.job import MACHINE, SCENARIO
-from motionlang.analysis.sweeps.quantities import quantity
 from motionlang.analysis.sweeps.space import Dimension, Drawn, Grid, Space, dimension, read_value
 from motionlang.errors import Diagnostic, ProgramError, nearest, shown
 from motionlang.lang.machine.file import read_machine, read_toml

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Mapping
 from math import inf
 
-_NAME = re.compile(r"""("[^"]*"|'[^']*')|(?<![\w.])([A-Za-z_]\w*(?:\.\w+)*)""")
+_NAME = re.compile(r"""("[^"]*"|'[^']*')|(?<![\w.])(cycle\([^()]*\)(?:\.\w+)?|[A-Za-z_]\w*(?:\.\w+)*)""")
 _WORDS = frozenset(("and", "or", "not", "True", "False"))
 _OPERATORS: dict[type, Callable[..., object]] = {
     ast.Add: operator.add,

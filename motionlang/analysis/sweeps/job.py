@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from hashlib import sha256
 
-from motionlang.analysis.sweeps.quantities import quantity
+from motionlang.analysis.quantities import quantity
 from motionlang.errors import Diagnostic, ProgramError, missing
 from motionlang.execution import accelerators, run
 from motionlang.lang.dialect import dialect
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from typing import Any
 
-    from motionlang.analysis.sweeps.quantities import ResultValue
+    from motionlang.analysis.quantities import ResultValue
     from motionlang.analysis.sweeps.space import Value
     from motionlang.lang.program import Program
     from motionlang.result import Run

@@ -305,6 +305,8 @@ def _expect_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, st
             yield f"{name} of [[expect]] has no effect on {what[0]}", TABLES["expect"][name][1], name
     if what[0] == "position" and "axis" not in entry:
         yield "[[expect]] needs the axis of the position", "add axis = N", "position"
+    if what[0] == "quantity" and not {"value", "at_least", "at_most"} & entry.keys():
+        yield "[[expect]] needs the value of the quantity", "add value, at_least or at_most", "quantity"
 
 
 def _written_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:

@@ -273,7 +273,14 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "position": ("number", "The position of the axis at the end of the run, in user units."),
         "at": ("time", "Instead: the position of the axis at this time, in seconds."),
         "time": ("time", "The time at which the run ends, in seconds."),
-        "within": ("positive", "The tolerance of the position or the time. Default 1e-6."),
+        "quantity": (
+            "text",
+            "A quantity of the run, such as cycle(12) or peak.0; `motionlang sweep --help` lists all.",
+        ),
+        "value": ("number", "The value of the quantity."),
+        "at_least": ("number", "The least value of the quantity."),
+        "at_most": ("number", "The greatest value of the quantity."),
+        "within": ("positive", "The tolerance of the position, the time or the value. Default 1e-6."),
         "status": ("outcome", "Status at the end of the run: ended, until or fault."),
         "diagnostic": ("text", "The code of an error that the run ends with, such as never."),
     },
@@ -286,6 +293,7 @@ EXPECTED: dict[str, tuple[str, ...]] = {
     "never_event": ("after", "before", "axis"),
     "position": ("axis", "at", "within"),
     "time": ("within",),
+    "quantity": ("value", "at_least", "at_most", "within"),
     "status": (),
     "diagnostic": (),
 }

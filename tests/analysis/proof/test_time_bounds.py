@@ -21,11 +21,38 @@ from motionlang.analysis.proof.time_bounds import (
     rounding,
     top_speed,
 )
-from motionlang.planners import plan, plan_jerk, plan_velocity
-from tests.planners.test_states import State
+from motionlang.planners import Profile, plan, plan_jerk, plan_velocity
 
 COUNT = int(os.environ.get("MOTIONLANG_LONG", "2000"))
 PMC = ("sinusoidal", "parabolic", "scurve")
+
+
+class State:
+    """A random state and target, over orders of magnitude.
+
+    The acceleration is one that occurs in a ramp.
+    """
+
+    def __init__(self, choose: Random, shape: str) -> None:
+        self.shape = shape
+        self.speed = 10.0 ** choose.uniform(-1.0, 4.0)
+        self.rates = [self.speed * 10.0 ** choose.uniform(-1.0, 2.0) for _ in range(2)]
+        self.jerks = [rate * 10.0 ** choose.uniform(-0.5, 2.5) for rate in self.rates]
+        self.v0 = choose.uniform(-1.5, 1.5) * self.speed * (choose.random() < 0.8)
+        self.a0 = 0.0
+        if shape == "scurve" and choose.random() < 0.7:
+            self.a0 = choose.choice((-1.0, 1.0)) * choose.random() * min(self.rates)
+            # Less than would carry the velocity through rest.
+            jerk = self.jerks[self.a0 * self.v0 < 0.0]
+            if self.a0 * self.v0 < 0.0 and self.a0 * self.a0 > 2.0 * jerk * abs(self.v0):
+                self.a0 = 0.0
+        self.start = choose.uniform(-1.0, 1.0) * self.speed
+        self.target = self.start + choose.choice((1.0, 10.0, 0.01)) * choose.uniform(-3.0, 3.0) * self.speed
+
+    def planned(self) -> Profile:
+        jerks = self.jerks if self.shape == "scurve" else [float("inf")] * 2
+        rates, numbers = self.rates, (self.start, self.target, self.speed)
+        return plan(self.shape, *numbers, rates[0], rates[1], self.v0, 0.0, jerks[0], jerks[1], self.a0)
 
 
 @pytest.mark.parametrize("shape", ["trapezoid", "scurve"])

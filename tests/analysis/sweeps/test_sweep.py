@@ -14,9 +14,9 @@ import pytest
 
 import motionlang
 from motionlang.analysis.cores import cores
+from motionlang.analysis.quantities import quantity
 from motionlang.analysis.sweeps import Sweep
 from motionlang.analysis.sweeps import pool as pools
-from motionlang.analysis.sweeps.quantities import quantity
 from motionlang.errors import ProgramError
 from motionlang.source import Source
 

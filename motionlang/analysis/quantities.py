@@ -7,8 +7,9 @@ in the language; `K` is a line that the program printed, counted from 1.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
+from motionlang.analysis.cycle.periods import FORM, HELP, cycle_of
 from motionlang.record import record
 from motionlang.result import Run
 
@@ -98,6 +99,9 @@ ROWS = (
     Quantity("torque.N", "N m", "largest torque of that motor", _motor("torque")),
     Quantity("rms_torque.N", "N m", "RMS torque over the run", _motor("torque", True)),
     Quantity("output.N", "V", "largest output to that motor", _motor("output")),
+    Quantity("cycle(…)", "s", "median time between moves or waits of a line: cycle(12); between an output's being "
+             "switched on: cycle(output 3); between lines with a text: cycle(print placed); or .least, .most, .count",
+             lambda run, n: None),
     Quantity("margin", "", "smallest margin of [axis.N.limits], as a fraction of the limit", _margin),
 )  # fmt: skip
 _BY_NAME = {row.name.partition(".")[0] + ("." if "." in row.name else ""): row for row in ROWS}
@@ -108,6 +112,8 @@ def quantity(name: str) -> tuple[Quantity, int]:
 
     Raises ValueError with a hint if the name is unknown.
     """
+    if name.startswith("cycle("):
+        return _cycle(name), 0
     stem, dot, number = name.partition(".")
     row = _BY_NAME.get(stem + dot)
     if row is not None and (not dot or (number.isascii() and number.isdigit() and len(number) < 10)):
@@ -117,6 +123,18 @@ def quantity(name: str) -> tuple[Quantity, int]:
     near = nearest(name, [each.name for each in ROWS])
     hint = f"did you mean {near}?" if near else f"there are {', '.join(each.name for each in ROWS)}"
     raise ValueError(f"a run has no {name}; {hint}")
+
+
+def values_of(run: Run, names: Iterable[str]) -> dict[str, ResultValue]:
+    """Return results of a run by name."""
+    return {name: row.read(run, number) for name in names for row, number in [quantity(name)]}
+
+
+def _cycle(name: str) -> Quantity:
+    if FORM.fullmatch(name) is None:
+        raise ValueError(f"{name} is no cycle; write {HELP}")
+    unit = "" if name.endswith(".count") else "s"
+    return Quantity(name, unit, "", lambda run, n: cycle_of(run, name))
 
 
 def unit_of(name: str) -> str:
