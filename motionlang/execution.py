@@ -377,7 +377,7 @@ def _execute(
         result.controller.finish_updates()
         result.diagnostics.append(interrupted(result, scheduler, error))
     except Stuck as stuck:
-        report_stuck(result, stuck, until)
+        report_stuck(result, stuck)
     except Exception as error:
         from motionlang.lang.run_errors import explain
 

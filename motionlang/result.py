@@ -315,8 +315,8 @@ def report_never_started(result: Run, moves: Sequence[Move]) -> None:
         result.diagnostics.append(diagnostic)
 
 
-def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
-    """Report a wait that nothing can end, unless the machine file sets the run's end."""
+def report_stuck(result: Run, stuck: Stuck) -> None:
+    """Report a wait that nothing can end; the run ended there, with a time limit or without."""
     line, column, length = result.dialect.locate(result.source, stuck.task.at)
     lost = _lost(result)
     if lost:
@@ -330,10 +330,6 @@ def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
     for each in others:
         where, _, _ = result.dialect.locate(result.source, each.at)
         result.notes.append(f"line {where}: {each.name} waits {_why(each)}")
-    if "run.until" in result.machine.settings:
-        result.status = "until"
-        result.controller.clock.advance(until)
-        return
     from motionlang.lang.ends import what_ends, what_frees
 
     waits = [(stuck.task, stuck.wait), *((each, each.wait) for each in others if each.wait is not None)]
@@ -342,7 +338,7 @@ def report_stuck(result: Run, stuck: Stuck, until: float) -> None:
         for find in (what_ends, what_frees)
         for task, wait in waits
     )
-    start = "start a move first, or add a machine file with the event it waits for and a time limit run.until"
+    start = "start a move first, or add the event that it waits for to the machine file"
     hint = next(filter(None, hints), start)
     result.status = "fault"
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))

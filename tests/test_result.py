@@ -69,8 +69,9 @@ REPORTED: tuple[
         [("never", ENDLESS, 5, 2, 5, "[[input]] of the machine file says when it comes", "error")],
     ),
     (
-        "Task t\nPAUSE IN(1)\nEnd Task\nRun t\n PAUSE IN(2)\n", {"run.until": 2.0}, "until",
-        [f"line 5: {ENDLESS}", "line 2: t waits until IN(1)"], [],
+        "Task t\nPAUSE IN(1)\nEnd Task\nRun t\n PAUSE IN(2)\n", {"run.until": 2.0}, "fault",
+        [f"line 5: {ENDLESS}", "line 2: t waits until IN(1)"],
+        [("never", ENDLESS, 5, 2, 5, "[[input]] of the machine file says when it comes", "error")],
     ),
     (
         "Task t\nWAIT=100\nEnd Task\nRun t\nWhile IN(1) = 0\nEnd While\n", {"run.until": 2.0}, "until",

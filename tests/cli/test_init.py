@@ -31,12 +31,13 @@ def test_an_input_that_is_waited_for_comes_shortly_after(cell: Cell) -> None:
 
 @pytest.mark.parametrize(("since", "at"), [(5.9, 6.2), (6.1, 0.0)])
 def test_a_wait_that_begins_shortly_before_the_end_may_still_end(cell: Cell, since: float, at: float) -> None:
-    """The run ends at 10 s.
+    """The run ends at 10 s, and another task goes on.
 
     A wait of 4 s gets an input 0.3 s after its beginning, a shorter one does not.
     """
-    cell.write("old.prg", f"WAIT = {1000 * since:.0f}\nPAUSE INX.2\n")
-    assert cell("init", "old.prg", "--until", "10", "--format", "none").status == 0
+    beside = "TASK t\nLOOP\nWAIT = 100\nEND LOOP\nEND TASK\n"
+    cell.write("old.mnt", f"RUN t\nWAIT = {1000 * since:.0f}\nPAUSE INX(2)\nEND\n{beside}")
+    assert cell("init", "old.mnt", "--until", "10", "--format", "none").status == 0
     machine = (cell.folder / "old.machine.toml").read_text()
     assert f"{{ channel = 2, at = {at}, guess = true }}" in machine
 
@@ -47,6 +48,28 @@ def test_an_input_after_an_output_follows_it(cell: Cell) -> None:
         {"channel": 2, "output": 4, "delay": 0.3},
         {"channel": 3, "output": 5, "delay": 0.3, "value": 0},
     ]
+
+
+def test_a_bank_that_is_waited_for(cell: Cell) -> None:
+    text = (
+        "PAUSE IN(0) = 1\nWHILE IN(0) & 4 = 0\nWEND\nDIM n\nn = IN(1)\nIF n & 2 THEN PRINT 7\nPRINT INX(n)\n"
+    )
+    assert inputs(cell, text, "old.mnt") == [{"channel": 0, "at": 0.3}, {"channel": 2, "at": 0.6}]
+    machine = (cell.folder / "old.machine.toml").read_text()
+    assert (
+        "  # line 5: n = IN(1)\n  # line 6: IF n & 2 THEN PRINT 7\n  # { channel = 33, at = 0.0 }," in machine
+    )
+    assert "known while the program runs.\n# line 7: PRINT INX(n)\n" in machine
+
+
+def test_an_endless_wait_stays_an_error(cell: Cell) -> None:
+    """The time limit that init writes does not hide it, and no expectation certifies it."""
+    cell.write("old.mnt", "JOG(0) = 5\nPAUSE IDLE(0)\n")
+    for command in ("init", "run"):
+        ran = cell(command, "old.mnt", "--format", "none")
+        assert ran.status == 1
+        assert "error[never]: the program waits until IDLE(0), which can never happen" in ran.err
+    assert "\n[[expect]]" not in (cell.folder / "old.machine.toml").read_text()
 
 
 def test_an_input_follows_no_relay(cell: Cell) -> None:

@@ -359,8 +359,9 @@ def _improve_polls(guesses: Guesses, result: Run, reads: list[InputRead], tasks:
         return False
     ends = [guesses.line(result, task.at) for task in tasks]
     loops = [(guesses.line(result, each.at), each.since) for each in result.machine.log.loops]
+    levels = result.controller.inputs
     for read in polls:
-        if read.channel is None:
+        if read.channel is None or read.level == levels.inverted(read.channel):
             continue
         since = [time for line, time in loops if line == read.line]
         if not since and any(read.line <= line <= read.last for line in ends):

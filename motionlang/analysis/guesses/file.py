@@ -47,11 +47,17 @@ KEYS = """
 LIMITS = """\
 # Limits to fill in; the figures are those of this run. `motionlang run --certify` compares them with a run.
 """
+UNKNOWN = """
+# Digital inputs whose channels are only known while the program runs.
+{lines}"""
 EXPECT = """
 # Expectations that `motionlang verify` checks. A scenario, another world for the same program, is a file of its own
 # in the folder {folder}: docs/scenarios.md.
 [[expect]]
 status = "{status}"
+"""
+FAULT = """
+# The program stops with an error in this machine, so there is no [[expect]] for `motionlang verify` yet.
 """
 
 
@@ -63,6 +69,7 @@ def machine_text(source: Source, guesses: Guesses, reads: list[InputRead], resul
     sections = [
         HEAD.format(program=program, until=until),
         *_table("input", INPUTS, _inputs(source, guesses, reads)),
+        *_unknown(source, reads),
         *_table("analogue", ANALOGUE, [_guess(each) for each in guesses.analogue.values()]),
         *_table("answer", ANSWERS, _lines(fixed, "answer") + [_guess(each) for each in answers]),
         *_table("key", KEYS, _lines(fixed, "key") + [_guess(each) for each in guesses.keys]),
@@ -70,7 +77,10 @@ def machine_text(source: Source, guesses: Guesses, reads: list[InputRead], resul
     for number in sorted({move.axis for move in result.machine.log.moves} | guesses.axes.keys()):
         sections.append(_axis(number, guesses, result))
     folder = f"{os.path.splitext(program)[0]}.scenarios"
-    sections.append(EXPECT.format(status="ended" if result.status == "ended" else "until", folder=folder))
+    if result.status in ("ended", "until"):
+        sections.append(EXPECT.format(status=result.status, folder=folder))
+    else:
+        sections.append(FAULT)
     return "".join(sections)
 
 
@@ -100,6 +110,13 @@ def _inputs(source: Source, guesses: Guesses, reads: list[InputRead]) -> list[st
                 f"  # {inline({'channel': channel, 'at': 0.0})},    # take the first # away to switch it on"
             )
     return found
+
+
+def _unknown(source: Source, reads: list[InputRead]) -> list[str]:
+    """Return the comment about lines that read inputs of unknown channels; empty if there are none."""
+    lines = dict.fromkeys(each.line for each in reads if each.kind != "key" and each.channel is None)
+    quoted = "".join(f"# line {line}: {_quoted(source.line(line))}\n" for line in lines)
+    return [UNKNOWN.format(lines=quoted)] if quoted else []
 
 
 def _lines(settings: Mapping[str, object], table: str) -> list[str]:

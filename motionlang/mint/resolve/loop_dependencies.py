@@ -5,7 +5,8 @@ counts instead: in `done = IDLE(0)` … `While Not done` the loop waits for axis
 the loop waits for these tasks. A call of a function counts as the readings in the function.
 
 `input_reads` lists the inputs and keys of the whole program. The condition of a PAUSE or a loop shows which level of an
-input it waits for: `PAUSE Not INX(3)` waits for 0. Keys are the numbers that the program compares with the result of
+input it waits for: `PAUSE Not INX(3)` waits for 0. Of a bank it lists the channels whose bits the program compares or
+masks: `PAUSE IN(0) & 4 = 4` waits for input 2. Keys are the numbers that the program compares with the result of
 INKEY.
 """
 
@@ -17,6 +18,7 @@ from motionlang.lang.keyword import Keyword
 from motionlang.lang.loop_dependencies import InputRead, LoopDependencies, Read
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.event_kinds import kind_and_number
+from motionlang.mint.keywords.io_inputs import BANK
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
 from motionlang.mint.resolve.symbols import TIME, Function, Symbol
@@ -27,7 +29,8 @@ from motionlang.mint.syntax.traversal import meant, walk
 from motionlang.mint.syntax.unparse import shown
 from motionlang.source import Source
 
-Levels = Iterator[tuple[nodes.Name, int | None]]
+# A node of a condition, an input that it reads, and a level.
+Levels = Iterator[tuple[nodes.Node, int | None, int | None]]
 
 LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
 LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End)
@@ -44,6 +47,8 @@ DRIVEN = {
     "serial": "host",
     "remote": "host",
 }
+
+COMPARISONS = ("=", "<>", "<", ">", "<=", ">=")
 
 # The codes of keys that a person presses, from the space on.
 FIRST_KEY, LAST_KEY = 32, 126
@@ -255,9 +260,10 @@ def input_reads(source: Source) -> list[InputRead]:
     names = Names(table(), Problems(module), None)
     names.declare_module(module)
     found: list[InputRead] = []
-    for function in names.functions:
-        body = list(walk(function.body))
-        found += _inputs(module, body)
+    bodies = [(function, list(walk(function.body))) for function in names.functions]
+    banks = _Banks(node for _, body in bodies for node in body)
+    for function, body in bodies:
+        found += _inputs(module, body, banks)
         found += _keys(module, body)
         event = kind_and_number(function.name) if function.kind == "event" else None
         if event is not None and event[0] == "in" and event[1] >= 0:
@@ -267,15 +273,65 @@ def input_reads(source: Source) -> list[InputRead]:
     return sorted(found, key=lambda each: (each.line, each.kind, each.channel is None, each.channel or 0))
 
 
-def _inputs(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
+class _Banks:
+    """The channels of each bank that a program compares with constants or tests by bits."""
+
+    def __init__(self, body: Iterable[nodes.Node]) -> None:
+        found = list(body)
+        # Variables that hold a bank, such as `b` after `b = IN(0)`.
+        self._copies: dict[Symbol, int] = {}
+        for node in found:
+            symbol = getattr(node.target, "symbol", None) if isinstance(node, nodes.Assign) else None
+            if symbol is not None and isinstance(node, nodes.Assign):
+                for each in node.values:
+                    bank = self.bank(each)
+                    if bank is not None:
+                        self._copies[symbol] = bank
+        self._masks: dict[int, int] = {}
+        for node in found:
+            if isinstance(node, nodes.Binary) and node.op in (*COMPARISONS, "&"):
+                for side, other in ((node.left, node.right), (node.right, node.left)):
+                    bank, bits = self.bank(side), _whole(other)
+                    if bank is not None and bits is not None:
+                        self._masks[bank] = self._masks.get(bank, 0) | bits
+
+    def bank(self, node: nodes.Expr) -> int | None:
+        """Return the bank that an expression reads, None if it reads none or its number is unknown."""
+        node = meant(node)
+        if not isinstance(node, nodes.Name):
+            return None
+        if _is_bank(node):
+            return _whole(node.args[0]) if node.args else 0
+        return self._copies.get(node.symbol) if node.symbol is not None else None
+
+    def tested(self, node: nodes.Expr) -> dict[int, int]:
+        """Return the channels of `IN(0)` or `IN(0) & 6`, each with its bit; empty for anything else."""
+        node = meant(node)
+        bank, mask = self.bank(node), None
+        if isinstance(node, nodes.Binary) and node.op == "&":
+            for side, other in ((node.left, node.right), (node.right, node.left)):
+                if self.bank(side) is not None and _whole(other) is not None:
+                    bank, mask = self.bank(side), _whole(other)
+        if bank is None:
+            return {}
+        bits = (self._masks.get(bank) or 1) if mask is None else mask
+        return {bank * BANK + k: 1 << k for k in range(BANK) if bits >> k & 1}
+
+    def channels(self, name: nodes.Name) -> list[int | None]:
+        """Return the channels of a bank that the program tests; None for unknown ones."""
+        bank = self.bank(name)
+        return list(self.tested(name)) if bank is not None and self._masks.get(bank) else [None]
+
+
+def _inputs(module: Module, body: list[nodes.Node], banks: _Banks) -> Iterator[InputRead]:
     seen: set[int] = set()
 
     def reads(kind: str, condition: nodes.Expr, wanted: bool, last: int = 0) -> Iterator[InputRead]:
-        for name, level in _levels(condition, wanted):
-            if id(name) not in seen:
-                seen.add(id(name))
-                line = module.line(name.at)
-                yield InputRead(kind, _channel(name), level, line, max(last, line))
+        found = [each for each in _levels(condition, wanted, banks) if id(each[0]) not in seen]
+        seen.update(id(each) for each in walk([node for node, _, _ in found]))
+        for node, channel, level in found:
+            line = module.line(node.at)
+            yield InputRead(kind, channel, level, line, max(last, line))
 
     for node in body:
         if isinstance(node, nodes.Pause):
@@ -287,9 +343,10 @@ def _inputs(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
             leaves = not node.orelse and any(_leaves(each) for each in walk(node.body))
             yield from reads("guard" if leaves else "test", node.condition, not leaves)
     for node in body:
-        if isinstance(node, nodes.Name) and id(node) not in seen and _is_input(node):
+        if isinstance(node, nodes.Name) and id(node) not in seen and (_is_input(node) or _is_bank(node)):
             line = module.line(node.at)
-            yield InputRead("test", _channel(node), None, line, line)
+            for channel in [_channel(node)] if _is_input(node) else banks.channels(node):
+                yield InputRead("test", channel, None, line, line)
 
 
 def _leaves(node: nodes.Node) -> bool:
@@ -297,29 +354,48 @@ def _leaves(node: nodes.Node) -> bool:
     return isinstance(node, nodes.End) or (isinstance(node, nodes.Jump) and node.kind == "goto")
 
 
-def _levels(node: nodes.Expr, wanted: bool) -> Levels:
+def _levels(node: nodes.Expr, wanted: bool, banks: _Banks) -> Levels:
     """Yield the inputs of a condition, each with the level that makes it `wanted`."""
     node = meant(node)
-    if isinstance(node, nodes.Name):
+    tested = banks.tested(node)
+    if tested:
+        yield from ((node, channel, int(wanted)) for channel in tested)
+    elif isinstance(node, nodes.Name):
         if _is_input(node):
-            yield node, int(wanted)
+            yield node, _channel(node), int(wanted)
     elif isinstance(node, nodes.Unary) and node.op == "Not":
-        yield from _levels(node.operand, not wanted)
+        yield from _levels(node.operand, not wanted, banks)
     elif isinstance(node, nodes.Binary) and node.op in ("And", "Or"):
-        yield from _levels(node.left, wanted)
-        yield from _levels(node.right, wanted)
+        yield from _levels(node.left, wanted, banks)
+        yield from _levels(node.right, wanted, banks)
     elif isinstance(node, nodes.Binary):
         for side, other in ((node.left, node.right), (node.right, node.left)):
             value = _whole(other)
+            tested = banks.tested(side)
+            if tested:
+                is_equality = node.op in ("=", "<>") and value is not None
+                equal = (node.op == "=") is wanted
+                for channel, bit in tested.items():
+                    level = int(bool((value or 0) & bit)) if is_equality else None
+                    if level is not None and not equal:
+                        level = 1 - level if not value or len(tested) == 1 else None
+                    yield node, channel, level
+                continue
             for name in walk([meant(side)]):
                 if isinstance(name, nodes.Name) and _is_input(name):
                     plain = meant(side) is name and node.op in ("=", "<>") and value in (0, 1)
-                    yield name, int((value == 1) is ((node.op == "=") is wanted)) if plain else None
+                    level = int((value == 1) is ((node.op == "=") is wanted)) if plain else None
+                    yield name, _channel(name), level
 
 
 def _is_input(name: nodes.Name) -> bool:
     row = name.row
     return row is not None and row.driven == "input" and row.index == "input"
+
+
+def _is_bank(name: nodes.Name) -> bool:
+    row = name.row
+    return row is not None and row.driven == "input" and row.index == "bank"
 
 
 def _channel(name: nodes.Name) -> int | None:
