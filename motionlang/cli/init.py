@@ -6,8 +6,9 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
-from motionlang.analysis.guesses import Guesses, answer_entry, guessed
-from motionlang.analysis.guesses.file import inline, machine_text
+from motionlang.analysis.guesses import Guesses, answer_entry, branches, guessed
+from motionlang.analysis.guesses.file import inline, machine_text, scenario_name, scenario_text
+from motionlang.analysis.scenarios import FOLDER_SUFFIX
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.dialect_option import add_dialect
 from motionlang.cli.format_options import add_format
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 
     from motionlang.analysis.guesses import Entry
     from motionlang.cli.parser import Commands
+    from motionlang.lang.dialect import Dialect
     from motionlang.lang.loop_dependencies import InputRead
 
 # The time limit of the machine file, s: a production loop has no end of its own.
@@ -36,7 +38,8 @@ UNTIL = 300.0
 EPILOG = """\
 init runs the program and finds where it waits for its machine: for an input, for an answer to INPUT, for a key, in a
 homing. It guesses what lets the program continue, writes the guesses into FILE.machine.toml next to the program, and
-runs it. On a terminal it asks about each guess; Enter keeps it. A file that exists is never overwritten.
+runs it. On a terminal it asks about each guess; Enter keeps it. A file that exists is never overwritten. If the program
+has menus, init makes every choice, and writes a scenario into FILE.scenarios for each one that moves an axis.
 
 exit status: 0 the file is written and the program ran; 1 the file exists, or the program has an error or a fault
 
@@ -118,10 +121,32 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
         complain([unwritten(path, error)], None, file)
         return 1
     sys.stdout.write(f"{path}: written, {count_of(guesses.count, 'guess', 'guesses')}\n")
+    try:
+        _write_scenarios(source, language, arguments.until, guesses, reads)
+    except OSError as error:
+        complain([unwritten(error.filename, error)], None, file)
+        return 1
     options = Options(file)
     options.dialect, options.report, options.machine = arguments.dialect, arguments.format, path
     options.given = arguments.given
     return run_command(options)
+
+
+def _write_scenarios(
+    source: Source, language: Dialect, until: float, guesses: Guesses, reads: list[InputRead]
+) -> None:
+    """Write a scenario for each path through the menus that moves an axis; existing files stay."""
+    folder = os.path.splitext(source.name)[0] + FOLDER_SUFFIX
+    count = 0
+    for branch, result in branches(source, language, until, guesses.fixed, reads):
+        SIGNALS.end_with(result)
+        os.makedirs(folder, exist_ok=True)
+        path = os.path.join(folder, f"{scenario_name(branch)}.toml")
+        if not os.path.lexists(path):
+            create(path, scenario_text(source, branch, result, until, guesses).encode())
+            count += 1
+    if count:
+        sys.stdout.write(f"{folder}: {count_of(count, 'scenario')} written\n")
 
 
 def _ask(source: Source, guesses: Guesses, reads: list[InputRead]) -> dict[str, object]:
@@ -135,9 +160,7 @@ def _ask(source: Source, guesses: Guesses, reads: list[InputRead]) -> dict[str, 
     )
     try:
         for channel, entry in sorted(guesses.inputs.items()):
-            lines = dict.fromkeys(
-                each.line for each in reads if each.channel == channel and each.kind != "key"
-            )
+            lines = dict.fromkeys(each.line for each in reads if each.channel == channel and each.is_input)
             for line in lines:
                 print(f"  line {line}: {source.line(line).strip()}")
             given = _ask_input(channel, entry)

@@ -47,11 +47,11 @@ class InputRead:
     """A position at which a program depends on the world around it.
 
     `kind`    "wait" (the program stops here until the level comes), "poll" (the condition of a loop), "guard" (an If
-              that jumps away at the other level), "test" (any other reading), "event" (a handler) or "key" (a key
-              that the program compares with)
-    `channel` the number of the input, or the code of the key; None if it is only known at run time
+              that jumps away at the other level), "test" (any other reading), "event" (a handler), "key" (a key
+              that the program compares with) or "answer" (a number that it compares an answer with)
+    `channel` the number of the input, the code of the key, or the number; None if it is only known at run time
     `level`   the level that lets the program continue, or makes a test true; None if that is unknown
-    `line`    the line; `last` is the last line of a loop
+    `line`    the line; `last` is the last line of a loop, or the line that asks for the answer
     """
 
     kind: str
@@ -59,3 +59,8 @@ class InputRead:
     level: int | None
     line: int
     last: int
+
+    @property
+    def is_input(self) -> bool:
+        """True for a digital input, False for a key or an answer."""
+        return self.kind not in ("key", "answer")

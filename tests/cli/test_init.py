@@ -126,6 +126,70 @@ def test_answers(cell: Cell, text: str, answers: list[tuple[str, str]]) -> None:
     assert [(each["prompt"], each["text"]) for each in found] == answers
 
 
+MENU = """\
+SPEED.0 = 100 : ACCEL.0 = 1000 : DECEL.0 = 1000
+#MENU
+INPUT "Choice ", c
+IF c = 1 THEN GOSUB RUNIT
+IF c = 2 THEN ? "HELP"
+IF c = 3 THEN GOSUB SERV
+GOTO MENU
+#RUNIT
+PAUSE INX.1
+MOVER.0 = 10 : GO.0 : PAUSE IDLE.0
+RETURN
+#SERV
+INPUT "Service ", s
+IF s = 1 THEN MOVER.0 = 30 : GO.0 : PAUSE IDLE.0
+IF s = 2 THEN OUTX.1 = 1
+RETURN
+"""
+
+
+def test_a_menu_is_explored_as_a_tree(cell: Cell) -> None:
+    """Every choice is made once; a path that moves an axis becomes a scenario, which ends at the next question."""
+    found = guesses(cell, MENU)
+    assert [(each["prompt"], each["text"]) for each in found["answer"]] == [  # type: ignore[attr-defined]
+        ("Choice", "1"),
+        ("Choice", "2"),
+        ("Choice", "3"),
+        ("Service", "1"),
+    ]
+    folder = cell.folder / "old.scenarios"
+    assert sorted(path.name for path in folder.iterdir()) == ["choice-1.toml", "choice-3-1.toml"]
+    assert (
+        (folder / "choice-3-1.toml").read_text()
+        == """\
+# "Choice" 3, "Service" 1: a path through the menus of old.prg, written by motionlang init.
+# It adds to the machine file next to the program. docs/scenarios.md explains scenarios.
+
+run.until = 0.4    # the program asks again, and there is no further answer
+
+input = [
+  { channel = 1, at = 0.0, guess = true },
+]
+
+answer = [
+  { prompt = "Choice", text = "3", guess = true },
+  { prompt = "Service", text = "1", guess = true },
+]
+
+[[expect]]
+status = "until"
+"""
+    )
+    assert cell("verify", "old.prg").out.endswith("2 of 2 scenarios match their golden files\n")
+    end = cell("run", "old.prg", "--set", "run.until=99", "--format", "none")
+    assert "error[never]: the program waits for the operator to answer INPUT" in end.err
+
+
+def test_a_scenario_that_exists_stays(cell: Cell) -> None:
+    (cell.folder / "old.scenarios").mkdir()
+    mine = cell.write("old.scenarios/choice-1.toml", "run.until = 1\n")
+    guesses(cell, MENU)
+    assert mine.read_text() == "run.until = 1\n"
+
+
 def test_keys(cell: Cell) -> None:
     text = '#key\nK = INKEY\nIF K = 67 THEN ? "C" : GOTO key\nIF K <> 82 THEN GOTO key\n? "R"\n'
     assert [(each["text"], each["at"]) for each in guesses(cell, text)["key"]] == [  # type: ignore[attr-defined]

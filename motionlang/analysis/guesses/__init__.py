@@ -10,6 +10,7 @@ runs to the time limit. Each guess is one entry of the machine file, marked `gue
     an input            it follows the output that the program has just set, or changes 0.3 s later and stays; if the
                         program also waits for the other level, it is on and off for a second each
     an analogue input   50 %, or 100 %, 0 % and so on until the condition holds
+    a menu              the numbers that the program compares the answer with, one after the other
     INPUT               the middle of a range such as `1 to 6` that the program prints, or 10, 1, 100 and so on
     a key               the keys that the program compares with, one after the other
     nothing yet         an input at whose other level the program jumps away (`IF INX.2 = 0 THEN GOTO FAULT`) is on
@@ -18,6 +19,10 @@ runs to the time limit. Each guess is one entry of the machine file, marked `gue
 Data: `Guesses` has the entries by channel, question, key and axis. An input that was guessed and is stuck again takes
 the next form of the list. Every round changes at least one guess, and no form is taken twice, so the rounds end.
 
+If a program asks again after all answers of a menu, or after 20 equal answers, the run ends there: nobody answers.
+`branches` explores the menus as a tree: a path has one choice for each menu, and ends where the program ends or asks a
+question of the path again.
+
 Cost: a run for each guess; those before the last end where the program is stuck. The program is compiled once, as no
 guess is a setting that compiled code depends on (`Dialect.compiled_in`).
 """
@@ -25,7 +30,7 @@ guess is a setting that compiled code depends on (`Dialect.compiled_in`).
 from __future__ import annotations
 
 import re
-from math import inf
+from math import floor, inf
 
 from motionlang.execution import run
 from motionlang.lang.machine.layers import layered
@@ -62,6 +67,8 @@ MAX_REPEATS = 20
 # Levels of analogue inputs that are tried one after the other, percent.
 LEVELS = (50.0, 100.0, 0.0, 25.0, 75.0)
 MAX_ROUNDS = 100
+# The number of branches of all menus that are explored.
+MAX_BRANCHES = 30
 # A program that has done nothing for so many seconds waits for a key, if it looks for one.
 QUIET = 10.0
 _RANGE = re.compile(r"(\d+(?:\.\d+)?)\s*(?:to|-|\.\.)\s*(\d+(?:\.\d+)?)", re.IGNORECASE)
@@ -75,8 +82,14 @@ class Guesses:
     changes them.
     """
 
-    def __init__(self, fixed: dict[str, object] | None = None) -> None:
+    def __init__(self, fixed: dict[str, object] | None = None, path: dict[str, str] | None = None) -> None:
         self.fixed = dict(fixed or {})
+        # The choice of each menu on this path of the tree; None to make all choices in turn.
+        self.path = path
+        # The questions that get no further answer, each with the choices of its menu.
+        self.exhausted: dict[str, list[str]] = {}
+        # The end of the run where a question gets no further answer, s.
+        self.until: float | None = None
         self.inputs: dict[int, Entry] = {}
         self.analogue: dict[int, Entry] = {}
         self.answers: dict[str, list[str]] = {}
@@ -100,7 +113,7 @@ class Guesses:
 
     def settings(self, until: float) -> dict[str, object]:
         """Return the settings of a machine file with all guesses."""
-        found: dict[str, object] = {"run.until": until}
+        found: dict[str, object] = {"run.until": until if self.until is None else self.until}
         for axis, keys in self.axes.items():
             found |= {f"axis.{axis}.{key}": value for key, value in keys.items()}
         tables: dict[str, list[Entry]] = {
@@ -206,14 +219,20 @@ class Guesses:
 
     # ------------------------------------------------------------------------------------------------ answers
 
-    def answer(self, question: str, result: Run) -> bool:
-        """Add an answer to a question, or change the last one if it was rejected."""
+    def answer(self, question: str, menu: list[str], result: Run) -> bool:
+        """Add an answer to a question, or change the last one if it was rejected.
+
+        `menu` are the choices, empty if the question is no menu. Returns False if there is no further answer.
+        """
+        if menu:
+            return self._choose(question, menu)
         given = self.answers.setdefault(question, [])
         tried = self._tried.setdefault(question, [])
         if given and _acted_since_answer(result):
             if len(given) < MAX_REPEATS:
                 given.append(given[-1])
                 return True
+            self.exhausted[question] = []
             return False
         ranges = [_middle(found) for found in _RANGE.findall(_printed_since_answer(result, question, given))]
         for text in (*ranges, *ANSWERS):
@@ -222,6 +241,16 @@ class Guesses:
                 self.answers[question] = [text]
                 return True
         return False
+
+    def _choose(self, question: str, menu: list[str]) -> bool:
+        """Add the next choice of a menu, or that of the path."""
+        given = self.answers.get(question, [])
+        choices = menu if self.path is None else [self.path[question]] if question in self.path else []
+        if len(given) == len(choices):
+            self.exhausted[question] = menu
+            return False
+        self.answers[question] = [*given, choices[len(given)]]
+        return True
 
     # --------------------------------------------------------------------------------------------------- axes
 
@@ -262,12 +291,14 @@ def guessed(
     until: float,
     fixed: dict[str, object],
     reads: list[InputRead] | None = None,
+    path: dict[str, str] | None = None,
 ) -> tuple[Guesses, Run]:
     """Return the guesses with which a program continues, and the run with all of them.
 
-    `reads` are the program's `input_reads`, `fixed` the settings that no guess changes.
+    `reads` are the program's `input_reads`, `fixed` the settings that no guess changes, `path` a path through its
+    menus.
     """
-    guesses = Guesses(fixed)
+    guesses = Guesses(fixed, path)
     reads = language.input_reads(source) if reads is None else reads
     guesses.guard(reads)
     compiled: Program | None = None
@@ -280,9 +311,52 @@ def guessed(
         if result.status == "interrupted":
             break
         compiled = result.program
-        if not _improve(guesses, result, reads) and not guesses.complete(reads):
+        if not (
+            _improve(guesses, result, reads) or guesses.complete(reads) or _end_at_question(guesses, result)
+        ):
             break
     return guesses, result
+
+
+def branches(
+    source: Source, language: Dialect, until: float, fixed: dict[str, object], reads: list[InputRead]
+) -> list[tuple[Guesses, Run]]:
+    """Return each path through the menus of a program whose last choice moves an axis."""
+    found = []
+    paths: list[dict[str, str]] = [{}] if any(each.kind == "answer" for each in reads) else []
+    for _ in range(MAX_BRANCHES):
+        if not paths:
+            break
+        path = paths.pop(0)
+        guesses, result = guessed(source, language, until, fixed, reads, path)
+        below = [
+            {**path, question: choice}
+            for question, menu in guesses.exhausted.items()
+            for choice in menu
+            if question not in path
+        ]
+        paths[:0] = below
+        chosen = _answered_at(result)
+        if path and not below and any(move.start_time >= chosen for move in result.machine.log.moves):
+            found.append((guesses, result))
+    return found
+
+
+def _end_at_question(guesses: Guesses, result: Run) -> bool:
+    """Let the run end where the program asks a question that gets no further answer.
+
+    Returns False if that is not why it is stuck.
+    """
+    scheduler = result.machine.scheduler
+    question = result.machine.operator.question.strip(" ?:")
+    asks = scheduler is not None and any(
+        task.wait is not None and task.wait.cause == "operator" for task in scheduler.tasks
+    )
+    end = floor(result.time * 1000) / 1000
+    if result.status != "fault" or not asks or question not in guesses.exhausted or not end:
+        return False
+    guesses.until = end
+    return True
 
 
 def _improve(guesses: Guesses, result: Run, reads: list[InputRead]) -> bool:
@@ -314,7 +388,10 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: T
     if result.status == "until" and result.time - wait.since < 2 * PERIOD:
         return False  # it may still end
     if wait.cause == "operator":
-        return guesses.answer(result.machine.operator.question.strip(" ?:"), result)
+        question = result.machine.operator.question.strip(" ?:")
+        line = guesses.line(result, task.at)
+        menu = [str(each.channel) for each in reads if each.kind == "answer" and each.last == line]
+        return guesses.answer(question, menu, result)
     line = guesses.line(result, task.at)
     for key in result.dialect.driven_by(wait.why):
         if key.startswith("axis."):

@@ -10,6 +10,7 @@ import os
 
 from motionlang.analysis.guesses import answer_entry
 from motionlang.analysis.quantities import quantity
+from motionlang.analysis.scenarios import FOLDER_SUFFIX
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,7 +30,16 @@ HEAD = """\
 # A line with `guess = true` is a guess. Correct it and remove `guess = true`; until then, a run that depends on it
 # reports it. docs/machine-file.md explains every key.
 
-run.until = {until:.10g}    # the run ends here if the program does not
+run.until = {until:.10g}    # {end}
+"""
+# The comment of a time limit: a given one, and the end of the operator's answers.
+LIMIT = "the run ends here if the program does not"
+LAST_ANSWER = "the program asks again, and there is no further answer"
+SCENARIO = """\
+# {choices}: a path through the menus of {program}, written by motionlang init.
+# It adds to the machine file next to the program. docs/scenarios.md explains scenarios.
+
+run.until = {until:.10g}    # {end}
 """
 INPUTS = """
 # Digital inputs. `at` is a time in seconds, `output` the output that the input follows after `delay`; `every` repeats
@@ -52,7 +62,8 @@ UNKNOWN = """
 {lines}"""
 EXPECT = """
 # Expectations that `motionlang verify` checks. A scenario, another world for the same program, is a file of its own
-# in the folder {folder}: docs/scenarios.md.
+# in the folder {folder}: docs/scenarios.md."""
+STATUS = """
 [[expect]]
 status = "{status}"
 """
@@ -67,7 +78,7 @@ def machine_text(source: Source, guesses: Guesses, reads: list[InputRead], resul
     fixed = guesses.fixed
     answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
     sections = [
-        HEAD.format(program=program, until=until),
+        HEAD.format(program=program, **_end(guesses, until)),
         *_table("input", INPUTS, _inputs(source, guesses, reads)),
         *_unknown(source, reads),
         *_table("analogue", ANALOGUE, [_guess(each) for each in guesses.analogue.values()]),
@@ -76,12 +87,53 @@ def machine_text(source: Source, guesses: Guesses, reads: list[InputRead], resul
     ]
     for number in sorted({move.axis for move in result.machine.log.moves} | guesses.axes.keys()):
         sections.append(_axis(number, guesses, result))
-    folder = f"{os.path.splitext(program)[0]}.scenarios"
     if result.status in ("ended", "until"):
-        sections.append(EXPECT.format(status=result.status, folder=folder))
+        folder = f"{os.path.splitext(program)[0]}{FOLDER_SUFFIX}"
+        sections.append(EXPECT.format(folder=folder) + STATUS.format(status=result.status))
     else:
         sections.append(FAULT)
     return "".join(sections)
+
+
+def scenario_text(source: Source, guesses: Guesses, result: Run, until: float, below: Guesses) -> str:
+    """Return the text of a scenario: one path through the menus, above a machine file with the guesses `below`."""
+    assert guesses.path is not None
+    choices = ", ".join(f'"{question}" {choice}' for question, choice in guesses.path.items())
+    others = [channel for channel in sorted(below.inputs) if channel not in guesses.inputs]
+    inputs = [guesses.inputs[each] for each in sorted(guesses.inputs) if _differs(each, guesses, below)]
+    inputs += [{"channel": each, "at": 0.0, "value": 0} for each in others]
+    analogue = [each for each in guesses.analogue.values() if each not in below.analogue.values()]
+    answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
+    keys = [] if guesses.keys == below.keys else guesses.keys
+    sections = [
+        SCENARIO.format(choices=choices, program=os.path.basename(source.name), **_end(guesses, until)),
+        *_table("input", "\n", [_guess(each) for each in inputs]),
+        *_table("analogue", "\n", [_guess(each) for each in analogue]),
+        *_table("answer", "\n", [_guess(each) for each in answers]),
+        *_table("key", "\n", [_guess(each) for each in keys]),
+    ]
+    for number, settings in sorted(guesses.axes.items()):
+        if settings != below.axes.get(number):
+            sections.append(f"\n[axis.{number}]\n{_switches(settings)}")
+    sections.append(STATUS.format(status=result.status) if result.status in ("ended", "until") else FAULT)
+    return "".join(sections)
+
+
+def scenario_name(guesses: Guesses) -> str:
+    """Return the name of the scenario of a path, such as `choice-2-1`."""
+    choices = guesses.path.values() if guesses.path is not None else ()
+    return "-".join(["choice", *(each.replace("-", "minus") for each in choices)])
+
+
+def _end(guesses: Guesses, until: float) -> dict[str, object]:
+    """Return the time limit, and the comment that explains it."""
+    if guesses.until is None:
+        return {"until": until, "end": LIMIT}
+    return {"until": guesses.until, "end": LAST_ANSWER}
+
+
+def _differs(channel: int, guesses: Guesses, below: Guesses) -> bool:
+    return not below.is_fixed(channel) and guesses.inputs[channel] != below.inputs.get(channel)
 
 
 def _inputs(source: Source, guesses: Guesses, reads: list[InputRead]) -> list[str]:
@@ -91,7 +143,7 @@ def _inputs(source: Source, guesses: Guesses, reads: list[InputRead]) -> list[st
     """
     read_at: dict[int, dict[int, None]] = {}
     for read in reads:
-        if read.kind != "key" and read.channel is not None:
+        if read.is_input and read.channel is not None:
             read_at.setdefault(read.channel, {})[read.line] = None
     found: list[str] = []
     for channel in sorted(read_at.keys() | guesses.inputs.keys()):
@@ -114,7 +166,7 @@ def _inputs(source: Source, guesses: Guesses, reads: list[InputRead]) -> list[st
 
 def _unknown(source: Source, reads: list[InputRead]) -> list[str]:
     """Return the comment about lines that read inputs of unknown channels; empty if there are none."""
-    lines = dict.fromkeys(each.line for each in reads if each.kind != "key" and each.channel is None)
+    lines = dict.fromkeys(each.line for each in reads if each.is_input and each.channel is None)
     quoted = "".join(f"# line {line}: {_quoted(source.line(line))}\n" for line in lines)
     return [UNKNOWN.format(lines=quoted)] if quoted else []
 
@@ -137,14 +189,18 @@ def _axis(number: int, guesses: Guesses, result: Run) -> str:
     scale = result.controller.axes[number].scale.counts
     text = f"\n[axis.{number}]    # {scale:.10g} {'count' if scale == 1 else 'counts'} per user unit\n"
     keys = guesses.axes.get(number, {})
-    text += "".join(f"{key} = {_value(value)}\n" for key, value in keys.items())
-    text += "guess = true    # the switches\n" if keys else ""
+    text += _switches(keys) if keys else ""
     low, high, speed, rate = (
         _figure(f"{name}.{number}", result) for name in ("lowest", "highest", "peak", "accel")
     )
     text += LIMITS
     text += f"# limits.position = [{low}, {high}]\n# limits.speed = {speed}\n# limits.acceleration = {rate}\n"
     return text
+
+
+def _switches(keys: dict[str, object]) -> str:
+    lines = [f"{key} = {_value(value)}\n" for key, value in keys.items()]
+    return "".join([*lines, "guess = true    # the switches\n"])
 
 
 def _figure(name: str, result: Run) -> str:

@@ -7,12 +7,13 @@ the loop waits for these tasks. A call of a function counts as the readings in t
 `input_reads` lists the inputs and keys of the whole program. The condition of a PAUSE or a loop shows which level of an
 input it waits for: `PAUSE Not INX(3)` waits for 0. Of a bank it lists the channels whose bits the program compares or
 masks: `PAUSE IN(0) & 4 = 4` waits for input 2. Keys are the numbers that the program compares with the result of
-INKEY.
+INKEY. Numbers that it compares with the variable of an INPUT are the choices of a menu.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from math import inf
 
 from motionlang.lang.keyword import Keyword
 from motionlang.lang.loop_dependencies import InputRead, LoopDependencies, Read
@@ -265,6 +266,7 @@ def input_reads(source: Source) -> list[InputRead]:
     for function, body in bodies:
         found += _inputs(module, body, banks)
         found += _keys(module, body)
+        found += _choices(module, body)
         event = kind_and_number(function.name) if function.kind == "event" else None
         if event is not None and event[0] == "in" and event[1] >= 0:
             line = module.line(function.at)
@@ -434,6 +436,31 @@ def _keys(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
             if is_read and code is not None and FIRST_KEY <= code <= LAST_KEY:
                 line = module.line(node.at)
                 yield InputRead("key", code, None, line, line)
+
+
+def _choices(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
+    """Yield the numbers that a menu compares an answer with; one number alone is no menu."""
+    compared: dict[Symbol, dict[int, float]] = {}
+
+    def add(subject: nodes.Expr, value: nodes.Expr) -> None:
+        number = _whole(value)
+        if isinstance(subject, nodes.Name) and subject.symbol is not None and number is not None:
+            lines = compared.setdefault(subject.symbol, {})
+            lines[number] = min(lines.get(number, inf), module.line(value.at))
+
+    for node in body:
+        if isinstance(node, nodes.Binary) and node.op in ("=", "<>"):
+            add(node.left, node.right)
+            add(node.right, node.left)
+        elif isinstance(node, nodes.Select):
+            for test in (each for case in node.cases for each in case.tests if each.op == "="):
+                add(node.subject, test.value)
+    for node in body:
+        if isinstance(node, nodes.Input) and isinstance(node.target, nodes.Name):
+            numbers = compared.get(node.target.symbol, {}) if node.target.symbol is not None else {}
+            asked = module.line(node.at)
+            for number, line in numbers.items() if len(numbers) > 1 else ():
+                yield InputRead("answer", number, None, int(line), asked)
 
 
 def _is_key(node: object) -> bool:

@@ -150,6 +150,12 @@ INPUTS: list[tuple[str, list[tuple[str, int | None, int | None, int, int]]]] = [
     ("End\nEvent IN5\n' comment\nPRINT 1\nEnd Event", [("event", 5, None, 2, 4)]),
     ("End\nEvent IN0\nEnd Event", [("event", 0, None, 2, 2)]),
     ("End\nEvent TIMER\nPRINT 1\nEnd Event", []),
+    # The choices of a menu; with one number alone, the answer is a value that is checked.
+    ("Dim n\nINPUT n\nIf n = 1 Then PRINT 1\nIf 2 <> n Then PRINT 2\nIf n = 1 Then PRINT 3",
+     [("answer", 1, None, 3, 2), ("answer", 2, None, 4, 2)]),
+    ("Dim n\nINPUT n\nSelect Case n\nCase 1, 7\nPRINT 1\nCase 8 To 9\nEnd Select",
+     [("answer", 1, None, 4, 2), ("answer", 7, None, 4, 2)]),
+    ("Dim n\nINPUT n\nIf n = 0 Then End", []),
     # Keys from the space to the tilde.
     ("If INKEY = 65 Then PRINT 1", [("key", 65, None, 1, 1)]),
     ("If READKEY <> 66 Then PRINT 1", [("key", 66, None, 1, 1)]),
