@@ -122,7 +122,7 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
         return 1
     sys.stdout.write(f"{path}: written, {count_of(guesses.count, 'guess', 'guesses')}\n")
     try:
-        _write_scenarios(source, language, arguments.until, guesses, reads)
+        _write_scenarios(file, source, language, arguments.until, guesses, reads)
     except OSError as error:
         complain([unwritten(error.filename, error)], None, file)
         return 1
@@ -133,10 +133,10 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
 
 
 def _write_scenarios(
-    source: Source, language: Dialect, until: float, guesses: Guesses, reads: list[InputRead]
+    file: str, source: Source, language: Dialect, until: float, guesses: Guesses, reads: list[InputRead]
 ) -> None:
     """Write a scenario for each path through the menus that moves an axis; existing files stay."""
-    folder = os.path.splitext(source.name)[0] + FOLDER_SUFFIX
+    folder = os.path.splitext(file)[0] + FOLDER_SUFFIX
     count = 0
     for branch, result in branches(source, language, until, guesses.fixed, reads):
         SIGNALS.end_with(result)

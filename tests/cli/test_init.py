@@ -268,6 +268,19 @@ def test_errors_of_the_program_are_shown_as_by_check(cell: Cell) -> None:
     assert not (cell.folder / "bad.machine.toml").exists()
 
 
+def test_the_scenarios_of_a_program_in_a_folder_are_next_to_it(cell: Cell) -> None:
+    (cell.folder / "old").mkdir()
+    cell.write("old/a.prg", MENU)
+    ran = cell("init", "old", "--format", "none")
+    assert ran.out.startswith(
+        "old/a.machine.toml: written, 5 guesses\nold/a.scenarios: 2 scenarios written\n"
+    )
+    assert cell("init", "old/a.prg").status == 1
+    (cell.folder / "b.prg").write_text(MENU)
+    cell.write("b.scenarios", "")
+    assert "error[file]: b.scenarios cannot be written: file exists" in cell("init", "b.prg").err
+
+
 def test_a_folder(cell: Cell) -> None:
     (cell.folder / "old").mkdir()
     for name in ("a.prg", "b.mccl"):

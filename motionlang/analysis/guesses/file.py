@@ -98,7 +98,7 @@ def machine_text(source: Source, guesses: Guesses, reads: list[InputRead], resul
 def scenario_text(source: Source, guesses: Guesses, result: Run, until: float, below: Guesses) -> str:
     """Return the text of a scenario: one path through the menus, above a machine file with the guesses `below`."""
     assert guesses.path is not None
-    choices = ", ".join(f'"{question}" {choice}' for question, choice in guesses.path.items())
+    choices = ", ".join(f'"{question or "INPUT"}" {choice}' for question, choice in guesses.path.items())
     others = [channel for channel in sorted(below.inputs) if channel not in guesses.inputs]
     inputs = [guesses.inputs[each] for each in sorted(guesses.inputs) if _differs(each, guesses, below)]
     inputs += [{"channel": each, "at": 0.0, "value": 0} for each in others]
