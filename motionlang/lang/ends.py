@@ -55,6 +55,10 @@ def what_ends(
         verbs = ("ends", "does") if len(options) == 1 else ("end", "do")
         return f"{' '.join(options)} {verbs[0]} it, as {verbs[1]} {entries} of the machine file"
     if any("." in each for each in driven):
+        for axis in (int(each.split(".")[1]) for each in driven if each.startswith("axis.")):
+            if machine.controller.axes[axis].move is None:
+                edge = "edge" if driven[0].endswith("switch") else "mark"
+                return f"axis {axis} does not move and never finds the {edge}: start it before the search"
         return f"the machine file says where it is: {entries}"
     return f"{entries} of the machine file says when it comes" if entries else ""
 

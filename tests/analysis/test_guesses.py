@@ -104,6 +104,9 @@ DRAFTS: dict[str, tuple[str, dict[str, object], dict[str, object], int, int]] = 
                               {"axis.0.home_switch": FAR, "axis.0.index_every": 800.0}, 1, 3),
     "an axis that never comes to rest": ("JOG.1 = 5\nPAUSE IDLE.1\n", {}, {}, 0, 1),
     "a guard": (f"{GUARD}? 1\n{FAULT}", {}, {"input": [on(2, 0.0)]}, 1, 1),
+    "an input that is tested before it is waited for": (
+        "IF INX.2 = 0 THEN ? 3\nPAUSE INX.2\nIF INX.3 = 0 THEN PAUSE INX.3\nPAUSE INX.4\nIF INX.4 = 0 THEN ? 3\n", {},
+        {"input": [on(2, 0.0), on(3, 0.0), on(4, 0.3)]}, 3, 2),
     "a guard of an input that has to be off": (f"{GUARD}PAUSE INX.2 = 0\n? 1\n{FAULT}", {}, {}, 0, 1),
     "a guard, and another input that has to be off": (f"{GUARD}PAUSE INX.3 = 0\nPAUSE INX.2\n? 1\n{FAULT}", {},
                                                       {"input": [on(2, 0.0)]}, 1, 1),
@@ -228,7 +231,7 @@ key = [
 home_switch = [-44.0, -40.0]
 guess = true    # the switches
 # Limits to fill in; the figures are those of this run. `motionlang run --certify` compares them with a run.
-# limits.position = [-40.8, 0.008]
+# limits.position = [-41, 1]
 # limits.speed = 40
 # limits.acceleration = 1000
 

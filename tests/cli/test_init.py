@@ -235,6 +235,31 @@ def test_the_limits_are_there_to_fill_in(cell: Cell) -> None:
 
 
 @pytest.mark.parametrize(
+    ("moves", "limits"),
+    [
+        ("MOVEA.0 = 42.5 : GO.0", "[0, 42.5]"),
+        ("MOVER.0 = 0.1 : GO.0 : PAUSE IDLE.0 : MOVER.0 = 0.2 : GO.0", "[0, 0.3]"),
+        ("MOVEA.0 = 5 : GO.0 : PAUSE IDLE.0 : JOG.0 = -10 : WAIT = 777 : STOP.0", "[-3, 5]"),
+        ("MOVEA.0 = 360 / 7 : GO.0", "[0, 51.4286]"),
+    ],
+)
+def test_limits_have_the_decimal_places_of_the_commanded_positions(
+    cell: Cell, moves: str, limits: str
+) -> None:
+    guesses(cell, f"SCALE.0 = 100\n{moves} : PAUSE IDLE.0\n")
+    assert f"# limits.position = {limits}\n" in (cell.folder / "old.machine.toml").read_text()
+
+
+def test_an_edge_is_not_found_by_an_axis_at_rest(cell: Cell) -> None:
+    cell.write("old.mccl", "1MN,1FE0,1ST\n")
+    ran = cell("init", "old.mccl", "--format", "none")
+    assert (ran.status, ran.out) == (1, "old.machine.toml: written, 0 guesses\n")
+    hint = "  hint: axis 1 does not move and never finds the edge: start it before the search\n"
+    assert "error[never]: the program waits for the home switch of axis 1" in ran.err
+    assert hint in ran.err
+
+
+@pytest.mark.parametrize(
     ("name", "text", "message", "hint"),
     [
         (

@@ -138,19 +138,23 @@ class Guesses:
     # ------------------------------------------------------------------------------------------------- inputs
 
     def guard(self, reads: list[InputRead]) -> None:
-        """Switch on the inputs that make the program jump away while they are off.
+        """Switch on the inputs that the program expects to be on.
 
-        An input for whose level 0 the program also waits stays unchanged.
+        These make it jump away while they are off, or it tests them for 0 before it waits for 1. An input for whose
+        level 0 the program also waits stays unchanged.
         """
         for read in reads:
             off = any(
                 each.kind in ("wait", "poll") and each.channel == read.channel and not each.level
                 for each in reads
             )
+            waits = any(
+                each.kind == "wait" and each.channel == read.channel and each.level and each.line >= read.line
+                for each in reads
+            )
             if (
-                read.kind == "guard"
+                (read.level if read.kind == "guard" else read.kind == "test" and read.level == 0 and waits)
                 and read.channel is not None
-                and read.level
                 and not off
                 and not self.is_fixed(read.channel)
             ):

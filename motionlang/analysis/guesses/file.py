@@ -7,10 +7,13 @@ from __future__ import annotations
 
 import json
 import os
+from math import ceil, floor, isclose
 
 from motionlang.analysis.guesses import answer_entry
 from motionlang.analysis.quantities import quantity
 from motionlang.analysis.scenarios import FOLDER_SUFFIX
+from motionlang.analysis.quantities import quantity
+from motionlang.report import moves
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,6 +27,9 @@ if TYPE_CHECKING:
 # Lines of the program that a comment quotes, and characters of one.
 MAX_LINES = 3
 MAX_TEXT = 60
+# Limits of positions have at most so many decimal places; positions within `SAME` are equal.
+MAX_PLACES = 3
+SAME = 1e-6
 HEAD = """\
 # The machine around {program}, written by motionlang init.
 #
@@ -193,9 +199,34 @@ def _axis(number: int, guesses: Guesses, result: Run) -> str:
     low, high, speed, rate = (
         _figure(f"{name}.{number}", result) for name in ("lowest", "highest", "peak", "accel")
     )
-    text += LIMITS
-    text += f"# limits.position = [{low}, {high}]\n# limits.speed = {speed}\n# limits.acceleration = {rate}\n"
+    places = _places(number, result)
+    if places is not None:
+        low = floor(low * 10**places + SAME) / 10**places
+        high = ceil(high * 10**places - SAME) / 10**places
+    digits = ".6g" if places is None else ".10g"
+    text += f"{LIMITS}# limits.position = [{low:{digits}}, {high:{digits}}]\n"
+    text += f"# limits.speed = {speed:.6g}\n# limits.acceleration = {rate:.6g}\n"
     return text
+
+
+def _places(number: int, result: Run) -> int | None:
+    """Return the decimal places of the positions to which a program moves an axis.
+
+    Jogs and moves that were cut short do not count. Returns None if there are no others, or if they have more than
+    `MAX_PLACES`.
+    """
+    ends = [
+        end
+        for row in moves(result)
+        if row["axis"] == number and row["profile"] != "jog" and "ended" not in row
+        if isinstance(end := row["end"], float)
+    ]
+    exact = (
+        places
+        for places in range(MAX_PLACES + 1)
+        if all(isclose(each, round(each, places), abs_tol=SAME) for each in ends)
+    )
+    return next(exact, None) if ends else None
 
 
 def _switches(keys: dict[str, object]) -> str:
@@ -203,10 +234,10 @@ def _switches(keys: dict[str, object]) -> str:
     return "".join([*lines, "guess = true    # the switches\n"])
 
 
-def _figure(name: str, result: Run) -> str:
+def _figure(name: str, result: Run) -> float:
     row, number = quantity(name)
     value = row.read(result, number)
-    return f"{value:.6g}" if isinstance(value, (int, float)) else "0"
+    return float(value) if isinstance(value, (int, float)) else 0.0
 
 
 def inline(entry: Entry) -> str:
