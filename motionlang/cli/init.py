@@ -106,17 +106,20 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
     if mistakes:
         complain(mistakes, source, file)
         return 1
-    fixed: dict[str, object] = {}
+    model, reasons = language.written_for(source)
+    board: dict[str, object] = {"controller.model": model} if model else {}
+    fixed = dict(board)
     reads = language.input_reads(source)
     guesses, result = guessed(source, language, arguments.until, fixed, reads)
     SIGNALS.end_with(result)
     if guesses.count and sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
-        fixed = _ask(source, guesses, reads)
-        if fixed:
+        given = _ask(source, guesses, reads)
+        if given:
+            fixed = board | given
             guesses, result = guessed(source, language, arguments.until, fixed, reads)
             SIGNALS.end_with(result)
     try:
-        create(path, machine_text(source, guesses, reads, result, arguments.until).encode())
+        create(path, machine_text(source, guesses, reads, result, arguments.until, reasons).encode())
     except OSError as error:
         complain([unwritten(path, error)], None, file)
         return 1

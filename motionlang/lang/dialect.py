@@ -186,6 +186,10 @@ class Dialect:
         """True if a name is that of a controller of the dialect, in any spelling."""
         return name in self.models()
 
+    def written_for(self, source: Source) -> tuple[str, list[str]]:
+        """Return the controller model that a program is written for, and the reasons; "" if it fits several."""
+        return "", []
+
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
         """Return message and hint for a key of the dialect's own section, None if valid."""
         return None

@@ -117,6 +117,16 @@ class Mccl(Dialect):
 
         return tuple(MODELS)
 
+    def knows_model(self, name: str) -> bool:
+        from motionlang.mccl.models import named
+
+        return named(name) is not None
+
+    def written_for(self, source: Source) -> tuple[str, list[str]]:
+        from motionlang.mccl.lint.board import written_for
+
+        return written_for(source)
+
     def switches(self) -> Mapping[str, Switch]:
         from motionlang.mccl.keywords.switchable import SWITCHES
 

@@ -80,6 +80,11 @@ def written_for(name: str) -> str:
     return _SUFFIXES.get(name.rpartition(".")[2].lower(), DEFAULT)
 
 
+def named(name: str) -> Model | None:
+    """Return the model of a name in any case, None if there is none."""
+    return MODELS.get(name.lower())
+
+
 def missing(model: Model, row: Keyword) -> Fault:
     """Return the fault with which a board answers a command that it does not have."""
     have = [each.name for each in _MODELS if row.family not in each.lacks]

@@ -119,6 +119,11 @@ class Mint(Dialect):
 
         return age(name) is not None
 
+    def written_for(self, source: Source) -> tuple[str, list[str]]:
+        from motionlang.mint.lint.model import written_for
+
+        return written_for(source)
+
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
         from motionlang.mint.keywords import machine_readings
         from motionlang.mint.resolve import aliases

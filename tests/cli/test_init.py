@@ -213,12 +213,33 @@ def test_a_home_switch_is_guessed_after_a_move_too(cell: Cell) -> None:
 def test_a_result_says_what_it_depends_on(cell: Cell) -> None:
     cell.write("old.prg", 'INPUT "Way ", s\nPAUSE INX.2\nMOVER.0 = s : GO.0 : PAUSE IDLE.0\n? POS.0\n')
     ran = cell("init", "old.prg", "--format", "none")
-    assert ran.out == "old.machine.toml: written, 2 guesses\nWay 10\n10.0000\n"
+    assert ran.out == "old.machine.toml: written, 2 guesses\nWay 10\n10\n"  # Mint v4 prints no zeros
     depends = "warning[guess]: this result depends on 2 guesses of the machine file: input 2; 1 answer"
     assert ran.err.splitlines()[0] == depends
     text = (cell.folder / "old.machine.toml").read_text()
     (cell.folder / "old.machine.toml").write_text(text.replace(", guess = true", ""))
     assert cell("run", "old.prg", "--format", "none").err == ""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "line"),
+    [
+        ("old.prg", "OUTX.1 = 0 : SPEED.0 = 5\nSPEED.0 = 6", '"mint4"    # line 1: OUTX.1; line 1: SPEED.0'),
+        ("old.mnt", "Dim n As Integer\nSPEED(0) = 5", '"mintmt"    # line 1: As; line 2: SPEED(0)'),
+        ("old.mnt", "PRINT 1", None),
+        ("old.mnt", "SPEED(0) = 5\nACCEL.0 = 5", None),
+        ("old.mccl", "CF35,CN34", '"multiflex"    # line 1: CF35, and 33 to 48 are outputs at power-up'),
+        ("old.mccl", "CN10", '"dcx-pci300"    # line 1: CN10, and 9 to 16 are outputs at power-up'),
+        ("old.pc1", "1TP", '"dcx-pc100"    # the extension .pc1'),
+        ("old.mccl", "CT3,CN3", None),
+        ("old.mccl", "1TP", None),
+    ],
+)
+def test_the_controller_is_that_of_the_notation(cell: Cell, name: str, text: str, line: str | None) -> None:
+    guesses(cell, f"{text}\n", name)
+    machine = (cell.folder / "old.machine.toml").read_text()
+    found = [each for each in machine.splitlines() if each.startswith("controller.model")]
+    assert found == ([f"controller.model = {line}"] if line else [])
 
 
 def test_the_limits_are_there_to_fill_in(cell: Cell) -> None:

@@ -78,13 +78,24 @@ FAULT = """
 """
 
 
-def machine_text(source: Source, guesses: Guesses, reads: list[InputRead], result: Run, until: float) -> str:
-    """Return the text of the machine file; `result` is the run with all guesses."""
+def machine_text(
+    source: Source,
+    guesses: Guesses,
+    reads: list[InputRead],
+    result: Run,
+    until: float,
+    reasons: list[str] | None = None,
+) -> str:
+    """Return the text of the machine file; `result` is the run with all guesses.
+
+    `reasons` say why the program is written for its controller model.
+    """
     program = os.path.basename(source.name)
     fixed = guesses.fixed
     answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
     sections = [
         HEAD.format(program=program, **_end(guesses, until)),
+        *_model(fixed, reasons or []),
         *_table("input", INPUTS, _inputs(source, guesses, reads)),
         *_unknown(source, reads),
         *_table("analogue", ANALOGUE, [_guess(each) for each in guesses.analogue.values()]),
@@ -99,6 +110,12 @@ def machine_text(source: Source, guesses: Guesses, reads: list[InputRead], resul
     else:
         sections.append(FAULT)
     return "".join(sections)
+
+
+def _model(fixed: Mapping[str, object], reasons: list[str]) -> list[str]:
+    """Return the line of the controller model, with the reasons for it; empty if there is none."""
+    model = fixed.get("controller.model")
+    return [f"controller.model = {_value(model)}    # {'; '.join(reasons[:MAX_LINES])}\n"] if model else []
 
 
 def scenario_text(source: Source, guesses: Guesses, result: Run, until: float, below: Guesses) -> str:

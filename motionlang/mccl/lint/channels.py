@@ -10,7 +10,8 @@ from collections.abc import Callable, Mapping
 from motionlang.lang.lint import driven_inputs
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
-from motionlang.mccl.models import Model
+from motionlang.mccl.models import MODELS, Model
+from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.line import Line
 
 Add = Callable[[int, Fault], None]
@@ -25,6 +26,7 @@ def check_channels(lines: list[Line], settings: Mapping[str, object], model: Mod
     made = {command.number for command, _ in commands if command.verb == "channel_output"}
     driven = driven_inputs(settings)
     word = next(row.name for row in table() if row.verb == "channel_output")
+    others = _other_models(commands, made, model)
     for command, at in commands:
         channel = command.number
         if channel is None or None in made or channel in made or channel in model.outputs:
@@ -32,10 +34,19 @@ def check_channels(lines: list[Line], settings: Mapping[str, object], model: Mod
         if command.verb in _SWITCHES:
             message = f"channel {channel} is an input on this board: {command.text} is rejected"
             outputs = f"{model.outputs.start} to {model.outputs.stop - 1} are outputs at power-up"
-            add(at, Fault(0, message, f"{word}{channel} makes it an output; {outputs}", "wrong-channel"))
+            hint = others or f"{word}{channel} makes it an output; {outputs}"
+            others = ""
+            add(at, Fault(0, message, hint, "wrong-channel"))
         elif command.verb in _WAITS and driven is not None and channel not in driven:
             message = f"{command.text} waits for channel {channel}, which no entry of the machine file drives"
             add(
                 at,
                 Fault(0, message, "it continues at once or never; add an [[input]] entry", "endless-wait"),
             )
+
+
+def _other_models(commands: list[tuple[Command, int]], made: set[int | None], model: Model) -> str:
+    """Return a hint with the models on which all switched channels are outputs; "" if there are none."""
+    switched = {each.number for each, _ in commands if each.verb in _SWITCHES} - made - {None}
+    names = [each.name for each in MODELS.values() if each is not model and switched.issubset(each.outputs)]
+    return f"it is an output on {', '.join(names)}: set controller.model in the machine file" if names else ""

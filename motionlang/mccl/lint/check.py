@@ -15,7 +15,7 @@ from motionlang.mccl.lint.channels import check_channels
 from motionlang.mccl.lint.checks import CALLS, lint
 from motionlang.mccl.lint.flow import Flow, flow_of
 from motionlang.mccl.lint.numbers import check_numbers
-from motionlang.mccl.models import DEFAULT, MODELS, Model, missing, written_for
+from motionlang.mccl.models import DEFAULT, MODELS, Model, missing, named, written_for
 from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.resolve.line import Line, lines_of
@@ -37,8 +37,8 @@ def check(source: Source, settings: Mapping[str, object] | None = None) -> list[
     """
     from motionlang.lang.lint import silence
 
-    named = str((settings or {}).get("controller.model", "")) or written_for(source.name)
-    model = MODELS.get(named, MODELS[DEFAULT])
+    wanted = str((settings or {}).get("controller.model", "")) or written_for(source.name)
+    model = named(wanted) or MODELS[DEFAULT]
     lines = list(lines_of(source.text))
     whole = [each for each in lines if isinstance(each, Line)]
     axes = (settings or {}).get("controller.axes", DEFAULT_AXES)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.lang.names import Block, Definition, Names
 from motionlang.mccl.keywords import table
-from motionlang.mccl.models import DEFAULT, MODELS, written_for
+from motionlang.mccl.models import DEFAULT, MODELS, named, written_for
 from motionlang.mccl.resolve.command import NUMBER, REGISTER
 from motionlang.mccl.resolve.line import Line, lines_of
 
@@ -34,9 +34,8 @@ class _Finder:
     def __init__(self, source: Source, settings: Mapping[str, object]) -> None:
         self.source = source
         self.whole = 0, len(source.text)
-        self.model = MODELS.get(
-            str(settings.get("controller.model", "")) or written_for(source.name), MODELS[DEFAULT]
-        )
+        wanted = str(settings.get("controller.model", "")) or written_for(source.name)
+        self.model = named(wanted) or MODELS[DEFAULT]
         self.macros: dict[int, Definition] = {}
         self.registers: dict[int, Definition] = {}
         self.blocks: list[Block] = []

@@ -14,7 +14,7 @@ from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.limits import ALL, Inputs, Limits
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.models import DEFAULT, MODELS
+from motionlang.mccl.models import DEFAULT, MODELS, named
 from motionlang.mccl.motion.contour import MAX_QUEUE, Contour
 from motionlang.mccl.motion.joystick import Joysticks
 from motionlang.mccl.runtime.task import PRIVATE, BackgroundTask
@@ -416,8 +416,8 @@ AXIS_SETTINGS: dict[str, float | str] = {
 
 
 def _model(name: str) -> Model:
-    try:
-        return MODELS[name or DEFAULT]
-    except KeyError:
+    model = named(name or DEFAULT)
+    if model is None:
         models = ", ".join(MODELS)
-        raise Rejected("machine-file", f"MCCL has no model {name}", f"the models are {models}") from None
+        raise Rejected("machine-file", f"MCCL has no model {name}", f"the models are {models}")
+    return model

@@ -11,11 +11,15 @@ from collections.abc import Callable, Iterator
 from motionlang.controller.io.host_memory import named_product
 from motionlang.errors import as_hint
 from motionlang.lang.vocabulary import Vocabulary
+from motionlang.mint.keywords import table
 from motionlang.mint.keywords.comms import EVENTS
 from motionlang.mint.keywords.event_kinds import kind_and_number
-from motionlang.mint.models import ABSENT, LARGEST, MINTMT, V4, age, named
+from motionlang.mint.models import ABSENT, LARGEST, MINTMT, NAMES, V4, age, named
+from motionlang.mint.resolve.names import Names
+from motionlang.mint.resolve.problems import Problems
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.nodes import Module
+from motionlang.mint.syntax.parser import parse
 from motionlang.mint.syntax.tables import TABLES
 from motionlang.mint.syntax.traversal import names_of, walk
 from motionlang.source import Source
@@ -66,6 +70,23 @@ def check_model(
             add("model", what, at, hint)
         for at, what, hint in _never_raised(module, product):
             add("model", what, at, hint, "warning")
+
+
+def written_for(source: Source) -> tuple[str, list[str]]:
+    """Return the name of the generation that a program is written for, and the reasons.
+
+    The name is empty if the program uses the notation of both generations, or of neither.
+    """
+    module = parse(source)
+    names = Names(table(), Problems(module), None)
+    names.declare_module(module)
+    found = [list(find(module, source, table())) for find in (_not_mintmt, _not_v4)]
+    if bool(found[0]) is bool(found[1]):
+        return "", []
+    reasons: dict[str, str] = {}
+    for at, what, _, _ in sorted(found[0] or found[1]):
+        reasons.setdefault(what, f"line {module.line(at)}: {what}")
+    return NAMES[0 if found[0] else 1], list(reasons.values())
 
 
 def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:

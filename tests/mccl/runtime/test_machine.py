@@ -6,6 +6,8 @@ from typing import Any
 
 import pytest
 
+from motionlang.mccl import DIALECT
+from motionlang.source import Source
 from tests.mccl.conftest import Runner
 
 MOTOR_ERROR, FOLLOWING, AMPLIFIER, PLUS, MINUS, HIGH, LOW = (1 << bit for bit in (7, 11, 13, 15, 17, 19, 21))
@@ -211,6 +213,15 @@ def test_a_wait_that_no_input_can_end(mccl: Runner) -> None:
     assert result.diagnostics[0].code == "never"
     assert "channel 7" in result.diagnostics[0].message
     assert result.diagnostics[0].line == 2
+
+
+def test_a_model_in_any_case(mccl: Runner) -> None:
+    machine: dict[str, object] = {"controller.model": "DCX-PCI300"}
+    assert (
+        mccl("CN10,1TP", machine=machine).output
+        == mccl("CN10,1TP", machine={"controller.model": "dcx-pci300"}).output
+    )
+    assert DIALECT.check(Source("a.mccl", "CN10"), machine) == []
 
 
 def test_an_unknown_model(mccl: Runner) -> None:
