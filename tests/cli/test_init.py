@@ -163,7 +163,7 @@ def test_a_menu_is_explored_as_a_tree(cell: Cell) -> None:
 # "Choice" 3, "Service" 1: a path through the menus of old.prg, written by motionlang init.
 # It adds to the machine file next to the program. docs/scenarios.md explains scenarios.
 
-run.until = 0.4    # the program asks again, and there is no further answer
+run.until = 0.40015    # the program asks again, and there is no further answer
 
 input = [
   { channel = 1, at = 0.0, guess = true },
@@ -202,6 +202,11 @@ def test_a_home_switch_lies_a_second_ahead(cell: Cell) -> None:
     text = "SCALE.1 = 100\nSPEED.1 = 50 : HOMESPEED.1 = 20\nHOME.1 = 0\nPAUSE IDLE.1\n? POS.1\n"
     found = guesses(cell, text)
     assert (found["axis.1.home_switch"], found["axis.1.guess"]) == ([-22.0, -20.0], True)
+
+
+def test_index_marks_are_guessed_for_a_search_of_a_mark(cell: Cell) -> None:
+    found = guesses(cell, "1MN,1VM,1DI0,1SV1000,1SA9000,1GO,1FI0,1ST\n", "old.mccl")
+    assert {key for key in found if key.startswith("axis.")} == {"axis.1.index_every", "axis.1.guess"}
 
 
 def test_a_home_switch_is_guessed_after_a_move_too(cell: Cell) -> None:

@@ -1,6 +1,6 @@
-"""Eight programs written for machines run after `init` and at most three edits.
+"""Eleven programs written for machines run after `init` and at most three edits.
 
-The programs in examples/old were written before `init` existed, and are unchanged. An edit changes one line of
+The programs in examples/old are as machine builders wrote them. An edit changes one line of
 the machine file that `init` writes. The duration of a cycle, or of the time between two printed lines, is
 calculated here by hand, without the 10 µs that each statement takes and without the steps of a polling loop.
 """
@@ -78,6 +78,18 @@ def saw_feed() -> float:
     return 6 * piece + 0.5
 
 
+def bag_welder() -> float:
+    return ramp(250, 500, 2500) + 2 * ramp(35, 200, 2000) + 0.25 + 0.08
+
+
+def coiler() -> float:
+    return ramp(1, 1, 8) + ramp(15, 4, 8) + 0.3
+
+
+def rotary() -> float:
+    return ramp(2000, 8000, 16000) + 0.05 + 0.2
+
+
 ASSUMPTIONS = 'assumptions."mint.movebuffersize-default" = 20\n'
 # Program: the edits, how its cycle is found in what it prints, and how long it takes.
 CASES = {
@@ -124,6 +136,9 @@ CASES = {
         table(),
     ),
     "sawfeed.mccl": ([], "order", saw_feed()),
+    "bagwelder.prg": ([], "MS", bag_welder()),
+    "coiler.prg": ([], "MS", coiler()),
+    "rotary.mccl": ([], "nest", rotary()),
 }
 
 
@@ -149,17 +164,19 @@ def test_it_runs_from_nothing(cell: Cell, name: str) -> None:
 def cycle(run: Run, found: str) -> float:
     """Return the duration of one cycle of a production loop, s.
 
-    If `found` is "ms" it is the last printed number, otherwise the time between the last two printed lines that
-    begin with `found`.
+    If `found` is "ms" or "MS" it is the last number that is printed with this unit, otherwise the time between the
+    last two printed lines that begin with `found`.
     """
     printed = [*run.machine.log.prints, *(p for each in run.machine.terminals.values() for p in each.prints)]
-    if found == "ms":
-        return float(printed[-1].text.removesuffix(" ms").split()[-1]) / 1000
+    if found in ("ms", "MS"):
+        texts = [each.text for each in printed]
+        text = next((each for each in reversed(texts) if each.endswith(f" {found}")), texts[-1])
+        return float(text.removesuffix(f" {found}").split()[-1]) / 1000
     lines = [each.time for each in printed if each.text.startswith(found)]
     return float(lines[-1] - lines[-2])
 
 
-def test_there_are_eight_in_both_languages() -> None:
+def test_there_are_eleven_in_both_languages() -> None:
     names = sorted(path.name for path in OLD.iterdir())
     assert names == sorted(CASES)
-    assert sum(name.endswith(".mccl") for name in names) == 3
+    assert sum(name.endswith(".mccl") for name in names) == 4

@@ -61,6 +61,7 @@ PULSES: dict[str, object] = {"at": PERIOD / 2, "for": PERIOD / 2, "every": PERIO
 KEY_DELAY = 0.5
 # The home switch lies so many seconds of homing ahead, and a tenth of that is its length.
 HOME_AHEAD = 1.0
+SWITCHES = ("home_switch", "index_every")
 # Answers that are tried one after the other, and how often one question is answered.
 ANSWERS = ("10", "1", "100", "1000", "5", "0.5")
 MAX_REPEATS = 20
@@ -258,10 +259,10 @@ class Guesses:
 
     # --------------------------------------------------------------------------------------------------- axes
 
-    def home(self, axis: int, result: Run) -> bool:
+    def home(self, axis: int, result: Run, wanted: tuple[str, ...] = SWITCHES) -> bool:
         """Put the home switch ahead of a moving axis, or index marks on its encoder.
 
-        Returns False if the axis is at rest or has both.
+        `wanted` are those that may be missing. Returns False if the axis is at rest or has them.
         """
         a = result.controller.axes[axis]
         velocity = a.profiles[-1].end_velocity / a.scale.counts if a.profiles else 0.0
@@ -269,11 +270,11 @@ class Guesses:
             return False
         keys = self.axes.setdefault(axis, {})
         ahead = velocity * HOME_AHEAD
-        if "home_switch" not in keys:
+        if "home_switch" in wanted and "home_switch" not in keys:
             low, high = sorted((rounded(ahead), rounded(1.1 * ahead)))
             keys["home_switch"] = [low, high]
             return True
-        if "index_every" not in keys:
+        if "index_every" in wanted and "index_every" not in keys:
             keys["index_every"] = rounded(abs(ahead) / 5)
             return True
         return False
@@ -356,7 +357,7 @@ def _end_at_question(guesses: Guesses, result: Run) -> bool:
     asks = scheduler is not None and any(
         task.wait is not None and task.wait.cause == "operator" for task in scheduler.tasks
     )
-    end = floor(result.time * 1000) / 1000
+    end = floor(result.time * 1e6) / 1e6
     if result.status != "fault" or not asks or question not in guesses.exhausted or not end:
         return False
     guesses.until = end
@@ -399,7 +400,8 @@ def _improve_wait(guesses: Guesses, result: Run, reads: list[InputRead], task: T
     line = guesses.line(result, task.at)
     for key in result.dialect.driven_by(wait.why):
         if key.startswith("axis."):
-            return guesses.home(int(key.split(".")[1]), result)
+            _, axis, setting = key.split(".")
+            return guesses.home(int(axis), result, (setting,) if setting in SWITCHES else SWITCHES)
         if key == "key":
             return _press(guesses, result, reads)
         if key == "analogue":

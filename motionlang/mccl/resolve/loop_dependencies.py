@@ -78,8 +78,11 @@ def input_reads(source: Source) -> list[InputRead]:
     for line in lines_of(source.text):
         if not isinstance(line, Line):
             continue
-        for command in line.commands:
-            kind = _KINDS.get(command.verb)
-            if kind is not None:
-                found.append(InputRead(kind[0], command.number, kind[1], line.number, line.number))
+        verbs = [command.verb for command in line.commands]
+        for here, command in enumerate(line.commands):
+            if command.verb in _KINDS:
+                kind, level = _KINDS[command.verb]
+                polls = verbs[here + 1 : here + 2] == ["leave"] and "repeat" in verbs[here:]
+                kind = "poll" if polls else kind
+                found.append(InputRead(kind, command.number, level, line.number, line.number))
     return found

@@ -50,10 +50,12 @@ def test_other_commands_are_no_loop() -> None:
 
 def test_where_a_program_depends_on_inputs() -> None:
     """WN and WF wait, the others test, each for a level."""
-    found = MCCL.input_reads(Source("inputs.mcl", "WN5\nCN33,WF6,IN7\nIF8,DN9,DF10,1WE0\n"))
+    found = MCCL.input_reads(
+        Source("inputs.mcl", "WN5\nCN33,WF6,IN7\nIF8,DN9,DF10,1WE0\nIN11,BK,NO,WA1,RP\nIN12,BK,NO\n")
+    )
     assert [(each.kind, each.channel, each.level, each.line) for each in found] == [
         ("wait", 5, 1, 1), ("wait", 6, 0, 2), ("test", 7, 1, 2), ("test", 8, 0, 3), ("test", 9, 1, 3),
-        ("test", 10, 0, 3),
+        ("test", 10, 0, 3), ("poll", 11, 1, 4), ("test", 12, 1, 5),
     ]  # fmt: skip
 
 
