@@ -30,6 +30,8 @@ MAX_TEXT = 60
 # Limits of positions have at most so many decimal places; positions within `SAME` are equal.
 MAX_PLACES = 3
 SAME = 1e-6
+# The fraction of the last place by which a limit may be too narrow: rounding of a profile is no motion.
+SLACK = 1e-3
 HEAD = """\
 # The machine around {program}, written by motionlang init.
 #
@@ -218,8 +220,8 @@ def _axis(number: int, guesses: Guesses, result: Run) -> str:
     )
     places = _places(number, result)
     if places is not None:
-        low = floor(low * 10**places + SAME) / 10**places
-        high = ceil(high * 10**places - SAME) / 10**places
+        low = floor(low * 10**places + SLACK) / 10**places
+        high = ceil(high * 10**places - SLACK) / 10**places
     digits = ".6g" if places is None else ".10g"
     text += f"{LIMITS}# limits.position = [{low:{digits}}, {high:{digits}}]\n"
     text += f"# limits.speed = {speed:.6g}\n# limits.acceleration = {rate:.6g}\n"
