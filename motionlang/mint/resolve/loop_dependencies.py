@@ -19,7 +19,7 @@ from motionlang.lang.keyword import Keyword
 from motionlang.lang.loop_dependencies import InputRead, LoopDependencies, Read
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.event_kinds import kind_and_number
-from motionlang.mint.keywords.io_inputs import BANK
+from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
 from motionlang.mint.resolve.symbols import TIME, Function, Symbol
@@ -317,7 +317,8 @@ class _Banks:
         if bank is None:
             return {}
         bits = (self._masks.get(bank) or 1) if mask is None else mask
-        return {bank * BANK + k: 1 << k for k in range(BANK) if bits >> k & 1}
+        channels = {bank * BANK + k: 1 << k for k in range(BANK) if bits >> k & 1}
+        return {each: bit for each, bit in channels.items() if 0 <= each <= LAST_CHANNEL}
 
     def channels(self, name: nodes.Name) -> list[int | None]:
         """Return the channels of a bank that the program tests; None for unknown ones."""
@@ -401,7 +402,8 @@ def _is_bank(name: nodes.Name) -> bool:
 
 
 def _channel(name: nodes.Name) -> int | None:
-    return _whole(name.args[0]) if name.args else None
+    number = _whole(name.args[0]) if name.args else None
+    return number if number is not None and 0 <= number <= LAST_CHANNEL else None
 
 
 def _whole(node: nodes.Expr) -> int | None:

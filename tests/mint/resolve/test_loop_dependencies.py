@@ -132,6 +132,9 @@ INPUTS: list[tuple[str, list[tuple[str, int | None, int | None, int, int]]]] = [
      [("wait", 0, 1, 1, 1), ("wait", 1, 0, 1, 1), ("wait", 0, 0, 2, 2), ("wait", 1, 1, 2, 2)]),
     ("While IN(0) & 2 = 0\nWend", [("poll", 1, 1, 1, 1)]),
     ("Dim b\nb = IN(0)\nIf b & 4 = 0 Then End", [("test", 2, None, 2, 2), ("guard", 2, 1, 3, 3)]),
+    # Banks and inputs that do not exist.
+    ("PAUSE INX(1000)", [("wait", None, 1, 1, 1)]),
+    ("PAUSE IN(99)", [("test", None, None, 1, 1)]),
     ("PRINT IN(0)", [("test", None, None, 1, 1)]),
     ("Dim n\nn = 1\nPAUSE IN(n) = 1", [("test", None, None, 3, 3)]),
     ("While INX(3)\nWAIT 1\nWend", [("poll", 3, 0, 1, 2)]),
