@@ -338,7 +338,7 @@ def report_stuck(result: Run, stuck: Stuck) -> None:
         for find in (what_ends, what_frees)
         for task, wait in waits
     )
-    start = "start a move first, or add the event that it waits for to the machine file"
+    start = "start a move first, or add a machine file with the event that it waits for"
     hint = next(filter(None, hints), start)
     result.status = "fault"
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))

@@ -36,11 +36,11 @@ LAZY = {
     "dap/relay.py": "engine",
     "dap/server.py": "adapter relay",
     "lang/machine/machine.py": "machine.axes machine.nonvolatile machine.operator",
-    "mccl/__init__.py": "keywords keywords.row keywords.switchable lint.check models "
+    "mccl/__init__.py": "keywords keywords.row keywords.switchable lint.board lint.check models "
     "resolve.definitions resolve.loop_dependencies resolve.listing "
     "runtime.program runtime.session syntax.parser syntax.tokens syntax.tree",
     "mint/__init__.py": "compile.listing interactive keywords keywords.machine_readings keywords.switchable lint "
-    "models program resolve.aliases resolve.chosen_rates resolve.definitions resolve.loop_dependencies "
+    "lint.model models program resolve.aliases resolve.chosen_rates resolve.definitions resolve.loop_dependencies "
     "runtime.wait_sources syntax.extent syntax.layout syntax.parser",
     "mccl/keywords/__init__.py": "keywords.index",
     "mint/keywords/__init__.py": "keywords.index",

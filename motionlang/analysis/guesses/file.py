@@ -12,7 +12,6 @@ from math import ceil, floor, isclose
 from motionlang.analysis.guesses import answer_entry
 from motionlang.analysis.quantities import quantity
 from motionlang.analysis.scenarios import FOLDER_SUFFIX
-from motionlang.analysis.quantities import quantity
 from motionlang.report import moves
 
 TYPE_CHECKING = False
