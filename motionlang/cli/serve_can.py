@@ -46,6 +46,9 @@ def serve_can(args: argparse.Namespace, settings: Mapping[str, object], queues: 
     with server:
         nodes = "node 1" if args.drives == 1 else f"nodes 1 to {args.drives}"
         say(f"CANopen drives, {nodes}, on {interface} {channel}; Ctrl-C ends it\n")
+        say("units: positions in counts, speeds in 0.1 counts/s, rates in 10 counts/s²\n")
+        if interface == "udp_multicast":
+            say("a master gets its own frames back: give it the can_filters of docs/hosts-can.md\n")
         until_signal(server)
         say(f"received {server.frames} frames; machine time {server.now:.3f} s{dropped(queues)}\n")
     return 0

@@ -20,6 +20,7 @@ direction; a motion away from it is allowed. Units of the objects: 0.1 counts/s,
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from math import copysign, inf
 
 from motionlang.copley.drive import IDLE, Drive
@@ -33,7 +34,8 @@ START, AT_ONCE, RELATIVE, HALT = 0x10, 0x20, 0x40, 0x100
 TARGET_REACHED, LIMIT_ACTIVE, BIT_12, HOMING_ERROR = 0x0400, 0x0800, 0x1000, 0x2000
 # The homing methods: limit switches with and without index, home switch, index, present position.
 METHODS = (1, 2, 17, 18, 19, 20, 33, 34, 35, 37)
-REFERENCE_LIMIT = 0x8612
+# Codes of EMCY: a limit switch, and two that are specific to this drive.
+REFERENCE_LIMIT, NO_SWITCH, NO_METHOD = 0x8612, 0xFF01, 0xFF02
 
 Values = dict[tuple[int, int], int]
 # A target position, a speed and two rates.
@@ -41,14 +43,18 @@ SetPoint = tuple[float, float, float, float]
 
 
 class _NotFound(Exception):
-    """A limit switch was reached before the position searched for."""
+    """The position searched for is not there; `code` is that of EMCY."""
+
+    def __init__(self, code: int, why: str) -> None:
+        super().__init__(why)
+        self.code = code
 
 
 class ProfileModes:
-    """The three modes of one drive; `emergency` is called with an error code."""
+    """The three modes of one drive; `emergency` is called with an error code and the reason."""
 
     def __init__(
-        self, drive: Drive, values: Values, switches: Switches, emergency: Callable[[int], None]
+        self, drive: Drive, values: Values, switches: Switches, emergency: Callable[[int, str], None]
     ) -> None:
         self._drive, self._values, self._switches, self._emergency = drive, values, switches, emergency
         # Profile position: the target in force, the one that waits, and the acknowledge bit.
@@ -59,7 +65,8 @@ class ProfileModes:
         self._velocity: float | None = None
         # Homing: the stages that are left, and how the last one ended.
         self._stages: Iterator[None] | None = None
-        self._homed = self._failed = False
+        self._homed = False
+        self._failed_method: int | None = None
         self._limited = False
 
     # ---------------------------------------------------------------------------------------------- control
@@ -75,7 +82,7 @@ class ProfileModes:
         elif mode == HOMING:
             if now & HALT or falls:
                 self.leave("interrupted by the control word")
-            elif rises and self._drive.state == IDLE:
+            elif self._stages is None and (rises or (now & START and self._is_other_method())):
                 self._begin_homing()
 
     def leave(self, why: str) -> None:
@@ -96,7 +103,12 @@ class ProfileModes:
             wanted = self._wanted_velocity() if self._velocity is not None else 0.0
             reached = abs(self._drive.velocity - wanted) <= 1e-6 * max(1.0, abs(wanted))
             return bits | (TARGET_REACHED * reached) | (BIT_12 * (abs(self._drive.velocity) < 1e-6))
-        return bits | (TARGET_REACHED * idle) | (BIT_12 * self._homed) | (HOMING_ERROR * self._failed)
+        return (
+            bits
+            | (TARGET_REACHED * idle)
+            | (BIT_12 * self._homed)
+            | (HOMING_ERROR * (self._failed_method is not None))
+        )
 
     # ------------------------------------------------------------------------------------- profile position
 
@@ -178,25 +190,34 @@ class ProfileModes:
         drive, switches = self._drive, self._switches
         here, last = self._position, end + drive.datum
         forwards = last > here
-        limit = switches.positive if forwards else switches.negative
+        side, limit = ("positive", switches.positive) if forwards else ("negative", switches.negative)
         self._limited = False
         if last <= limit if forwards else last >= limit:
             drive.follow(profile, seconds, then)
         elif here >= limit if forwards else here <= limit:
-            self._stopped_by_limit()
+            self._stopped_by_limit(side)
         else:
-            drive.follow(profile, crossing(profile, limit - drive.datum), self._stopped_by_limit)
+            end_of_motion = partial(self._stopped_by_limit, side)
+            drive.follow(profile, crossing(profile, limit - drive.datum), end_of_motion)
 
-    def _stopped_by_limit(self) -> None:
+    def _stopped_by_limit(self, side: str) -> None:
         self._point = self._next = None
         self._limited = True
-        self._emergency(REFERENCE_LIMIT)
+        self._emergency(REFERENCE_LIMIT, f"the {side} limit switch has stopped the axis")
         self._drive.brake(self._drive.abort_deceleration)
 
     # -------------------------------------------------------------------------------------------------- homing
 
+    def _is_other_method(self) -> bool:
+        """True if another method than the one that failed is selected.
+
+        The homing of `canopen` does not clear bit 4 after an error, so a new method starts without an edge.
+        """
+        return self._failed_method not in (None, self._values[0x6098, 0])
+
     def _begin_homing(self) -> None:
-        self._homed = self._failed = self._limited = False
+        self._homed = self._limited = False
+        self._failed_method = None
         self._stages = self._homing(self._values[0x6098, 0])
         self._continue_homing()
 
@@ -208,9 +229,9 @@ class ProfileModes:
             next(self._stages)
         except StopIteration:
             self._stages, self._homed = None, True
-        except _NotFound:
-            self._stages, self._failed = None, True
-            self._emergency(REFERENCE_LIMIT)
+        except _NotFound as problem:
+            self._stages, self._failed_method = None, self._values[0x6098, 0]
+            self._emergency(problem.code, f"homing failed: {problem}")
             self._drive.brake(self._drive.abort_deceleration)
 
     def _homing(self, method: int) -> Iterator[None]:
@@ -221,23 +242,27 @@ class ProfileModes:
         switches, fast, slow = self._switches, self._speed(0x6099, 1), self._speed(0x6099, 2)
         home = self._position
         if method not in METHODS:
-            raise _NotFound
+            raise _NotFound(NO_METHOD, f"0x6098 is {method}, which selects no method")
         if method in (1, 17):
-            yield from self._leave_switch(switches.negative, -fast, slow, self._position <= switches.negative)
+            active = self._position <= switches.negative
+            yield from self._leave_switch("negative limit switch", switches.negative, -fast, slow, active)
             home = switches.negative
         elif method in (2, 18):
-            yield from self._leave_switch(switches.positive, fast, -slow, self._position >= switches.positive)
+            active = self._position >= switches.positive
+            yield from self._leave_switch("positive limit switch", switches.positive, fast, -slow, active)
             home = switches.positive
         elif method == 19:
-            yield from self._leave_switch(switches.home, fast, -slow, self._position >= switches.home)
+            active = self._position >= switches.home
+            yield from self._leave_switch("home switch", switches.home, fast, -slow, active)
             home = switches.home
         elif method == 20:
-            yield from self._leave_switch(switches.home, -fast, slow, self._position < switches.home)
+            active = self._position < switches.home
+            yield from self._leave_switch("home switch", switches.home, -fast, slow, active)
             home = switches.home
         if method in (1, 2, 33, 34):
             direction = slow if method in (1, 34) else -slow
             home = switches.next_index(self._position, direction)
-            yield from self._search(home, direction)
+            yield from self._search("index mark", home, direction)
         yield from self._return_to(home)
         self._drive.shift(home - self._drive.datum + self._values[0x607C, 0])
 
@@ -246,29 +271,29 @@ class ProfileModes:
         """The position on the machine, counts."""
         return self._drive.position + self._drive.datum
 
-    def _leave_switch(self, edge: float, fast: float, slow: float, active: bool) -> Iterator[None]:
+    def _leave_switch(self, name: str, edge: float, fast: float, slow: float, active: bool) -> Iterator[None]:
         """Move onto a switch at a fast velocity, and off it again at a slow one."""
         if not active:
-            yield from self._search(edge, fast)
+            yield from self._search(name, edge, fast)
             yield from self._halt()
-        yield from self._search(edge, slow)
+        yield from self._search(name, edge, slow)
 
-    def _search(self, edge: float, velocity: float) -> Iterator[None]:
-        """Move at a velocity to a position on the machine.
+    def _search(self, name: str, edge: float, velocity: float) -> Iterator[None]:
+        """Move at a velocity to a position on the machine, where `name` is.
 
         Raises _NotFound if a limit comes before the position.
         """
         drive, switches, rate = self._drive, self._switches, self._rate(0x609A)
-        limit = switches.positive if velocity > 0 else switches.negative
+        side, limit = ("positive", switches.positive) if velocity > 0 else ("negative", switches.negative)
         reach = min(edge, limit) if velocity > 0 else max(edge, limit)
         if abs(reach) == inf:
-            raise _NotFound
+            raise _NotFound(NO_SWITCH, f"the machine has no {name}")
         if (reach - self._position) * velocity > 0.0:
             profile = plan_velocity("trapezoid", drive.position, drive.velocity, velocity, rate, rate)
             drive.follow(profile, crossing(profile, reach - drive.datum), self._continue_homing)
             yield
         if reach != edge:
-            raise _NotFound
+            raise _NotFound(REFERENCE_LIMIT, f"there is no {name} before the {side} limit switch")
 
     def _halt(self) -> Iterator[None]:
         drive = self._drive

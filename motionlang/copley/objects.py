@@ -194,7 +194,8 @@ BY_ADDRESS: dict[tuple[int, int], Object] = {(o.index, o.sub): o for o in OBJECT
 class ObjectServer:
     """The objects of one drive.
 
-    `power` is its state in the state machine of `states`. `emergency` is called with the code of an error.
+    `power` is its state in the state machine of `states`. `emergency` is called with the code of an error, and
+    `complain` with the reason of one that is not a fault.
     """
 
     def __init__(self, drive: Drive, switches: Switches | None = None) -> None:
@@ -202,6 +203,7 @@ class ObjectServer:
         self.power = DISABLED
         self.values: dict[tuple[int, int], int] = dict(DEFAULTS)
         self.emergency: Callable[[int], None] = lambda code: None
+        self.complain: Callable[[str], None] = lambda text: None
         self.error = 0
         self._switches = switches or Switches()
         self._modes = ProfileModes(drive, self.values, self._switches, self._report)
@@ -354,10 +356,11 @@ class ObjectServer:
         self.values.update(DEFAULTS)
         self.drive.steering = True
 
-    def _report(self, code: int) -> None:
+    def _report(self, code: int, why: str) -> None:
         """Report an error that is not a fault."""
         self.error = code
         self.emergency(code)
+        self.complain(why)
 
     def _choose_mode(self, _: int, value: int) -> None:
         if value not in (0, *MODES):

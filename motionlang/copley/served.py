@@ -38,7 +38,7 @@ class DriveServer:
     """Drives with the node numbers 1, 2 and so on at `interface` and `channel`.
 
     `factor` is machine seconds per second of real time. `switches` has one entry per drive. `complain` is
-    called once for each problem of the bus. Raises BusError if the bus cannot be opened.
+    called once for each problem of the bus or of a drive. Raises BusError if the bus cannot be opened.
     """
 
     def __init__(
@@ -66,6 +66,7 @@ class DriveServer:
         for number in range(1, drives + 1):
             at = switches[number - 1] if number <= len(switches) else None
             node = DriveNode(number, Drive(), at)
+            node.objects.complain = partial(self._report_drive, number)
             self.network.add_node(node)
             self.nodes.append(node)
         self._began = wall()
@@ -132,6 +133,9 @@ class DriveServer:
             self._report(f"the CAN bus: {problem}")
         except Exception as error:  # the library raises several kinds for frames that are too short
             self._report(f"a frame was dropped: {type(error).__name__}: {error}")
+
+    def _report_drive(self, number: int, text: str) -> None:
+        self._report(f"drive {number}: {text}")
 
     def _report(self, text: str) -> None:
         if text not in self._known and len(self._known) < 100:

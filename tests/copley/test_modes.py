@@ -29,6 +29,8 @@ class Axis:
         self.objects = ObjectServer(self.drive, switches)
         self.errors: list[int] = []
         self.objects.emergency = self.errors.append
+        self.reasons: list[str] = []
+        self.objects.complain = self.reasons.append
         self.write(MODE, mode)
         for control in (0x06, 0x07, 0x0F):
             self.write(CONTROL, control)
@@ -671,14 +673,49 @@ def test_homing_is_interrupted_when_bit_4_falls() -> None:
     assert axis.has(BIT_12) == [True]
 
 
-@pytest.mark.parametrize("switches", [Switches(), Switches(positive=500.0, home=800.0)])
-def test_a_switch_that_does_not_come_is_a_homing_error(switches: Switches) -> None:
+@pytest.mark.parametrize(
+    ("method", "switches", "code", "reason"),
+    [
+        (19, Switches(), 0xFF01, "the machine has no home switch"),
+        (20, Switches(), 0xFF01, "the machine has no home switch"),
+        (17, Switches(), 0xFF01, "the machine has no negative limit switch"),
+        (19, Switches(positive=500.0), 0x8612, "there is no home switch before the positive limit switch"),
+        (
+            19,
+            Switches(positive=500.0, home=800.0),
+            0x8612,
+            "there is no home switch before the positive limit switch",
+        ),
+        (33, Switches(negative=-9.0), 0x8612, "there is no index mark before the negative limit switch"),
+        (0, Switches(), 0xFF02, "0x6098 is 0, which selects no method"),
+    ],
+)
+def test_a_homing_that_fails_says_why(method: int, switches: Switches, code: int, reason: str) -> None:
     axis = Axis(HM, switches)
-    axis.write(METHOD, 19)
+    axis.write(METHOD, method)
     axis.write(CONTROL, 0x1F)
     axis.at(60.0)
     axis.write(CONTROL, 0)
     assert axis.objects.read(STATUS, 0) == REACHED | BIT_13 | OTHERS | DISABLED
+    assert axis.errors == [code]
+    assert axis.reasons == [f"homing failed: {reason}"]
+
+
+def test_bit_4_that_stays_set_starts_another_method_after_a_failure() -> None:
+    """The axis stops 12.5 counts behind the limit switch: 5000/s at 1 000 000/s², in 5 ms."""
+    axis = Axis(HM, Switches(positive=500.0))
+    axis.write(METHOD, 19)
+    for time in (0.127, 0.128):  # the switch comes at 125 counts in 50 ms, and 375 in 75 ms
+        axis.write(CONTROL, 0x1F)
+        axis.at(time)
+        assert axis.has(BIT_13) == [True]
+    assert axis.errors == [0x8612]
+    axis.write(METHOD, 35)
+    axis.write(CONTROL, 0x1F)
+    axis.at(1.0)
+    assert axis.has(REACHED, BIT_12, BIT_13) == [True, True, False]
+    axis.write(METHOD, 37)
+    axis.write(CONTROL, 0x1F)
     assert axis.errors == [0x8612]
 
 

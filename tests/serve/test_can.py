@@ -35,8 +35,10 @@ def test_drives_are_served_until_a_signal(tmp_path: Path) -> None:
     ]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert line_with(process, "CANopen drives, nodes 1 to 2, on virtual served") == "; Ctrl-C ends it"
+        units = line_with(process, "units: ")
         process.send_signal(signal.SIGTERM)
         out, err = process.communicate(timeout=MAX_SECONDS)
+    assert units == "positions in counts, speeds in 0.1 counts/s, rates in 10 counts/s²"
     assert (process.returncode, err) == (0, "")
     assert re.fullmatch(r"received 0 frames; machine time \d+\.\d{3} s\n", out), out
     dictionary: Any = canopen.import_od(str(path), node_id=5)
