@@ -79,6 +79,8 @@ class MintConsole:
         self._source: Source | None = None
         self._is_program = False
         self._next: deque[Source] = deque()
+        # The host that pressed the last key for the program.
+        self._key_port: MintPort | None = None
         # What was printed while no host was connected.
         self._early = ""
         # The answer to INPUT that the host has already seen as it typed.
@@ -154,6 +156,8 @@ class MintConsole:
         if port in self.ports:
             self.ports.remove(port)
             port.close()
+            if self._key_port is port:
+                self._key_port = None
             if self.serves(port):
                 self._stop()
                 self._go_on()
@@ -226,8 +230,9 @@ class MintConsole:
             each.prompt()
         self._go_on()
 
-    def press(self, code: int) -> None:
-        """Press a key for the program."""
+    def press(self, port: MintPort, code: int) -> None:
+        """Press a key of a host for the program."""
+        self._key_port = port
         self.machine.operator.press(chr(code))
 
     def answer(self, text: str) -> None:
@@ -307,13 +312,15 @@ class MintConsole:
                 return
 
     def _takes_keys(self) -> bool:
-        """Pass the program's unread keys to an INPUT; True if they answer it."""
-        if self.is_asking and self.ports:
-            keys, port = self.machine.operator.keys, self._by or self.ports[0]
-            while keys and self.is_asking:
-                port.type(keys.pop(0))
-            return not self.is_asking
-        return False
+        """Pass the characters typed ahead to an INPUT; True if they answer it."""
+        if not self.is_asking or not self.ports:
+            return False
+        keys, port = self.machine.operator.keys, self._key_port or self._by or self.ports[0]
+        while keys and self.is_asking:
+            port.type(keys.pop(0))
+        if self._by is not None and not self._is_program:
+            self._by.go_on()
+        return not self.is_asking
 
     def _explain(self, error: Exception) -> Diagnostic | None:
         source = self._source or Source("line", "")

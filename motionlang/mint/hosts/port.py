@@ -7,7 +7,8 @@ The state of the controller decides where a character goes:
     while a program runs           to the program: to a line if INPUT waits for one, otherwise as a key
     at the prompt                  to a line, which the editor or the interpreter executes
 
-Characters that arrive while a line runs are queued. Lines end with CR, LF or both.
+Characters that arrive while a line runs are queued, for its INPUT or for the prompt after it. Lines end with CR, LF or
+both.
 """
 
 from __future__ import annotations
@@ -126,8 +127,8 @@ class MintPort:
         self.send(">" if self.block else self.editor.prompt)
 
     def go_on(self) -> None:
-        """Process the queued characters until something runs."""
-        while self._waiting and not self.console.is_busy:
+        """Process the queued characters until something runs that does not ask for them."""
+        while self._waiting and (self.console.is_asking or not self.console.is_busy):
             self.type(self._waiting.pop(0))
 
     def type(self, code: int) -> None:
@@ -151,7 +152,7 @@ class MintPort:
         elif self.console.is_asking:
             self.type(code)
         elif self.console.runs:
-            self.console.press(code)
+            self.console.press(self, code)
         elif self.console.is_busy or self._waiting:
             if len(self._waiting) < MAX_WAITING:
                 self._waiting.append(code)

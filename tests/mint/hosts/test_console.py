@@ -108,6 +108,30 @@ def test_keys_that_came_before_input_begin_its_line() -> None:
     assert line.received() == "? \n42.0000\nP>"
 
 
+def test_keys_that_came_before_input_are_of_the_line_of_their_host() -> None:
+    """The second of two hosts types; the first one answers the next INPUT."""
+    line = Line('Dim a, b\nWait = 500\nInput "? ", a\nInput "? ", b\nPrint a, " ", b')
+    other = line.console.open(False)
+    other.feed(b"4")
+    line.run(1.0)
+    other.feed(b"2\r")
+    line.run(0.1)
+    line.send(b"7\r")
+    line.run(0.1)
+    assert line.received() == "? \n? \n42.0000 7.0000\nP>"
+
+
+def test_the_keys_of_a_host_that_has_left_begin_the_line_of_another() -> None:
+    line = Line('Dim a\nWait = 500\nInput "? ", a\nPrint a')
+    other = line.console.open(False)
+    other.feed(b"4")
+    line.console.close(other)
+    line.run(1.0)
+    line.send(b"2\r")
+    line.run(0.1)
+    assert line.received() == "? \n42.0000\nP>"
+
+
 def test_inkey_reads_single_keys() -> None:
     line = Line("Dim k As Integer\nLoop\n  k = INKEY\n  If k Then Print k\nEnd Loop")
     line.run(0.1)
@@ -121,6 +145,12 @@ def test_an_input_of_a_typed_line_asks_its_host() -> None:
     line = Line()
     assert line.ask(b'Dim a : Input "n? ", a : Print 2 * a\r') == "n? "
     assert line.ask(b"21\r") == "\n42.0000\nP>"
+
+
+def test_characters_typed_ahead_answer_the_input_of_a_typed_line() -> None:
+    line = Line()
+    assert line.ask(b'Dim a, b : Input "n? ", a : Input "? ", b : Print a + b\r12\r3') == "n? \n? "
+    assert line.ask(b"0\rPrint 7\r") == "\n42.0000\nP>7\nP>"
 
 
 def test_a_download_as_a_host_does_it() -> None:
