@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain
 from motionlang.cli.serve_board import mcapi_hosts, server_of
-from motionlang.cli.serve_hosts import open_lines, say
+from motionlang.cli.serve_hosts import open_lines, remark, say
 from motionlang.errors import Diagnostic
 from motionlang.serve.address import LOOPBACK, shown
+from motionlang.serve.spy import Spy
 
 if TYPE_CHECKING:
     import argparse
@@ -40,7 +41,8 @@ def run_host(args: argparse.Namespace, options: Options, library: Path) -> int:
     """Serve a board on a free port to a program; return the program's exit status."""
     from motionlang.mcapi.log import Recorder
 
-    made = server_of(args, None, options.settings, options.overrides)
+    spy = Spy(remark) if args.log else None
+    made = server_of(args, None, options.settings, options.overrides, spy)
     if made is None:
         return 1
     server, console = made

@@ -39,7 +39,7 @@ def serve_board(
 
     `queues` are those of standard output and standard error.
     """
-    made = server_of(args, source, settings, overrides)
+    made = server_of(args, source, settings, overrides, Spy(remark, traffic=args.log))
     if made is None:
         return 1
     server, console = made
@@ -63,6 +63,7 @@ def server_of(
     source: Source | None,
     settings: dict[str, object],
     overrides: dict[str, float | str],
+    spy: Spy | None,
 ) -> tuple[Server, Console] | None:
     """Return server and console of a board, after the file has been sent to it.
 
@@ -79,7 +80,6 @@ def server_of(
     except Rejected as rejected:
         complain([Diagnostic(rejected.code, rejected.message, hint=rejected.hint)], None, "")
         return None
-    spy = Spy(remark) if args.log else None
     limits = Limits(hosts=args.max_hosts)
     return Server(console, _pace(args, console), limits=limits, spy=spy, complain=warn), console
 

@@ -56,7 +56,7 @@ def serve_line(
         complain([Diagnostic(rejected.code, rejected.message, hint=rejected.hint)], None, "")
         return 1
     pace = _pace(args, console)
-    limits, spy = Limits(hosts=args.max_hosts), Spy(remark) if args.log else None
+    limits, spy = Limits(hosts=args.max_hosts), Spy(remark, traffic=args.log)
     with Server(console, pace, limits=limits, spy=spy, complain=warn) as server:
         model = str(settings.get("controller.model", ""))
         modbus, status = None, 0

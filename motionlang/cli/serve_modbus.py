@@ -82,6 +82,7 @@ def modbus_server(
         unit=args.unit,
         identity=Identity("motionlang", named(model) or VIRTUAL, __version__),
         complain=complain,
+        remark=remark,
     )
 
 

@@ -67,10 +67,10 @@ class Connection:
 class ModbusServer:
     """A server that listens from `start` to `stop`; `port` is the actual port.
 
-    At most `limits.hosts` clients are connected. A further client replaces the one that has been silent
-    longest, if that is at least `limits.idle` seconds. Otherwise the new client is rejected and `complain` is
-    called. `unit` is the only unit that is answered, None for all. `start` raises OSError if the address is not
-    available.
+    At most `limits.hosts` clients are connected. A further client replaces the one that has been silent longest, if
+    that is at least `limits.idle` seconds. Otherwise the new client is rejected and `complain` is called. `remark` is
+    called with a line for each client that connects or leaves. `unit` is the only unit that is answered, None for
+    all. `start` raises OSError if the address is not available.
     """
 
     def __init__(
@@ -83,7 +83,9 @@ class ModbusServer:
         unit: int | None = None,
         identity: Identity | None = None,
         complain: Callable[[str], None] = lambda text: None,
+        remark: Callable[[str], None] = lambda text: None,
     ) -> None:
+        self._remark = remark
         self._outside, self.host, self.port = outside, host, port
         self._unit = unit
         self._identity = identity or Identity("motionlang", "Virtual Controller", __version__)
@@ -140,14 +142,15 @@ class ModbusServer:
     # ------------------------------------------------------------------------------------------- connections
 
     async def _accept(self, reader: StreamReader, writer: StreamWriter) -> None:
+        name = address.shown(*writer.get_extra_info("peername")[:2])
         if len(self._connections) >= self._limits.hosts and not self._make_room():
-            name = address.shown(*writer.get_extra_info("peername")[:2])
             self._refuse(f"{name} was turned away: {self._limits.hosts} clients are connected already")
             writer.close()
             return
         task = asyncio.current_task()
         assert task is not None
         connection = self._connections[task] = Connection(writer)
+        self._remark(f"Modbus client {name} connected\n")
         try:
             while await self._answer_next(reader, connection):
                 pass
@@ -156,6 +159,7 @@ class ModbusServer:
         finally:
             self._connections.pop(task, None)
             writer.close()
+            self._remark(f"Modbus client {name} has left\n")
 
     def _make_room(self) -> bool:
         """Disconnect the longest-silent client if it is idle; it may reconnect."""

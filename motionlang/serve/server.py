@@ -168,7 +168,7 @@ class Server:
         end = time.monotonic() + FAREWELL
         for host in list(self.hosts):
             self._send_rest(host, end)
-            self._leave(host, "the server ends")
+            self._leave(host, "is disconnected: the server ends")
         for listener in self._listeners:
             listener.close()
         self._listeners.clear()
@@ -228,7 +228,7 @@ class Server:
         host = make(self.served, channel)
         self.hosts.append(host)
         if self.spy is not None:
-            self.spy.remark(host.number, f"connected: {channel.name}")
+            self.spy.remark(host.number, f"connected from {channel.name}")
         self._serve(host)
 
     def _leave(self, host: Host, why: str) -> None:

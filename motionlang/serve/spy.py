@@ -1,4 +1,4 @@
-"""Line-by-line log of the traffic with hosts, for authors of clients."""
+"""Log of the hosts that connect and leave and, line by line, of their traffic, for authors of clients."""
 
 from __future__ import annotations
 
@@ -15,28 +15,30 @@ _PROMPT = re.compile(rb"(?:[PC]|\d+)?>")
 
 
 class Spy:
-    """Writes `1 < 1TP` for data from host 1 and `1 > 01 0` for its answer.
+    """Writes `1 < 1TP` for data from host 1 and `1 > 01 0` for its answer, and `host 1 has left`.
 
-    Non-printing characters are written as Python escapes.
+    Non-printing characters are written as Python escapes. Without `traffic` only the remarks are written.
     """
 
-    def __init__(self, write: Callable[[str], None]) -> None:
-        self._write = write
+    def __init__(self, write: Callable[[str], None], traffic: bool = True) -> None:
+        self._write, self._traffic = write, traffic
         self._open: dict[tuple[int, str], bytearray] = {}
 
     def sent(self, number: int, data: bytes) -> None:
         """Log data from a host."""
-        self._take(number, "<", data)
+        if self._traffic:
+            self._take(number, "<", data)
 
     def answered(self, number: int, data: bytes) -> None:
         """Log an answer to a host."""
-        self._take(number, ">", data)
+        if self._traffic:
+            self._take(number, ">", data)
 
     def remark(self, number: int, text: str) -> None:
         """Log a remark about a host."""
         for key in [key for key in self._open if key[0] == number]:
             self._end(key)
-        self._write(f"{number} -- {text}\n")
+        self._write(f"host {number} {text}\n")
 
     def _take(self, number: int, mark: str, data: bytes) -> None:
         key = (number, mark)

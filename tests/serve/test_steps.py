@@ -63,9 +63,18 @@ def test_answers_are_logged_without_prompts() -> None:
     spy.sent(1, b">\r")
     spy.sent(1, b"half")
     spy.remark(1, "has left")
-    assert found == ["1 > 01 0\n", "1 < >\n", "1 < half\n", "1 -- has left\n"]
+    assert found == ["1 > 01 0\n", "1 < >\n", "1 < half\n", "host 1 has left\n"]
     spy.remark(2, "has left")
-    assert found[4:] == ["2 > x>y\n", "2 -- has left\n"]
+    assert found[4:] == ["2 > x>y\n", "host 2 has left\n"]
+
+
+def test_without_traffic_the_log_has_the_remarks() -> None:
+    found: list[str] = []
+    spy = Spy(found.append, traffic=False)
+    spy.sent(1, b"1TP\r")
+    spy.answered(1, b"01 0\r\n")
+    spy.remark(1, "has left")
+    assert found == ["host 1 has left\n"]
 
 
 # ------------------------------------------------------------------------------------------------ addresses

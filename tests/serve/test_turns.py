@@ -212,7 +212,7 @@ def test_hosts_are_numbered_and_the_log_has_when_they_come_and_leave(
         server._join(channel, lambda number, channel: host(number=number, channel=channel))
     assert [each.number for each in server.hosts] == [1, 2] == list(range(1, server.served + 1))
     server._leave(server.hosts[0], "has left")
-    assert remarks == [(1, "connected: first"), (2, "connected: second"), (1, "has left")]
+    assert remarks == [(1, "connected from first"), (2, "connected from second"), (1, "has left")]
 
 
 @pytest.mark.parametrize(("hosts", "is_rejected"), [(0, False), (1, True)])
