@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import argparse
 import os
+import shlex
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from motionlang.cli.address import address
 from motionlang.cli.complaints import complain
 from motionlang.cli.machine_options import add_machine
-from motionlang.cli.mcapi_run import run_host
+from motionlang.cli.mcapi_run import environment, run_host
 from motionlang.cli.numbers import real
 from motionlang.cli.options import Options
 from motionlang.cli.parser import add_all, add_command, arrange, option, sentence
 from motionlang.cli.serve import ADDRESSES, BOARD, GROUPS, read_board
 from motionlang.errors import Diagnostic
+from motionlang.serve.address import shown
 
 if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
@@ -24,6 +27,11 @@ if TYPE_CHECKING:
 OK, WRONG = 0, 1
 _NOT_NEGATIVE = real("a number, 0 or more", 0.0, 1e6)
 TARGETS = ("linux", "win64", "win32")
+PATH_EPILOG = """\
+examples:
+  motionlang mcapi path
+  eval "$(motionlang mcapi path --env 127.0.0.1:4410)"     then: ./host
+"""
 RUN_EPILOG = """\
 PROGRAM runs with MCAPI_HOST, LD_PRELOAD and LD_LIBRARY_PATH set, so that it finds the library as it is. The
 exit status is that of PROGRAM.
@@ -44,12 +52,19 @@ def add_parser(family: Commands, summary: str) -> None:
     parser = add_command(commands, "build", "compile the C library into the user's cache", build_command)
     _add_target(parser)
     parser.add_argument("--out", metavar="DIR", help="put the library into this folder instead")
-    parser = add_command(commands, "path", "print where the compiled C library is", path_command)
+    parser = add_command(commands, "path", "print where the compiled C library is", path_command, PATH_EPILOG)
     _add_target(parser)
+    add_all(parser, _ENVIRONMENT)
     _add_run(commands)
     parser = add_command(commands, "log", "print a log of calls as MCCL with times", log_command)
     parser.add_argument("file", metavar="FILE", help="the log")
     _add_replay(commands)
+
+
+_ENVIRONMENT = (
+    option("--env", "HOST:PORT", "print the exports by which a host that you start finds the library and, if its "
+           "address is given, the board", address, nargs="?", const=("", 0)),
+)  # fmt: skip
 
 
 def _add_target(parser: argparse.ArgumentParser) -> None:
@@ -100,11 +115,18 @@ def build_command(args: argparse.Namespace) -> int:
 
 
 def path_command(args: argparse.Namespace) -> int:
-    """Print the path of the library; 1 if it has not been built."""
+    """Print the path of the library, or the exports for a host; 1 if it has not been built."""
+    if args.env is not None and args.target != "linux":
+        args.parser.error("--env is for Linux; on Windows copy the DLL next to the program")
     path = library(args.target)
     if path is None:
         return WRONG
-    print(path)
+    if args.env is None:
+        print(path)
+        return OK
+    host, port = args.env
+    for name, value in environment(os.environ, shown(host, port) if host else "", path).items():
+        print(f"export {name}={shlex.quote(value)}")
     return OK
 
 

@@ -59,13 +59,15 @@ def run_host(args: argparse.Namespace, options: Options, library: Path) -> int:
         if opened is None:
             return 1
         say(opened)
-        return _run(server, args, _environment(os.environ, shown(*address), library, args.factor))
+        host_environment = {**os.environ, **environment(os.environ, shown(*address), library, args.factor)}
+        return _run(server, args, host_environment)
 
 
-def _environment(own: Mapping[str, str], address: str, library: Path, factor: float | None) -> dict[str, str]:
-    """Return the environment in which the program finds the board and the library."""
-    found = dict(own)
-    found["MCAPI_HOST"] = address
+def environment(
+    own: Mapping[str, str], address: str, library: Path, factor: float | None = None
+) -> dict[str, str]:
+    """Return the variables by which a program finds the board and the library; `own` has the present ones."""
+    found: dict[str, str] = {"MCAPI_HOST": address} if address else {}
     preload = [str(library)]
     if factor is not None:
         fake = next((path for pattern in FAKETIME for path in sorted(glob(pattern))), None)

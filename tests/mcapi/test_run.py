@@ -56,6 +56,38 @@ def test_the_path_is_that_of_the_build(cache: Path) -> None:
     assert Path(done.stdout.strip()).is_relative_to(cache)
 
 
+@needs_compiler
+def test_the_exports_for_a_host_that_a_user_starts(cache: Path) -> None:
+    library = motionlang(cache, "path").stdout.strip()
+    lines = [f"export LD_PRELOAD={library}", f"export LD_LIBRARY_PATH='{Path(library).parent}:/a b'"]
+    for words, board in (((), []), (("127.0.0.1:4411",), ["export MCAPI_HOST=127.0.0.1:4411"])):
+        done = motionlang(cache, "path", "--env", *words, LD_PRELOAD="", LD_LIBRARY_PATH="/a b")
+        assert (done.stdout.splitlines(), done.stderr) == (board + lines, "")
+
+
+@needs_compiler
+def test_a_host_runs_with_the_exports(cache: Path) -> None:
+    """A shell takes them by eval; the host finds the library by its name."""
+    exports = motionlang(cache, "path", "--env").stdout
+    code = "import ctypes; print(ctypes.CDLL('libmcapi.so').MCOpen is not None)"
+    command = ["sh", "-c", f'eval "$1"; "{sys.executable}" -c "{code}"', "sh", exports]
+    found = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert found.stdout == "True\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("--env", "x"), "'x' is not HOST:PORT"),
+        (("--env", "--target", "win64"), "--env is for Linux; on Windows copy the DLL next to the program"),
+    ],
+)
+def test_exports_that_cannot_be_printed(tmp_path: Path, words: tuple[str, ...], message: str) -> None:
+    done = motionlang(tmp_path, "path", *words)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert message in done.stderr
+
+
 def test_a_path_before_a_build(tmp_path: Path) -> None:
     done = motionlang(tmp_path, "path", "--target", "win64")
     assert done.returncode == 1
