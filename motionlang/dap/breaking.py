@@ -62,7 +62,8 @@ class Breaking:
 
     def motion(self, given: Arguments) -> list[Body]:
         """Replace the motion breakpoints."""
-        return self._searched("motion", given, "breakpoints", "name", moments.search)
+        axes = self._debugger.axes
+        return self._searched("motion", given, "breakpoints", "name", lambda text: moments.search(text, axes))
 
     def filters(self, given: Arguments) -> list[Body]:
         """Replace the filters: errors, faults, limits, clamps."""

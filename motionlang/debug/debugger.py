@@ -35,6 +35,7 @@ from motionlang.debug.journal import Assigned, Entered, Journal
 from motionlang.debug.patience import Patience
 from motionlang.debug.replay import EVERY, MEMORY, Output, Point, Remembered, Replay, Setup
 from motionlang.debug.state import State
+from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.record import record
 
 TYPE_CHECKING = False
@@ -184,6 +185,13 @@ class Debugger:
     def run(self) -> Run | None:
         """The result, if the program has ended."""
         return self._replay.run
+
+    @property
+    def axes(self) -> range:
+        """The numbers of the axes of the controller."""
+        first = self.language.first_axis
+        count: int = self._settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+        return range(first, first + count)
 
     @property
     def lines(self) -> list[int]:

@@ -69,20 +69,32 @@ def together(found: list[Moment]) -> Moment:
     return Moment(first.time, "; ".join(texts[:MAX_TEXTS]) + more, first.at, first.reason)
 
 
-def search(text: str) -> Search:
-    """Return the search for a motion breakpoint; raise WrongExpression if invalid."""
+def search(text: str, axes: range) -> Search:
+    """Return the search for a motion breakpoint on a controller with these axes.
+
+    Raises WrongExpression if it is invalid or names another axis.
+    """
     match = _AXIS.fullmatch(text)
     if match is not None:
+        _check_axis(int(match[1]), axes)
         return _axis(int(match[1]), match[2].lower())
     match = _CHANNEL.fullmatch(text)
     if match is not None:
         return channel(match[1].lower(), int(match[2]), match[3].lower())
+    blank = _Blank()
     try:
         expression = parse(text)
-        expression(_Blank())
+        expression(blank)
     except WrongExpression as error:
         raise WrongExpression(f"{error}; a motion breakpoint is {FORMS}") from None
+    for number in blank.axes:
+        _check_axis(number, axes)
     return lambda machine, after, until: _becomes_true(expression, text, machine, after, until)
+
+
+def _check_axis(number: int, axes: range) -> None:
+    if number not in axes:
+        raise WrongExpression(f"there is no axis {number}; this controller has axes {axes[0]} to {axes[-1]}")
 
 
 def filtered(kinds: Iterable[str]) -> Search:
@@ -172,8 +184,11 @@ def _stops(machine: Machine, number: int, after: float, until: float) -> Iterato
 class _Blank:
     """A state whose readings are all `READING`, to check an expression without a run.
 
-    Targets are rejected: the log has the motion of an axis, not its targets.
+    Targets are rejected: the log has the motion of an axis, not its targets. `axes` lists the axes that were read.
     """
+
+    def __init__(self) -> None:
+        self.axes: list[int] = []
 
     def variable(self, name: str, subscripts: list[float]) -> float | None:
         return None
@@ -181,6 +196,8 @@ class _Blank:
     def reading(self, what: str, number: int) -> float:
         if what == "target":
             raise WrongExpression("the target of an axis has no history; use position")
+        if what not in ("input", "output", "time"):
+            self.axes.append(number)
         return READING
 
 

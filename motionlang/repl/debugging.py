@@ -72,7 +72,7 @@ class Debugging:
         if text.lower().endswith(" if"):
             raise ValueError(f"{text} has no condition; {text} n > 3")
         if match is None:
-            self._broken[text] = moments.search(text)
+            self._broken[text] = moments.search(text, self.debugger.axes)
         else:
             line = self.debugger.line_for(int(match[1]))
             if line is None:

@@ -103,9 +103,12 @@ def test_motion_is_a_function_breakpoint(client: Client, tmp_path: Path) -> None
     program = tmp_path / "move.mnt"
     program.write_text(MOVE)
     client.launch(program, input=["5=1@1.5"])
-    names = [{"name": "position(0) > 20"}, {"name": "input 5 rises"}, {"name": "whenever it rains"}]
-    points = client.ask("setFunctionBreakpoints", breakpoints=names)["breakpoints"]
-    assert [point["verified"] for point in points] == [True, True, False]
+    names = ["position(0) > 20", "input 5 rises", "whenever it rains", "axis 9 starts"]
+    points = client.ask("setFunctionBreakpoints", breakpoints=[{"name": each} for each in names])[
+        "breakpoints"
+    ]
+    assert [point["verified"] for point in points] == [True, True, False, False]
+    assert points[3]["message"] == "there is no axis 9; this controller has axes 0 to 7"
     stop = client.begin()
     assert stop["body"]["reason"] == "function breakpoint"
     assert stop["body"]["text"].startswith("position(0) > 20 holds at 0.45")

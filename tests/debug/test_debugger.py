@@ -198,7 +198,7 @@ def test_a_condition_that_is_none_is_rejected(text: str) -> None:
 def test_a_position_is_found_in_the_middle_of_a_wait() -> None:
     """20 uu are a ramp of 2.5 uu in 0.1 s and 17.5 uu at 50 uu/s: 0.45 s after GO."""
     debugger = mint(MOVE)
-    debugger.searches = [search("position(0) > 20")]
+    debugger.searches = [search("position(0) > 20", range(8))]
     stop = debugger.start(False)
     assert stop is not None
     begin = 5e-5  # five statements before GO
@@ -211,7 +211,7 @@ def test_a_position_is_found_in_the_middle_of_a_wait() -> None:
 def test_the_stop_is_the_first_statement_after_a_moment_of_several() -> None:
     """Position 20 is reached 0.45 s after the first GO, in its wait of 2.1 s."""
     debugger = mint(MOVE + "n = 1\nMOVEA(0) = 0\nGO(0)\nPAUSE IDLE(0)\nn = 2\n")
-    debugger.searches = [search("position(0) > 20")]
+    debugger.searches = [search("position(0) > 20", range(8))]
     stop = debugger.start(False)
     assert stop is not None
     assert stop.line == 6
@@ -227,7 +227,8 @@ def test_motion_and_channels_are_moments() -> None:
     settings: dict[str, object] = {"input": [{"channel": 5, "at": 1.0, "value": 1}]}
     debugger = mint(MOVE, settings)
     debugger.searches = [
-        search(each) for each in ("axis 0 starts", "axis 0 stops", "input 5 rises", "output 2 rises")
+        search(each, range(8))
+        for each in ("axis 0 starts", "axis 0 stops", "input 5 rises", "output 2 rises")
     ]
     debugger.start()
     texts = []

@@ -238,7 +238,6 @@ BEGIN = 5e-5
         ("output 2 rises", 3e-5),
         ("axis 1 starts", None),
         ("axis 1 stops", None),
-        ("axis 9 stops", None),
         ("input 4 rises", None),
         ("output 2 falls", None),
         ("position(0) > 101", None),
@@ -249,7 +248,7 @@ def test_the_time_of_a_moment(text: str, time: float | None) -> None:
         "input": [{"channel": 5, "at": 1.0, "value": 1}, {"channel": 5, "at": 1.5, "value": 0}]
     }
     debugger = mint(MOVE, settings)
-    debugger.searches = [search(text)]
+    debugger.searches = [search(text, range(8))]
     stop = debugger.start(False)
     if time is None:
         assert stop is None
@@ -269,7 +268,7 @@ def test_the_time_of_a_moment(text: str, time: float | None) -> None:
 )
 def test_a_motion_breakpoint_that_is_none(text: str, message: str) -> None:
     with pytest.raises(WrongExpression) as caught:
-        search(text)
+        search(text, range(8))
     assert message in str(caught.value)
     assert str(caught.value).endswith(
         "a motion breakpoint is axis 0 starts, axis 0 stops, input 5 rises, output 2 falls or a condition such as "
@@ -279,16 +278,27 @@ def test_a_motion_breakpoint_that_is_none(text: str, message: str) -> None:
 
 def test_a_condition_may_divide_by_a_reading() -> None:
     """It has a value for the reading at which it is checked before the run."""
-    assert search("1 / (position(0) - 1) > 5 Or 1 / velocity(0) > 5") is not None
+    assert search("1 / (position(0) - 1) > 5 Or 1 / velocity(0) > 5", range(8)) is not None
     with pytest.raises(WrongExpression, match="division by zero"):
-        search("position(0) / 0 > 1")
+        search("position(0) / 0 > 1", range(8))
 
 
-def test_an_axis_of_a_condition_that_does_not_exist() -> None:
+@pytest.mark.parametrize("text", ["axis 8 starts", "axis 8 stops", "position(8) > 1"])
+def test_an_axis_of_a_motion_breakpoint_that_does_not_exist(text: str) -> None:
+    with pytest.raises(WrongExpression, match=r"^there is no axis 8; this controller has axes 0 to 7$"):
+        search(text, range(8))
+
+
+def test_an_axis_that_a_condition_reads_late_does_not_exist() -> None:
     debugger = mint(MOVE)
-    debugger.searches = [search("position(99) > 1")]
+    debugger.searches = [search("position(0) > 1 And position(99) > 1", range(8))]
     with pytest.raises(WrongExpression, match="there is no axis 99"):
         debugger.start(False)
+
+
+def test_the_axes_of_the_machine() -> None:
+    assert mint(MOVE).axes == range(8)
+    assert mint(MOVE, {"controller.axes": 3}).axes == range(3)
 
 
 def test_moments_at_the_same_time_are_one() -> None:

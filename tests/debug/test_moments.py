@@ -46,7 +46,7 @@ def made(until: float = inf) -> Run:
 
 
 def found(text: str, after: float = 0.0, until: float = 9.0, result: Run | None = None) -> list[Moment]:
-    return list(search(text)((result or made()).machine, after, until))
+    return list(search(text, range(8))((result or made()).machine, after, until))
 
 
 @pytest.mark.parametrize(
@@ -110,7 +110,7 @@ def test_a_moment_says_what_occurs(text: str, words: str) -> None:
 def test_a_motion_that_has_not_ended_has_started() -> None:
     """The profile of FOLLOW is not known before it ends."""
     debugger = mint(PROGRAM, {"controller.instruction_time": 1e-3})
-    debugger.searches = [search("axis 1 starts")]
+    debugger.searches = [search("axis 1 starts", range(8))]
     stop = debugger.start(False)
     assert stop is not None
     assert stop.moment == pytest.approx(FOLLOWS)

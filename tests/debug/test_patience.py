@@ -137,7 +137,7 @@ def test_a_moment_in_an_endless_wait_is_found_without_the_rest_of_the_run(
     """The second spline starts in the wait, where the log is searched."""
     monkeypatch.setattr("motionlang.debug.debugger.STRIDE", FEW)
     debugger = at_the_wait()
-    debugger.searches = [search("axis 0 starts")]
+    debugger.searches = [search("axis 0 starts", range(8))]
     stop = debugger.go_on()
     assert stop is not None
     assert (stop.line, stop.reason) == (6, "moment")

@@ -39,7 +39,7 @@ def shown(stop: Stop | None) -> tuple[int, int, str, str, float | None] | None:
 def rising(time: float) -> Debugger:
     """Return a session of `READS` that stops when input 5 rises at a time."""
     debugger = mint(READS, {"input": [{"channel": 5, "at": time * UNIT, "value": 1}]})
-    debugger.searches = [search("input 5 rises")]
+    debugger.searches = [search("input 5 rises", range(8))]
     return debugger
 
 
@@ -183,7 +183,7 @@ def test_breakpoints_and_moments_forward_and_backward() -> None:
     The breakpoints are at statements 3 and 8. At statement 3, forward finds the moment and backward the breakpoint.
     """
     debugger = mint(BLINKS)
-    debugger.searches = [search("output 2 changes")]
+    debugger.searches = [search("output 2 changes", range(8))]
     debugger.set_breakpoints([at(debugger, 4), at(debugger, 9)])
     forward, backward = [], []
     stop = debugger.start(False)

@@ -43,7 +43,7 @@ def test_an_axis_before_during_and_after_a_move() -> None:
     before = axis(debugger)
     assert (before["position"], before["velocity"], before["target"]) == ("0", "0", "0")
     assert (before["state"], before["faults"], before["buffer"]) == ("idle", "none", "()")
-    debugger.searches = [search("velocity(0) >= 25")]
+    debugger.searches = [search("velocity(0) >= 25", range(8))]
     debugger.go_on()
     found = axis(debugger)
     assert (found["state"], found["target"]) == ("idle", "100")
@@ -81,7 +81,7 @@ def test_the_time_at_a_stop_and_at_the_end() -> None:
 def test_the_lines_of_an_axis_in_order() -> None:
     """A motor is listed after the position, the moment of the stop at the end."""
     debugger = mint(MOVE)
-    debugger.searches = [search("output 2 rises")]
+    debugger.searches = [search("output 2 rises", range(8))]
     debugger.start(False)
     assert list(axis(debugger)) == [
         "position", "velocity", "target", "state", "faults", "buffer", "position at 3e-05 s", "velocity at 3e-05 s",
@@ -303,7 +303,7 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("short")
 def test_a_moment_far_ahead_is_found_at_its_statement() -> None:
     debugger = mint(LOOP)
-    debugger.searches = [search("output 2 rises")]
+    debugger.searches = [search("output 2 rises", range(8))]
     stop = debugger.start(False)
     assert stop is not None
     assert value(debugger, "k") in (150, 151)
