@@ -49,6 +49,7 @@ _CONSOLE_HELP = """\
 .analog 0=25  an analogue input             .goto line 12  go to the next time that a line begins
 .keys R       keys of the operator          .changed NAME  go back to the last change of a variable,
 .help         this list                                    of output 2, input 5 or axis 0
+n = 5         change a variable             n == 5         compare; any other expression shows its value
 """
 _COMMANDS = (".input", ".analog", ".keys", ".goto", ".changed", ".help")
 
@@ -455,14 +456,15 @@ class Adapter:
 
     def _do_evaluate(self, given: Arguments) -> Body:
         text = given.text("expression")
-        if self._asking and given.text("context", "") == "repl":
+        in_console = given.text("context", "") == "repl"
+        if self._asking and in_console:
             self._answers.put(text)
             return {"result": "", "variablesReference": 0}
         if self.phase == RUNNING:
             raise NotStopped
         if text.lstrip().startswith("."):
             return {"result": self._obey(text.strip()), "variablesReference": 0}
-        return self._showing.evaluate(text)
+        return self._showing.carry_out(text) if in_console else self._showing.evaluate(text)
 
     def _obey(self, line: str) -> str:
         """Carry out a dot command of the console."""

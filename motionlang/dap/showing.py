@@ -14,7 +14,7 @@ from typing import Any
 
 from motionlang.dap.arguments import Arguments, Refused
 from motionlang.debug.debugger import Debugger
-from motionlang.debug.expressions import WrongExpression, parse
+from motionlang.debug.expressions import WrongExpression, assignment, parse
 from motionlang.debug.scopes import LOCAL, MACHINE, MODULE, Waiting
 from motionlang.debug.values import shown
 from motionlang.errors import count_of
@@ -238,12 +238,23 @@ class Showing:
 
     def set_expression(self, given: Arguments) -> Body:
         """Change the value of a variable or an input, given by its name."""
-        path, text = self.path_of(given.text("expression")), given.text("value")
+        return self._set(given.text("expression"), given.text("value"))
+
+    def _set(self, name: str, text: str) -> Body:
+        path = self.path_of(name)
         if path[0] != MACHINE:
             return self._assign(path, text)
         if "input" not in path[1]:
             raise Refused(_FIXED)
         return self._set_input(path[1], text)
+
+    def carry_out(self, line: str) -> Body:
+        """Carry out a line of the console: an assignment, or an expression whose value is returned."""
+        given = assignment(line)
+        if given is None:
+            return self.evaluate(line)
+        body = self._set(*given)
+        return {"result": body.pop("value"), **body}
 
     def evaluate(self, text: str) -> Body:
         """Return the value of an expression."""

@@ -51,8 +51,18 @@ _LEVELS: tuple[tuple[str, ...], ...] = (
 )  # fmt: skip
 
 
+# A variable, a register or an element, and its new value; == compares.
+_ASSIGNMENT = re.compile(r"\s*(@?\w+(?:\([\d, ]+\))?)\s*=(?!=)\s*(.+)")
+
+
 class WrongExpression(ValueError):
     """An invalid expression, or one that cannot be evaluated."""
+
+
+def assignment(text: str) -> tuple[str, str] | None:
+    """Return the name and the expression of a typed assignment, None if it is none."""
+    match = _ASSIGNMENT.fullmatch(text)
+    return None if match is None else (match[1], match[2])
 
 
 def parse(text: str) -> Expression:

@@ -67,13 +67,17 @@ class State:
         return self._query(lambda: scopes.named(self._replay.hook, self._point, name))
 
     def path_of(self, name: str) -> tuple[str, ...]:
-        """Return the path of a variable, an axis or a channel such as "output 2".
+        """Return the path of a variable, an element, an axis or a channel such as "output 2".
 
         Raises WrongExpression if there is none.
         """
-        found = self.named(name.strip())
+        base, bracket, subscripts = name.strip().partition("(")
+        found = self.named(f"R{base[1:]}" if base.startswith("@") else base)
         if found is not None:
-            return found[0]
+            path = found[0] if not bracket else (*found[0], f"{found[1].name}({subscripts}")
+            if self.find(path) is None:
+                raise WrongExpression(f"there is no {path[-1][:60]}")
+            return path
         component = scopes.of_machine(name)
         if component is None:
             raise WrongExpression(f"there is no variable {name.strip()[:60]} here")

@@ -12,7 +12,7 @@ from motionlang.debug import moments
 from motionlang.debug.breakpoints import Breakpoint
 from motionlang.debug.debugger import Debugger, Interrupted, NotStopped, Stop
 from motionlang.debug.destinations import destination
-from motionlang.debug.expressions import parse
+from motionlang.debug.expressions import assignment, parse
 from motionlang.debug.values import shown
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import dialect_for, settings_next_to
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from motionlang.repl.session import Session
 
 _LINE = re.compile(r"(\d{1,7})(?:\s+if\s+(.+))?", re.IGNORECASE)
-_GIVEN = re.compile(r"(@?\w+(?:\([\d, ]+\))?)\s*=\s*(.+)")
 
 
 class Debugging:
@@ -241,9 +240,9 @@ def vars_(session: Session, text: str) -> None:
     """`.vars`: show the state at the stop or one value, or assign a variable."""
 
     def work(debugging: Debugging) -> str:
-        given = _GIVEN.fullmatch(text)
+        given = assignment(text)
         if given is not None:
-            return _give(debugging.debugger, given[1], given[2])
+            return _give(debugging.debugger, *given)
         if text:
             found = debugging.debugger.state().evaluate(text)
             return f"{text} = {shown(getattr(found, 'value', found))}\n"
@@ -254,12 +253,7 @@ def vars_(session: Session, text: str) -> None:
 
 def _give(debugger: Debugger, name: str, text: str) -> str:
     state = debugger.state()
-    base, _, subscript = name.partition("(")
-    found = state.named(f"R{base[1:]}" if base.startswith("@") else base)
-    if found is None:
-        raise ValueError(f"there is no variable {name} here")
-    path = found[0] if not subscript else (*found[0], f"{found[1].name}({subscript}")
-    return f"{name} = {shown(debugger.assign(path, parse(text)(state)).value)}\n"
+    return f"{name} = {shown(debugger.assign(state.path_of(name), parse(text)(state)).value)}\n"
 
 
 def _everything(debugger: Debugger) -> str:

@@ -414,6 +414,27 @@ def test_a_command_of_the_console_that_is_none(
     assert message in client.refused("evaluate", expression=line, context="repl")
 
 
+def test_a_line_of_the_console_changes_a_variable_or_compares(stopped: tuple[Client, dict[str, Any]]) -> None:
+    client, _ = stopped
+
+    def typed(line: str, context: str = "repl") -> str:
+        return str(client.ask("evaluate", expression=line, context=context)["result"])
+
+    lines = ("n = 2 * 3", "n", "n == 6", "a(2) = n + 1", "a(2)")
+    assert [typed(line) for line in lines] == ["6", "6", "1", "7", "7"]
+    assert typed("n = 7", "watch") == "0"
+    for line, message in (
+        ("bags = 100", "there is no variable bags here"),
+        ("a(9) = 1", "there is no a(9)"),
+        ("a = 1", "a cannot be set; set one of its elements"),
+        ("n = ", "the expression ends too early"),
+        ("n = n +", "the expression ends too early"),
+        ("position(0) = 3", "there is no variable position(0) here"),
+    ):
+        assert client.refused("evaluate", expression=line, context="repl") == message
+    assert typed("n") == "6"
+
+
 def test_commands_of_the_console(stopped: tuple[Client, dict[str, Any]]) -> None:
     client, _ = stopped
     assert ".goto" in client.ask("evaluate", expression=".help", context="repl")["result"]
