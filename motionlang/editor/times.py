@@ -47,15 +47,27 @@ class Times:
     """The times of a run's lines.
 
     `fault` is the line and the message of the error that ended the run, or None. `until` is the machine time, s, at
-    which the run was cut short, 0 if it ended by itself.
+    which the run was cut short, 0 if it ended by itself. `running` has the lines at which its tasks then were.
     """
 
     lines: list[LineTime]
     fault: tuple[int, str] | None
     until: float
+    running: list[int]
+
+    def texts(self) -> dict[int, str]:
+        """Return the hint of each line that has one."""
+        found = {each.line: str(each) for each in self.lines}
+        ends = [(line, f"still running at {self.until:g} s") for line in self.running]
+        if self.fault is not None:
+            line, message = self.fault
+            ends.append((line, f"ends here: {message}"))
+        for line, text in ends:
+            found[line] = " · ".join(filter(None, (found.get(line), text)))
+        return found
 
 
-NO_TIMES = Times([], None, 0.0)
+NO_TIMES = Times([], None, 0.0, [])
 
 
 def times(page: Page) -> Times:
@@ -73,7 +85,7 @@ def times(page: Page) -> Times:
     if result.program is None:
         return NO_TIMES
     cut = result.time if result.status in ("until", "interrupted", "limit") else 0.0
-    return Times(_lines(result), _fault(result), cut)
+    return Times(_lines(result), _fault(result), cut, _running(result) if cut else [])
 
 
 def _lines(result: Run) -> list[LineTime]:
@@ -106,6 +118,15 @@ def _fault(result: Run) -> tuple[int, str] | None:
         return None
     found = [each for each in result.diagnostics if each.severity == "error" and each.line]
     return (found[-1].line, found[-1].message) if found else None
+
+
+def _running(result: Run) -> list[int]:
+    """Return the lines of the tasks that have not ended; the end of the program ends them all."""
+    scheduler = result.machine.scheduler
+    if scheduler is None or scheduler.parent.done:
+        return []
+    positions = SourcePositions(result)
+    return sorted({positions.line(task.at) for task in scheduler.tasks if not task.done})
 
 
 def _seconds(value: float) -> str:

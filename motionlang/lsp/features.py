@@ -351,10 +351,6 @@ class _Display(_Feature):
         found = await self.session.times(known) if known is not None else None
         if known is None or found is None:
             return []
-        texts = {each.line: str(each) for each in found.lines}
-        if found.fault is not None:
-            line, message = found.fault
-            texts[line] = " · ".join(filter(None, (texts.get(line), f"ends here: {message}")))
         tip = (
             f"simulated time of the first {found.until:g} s" if found.until else "simulated time of this line"
         )
@@ -366,7 +362,7 @@ class _Display(_Feature):
                 tooltip=tip,
                 padding_left=True,
             )
-            for line, text in sorted(texts.items())
+            for line, text in sorted(found.texts().items())
             if first <= line <= last
         ]
 

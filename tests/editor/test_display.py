@@ -11,7 +11,7 @@ import pytest
 from motionlang import cache, execution
 from motionlang.editor.formatting import format
 from motionlang.editor.page import Page
-from motionlang.editor.times import _fault, times
+from motionlang.editor.times import Times, _fault, times
 from motionlang.editor.tokens import MODIFIERS, TYPES, tokens
 from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import dialect
@@ -153,6 +153,7 @@ def test_each_line_has_its_simulated_time() -> None:
         (4, "2.4 s (12×)"), (5, "waits 2.4 s"), (6, "waits 0.3 s"),
     ]  # fmt: skip
     assert found.fault == (8, "division by zero")
+    assert found.texts()[8] == "ends here: division by zero"
     assert found.until == 0
 
 
@@ -181,6 +182,22 @@ def test_a_program_without_an_end_is_cut_short() -> None:
     )
     assert [(each.line, str(each)) for each in found.lines] == [(2, "waits 29.5 s")]
     assert found.until == 30.0
+    assert found.texts() == {2: "waits 29.5 s · still running at 30 s"}
+
+
+def test_each_task_without_an_end_has_the_line_at_which_the_run_was_cut() -> None:
+    """The end of the program ends its tasks, so a jog that goes on has no line."""
+    task = "Task t\nLoop\nWAIT = 100\nEnd Loop\nEnd Task\n"
+
+    def cut(text: str) -> Times:
+        return times(Page(Source("a.mnt", text), dialect("mint"), {"run.until": 1.9}))
+
+    found = cut(f"RUN t\nLoop\nWAIT = 500\nEnd Loop\n{task}")
+    assert found.running == [3, 7]
+    assert found.texts()[7].endswith(" · still running at 1.9 s")
+    assert cut(f"RUN t\nJOG(0) = 1\n{task}").running == []
+    assert cut("Loop\nEnd Loop\n").running == [1]
+    assert cut("WAIT = 5\n").running == []
 
 
 def test_a_run_for_times_is_not_cached(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

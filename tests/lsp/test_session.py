@@ -37,7 +37,7 @@ class Timed(Inline):
         if job.what == CHECK:
             return []
         lines: list[Any] = [Line(number) for number in (3, 1, 2)]
-        return Times(lines, (self.fault, "too far"), self.until)
+        return Times(lines, (self.fault, "too far"), self.until, [3] if self.until else [])
 
 
 class Line(SimpleNamespace):
@@ -81,7 +81,7 @@ def change(text: str, version: int, uri: str = URI) -> dict[str, Any]:
         (Timed(), (0, 9), [(0, "1 s"), (1, "2 s · ends here: too far"), (2, "3 s")]),
         (Timed(4), (0, 9), [(0, "1 s"), (1, "2 s"), (2, "3 s"), (3, "ends here: too far")]),
         (Timed(), (1, 1), [(1, "2 s · ends here: too far")]),
-        (Timed(until=2.5), (2, 2), [(2, "3 s")]),
+        (Timed(until=2.5), (2, 2), [(2, "3 s · still running at 2.5 s")]),
     ],
 )
 def test_hints_have_the_times_of_lines(
