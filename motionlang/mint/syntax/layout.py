@@ -1,6 +1,7 @@
 """Compute the indentation of each line of a text from its blocks.
 
-A v4 routine, from `#NAME` to its Return, is indented like a block.
+A v4 routine, from `#NAME` to its Return, is indented like a block. A label that the statement before reaches is within
+the routine.
 """
 
 from __future__ import annotations
@@ -54,7 +55,7 @@ def _all_tokens(kinds: Sequence[str]) -> Iterator[BlockToken]:
         if token is not None:
             found.append(token)
             depth += {OPEN: 1, MIDDLE: 0, CLOSE: -token.count}[token.what]
-        elif depth == 0 and _is_label(kinds, at):
+        elif depth == 0 and _is_label(kinds, at) and (label < 0 or not _is_reached(kinds, at)):
             label = at
         elif kind == "RETURN" and depth == 0 and label >= 0 and not _in_one_line_if(kinds, at):
             found += [BlockToken(label, OPEN, "SUB"), BlockToken(at, CLOSE, "SUB")]
@@ -67,6 +68,17 @@ def _is_label(kinds: Sequence[str], at: int) -> bool:
     if at > 0 and kinds[at - 1] != "_NL":
         return False
     return kinds[at] == "HASH" or (list(kinds[at : at + 3]) == ["NAME", "COLON", "_NL"])
+
+
+def _is_reached(kinds: Sequence[str], label: int) -> bool:
+    """True if the statement before a label continues with it, so that both are of one routine."""
+    end = label
+    while end and kinds[end - 1] in ("_NL", "COLON"):
+        end -= 1
+    begin = end
+    while begin and kinds[begin - 1] not in ("_NL", "COLON"):
+        begin -= 1
+    return kinds[begin] not in ("END", "RETURN", "GOTO") or _in_one_line_if(kinds, begin)
 
 
 def _in_one_line_if(kinds: Sequence[str], at: int) -> bool:

@@ -113,6 +113,18 @@ def test_the_layout_of_each_line() -> None:
     assert found == [expected for expected, _ in rows()]
 
 
+def test_a_label_within_a_v4_routine_does_not_end_it() -> None:
+    """A routine begins at a label that the statement before does not reach."""
+    text = (
+        "x = 1 : END\n#drill\nx = 1\nagain:\nx = x + 1\nIF x < 5 THEN GOTO again\n#last\nx = 0 : RETURN\n"
+        "\n#next\nx = 2\nRETURN\nstart:\nGOTO start\n#third\nx = 3\nRETURN\n#fault\nEND\n"
+    )
+    lines = text.split("\n")
+    found = [(lines[number], line.change) for number, line in enumerate(layout(text)) if line.change]
+    assert [name for name, change in found if change > 0] == ["#drill", "#next", "#third"]
+    assert [name for name, change in found if change < 0] == ["x = 0 : RETURN", "RETURN", "RETURN"]
+
+
 def test_the_lines_of_each_block() -> None:
     text = "\n".join(text for _, text in rows())
     texts = TABLES.texts(text)
