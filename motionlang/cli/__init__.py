@@ -98,7 +98,7 @@ def quick_options(given: Sequence[str]) -> Options | None:
             options.report = next(rest, "")
             if options.report not in REPORTS:
                 return None
-        elif word == "--dialect":
+        elif word in ("--dialect", "--lang"):
             options.dialect = next(rest, "")
             if options.dialect not in ("mint", "mccl"):
                 return None

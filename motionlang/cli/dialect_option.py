@@ -10,4 +10,4 @@ from motionlang.lang.dialect import dialects
 def add_dialect(
     parser: argparse.ArgumentParser, what: str = "the language; default: by file extension"
 ) -> None:
-    parser.add_argument("--dialect", choices=dialects(), help=what)
+    parser.add_argument("--dialect", "--lang", choices=dialects(), help=what)

@@ -70,7 +70,7 @@ GROUPS = {
 _OPTIONS = (
     option("--axis", "N", "the axis of the program; default: the first of the language", int),
     flag("--use-times", "write ACCELTIME and DECELTIME instead of rates (Mint)"),
-    option("--dialect", None, "the language of the program; default: both", choices=dialects()),
+    option("--dialect --lang", None, "the language of the program; default: both", choices=dialects()),
     option("--plot", "FILE", "draw the move into a .png or .svg file"),
 )  # fmt: skip
 

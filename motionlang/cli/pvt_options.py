@@ -63,7 +63,7 @@ INPUT = (
     option("--start", "COUNTS", "position of the motor before the move", _NUMBER),
     option("--axis", "N", "the axis of the program to fit", int),
     option("--tolerance", "COUNTS", "the tolerance of the fit to a program", _POSITIVE),
-    option("--dialect", None, "the language of the program", choices=["mint", "mccl"]),
+    option("--dialect --lang", None, "the language of the program", choices=["mint", "mccl"]),
     option("--plot", "OUT", "draw the motion with its knots into a .png or .svg file", _picture),
 )  # fmt: skip
 

@@ -87,7 +87,7 @@ LISTING = (
 
 RUN = (
     option("file", "FILE", "the program"),
-    option("--dialect", None, "the language; default: by file extension", choices=["mint", "mccl"]),
+    option("--dialect --lang", None, "the language; default: by file extension", choices=["mint", "mccl"]),
     option("--until", "S", "end the run after S seconds of machine time (600)", _POSITIVE, default=600.0),
     option("--settle-time", "S", "time to simulate after the program ends, s (0.5)", _POSITIVE, default=0.5),
     option("--window", "C", "settling window, counts (1)", _POSITIVE, default=1.0),

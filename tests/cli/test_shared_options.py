@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import re
 
@@ -43,7 +44,7 @@ LINES: dict[str, str] = {
 # A wrong value of an option, and what every command says to it.
 WRONG = (
     ("--format x", "argument --format: 'x' is not one of "),
-    ("--dialect basic", "argument --dialect: 'basic' is not one of "),
+    ("--dialect basic", "argument --dialect/--lang: 'basic' is not one of "),
     ("--jobs 0", "argument -j/--jobs: '0' is not a "),
     ("--until x", "argument --until: 'x' is not a time in seconds, 0 or more"),
     ("--until=-1", "argument --until: '-1' is not a time in seconds, 0 or more"),
@@ -131,3 +132,17 @@ def test_o_writes_what_is_printed_into_a_file(command: str, program: Cell) -> No
         text = (program.folder / "out.txt").read_text(encoding="utf-8")
         assert text == printed.out, command
         assert not form or json.loads(text)["schema"].startswith("motionlang."), command
+
+
+@pytest.mark.parametrize("parser", ALL, ids=lambda each: each.prog)
+def test_lang_is_dialect(parser: argparse.ArgumentParser) -> None:
+    assert parser._option_string_actions.get("--lang") is parser._option_string_actions.get("--dialect")
+
+
+def test_run_takes_lang_with_and_without_argparse(cell: Cell) -> None:
+    cell.write("a.txt", "1TP\n")
+    for more in ((), ("--quiet",)):
+        assert cell("run", "a.txt", "--lang", "mccl", *more).status == 0
+    assert cell("run", "a.txt", "--lang", "c").err.startswith(
+        "motionlang run: error: argument --dialect/--lang: 'c' is not one of mint, mccl\n"
+    )
