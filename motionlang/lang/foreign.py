@@ -1,4 +1,4 @@
-"""Detection of a file in the other language, to report it in a single diagnostic."""
+"""Detection of a text in the other language, to report it in a single diagnostic."""
 
 from __future__ import annotations
 
@@ -16,8 +16,10 @@ _TIMES = 4
 _MAX_CHECKED = 80
 
 
-def one_sentence(language: Dialect, source: Source, found: Sequence[Diagnostic]) -> list[Diagnostic]:
-    """Return the diagnostics of a file, or a single one that names its real language."""
+def one_sentence(
+    language: Dialect, source: Source, found: Sequence[Diagnostic], at_prompt: bool = False
+) -> list[Diagnostic]:
+    """Return the diagnostics of a text, or a single one that names its real language."""
     wrong = _wrong_lines(found)
     if not wrong:
         return list(found)
@@ -31,9 +33,12 @@ def one_sentence(language: Dialect, source: Source, found: Sequence[Diagnostic])
         if other is language:
             continue
         if len(_wrong_lines(other.check(begin))) * _TIMES <= min(len(wrong), _MAX_CHECKED):
-            lost = f"{len(wrong)} of its first {lines} lines are not {language.title}"
-            message = f"this is {other.title}, not {language.title}: {lost}"
-            hint = f"add --dialect {other.name}, or rename the file to {other.suffixes[0]}"
+            message = f"this is {other.title}, not {language.title}"
+            if at_prompt:
+                hint = f".{other.name} switches the prompt to {other.title}"
+            else:
+                message += f": {len(wrong)} of its first {lines} lines are not {language.title}"
+                hint = f"add --dialect {other.name}, or rename the file to {other.suffixes[0]}"
             return [Diagnostic("language", message, hint=hint)]
     return list(found)
 

@@ -10,9 +10,11 @@ from dataclasses import dataclass
 from os.path import expanduser
 from textwrap import wrap
 
+from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic, as_hint, missing, nearest
 from motionlang.execution import ONE_SHIFT, dialect_of
 from motionlang.files import reason
+from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.entries import WrongEntry, entries
 from motionlang.repl import debugging, status
 from motionlang.result import Run
@@ -20,7 +22,6 @@ from motionlang.source import Source
 from motionlang.views.chart import velocity_chart
 from motionlang.views.keywords import page
 from motionlang.views.table import render
-from motionlang.views.words import dialect_name
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -215,12 +216,12 @@ def load_file(session: Session, path: str) -> None:
         _wrong(session, "file", f"{path} cannot be read: {reason(error)}")
         return
     other = dialect_of(path)
-    here = dialect_name(session.dialect.name)
-    if other is not None and other.name != session.dialect.name:
+    if other is not None and other is not session.dialect:
         _wrong(
             session,
-            "file",
-            f"{path} is a {dialect_name(other.name)} program; this prompt runs {here}",
+            "language",
+            f"{path} is {other.title}, not {session.dialect.title}",
+            f".{other.name} switches the prompt to {other.title}",
         )
     else:
         session.load(source)
@@ -228,6 +229,27 @@ def load_file(session: Session, path: str) -> None:
 
 def _reset(session: Session, _: str) -> None:
     session.reset()
+
+
+def _mint(session: Session, _: str) -> None:
+    _switch(session, "mint")
+
+
+def _mccl(session: Session, _: str) -> None:
+    _switch(session, "mccl")
+
+
+def _switch(session: Session, name: str) -> None:
+    language = dialect(name)
+    if language is session.dialect:
+        session.write(f"-- this prompt is {language.title} already\n")
+        return
+    try:
+        session.switch(language)
+    except Rejected as rejected:
+        _wrong(session, rejected.code, rejected.message, rejected.hint)
+    else:
+        session.write(f"-- {language.title}, on a new machine at 0 s\n")
 
 
 def _quit(session: Session, _: str) -> None:
@@ -288,6 +310,8 @@ COMMANDS: dict[str, Command] = {
         ),
         Command("vars", "[X]", "Show the state at the stop, or X; X = 5 sets a variable.", debugging.vars_),
         Command("reset", "", "Power up again: machine time zero, no names, no moves.", _reset),
+        Command("mint", "", "Switch the prompt to Mint, on a new machine at 0 s.", _mint),
+        Command("mccl", "", "Switch the prompt to MCCL, on a new machine at 0 s.", _mccl),
         Command("quit", "", "Leave, like Ctrl-D.", _quit),
     )
 }

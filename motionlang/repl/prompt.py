@@ -48,7 +48,7 @@ def converse(session: Session) -> int:
     session.interrupted = interrupts.pressed
     session.live = False
     live = Live(session)
-    ask = _asker(session, live)
+    language, ask = session.dialect, _asker(session, live)
     session.ask = _answer
     print(banner(session))
     while not session.over:
@@ -64,6 +64,8 @@ def converse(session: Session) -> int:
             session.width = width_of(sys.stdout)
             session.feed(text)
             live.end()
+        if session.dialect is not language:
+            language, ask = session.dialect, _asker(session, live)
     return 0
 
 

@@ -10,9 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
 from motionlang.execution import accelerators
 from motionlang.lang.dialect import Dialect
+from motionlang.lang.foreign import one_sentence
 from motionlang.lang.machine.machine import Machine
 from motionlang.repl.commands import is_command, obey, without_dot
 from motionlang.repl.debugging import Debugging
@@ -64,18 +66,30 @@ class Session:
 
     def reset(self) -> None:
         """Reset to power-up: a new machine at time zero, no names, no open block."""
-        self.machine = Machine(
+        machine = Machine(
             self._settings,
             first_axis=self.dialect.first_axis,
             show=lambda text: self.write(harmless(text)),
             overrides=self._overrides,
             accelerators=accelerators(),
         )
-        self.machine.ask = lambda: self.ask(self.machine.terminal.begun)
-        self.runner = Runner(self.dialect, self.machine, self.trouble, self._poll)
+        machine.ask = lambda: self.ask(machine.terminal.begun)
+        runner = Runner(self.dialect, machine, self.trouble, self._poll)
+        # Both exist, so a machine that the language rejects leaves the session unchanged.
+        self.machine, self.runner = machine, runner
         self._block: list[str] = []
         self._lines: list[str] = []
         self._ambiguous = 0
+
+    def switch(self, dialect: Dialect) -> None:
+        """Reset with another language; raise Rejected if it rejects the machine, and change nothing."""
+        before, self.dialect = self.dialect, dialect
+        try:
+            self.reset()
+        except Rejected:
+            self.dialect = before
+            raise
+        self.debugging = None
 
     # -------------------------------------------------------------------------------------------------- input
 
@@ -167,13 +181,23 @@ class Session:
     def trouble(self, diagnostics: list[Diagnostic], source: Source | None = None) -> None:
         """Report errors."""
         self.machine.terminal.close()
-        for diagnostic in diagnostics:
+        for diagnostic in self._in_its_language(diagnostics, source):
             self.failed = self.failed or diagnostic.severity == "error"
             origin = self._origin(diagnostic, source)
             rejected = diagnostic.code not in ("never", "interrupted")
             if rejected and origin is not None and (meant := without_dot(origin.text.strip())):
                 diagnostic.hint = f"commands of the prompt begin with a dot: {meant}"
             self.remark(render(diagnostic, origin, colour=self.colour, width=self.width))
+
+    def _in_its_language(self, found: list[Diagnostic], source: Source | None) -> list[Diagnostic]:
+        """Return the diagnostics, or a single one if the text is in the other language.
+
+        MCCL reports wrong commands when it reaches them, so the whole text is checked.
+        """
+        if source is None or not source.text or all(each.severity != "error" for each in found):
+            return found
+        checked = one_sentence(self.dialect, source, self.dialect.check(source), at_prompt=True)
+        return checked if checked and checked[0].code == "language" else found
 
     def _origin(self, diagnostic: Diagnostic, source: Source | None) -> Source | None:
         """Return the source that contains a diagnostic's line.

@@ -57,6 +57,14 @@ def test_quit_leaves_too(keys: PipeInput) -> None:
     assert session.over
 
 
+def test_the_prompt_switches_its_language(keys: PipeInput) -> None:
+    shown: list[str] = []
+    session = Session(dialect("mint"), show=shown.append)
+    keys.send_text(f"PRINT 1{ENTER}.mccl{ENTER}1TP{ENTER}{CTRL_D}")
+    assert converse(session) == 0
+    assert shown == ["1\n", "-- MCCL, on a new machine at 0 s\n", "01 0\n"]
+
+
 def test_ctrl_c_at_the_prompt_drops_the_line_only(keys: PipeInput) -> None:
     shown: list[str] = []
     session = Session(dialect("mccl"), show=shown.append)

@@ -155,6 +155,17 @@ def test_machine_unknown_to_the_language_is_reported(
     assert "abacus" in capsys.readouterr().err
 
 
+def test_a_language_that_rejects_the_machine_is_not_switched_to() -> None:
+    session = Session(dialect("mint"), {"controller.model": "mint4"})
+    session.feed("SCALE(0) = 2")
+    answer = session.feed(".mccl")
+    assert answer.startswith("error[machine-file]: MCCL has no model mint4\n")
+    session = Session(dialect("mint"), overrides={"SPEED[0]": 4.0})
+    session.feed("SCALE(0) = 2 : WAIT = 500")
+    assert session.feed(".mccl").startswith("error[unknown-word]: SPEED[0] is not a register\n")
+    assert session.feed("PRINT SCALE(0)\n.time") == "2.0000\n0.50003 s   0: 0\n"
+
+
 def test_live_mode_lets_the_machine_catch_up_with_the_wall(monkeypatch: pytest.MonkeyPatch) -> None:
     wall = [100.0]
     monkeypatch.setattr("time.monotonic", lambda: wall[0])
