@@ -38,6 +38,11 @@ def talk(*lines: str, language: str = "mint") -> str:
         (".help SPEE", "error[unknown-word]: SPEE is not a keyword\n  hint: did you mean SPEED?\n"),
         (".help .SPEED", "error[unknown-word]: .SPEED is not a keyword\n  hint: did you mean SPEED?\n"),
         (".live on", "error[not-simulated]: .live needs a terminal\n  hint: use .run S to let time pass\n"),
+        (
+            ".analog 0=200",
+            "error[option]: value of [[analogue]] must be a percentage, -100 to 100, not 200.0\n"
+            "  hint: the value in percent, such as 25\n",
+        ),
         (".plot", "no axis has moved\n"),
         (".plot a.txt", "error[file]: a.txt is neither a .png nor a .svg file\n"),
         (".load nowhere.mnt", "error[file]: nowhere.mnt cannot be read: no such file or directory\n"),

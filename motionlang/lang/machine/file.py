@@ -332,6 +332,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "count": (whole, "must be a whole number"),
         "channel": (whole and 0 <= value < 1000, "must be a whole number from 0 to 999"),  # type: ignore[operator]
         "number": (finite, "must be a number"),
+        "percentage": (finite and abs(value) <= 100, "must be a percentage, -100 to 100"),  # type: ignore[arg-type]
         "time": (finite and value >= 0, "must be a time, 0 or more"),  # type: ignore[operator]
         "positive": (finite and value > 0, "must be a number above 0"),  # type: ignore[operator]
         "times": (whole and 1 <= value <= 10_000, "must be a whole number from 1 to 10000"),  # type: ignore[operator]

@@ -133,7 +133,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
     "analogue": {
         "channel": ("channel", "The analogue input."),
         "name": ("text", "A name for the input, for `run --analog NAME=30`."),
-        "value": ("number", "The value in percent."),
+        "value": ("percentage", "The value in percent, such as 25."),
         "per_unit": (
             "number",
             "With an axis: the rise per user unit, counted from above, below or the first position of between; "

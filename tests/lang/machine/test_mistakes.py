@@ -26,6 +26,7 @@ KINDS: dict[str, tuple[str, str, str]] = {
     "channel": ("0 1 999", "-1 1000 1.5 true", "must be a whole number from 0 to 999"),
     "number": ("-1e299 0 2.5 9e299", '1e300 -1e300 inf nan true "1"', "must be a number"),
     "time": ("0 0.5 9e299", "-1e-9 1e300 true", "must be a time, 0 or more"),
+    "percentage": ("-100 0 12.5 100", "-100.1 101 true", "must be a percentage, -100 to 100"),
     "positive": ("1e-9 9e299", "0 -1 1e300 true", "must be a number above 0"),
     "times": ("1 10000", "0 10001 1.5", "must be a whole number from 1 to 10000"),
     "pair": (
