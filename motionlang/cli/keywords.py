@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Iterable, Mapping
 
 from motionlang.assumptions.assumption import SETTLED
 from motionlang.assumptions.facts import of_word as of_word_facts
@@ -59,7 +58,7 @@ def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) 
         found = {each: [row] for each, table in tables.items() if (row := table.get(name)) is not None}
         if not found:
             single = False
-            found = _group(name, tables)
+            found = {each: members for each, table in tables.items() if (members := table.group(name))}
         if not found:
             words = [
                 word
@@ -89,15 +88,6 @@ def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) 
         if omitted:
             sys.stdout.write(f"\n{omitted} more match; add a word\n")
     return 0
-
-
-def _group(name: str, tables: Mapping[str, Iterable[Keyword]]) -> dict[str, list[Keyword]]:
-    """Return the keywords of a group, by language; only languages that have the group."""
-    found = {
-        each: [row for row in table if (row.group or row.kind).lower() == name.lower()]
-        for each, table in tables.items()
-    }
-    return {each: rows for each, rows in found.items() if rows}
 
 
 def _is_misspelt(name: str, near: str, found: dict[str, list[Keyword]]) -> bool:

@@ -54,6 +54,10 @@ class Vocabulary:
         """Return the name of the first keyword with a verb."""
         return next(row.name for row in self.rows if row.verb == verb)
 
+    def group(self, name: str) -> list[Keyword]:
+        """Return the keywords of a group, ignoring case."""
+        return [row for row in self.rows if (row.group or row.kind).lower() == name.lower()]
+
     def meant_by(self, word: str) -> list[str]:
         """Return the keywords that people who do not know them write so."""
         upper = word.upper()

@@ -5,7 +5,7 @@ They begin with a dot, with which no statement of either language begins.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from os.path import expanduser
 from textwrap import wrap
@@ -20,12 +20,17 @@ from motionlang.repl import debugging, status
 from motionlang.result import Run
 from motionlang.source import Source
 from motionlang.views.chart import velocity_chart
-from motionlang.views.keywords import page
+from motionlang.views.keywords import listing, page
 from motionlang.views.table import render
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.repl.session import Session
+
+
+# A space at which no line is wrapped.
+_FIXED = "\u00a0"
+_MORE = ".help input explains a group, .help .run a command, .help WORD a keyword."
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,22 +94,40 @@ def _help(session: Session, word: str) -> None:
     if word:
         _help_on(session, word)
         return
-    width = max(len(command.usage) for command in COMMANDS.values())
-    for command in COMMANDS.values():
-        lines = wrap(command.help, min(session.width, 80) - width - 2)
-        session.write(f"{command.usage.ljust(width)}  {(chr(10) + ' ' * (width + 2)).join(lines)}\n")
+    usages = {group: "  ".join(each.usage.replace(" ", _FIXED) for each in GROUPS[group]) for group in GROUPS}
+    session.write(columns(usages.items(), session.width))
+    session.write("\n".join(["", *wrap(_MORE, min(session.width, 80))]) + "\n")
 
 
 def _help_on(session: Session, word: str) -> None:
+    """Explain a command, a group of commands, a keyword and a group of keywords, whichever has this name."""
     command = COMMANDS.get(word.lstrip(".").lower()) if word.startswith(".") else None
-    row = session.dialect.table().get(word)
     if command is not None:
-        session.write(f"{command.usage}\n  {command.help}\n")
-    elif row is not None:
+        session.write(columns([(command.usage, command.help)], session.width))
+        return
+    table = session.dialect.table()
+    group, row, rows = GROUPS.get(word.lower(), ()), table.get(word), table.group(word)
+    if group:
+        session.write(columns([(each.usage, each.help) for each in group], session.width))
+    if row is not None:
         session.write(page([row], session.dialect.name, width=session.width, colour=session.colour))
-    else:
-        near = nearest(word, session.dialect.table().names())
+    elif rows:
+        session.write(listing(rows, session.dialect.name, width=session.width, colour=session.colour))
+    elif not group:
+        near = nearest(word, (*GROUPS, *table.names()))
         _wrong(session, "unknown-word", f"{word} is not a keyword", f"did you mean {near}?" if near else "")
+
+
+def columns(rows: Iterable[tuple[str, str]], width: int) -> str:
+    """Return names and texts in two columns, wrapped at words to `width`, at most 80."""
+    rows = list(rows)
+    indent = max(len(name) for name, _ in rows) + 2
+    lines: list[str] = []
+    for name, text in rows:
+        room = max(min(width, 80) - indent, 20)
+        first, *more = wrap(text, room, break_on_hyphens=False)
+        lines += [f"{name.ljust(indent)}{first}", *(" " * indent + each for each in more)]
+    return "\n".join(lines).replace(_FIXED, " ") + "\n"
 
 
 def _axes(session: Session, _: str) -> None:
@@ -256,14 +279,22 @@ def _quit(session: Session, _: str) -> None:
     session.over = True
 
 
-COMMANDS: dict[str, Command] = {
-    command.name: command
-    for command in (
-        Command("help", "[WORD]", "Show this list, or explain a keyword.", _help),
-        Command("axes", "", "Show every axis in use: position, velocity, target, state.", _axes),
-        Command("time", "", "Show machine time and positions in one line.", _time),
+GROUPS: dict[str, tuple[Command, ...]] = {
+    "prompt": (
+        Command("help", "[WORD]", "Show this list, or explain a keyword, a command or a group.", _help),
+        Command("load", "FILE", "Run a program; its names and the machine state stay.", load_file),
+        Command("mint", "", "Switch the prompt to Mint, on a new machine at 0 s.", _mint),
+        Command("mccl", "", "Switch the prompt to MCCL, on a new machine at 0 s.", _mccl),
+        Command("reset", "", "Power up again: machine time zero, no names, no moves.", _reset),
+        Command("quit", "", "Leave, like Ctrl-D.", _quit),
+    ),
+    "time": (
         Command("run", "S", "Let S seconds of machine time pass.", _run),
         Command("settle", "", "Run until the motion ends.", _settle),
+        Command("live", "on|off", "Let machine time follow real time.", _live),
+        Command("time", "", "Show machine time and positions in one line.", _time),
+    ),
+    "input": (
         Command(
             "input", "N=V@S", "A digital input: 2=1 now, 2=1@0.5 in 0.5 s, 2=1@0.5..0.9 a pulse.", _input
         ),
@@ -272,7 +303,9 @@ COMMANDS: dict[str, Command] = {
             "answer", "TEXT", "The line for the next INPUT; PROMPT=TEXT for one that asks PROMPT.", _answer
         ),
         Command("keys", "TEXT@S", "Keys that the operator presses: R now, R@0.5 in 0.5 s.", _keys),
-        Command("live", "on|off", "Let machine time follow real time.", _live),
+    ),
+    "result": (
+        Command("axes", "", "Show every axis in use: position, velocity, target, state.", _axes),
         Command("report", "", "List every move so far: distance, duration, peak speed, phases.", _report),
         Command(
             "plot",
@@ -280,7 +313,8 @@ COMMANDS: dict[str, Command] = {
             "Chart the velocities so far, or draw everything into a .png or .svg file.",
             _plot,
         ),
-        Command("load", "FILE", "Run a program; its names and the machine state stay.", load_file),
+    ),
+    "debug": (
         Command(
             "debug",
             "[FILE]",
@@ -309,9 +343,6 @@ COMMANDS: dict[str, Command] = {
             debugging.change,
         ),
         Command("vars", "[X]", "Show the state at the stop, or X; X = 5 sets a variable.", debugging.vars_),
-        Command("reset", "", "Power up again: machine time zero, no names, no moves.", _reset),
-        Command("mint", "", "Switch the prompt to Mint, on a new machine at 0 s.", _mint),
-        Command("mccl", "", "Switch the prompt to MCCL, on a new machine at 0 s.", _mccl),
-        Command("quit", "", "Leave, like Ctrl-D.", _quit),
-    )
+    ),
 }
+COMMANDS: dict[str, Command] = {each.name: each for group in GROUPS.values() for each in group}

@@ -14,6 +14,7 @@ from motionlang.views.words import dialect_name
 
 # The heading of keywords that are known but not simulated, in the list.
 KNOWN = "known, not simulated"
+UNSIMULATED = "not simulated: the keyword is recognised, and a program that uses it gets a message."
 
 
 def listing(
@@ -80,25 +81,28 @@ def as_dict(row: Keyword, dialect: str) -> dict[str, object]:
 def _entry(row: Keyword, name_width: int, short_width: int, width: int, colour: bool) -> str:
     name = styled(row.name, "word", colour) + " " * (name_width - len(row.name))
     short = f"{row.short:<{short_width}}  " if short_width else ""
-    room = max(20, width - name_width - len(short) - 12)
+    room = max(10, width - name_width - len(short) - 12)
     help_text = row.help if cells(row.help) <= room else row.help[: room - 1].rstrip() + "…"
     return f"  {name}  {short}{row.unit:<7} {help_text}".rstrip()
 
 
+def _wrapped(text: str, width: int, indent: int = 2) -> list[str]:
+    return textwrap.wrap(text, width, initial_indent=" " * indent, subsequent_indent=" " * indent)
+
+
 def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
-    width = min(width, 88)
     title = f"{styled(row.name, 'bold', colour)} · {dialect_name(dialect)} {row.kind}"
-    lines = [title, "", *textwrap.wrap(row.help, width - 2, initial_indent="  ", subsequent_indent="  ")]
+    lines = [title, "", *_wrapped(row.help, min(width, 88))]
     if not row.simulated:
-        unsimulated = styled("not simulated", "warning", colour)
-        lines += [
-            "",
-            f"  {unsimulated}: the keyword is recognised, and a program that uses it gets a message.",
-        ]
+        first, *more = _wrapped(UNSIMULATED, min(width, 88))
+        begin, end = first.split(":", 1)
+        lines += ["", f"  {styled(begin.strip(), 'warning', colour)}:{end}", *more]
     known = [(name, text) for name, text in facts(row, dialect) if text]
     label = max(len(name) for name, _ in known)
     lines.append("")
-    lines += [f"  {styled(name, 'dim', colour)}{' ' * (label - len(name))}  {text}" for name, text in known]
+    for name, text in known:
+        first, *more = _wrapped(text, width, label + 4)
+        lines += [f"  {styled(name, 'dim', colour)}{first[2 + len(name) :]}", *more]
     if row.example:
         lines += ["", *(f"    {styled(line, 'word', colour)}" for line in row.example.splitlines())]
     return "\n".join(lines) + "\n"

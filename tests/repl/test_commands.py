@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.lang.dialect import dialect
-from motionlang.repl.commands import is_command, without_dot
+from motionlang.repl.commands import COMMANDS, GROUPS, is_command, without_dot
 from motionlang.repl.complete import candidates
 from motionlang.repl.session import Session
 from motionlang.repl.status import number_text
@@ -34,7 +34,7 @@ def talk(*lines: str, language: str = "mint") -> str:
         (".axes", "8 axes, none moved yet\n"),
         (".tim", "error[unknown-word]: there is no command .tim\n  hint: did you mean .time?\n"),
         (".xyzzy", "error[unknown-word]: there is no command .xyzzy\n  hint: .help lists the commands\n"),
-        (".help .run", ".run S\n  Let S seconds of machine time pass.\n"),
+        (".help .run", ".run S  Let S seconds of machine time pass.\n"),
         (".help SPEE", "error[unknown-word]: SPEE is not a keyword\n  hint: did you mean SPEED?\n"),
         (".help .SPEED", "error[unknown-word]: .SPEED is not a keyword\n  hint: did you mean SPEED?\n"),
         (".live on", "error[not-simulated]: .live needs a terminal\n  hint: use .run S to let time pass\n"),
@@ -87,6 +87,25 @@ def test_a_line_that_means_a_command(line: str, meant: str) -> None:
 )
 def test_a_dot_and_a_letter_begin_a_command(line: str, is_one: bool) -> None:
     assert is_command(line) is is_one
+
+
+@pytest.mark.parametrize("width", [50, 80])
+def test_help_fits_the_screen(width: int) -> None:
+    """A screen has 24 lines; each command is in the help once, and its usage is not broken."""
+    session = Session(dialect("mint"))
+    session.width = width
+    overview = session.feed(".help")
+    assert len(overview.splitlines()) < 24
+    assert [name for name, each in COMMANDS.items() if overview.count(each.usage) < 1] == []
+    for word in (*GROUPS, "homing", "SPEED", "MOVEA"):
+        assert [line for line in session.feed(f".help {word}").splitlines() if len(line) > width] == []
+
+
+def test_help_on_a_group_and_the_keyword_of_its_name() -> None:
+    text = talk(".help input")
+    assert text.startswith(".input N=V@S   A digital input")
+    assert "\nInput · Mint statement\n" in text
+    assert talk(".help homing").startswith("Mint · 13 simulated, 0 known\n\nhoming\n  HOMETYPE ")
 
 
 def test_live_mode_is_on_or_off() -> None:

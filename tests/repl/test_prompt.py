@@ -93,7 +93,7 @@ def test_completion_offers_keywords_with_their_help() -> None:
 
 
 def test_completion_knows_the_prompts_own_commands() -> None:
-    assert [word for word, _, _ in candidates(dialect("mccl"), ".r")] == ["run", "report", "reverse", "reset"]
+    assert [word for word, _, _ in candidates(dialect("mccl"), ".r")] == ["reset", "run", "report", "reverse"]
 
 
 @pytest.mark.parametrize("text", ["", "1MR100, 9XX MD1 @5\n;x", ".run 3", "\0\x1b\n\n", "é" * 300, '"'])
