@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import select
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import TypeVar
 
 from motionlang.serve.outside import PATIENCE, RealTime
+from motionlang.views.keys import has_keys, single_keys
 
 Result = TypeVar("Result")
 # Bytes read at once.
@@ -48,33 +48,8 @@ class Keyboard(RealTime):
 
 def run_live(run: Callable[[Keyboard | None], Result], factor: float) -> Result:
     """Call `run` with a keyboard, or with None if there is no terminal."""
-    if not is_live():
+    if not has_keys():
         return run(None)
     file = sys.stdin.fileno()
     with single_keys(file):
         return run(Keyboard(file, factor))
-
-
-def is_live() -> bool:
-    """True if standard input is a terminal that reports single keys."""
-    if not sys.stdin.isatty():
-        return False
-    try:
-        import termios  # noqa: F401 - Windows has none
-    except ImportError:
-        return False
-    return True
-
-
-@contextmanager
-def single_keys(file: int) -> Iterator[None]:
-    """Make the terminal deliver each key at once, not echoed; Ctrl-C still interrupts."""
-    import termios
-    import tty
-
-    before = termios.tcgetattr(file)
-    tty.setcbreak(file)
-    try:
-        yield
-    finally:
-        termios.tcsetattr(file, termios.TCSADRAIN, before)

@@ -13,11 +13,11 @@ from types import FrameType, TracebackType
 class Interrupts:
     """`with interrupts:` makes the first Ctrl-C call `pressed()`.
 
-    A second press raises the ordinary KeyboardInterrupt.
+    A second press raises the ordinary KeyboardInterrupt. `echoed` is False if the terminal does not show ^C.
     """
 
-    def __init__(self) -> None:
-        self._pressed = False
+    def __init__(self, *, echoed: bool = True) -> None:
+        self._pressed, self._echoed = False, echoed
 
     def pressed(self) -> bool:
         return self._pressed
@@ -36,5 +36,5 @@ class Interrupts:
         if self._pressed:
             raise KeyboardInterrupt
         self._pressed = True
-        if os.isatty(2):
+        if self._echoed and os.isatty(2):
             os.write(2, b"\n")  # the terminal has shown ^C, and further output belongs on its own line

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import os
 import sys
+from contextlib import nullcontext
+from textwrap import wrap
 
 from prompt_toolkit import PromptSession
 from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
@@ -22,7 +24,9 @@ from motionlang.repl.highlight import STYLE, WordLexer
 from motionlang.repl.history import history
 from motionlang.repl.interrupt import Interrupts
 from motionlang.repl.live import Live
+from motionlang.repl.running import Running
 from motionlang.repl.session import Session
+from motionlang.views.keys import has_keys, single_keys
 from motionlang.views.terminal import width_of
 from motionlang.views.words import dialect_name
 
@@ -44,13 +48,14 @@ def converse(session: Session) -> int:
 
     The exit status is always 0, because a person at a terminal has seen every error.
     """
-    interrupts = Interrupts()
+    interrupts = Interrupts(echoed=not has_keys())
     session.interrupted = interrupts.pressed
     session.live = False
     live = Live(session)
     language, ask = session.dialect, _asker(session, live)
     session.ask = _answer
-    print(banner(session))
+    running = Running(session)
+    print("\n".join(wrap(banner(session), width_of(sys.stdout))))
     while not session.over:
         try:
             with patch_stdout(raw=True):
@@ -59,7 +64,8 @@ def converse(session: Session) -> int:
             continue
         except EOFError:
             break
-        with interrupts:
+        # Keys typed ahead are echoed once, by the next prompt.
+        with interrupts, single_keys(sys.stdin.fileno()) if has_keys() else nullcontext(), running:
             live.begin()
             session.width = width_of(sys.stdout)
             session.feed(text)

@@ -9,6 +9,7 @@ them.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from textwrap import wrap
 
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
@@ -26,7 +27,7 @@ from motionlang.views.terminal import WIDTH, harmless
 
 Show = Callable[[str], None]
 
-REMARK_ON_MOTION = "-- axis {} in motion, time is paused: .run S or .settle continues\n"
+REMARK_ON_MOTION = "-- axis {} in motion, time is paused: .run S or .settle continues"
 
 
 class Session:
@@ -59,7 +60,7 @@ class Session:
         # The program in the debugger.
         self.debugging: Debugging | None = None
         self._settings, self._overrides = settings, overrides
-        self._show, self._complain = show, complain or show
+        self.show, self.complain = show, complain or show
         self._answer: list[str] = []
         self._remarked = False
         self.reset()
@@ -155,7 +156,8 @@ class Session:
         axes = moving(self.machine)
         if axes and not self._remarked and not self.live:
             self._remarked = True
-            self.remark(REMARK_ON_MOTION.format(", ".join(map(str, axes))))
+            text = REMARK_ON_MOTION.format(", ".join(map(str, axes)))
+            self.remark("\n".join(wrap(text, self.width)) + "\n")
         return fine
 
     def _poll(self, time: float) -> None:
@@ -169,14 +171,14 @@ class Session:
     def write(self, text: str) -> None:
         """Show text as part of the answer."""
         self._answer.append(text)
-        if self._show is not None:
-            self._show(text)
+        if self.show is not None:
+            self.show(text)
 
     def remark(self, text: str) -> None:
         """Show text that is not output: an error or a remark."""
         self._answer.append(text)
-        if self._complain is not None:
-            self._complain(text)
+        if self.complain is not None:
+            self.complain(text)
 
     def trouble(self, diagnostics: list[Diagnostic], source: Source | None = None) -> None:
         """Report errors."""
@@ -187,7 +189,8 @@ class Session:
             rejected = diagnostic.code not in ("never", "interrupted")
             if rejected and origin is not None and (meant := without_dot(origin.text.strip())):
                 diagnostic.hint = f"commands of the prompt begin with a dot: {meant}"
-            self.remark(render(diagnostic, origin, colour=self.colour, width=self.width))
+            wrapped = self.live is not None
+            self.remark(render(diagnostic, origin, colour=self.colour, width=self.width, wrapped=wrapped))
 
     def _in_its_language(self, found: list[Diagnostic], source: Source | None) -> list[Diagnostic]:
         """Return the diagnostics, or a single one if the text is in the other language.

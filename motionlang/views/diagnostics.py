@@ -12,7 +12,9 @@ Plain text is the same on every system, so that tests can compare whole messages
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
+from textwrap import wrap
 
 from motionlang.errors import Diagnostic, count_of
 from motionlang.source import Source
@@ -33,15 +35,18 @@ def render(
     name: str = "",
     colour: bool = False,
     width: int = WIDTH,
+    wrapped: bool = False,
 ) -> str:
     """Return one diagnostic with its excerpt, in lines that end with newlines.
 
     Without `source` there is no excerpt. `name` is the file as the user named it, if that differs from
-    `source.name`.
+    `source.name`. Message and hint are on one line each unless they are `wrapped` at words.
     """
     severity = diagnostic.severity
-    message = styled(_short(diagnostic.message), "bold", colour)
-    lines = [f"{styled(f'{severity}[{diagnostic.code}]', severity, colour)}: {message}"]
+    head = f"{severity}[{diagnostic.code}]"
+    first, *more = _lines(diagnostic.message, len(head) + 2, 2, width if wrapped else sys.maxsize)
+    lines = [f"{styled(head, severity, colour)}: {styled(first, 'bold', colour)}"]
+    lines += [f"  {styled(line, 'bold', colour)}" for line in more]
     gutter = len(str(diagnostic.line)) if source is not None and diagnostic.line else 1
     if source is not None:
         lines.append(
@@ -50,7 +55,10 @@ def render(
         if diagnostic.line:
             lines += _excerpt(diagnostic, source.line(diagnostic.line), gutter, colour, width)
     if diagnostic.hint:
-        lines.append(f"{' ' * (gutter + 1)}{styled('hint:', 'note', colour)} {_short(diagnostic.hint)}")
+        indent = gutter + 7
+        first, *more = _lines(diagnostic.hint, indent, indent, width if wrapped else sys.maxsize)
+        lines.append(f"{' ' * (gutter + 1)}{styled('hint:', 'note', colour)} {first}")
+        lines += [" " * indent + line for line in more]
     if diagnostic.count > 1:
         count = f"{diagnostic.count:,}".replace(",", " ")
         first, last = significant(diagnostic.first, 6), significant(diagnostic.last, 6)
@@ -101,6 +109,14 @@ def _location(diagnostic: Diagnostic, name: str) -> str:
 def _short(text: str) -> str:
     text = printable(text)
     return text if len(text) <= MAX_MESSAGE else text[: MAX_MESSAGE - 1] + "…"
+
+
+def _lines(text: str, first: int, others: int, width: int) -> list[str]:
+    """Return a text in lines without their indents, of `first` columns and, from the second line, of `others`."""
+    text = _short(text)
+    if first + len(text) <= width:
+        return [text]
+    return [line.lstrip() for line in wrap(" " * first + text, width, subsequent_indent=" " * others)]
 
 
 def _excerpt(diagnostic: Diagnostic, line: str, gutter: int, colour: bool, width: int) -> list[str]:

@@ -267,3 +267,19 @@ def test_a_missing_library_is_reported_and_another_error_raised(monkeypatch: pyt
     for line in ("PRINT 1", ".report"):
         with pytest.raises(ImportError, match="no module"):
             session.feed(line)
+
+
+def test_messages_are_wrapped_at_words_on_a_terminal() -> None:
+    session = Session(dialect("mint"))
+    session.live, session.width = False, 50
+    assert session.feed(".analog 0=200\n.axe") == (
+        "error[option]: value of [[analogue]] must be a\n"
+        "  percentage, -100 to 100, not 200.0\n"
+        "  hint: the value in percent, such as 25\n"
+        "error[unknown-word]: there is no command .axe\n"
+        "  hint: did you mean .axes?\n"
+    )
+    session.feed("SPEED(0) = 5")
+    assert session.feed("MOVER(0) = 100 : GO(0)") == (
+        "-- axis 0 in motion, time is paused: .run S or\n.settle continues\n"
+    )
