@@ -92,6 +92,8 @@ class Dialect:
     before_statements: frozenset[str] = frozenset()
     before_conditions: frozenset[str] = frozenset()
     counting: tuple[str, ...] = ()
+    # What of a program changes a variable while a task waits, for hints.
+    others = "another task"
     # Verbs of commands whose parameter is a macro or a position in the program, and so no quantity.
     jumps: frozenset[str] = frozenset()
 

@@ -70,7 +70,7 @@ def what_frees(dialect: Dialect, source: Source, machine: Machine, task: Task, w
     else:
         leaves = _reads(dialect, source, task, wait)
         if not leaves and _is_of_program(dialect, source, task):
-            return "let another task or an Event change it: this task does nothing while it waits"
+            return f"let {dialect.others} change it: this task does nothing while it waits"
         axes = sorted((kind, n) for kind, n in leaves if kind in ("axis", "position") and n is not None)
     found = next(filter(None, (_frees(machine.controller, kind, axis) for kind, axis in axes)), "")
     return found or _raises(dialect, source, machine)

@@ -30,6 +30,7 @@ class Mint(Dialect):
     name, title = "mint", "Mint"
     suffixes = (".mnt", ".mntx", ".prg")
     first_axis = 0
+    others = "another task or an Event"
     cached = True
     comment = "'"
     constant = "Const {} = {}"
