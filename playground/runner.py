@@ -31,6 +31,8 @@ WIDTH = 160
 MAX_OUTPUT, SECONDS = 1_000_000, 0.05
 # Rows of the page's own tables.
 MAX_ROWS = 200
+# By the language that was chosen: the page has a list where the command line has an option.
+_CHOOSE = {"mint": "choose MCCL above", "mccl": "choose Mint above"}
 NO_NUMPY = "install motionlang to run it on your computer: the Python of a browser has no numpy"
 
 
@@ -111,6 +113,9 @@ def start(request: Message, send: Send) -> None:
     if answers.question is not None:
         send({"type": "asks", "question": answers.question})
         return
+    for each in made.diagnostics:
+        if each.code == "language":
+            each.hint = _CHOOSE[request["dialect"]]
     send({"type": "result", "status": made.status, **_results(made, source), "dropped": output.dropped})
     send({"type": "details", **_details(made)})
 

@@ -90,6 +90,13 @@ def test_mistakes_are_marked_in_the_file_that_has_them() -> None:
     assert [mark["tab"], mark["line"]] == ["machine", 2]
 
 
+def test_the_hint_on_the_other_language_is_the_list_of_the_page() -> None:
+    (mark,) = of_type(messages("1MN,1SV1000\n1MR100,1WS\n"), "result")["marks"]
+    assert (mark["code"], mark["hint"]) == ("language", "choose MCCL above")
+    result = of_type(messages("SPEED(0) = 5\nMOVER(0) = 3\nGO(0)\n", name="a.mcl"), "result")
+    assert result["diagnostics"].endswith("hint: choose Mint above\n")
+
+
 def test_the_scope_page_and_the_lines_follow_the_table() -> None:
     # 100 uu at 50 uu/s with 500 uu/s2: 100/50 + 50/500 = 2.1 s, all of them at the line of the move.
     program = "SPEED(0) = 50\nACCEL(0) = 500\nDECEL(0) = 500\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n"
