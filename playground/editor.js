@@ -40,8 +40,16 @@ const LOOK = EditorView.theme({
   ".cm-matchingBracket, &.cm-focused .cm-matchingBracket": { backgroundColor: "var(--selection)" },
 });
 
+// True if none of an earlier text is left.
+function replaced({ startState, changes }) {
+  const { length } = startState.doc;
+  let all = false;
+  changes.iterChangedRanges((from, to) => (all = length > 0 && from === 0 && to === length));
+  return all;
+}
+
 export class Editor {
-  // `file` is its name in the page. `changed` is called after each change of the text, `marked` with the marks of the server whenever they change.
+  // `file` is its name in the page. `changed` is called after each change of the text, with true if all of it was replaced, `marked` with the marks of the server whenever they change.
   constructor(parent, label, { file, keys = [], changed = () => {}, marked = () => {} }) {
     this.file = file;
     const root = parent.attachShadow({ mode: "open" });
@@ -58,7 +66,7 @@ export class Editor {
       syntaxHighlighting(COLOURS),
       LOOK,
       EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0", spellcheck: "false", autocapitalize: "off" }),
-      EditorView.updateListener.of((update) => update.docChanged && changed()),
+      EditorView.updateListener.of((update) => update.docChanged && changed(replaced(update))),
       keymap.of([...keys, ...closeBracketsKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
     ];
     this.mode = [];

@@ -78,6 +78,13 @@ function keep() {
   return label === null ? "" : ` What you wrote is kept as ${label}, under Example.`;
 }
 
+// Another program than the one that was chosen: it keeps neither the name of that one nor its place in the list.
+function rename(plain) {
+  name = named({ name: plain, dialect: element("dialect").value });
+  element("gallery").value = "";
+  server?.open(request());
+}
+
 // The name of a file without folders, with a suffix of its language.
 function named({ name, dialect }) {
   const plain = name.replace(/[^\w.-]/g, "").slice(0, 60).replace(/\.\w*$/, "") || "program";
@@ -95,7 +102,12 @@ function newEditor(file, label) {
     { key: "Ctrl-Enter", mac: "Cmd-Enter", run: () => (start(), true) },
     { key: "Mod-.", run: line },
   ];
-  return new Editor(element(`panel-${file}`), label, { file, keys, marked: (editor, marks) => problems.show(editor, marks) });
+  const changed = (all) => {
+    results.age(true);
+    // The editor takes no other change before this one is complete.
+    if (all && file === "program") queueMicrotask(() => rename("program"));
+  };
+  return new Editor(element(`panel-${file}`), label, { file, keys, changed, marked: (editor, marks) => problems.show(editor, marks) });
 }
 
 function choose(file) {
@@ -236,6 +248,7 @@ function listen() {
   element("share").addEventListener("click", share);
   element("dialect").addEventListener("change", ({ target }) => {
     name = named({ name, dialect: target.value });
+    results.age(true);
     editors.program.syntax = LANGUAGES[target.value];
     server?.open(request());
   });

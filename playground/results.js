@@ -41,10 +41,21 @@ export class Results {
   }
 
   clear() {
+    this.age(false);
     this.printed = "";
     for (const id of ["wrong", "output", "table"]) text(id, "");
     for (const id of ["events", "lines"]) rows(id, []);
     this.scope("", "");
+  }
+
+  // The results of an older text are grey, and a sentence says so.
+  age(is) {
+    document.body.classList.toggle("old", is);
+    show("old", is && this.any);
+  }
+
+  get any() {
+    return ["wrong", "output", "table", "events", "scope", "lines"].some((id) => !element(id).hidden);
   }
 
   // A long output is cut here; the whole of it would make the page slow.

@@ -45,6 +45,25 @@ for (const name of ["chromium", "firefox"]) {
       }
     });
 
+    test("results of an older text are grey, and a replaced program loses its name", async () => {
+      await page.selectOption("#gallery", "ballscrew.mnt");
+      await run(page);
+      const old = page.locator("#old");
+      assert.equal(await old.isVisible(), false);
+      const editor = page.locator("#panel-program .cm-content");
+      await editor.press("End");
+      await editor.pressSequentially(" ");
+      assert.match(await old.innerText(), /has changed since this run/);
+      assert.equal(await page.locator("#gallery").inputValue(), "ballscrew.mnt");
+      await run(page);
+      assert.equal(await old.isVisible(), false);
+      await editor.press("Control+a");
+      await page.keyboard.insertText("PRINT 1 / 0\n");
+      assert.equal(await page.locator("#gallery").inputValue(), "");
+      assert.match((await run(page)).wrong, /program\.mnt:1/);
+      assert.deepEqual(page.wrong, []);
+    });
+
     test("a second run takes at most 50 ms", { skip: name !== "chromium" && "the limit is for Chromium" }, async () => {
       await page.selectOption("#gallery", "pick-and-place.mnt");
       await run(page);
