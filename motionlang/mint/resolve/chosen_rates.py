@@ -21,13 +21,17 @@ MOVES = frozenset(("move", "path"))
 
 def chosen_rates(module: Module, settings: Mapping[str, object]) -> list[str]:
     """Return a line about the rates that the moves of a program take from a chosen default, if there are any."""
+    targets = [node.target for node in walk(module.everything) if isinstance(node, Assign)]
+    written = [
+        table().get(word) for word in {each.name.lower() for each in targets if isinstance(each, Name)}
+    ]
+    given = {row.gives for row in written if row is not None}
+    if given.issuperset(RATES):
+        return []
     rows = {name.name.lower() for name in names_of(module)}
     used = [row for word in sorted(rows) if (row := table().get(word)) is not None]
     if not any(row.effect.partition(" ")[0] in MOVES or row.effect == "act endless" for row in used):
         return []
-    targets = [node.target for node in walk(module.everything) if isinstance(node, Assign)]
-    written = [table().get(each.name) for each in targets if isinstance(each, Name)]
-    given = {row.gives for row in written if row is not None}
     chosen = [
         row
         for row in axis.ROWS

@@ -25,8 +25,6 @@ def warn_of_short_ramps(module: Module, problems: Problems) -> None:
     for row, axis, value, _ in written:
         if row.gives == "speed":
             speeds.setdefault(axis, []).append(value)
-    rows = {row.name for row in units.ROWS if not row.effect}
-    has_units = any(row is not None and row.name in rows for row in map(_row, names_of(module)))
     for row, axis, value, at in written:
         if row.gives not in RATES or not value or value < 0.0:
             continue
@@ -41,9 +39,11 @@ def warn_of_short_ramps(module: Module, problems: Problems) -> None:
             )
             continue
         known = speeds.get(axis, [None])
-        if has_units or None in known:
+        if None in known:
             continue
         speed = max(each for each in known if each is not None)
+        if speed / value >= UPDATE or _has_units(module):
+            continue
         hint = f"for a ramp of {USUAL * 1e3:.10g} ms write {speed / USUAL:.10g}"
         _report(
             problems,
@@ -76,6 +76,12 @@ def _settings(module: Module) -> Iterator[tuple[Keyword, int | None, float | Non
         for axis, value in zip_longest(axes, node.values[: len(axes)], fillvalue=node.values[-1]):
             number = _literal(axis)
             yield row, None if number is None else int(number), _literal(value), node.target.at
+
+
+def _has_units(module: Module) -> bool:
+    """True if speeds or rates have units of their own, so that their quotient is no time."""
+    rows = {row.name for row in units.ROWS if not row.effect}
+    return any(row is not None and row.name in rows for row in map(_row, names_of(module)))
 
 
 def _row(name: Name) -> Keyword | None:
