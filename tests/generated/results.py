@@ -97,6 +97,8 @@ LONG, DIGITS, DECIMALS, SMALL, OFF = 11, 9, 11, 1e-9, 1.0 + 3e-12
 UNSTABLE = (
     "motion-2.compare", "motion-32.table", "words-41.certify", "pictures-24.picture",
     "tasks-15.init", "tasks-11.code",
+    # An eigenvalue whose last digits differ between versions of numpy.
+    "commands-13.output",
 )  # fmt: skip
 
 
