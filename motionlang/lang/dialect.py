@@ -205,7 +205,7 @@ class Dialect:
         return []
 
     def remarks(self, source: Source, settings: Mapping[str, object]) -> list[str]:
-        """Return what the result of a program rests on that no statement and no source says, a line each."""
+        """Return the chosen defaults that the result of a program depends on, a line each."""
         return []
 
     def driven_by(self, why: str) -> list[str]:

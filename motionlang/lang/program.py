@@ -46,7 +46,7 @@ class Program:
 
     @property
     def remarks(self) -> Sequence[str]:
-        """What the motion rests on that no statement and no source says, a line each."""
+        """Chosen defaults that the motion depends on, a line each."""
         return ()
 
     @property

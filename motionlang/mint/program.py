@@ -69,7 +69,7 @@ class MintProgram(Program):
 
     @property
     def remarks(self) -> Sequence[str]:
-        """What the motion rests on that no statement and no source says, a line each."""
+        """Chosen defaults that the motion depends on, a line each."""
         return self._remarks
 
     def payload(self) -> bytes:
