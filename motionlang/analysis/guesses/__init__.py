@@ -19,7 +19,7 @@ runs to the time limit. Each guess is one entry of the machine file, marked `gue
 Data: `Guesses` has the entries by channel, question, key and axis. An input that was guessed and is stuck again takes
 the next form of the list. Every round changes at least one guess, and no form is taken twice, so the rounds end.
 
-If a program asks again after all answers of a menu, or after 20 equal answers, the run ends there for lack of an answer.
+If a program asks again after all answers of a menu, or after 20 equal answers, the run ends for lack of an answer.
 `branches` explores the menus as a tree: a path has one choice for each menu, and ends where the program ends or asks a
 question of the path again.
 
