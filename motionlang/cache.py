@@ -89,12 +89,12 @@ def program_entry(package: str, *keys: str) -> Entry:
     return Entry("program", (package + os.sep, *(root + name for name in SHARED)), *keys)
 
 
-def machine_entry(text: str) -> Entry:
-    """Return the entry of a machine file's settings.
+def machine_entry(text: str, language: str) -> Entry:
+    """Return the entry of a machine file's settings, checked for a language or, with "", for any.
 
     Any loaded file of the package may have checked them.
     """
-    return Entry("machine", (os.path.dirname(__file__) + os.sep,), text)
+    return Entry("machine", (os.path.dirname(__file__) + os.sep,), language, text)
 
 
 def wanted() -> bool:

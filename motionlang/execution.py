@@ -63,6 +63,11 @@ def dialect_of(file: str) -> Dialect | None:
     return None
 
 
+def language_of(wanted: str | None, file: str) -> Dialect | None:
+    """Return the requested dialect, or that of the file extension; None if there is neither."""
+    return dialect(wanted) if wanted else dialect_of(file)
+
+
 def machine_of(program: str | os.PathLike[str] | Source | None, given: str | None = None) -> str | None:
     """Return the machine file of a program: the given one, or the one next to it.
 

@@ -40,9 +40,9 @@ def the_file(folder: Path) -> Path:
 
 
 def test_the_settings_of_a_machine_file_are_cached_by_its_text() -> None:
-    machine_entry("[axis.0]\nstart = 3.0\n").put(b"settings")
-    assert machine_entry("[axis.0]\nstart = 3.0\n").get() == b"settings"
-    assert machine_entry("[axis.0]\nstart = 4.0\n").get() is None
+    machine_entry("[axis.0]\nstart = 3.0\n", "mint").put(b"settings")
+    assert machine_entry("[axis.0]\nstart = 3.0\n", "mint").get() == b"settings"
+    assert machine_entry("[axis.0]\nstart = 4.0\n", "mint").get() is None
 
 
 def test_what_was_put_comes_back() -> None:

@@ -16,7 +16,7 @@ from motionlang.cli.parallel import add_jobs, in_parallel
 from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag, option
 from motionlang.cli.program_files import programs
 from motionlang.errors import Diagnostic, ProgramError
-from motionlang.execution import dialect_of, machine_of
+from motionlang.execution import language_of, machine_of
 from motionlang.lang.dialect import dialect, unknown_model
 from motionlang.lang.foreign import one_sentence
 from motionlang.lang.machine.axes import missing_axes
@@ -68,19 +68,12 @@ class CheckOptions:
     quiet: bool = False
 
 
-def _model(text: str) -> str:
-    problem = unknown_model(text)
-    if problem is not None:
-        raise argparse.ArgumentTypeError("; ".join(problem))
-    return text
-
-
 _OPTIONS = (
     option("files", "FILE", "programs, or folders of programs; default: this folder; - reads standard input",
            nargs="*", default=["."]),
     option("--machine", "M.toml", "the machine file; default: pick.machine.toml next to pick.mnt, if it exists"),
     option("--model", "MODEL", "the controller model: mint4, mintmt or a product name such as NextMove ESB; for MCCL "
-           f"one of {', '.join(MODELS)}", _model),
+           f"one of {', '.join(MODELS)}"),
     flag("--strict", "treat warnings as errors"),
     flag("--evidence", "list the unconfirmed assumptions that each program depends on, and the evidence for each"),
     flag("--literals", "list the numbers of each program by the addresses that --set and --vary take, such as "
@@ -112,7 +105,20 @@ def _check_files(arguments: argparse.Namespace) -> int:
         fix=arguments.fix,
         quiet=arguments.quiet,
     )
+    _check_model(arguments)
     return check_command(arguments.files, options)
+
+
+def _check_model(arguments: argparse.Namespace) -> None:
+    """End the command with status 2 if the model is one of no language of the files."""
+    if arguments.model is None:
+        return
+    languages = dict.fromkeys(language_of(arguments.dialect, file) for file in programs(arguments.files))
+    problems = [unknown_model(arguments.model, each) for each in languages]
+    if problems and all(problems):
+        problem = problems[0] if len(problems) == 1 else unknown_model(arguments.model)
+        assert problem is not None
+        arguments.parser.error(f"argument --model: {'; '.join(problem)}")
 
 
 def check_command(files: Sequence[str], options: CheckOptions) -> int:
@@ -240,7 +246,7 @@ def _check(
     The source is the file that the diagnostics are about: the program or its machine file. The settings are None
     if the program could not be checked.
     """
-    language = dialect(options.dialect) if options.dialect is not None else dialect_of(file)
+    language = language_of(options.dialect, file)
     if language is None:
         return "", None, None, [no_dialect(file)]
     try:
@@ -255,7 +261,7 @@ def _check(
         except OSError as error:
             return language.name, None, None, [unreadable(path, error)]
         try:
-            settings = read_machine(machine)
+            settings = read_machine(machine, language=language)
         except ProgramError as error:
             return language.name, machine, None, error.diagnostics
         axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]

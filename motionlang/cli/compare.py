@@ -19,7 +19,7 @@ from motionlang.cli.output_files import written
 from motionlang.cli.parser import add_all, add_command, arrange, flag, option
 from motionlang.cli.signals import SIGNALS
 from motionlang.errors import ProgramError
-from motionlang.execution import dialect_of, machine_of, run
+from motionlang.execution import language_of, machine_of, run
 
 if TYPE_CHECKING:
     from motionlang.analysis.compare.comparison import Comparison, Mapped
@@ -142,11 +142,13 @@ def _ran(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Run 
     """Return the run, or None if there is none to compare with."""
     settings: dict[str, object] = {}
     overrides: dict[str, float | str] = {}
-    set_values(arguments.set, settings, overrides, parser)
-    if arguments.dialect is None and dialect_of(arguments.file) is None:
+    language = language_of(arguments.dialect, arguments.file)
+    set_values(arguments.set, settings, overrides, parser, language)
+    if language is None:
         complain([no_dialect(arguments.file)], None, arguments.file)
         return None
     options = Options(arguments.file)
+    options.dialect = arguments.dialect
     options.machine = machine_of(arguments.file, arguments.machine)
     if options.machine is not None and read_machine_file(options, settings):
         return None

@@ -29,7 +29,7 @@ from motionlang.cli.parser import Commands, add_all, add_command, arrange, flag,
 from motionlang.cli.signals import SIGNALS
 from motionlang.cli.world_options import add_world, with_world, world_of
 from motionlang.errors import ProgramError
-from motionlang.execution import dialect_of, machine_of, run
+from motionlang.execution import dialect_of, language_of, machine_of, run
 from motionlang.lang.machine.file import read_machine
 from motionlang.record import as_dict
 from motionlang.report import build
@@ -200,16 +200,17 @@ def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str
     try:
         if path.lower().endswith(".json"):
             return _report(path)
-        if arguments.dialect is None and dialect_of(path) is None:
+        language = language_of(arguments.dialect, path)
+        if language is None:
             complain([no_dialect(path)], None, path)
             return None
         settings: dict[str, object] = {}
         overrides: dict[str, float | str] = {}
-        set_values(getattr(arguments, f"set_{side}"), settings, overrides, arguments.parser)
+        set_values(getattr(arguments, f"set_{side}"), settings, overrides, arguments.parser, language)
         machine = machine_of(path, getattr(arguments, f"machine_{side}"))
         if machine is not None:
             try:
-                settings = read_machine(Source.read(machine)) | settings
+                settings = read_machine(Source.read(machine), language=language) | settings
             except ProgramError as error:
                 complain(error.diagnostics, Source.read(machine), machine)
                 return None

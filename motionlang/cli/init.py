@@ -7,7 +7,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.analysis.guesses import Guesses, answer_entry, branches, guessed
-from motionlang.analysis.guesses.file import inline, machine_text, scenario_name, scenario_text
+from motionlang.analysis.guesses.file import also_fitting, inline, machine_text, scenario_name, scenario_text
 from motionlang.analysis.scenarios import FOLDER_SUFFIX
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.dialect_option import add_dialect
@@ -19,9 +19,8 @@ from motionlang.cli.program_files import programs
 from motionlang.cli.run import run_command
 from motionlang.cli.signals import SIGNALS
 from motionlang.errors import Diagnostic, count_of
-from motionlang.execution import MACHINE_SUFFIX, dialect_of
+from motionlang.execution import MACHINE_SUFFIX, language_of
 from motionlang.files import create
-from motionlang.lang.dialect import dialect
 from motionlang.lang.machine.entries import WrongEntry, entries
 from motionlang.source import STDIN, Source
 
@@ -80,7 +79,7 @@ def init_command(arguments: argparse.Namespace) -> int:
 
 
 def _init(arguments: argparse.Namespace, file: str) -> int:
-    language = dialect(arguments.dialect) if arguments.dialect else dialect_of(file)
+    language = language_of(arguments.dialect, file)
     path = os.path.splitext(file)[0] + MACHINE_SUFFIX
     if file == STDIN:
         hint = "save the program, then motionlang init FILE"
@@ -106,8 +105,8 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
     if mistakes:
         complain(mistakes, source, file)
         return 1
-    model, reasons = language.written_for(source)
-    board: dict[str, object] = {"controller.model": model} if model else {}
+    target = language.written_for(source)
+    board: dict[str, object] = {"controller.model": target.model} if target.model else {}
     fixed = dict(board)
     reads = language.input_reads(source)
     guesses, result = guessed(source, language, arguments.until, fixed, reads)
@@ -119,11 +118,13 @@ def _init(arguments: argparse.Namespace, file: str) -> int:
             guesses, result = guessed(source, language, arguments.until, fixed, reads)
             SIGNALS.end_with(result)
     try:
-        create(path, machine_text(source, guesses, reads, result, arguments.until, reasons).encode())
+        create(path, machine_text(source, guesses, reads, result, arguments.until, target).encode())
     except OSError as error:
         complain([unwritten(path, error)], None, file)
         return 1
     sys.stdout.write(f"{path}: written, {count_of(guesses.count, 'guess', 'guesses')}\n")
+    if target.others:
+        sys.stdout.write(f"controller.model is {target.model}; {also_fitting(target)}\n")
     try:
         _write_scenarios(file, source, language, arguments.until, guesses, reads)
     except OSError as error:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import sys
 from marshal import dumps, loads
 
+from motionlang.execution import language_of
 from motionlang.source import STDIN, STDIN_NAME, Source
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.cli.options import Options
+    from motionlang.lang.dialect import Dialect
 
 
 def read_source(file: str) -> Source:
@@ -31,7 +33,9 @@ def read_machine_file(options: Options, settings: dict[str, object]) -> int:
 
         return refuse(options, [unreadable(options.machine, error)], None, 1)
     try:
-        for key, value in _settings(source, options.cache).items():
+        for key, value in _settings(
+            source, language_of(options.dialect, options.file), options.cache
+        ).items():
             settings.setdefault(key, value)
     except ProgramError as error:
         from motionlang.cli.complaints import refuse
@@ -40,21 +44,21 @@ def read_machine_file(options: Options, settings: dict[str, object]) -> int:
     return 0
 
 
-def _settings(source: Source, cached: bool) -> dict[str, object]:
+def _settings(source: Source, language: Dialect | None, cached: bool) -> dict[str, object]:
     """Return the settings of a machine file, from the cache if they are cached.
 
     Importing the library that reads such a file takes as long as starting an empty Python.
     """
     from motionlang.cache import machine_entry
 
-    entry = machine_entry(source.text) if cached else None
+    entry = machine_entry(source.text, language.name if language else "") if cached else None
     stored = entry.get() if entry is not None else None
     if stored is not None:
         settings: dict[str, object] = loads(stored)
         return settings
     from motionlang.lang.machine.file import read_machine
 
-    settings = read_machine(source)
+    settings = read_machine(source, language=language)
     if entry is not None:
         entry.put(dumps(settings))
     return settings

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from motionlang.cli.dialect_option import add_dialect
 from motionlang.cli.parser import add_all, option
 from motionlang.errors import ProgramError, clipped, shown
+from motionlang.lang.dialect import Dialect
 from motionlang.lang.literals import canonical
 from motionlang.lang.machine.file import check_setting, current_key, read_value
 
@@ -29,10 +30,11 @@ def set_values(
     settings: dict[str, object],
     overrides: dict[str, float | str],
     parser: argparse.ArgumentParser,
+    language: Dialect | None = None,
 ) -> None:
     """Sort NAME=VALUE pairs into settings (a dot in the name) and variables.
 
-    An invalid pair ends the command with status 2.
+    `language` is that of the program, if it is known. An invalid pair ends the command with status 2.
     """
     for pair in pairs:
         name, equals, text = pair.partition("=")
@@ -43,7 +45,7 @@ def set_values(
             overrides[name] = _value(text)
             continue
         name, value = current_key(name), _setting(text)
-        problem = check_setting(name, value)
+        problem = check_setting(name, value, language)
         if problem is not None:
             parser.error(f"--set {clipped(pair)}: {problem[0]}; {problem[1]}")
         settings[name] = value

@@ -14,7 +14,7 @@ from motionlang.cli.parser import Commands, add_command
 from motionlang.cli.world_options import add_world, with_world, world_of
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
-from motionlang.execution import dialect_of, machine_of
+from motionlang.execution import language_of, machine_of
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.repl.commands import load_file
 from motionlang.repl.lines import read_lines
@@ -36,8 +36,10 @@ def _repl(arguments: argparse.Namespace) -> int:
     overrides: dict[str, float | str] = {}
     if arguments.file in dialects() and not os.path.exists(arguments.file):
         arguments.dialect, arguments.file = arguments.dialect or arguments.file, None
-    set_values(arguments.set, settings, overrides, arguments.parser)
-    options = Options(arguments.machine or "")
+    language = language_of(arguments.dialect, arguments.file or "")
+    set_values(arguments.set, settings, overrides, arguments.parser, language)
+    options = Options(arguments.file or "")
+    options.dialect = arguments.dialect
     options.machine = machine_of(arguments.file or None, arguments.machine)
     if options.machine is not None:
         status = read_machine_file(options, settings)
@@ -57,7 +59,7 @@ def open_session(
 
     Without a dialect name the file's extension selects the dialect; the default is Mint.
     """
-    language = (dialect(dialect_name) if dialect_name else dialect_of(file or "")) or dialect("mint")
+    language = language_of(dialect_name, file or "") or dialect("mint")
     at_terminal = is_terminal(sys.stdin) and is_terminal(sys.stdout)
     complain = _show if at_terminal else _complain
     try:

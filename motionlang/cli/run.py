@@ -7,8 +7,7 @@ import sys
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.errors import Diagnostic, ProgramError, Terminated
-from motionlang.execution import Checked, dialect_of, machine_of, run
-from motionlang.lang.dialect import dialect
+from motionlang.execution import Checked, dialect_of, language_of, machine_of, run
 from motionlang.source import STDIN, Source
 
 TYPE_CHECKING = False
@@ -75,7 +74,7 @@ def _result(options: Options) -> Run | int:
         from motionlang.cli.complaints import unreadable
 
         return _refuse(options, [unreadable(options.file, error)], None, 1)
-    language = dialect(options.dialect) if options.dialect else dialect_of(options.file)
+    language = language_of(options.dialect, options.file)
     if language is None:
         from motionlang.cli.complaints import no_dialect
 
@@ -213,7 +212,7 @@ def _missing_axes(options: Options, settings: dict[str, object]) -> list[Diagnos
     from motionlang.lang.machine.axes import missing_axes
     from motionlang.lang.machine.machine import DEFAULT_AXES
 
-    language = dialect(options.dialect) if options.dialect else dialect_of(options.file)
+    language = language_of(options.dialect, options.file)
     assert language is not None
     axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
     return missing_axes(settings, axes, language.first_axis)

@@ -17,7 +17,7 @@ from motionlang.cli.parser import Commands, add_all, add_command, arrange, eithe
 from motionlang.cli.run import run_command
 from motionlang.cli.world_options import add_world, world_of
 from motionlang.errors import need
-from motionlang.execution import ONE_SHIFT
+from motionlang.execution import ONE_SHIFT, language_of
 
 HIGHEST_RATE = 10e6
 _RATE = real(
@@ -177,7 +177,8 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
     options.report = arguments.format
     options.cache = not arguments.no_cache
     options.world = world_of(arguments)
-    set_values(arguments.set, options.settings, options.overrides, parser)
+    language = language_of(options.dialect, options.file)
+    set_values(arguments.set, options.settings, options.overrides, parser, language)
     return options
 
 

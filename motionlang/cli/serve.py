@@ -20,7 +20,7 @@ from motionlang.cli.serve_can import serve_can
 from motionlang.cli.serve_line import serve_line
 from motionlang.cli.serve_modbus import serve_modbus
 from motionlang.errors import Diagnostic, MissingExtra
-from motionlang.execution import machine_of
+from motionlang.execution import language_of, machine_of
 from motionlang.source import Source
 
 EPILOG = """\
@@ -142,7 +142,8 @@ def read_board(args: argparse.Namespace, options: Options) -> int:
     Returns an exit status, not 0 if that fails.
     """
     options.dialect, options.machine = args.dialect, args.machine
-    set_values(args.set, options.settings, options.overrides, args.parser)
+    language = language_of(args.dialect, options.file)
+    set_values(args.set, options.settings, options.overrides, args.parser, language)
     options.machine = machine_of(options.file or None, args.machine)
     return read_machine_file(options, options.settings) if options.machine is not None else 0
 

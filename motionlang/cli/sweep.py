@@ -24,7 +24,7 @@ from motionlang.cli.sweep_options import EPILOG, add_options
 from motionlang.cli.sweep_report import Report
 from motionlang.cli.world_options import with_world, world_of
 from motionlang.errors import Diagnostic, ProgramError, Terminated, need
-from motionlang.execution import dialect_of, machine_of
+from motionlang.execution import dialect_of, language_of, machine_of
 from motionlang.files import unwritable
 from motionlang.source import STDIN, Source
 from motionlang.views.progress import Progress
@@ -126,12 +126,14 @@ def _description(arguments: argparse.Namespace) -> Description:
 def _made(arguments: argparse.Namespace, description: Description) -> tuple[Sweep, Report] | int:
     """Return the sweep and its report, or the exit status after a reported file error."""
     source = read_source(arguments.file)
-    if arguments.dialect is None and dialect_of(arguments.file) is None:
+    language = language_of(arguments.dialect, arguments.file)
+    if language is None:
         complain([no_dialect(arguments.file)], None, arguments.file)
         return 2
     options = Options(arguments.file)
+    options.dialect = arguments.dialect
     options.machine = machine_of(arguments.file, arguments.machine)
-    set_values(arguments.set, options.settings, options.overrides, arguments.parser)
+    set_values(arguments.set, options.settings, options.overrides, arguments.parser, language)
     settings = dict(options.settings)
     if options.machine is not None:
         status = read_machine_file(options, settings)

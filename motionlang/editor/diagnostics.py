@@ -52,7 +52,7 @@ def settings_of(machine: Source, language: Dialect | None) -> tuple[dict[str, ob
     The settings are empty if there is a diagnostic. Axes are checked if the language is known.
     """
     try:
-        settings = read_machine(machine)
+        settings = read_machine(machine, language=language)
     except ProgramError as error:
         return {}, error.diagnostics
     if language is None:

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import sys
 
+from motionlang.record import record
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -58,17 +60,32 @@ def parse(text: str, language: str) -> object:
     return dialect(language).parse(Source("", text))
 
 
-def unknown_model(name: str) -> tuple[str, str] | None:
-    """Return message and hint for an unknown controller name; None if it is known."""
+def unknown_model(name: str, language: Dialect | None = None) -> tuple[str, str] | None:
+    """Return message and hint for a controller name that is unknown, or known in another language only.
+
+    Returns None if it is known. Without a language those of all languages are known.
+    """
     from motionlang.errors import nearest, shown
 
-    languages = [dialect(each) for each in dialects()]
+    languages = [dialect(each) for each in dialects()] if language is None else [language]
     if any(each.knows_model(name) for each in languages):
         return None
-    models = [model for each in languages for model in each.models()]
-    near = nearest(name, models)
-    hint = f"did you mean {near}?" if near else f"there are {', '.join(models)}"
-    return f"{shown(name)} is not a known controller", hint
+    near = nearest(name, [model for each in languages for model in each.models()])
+    known = [f"{each.title} runs on {', '.join(each.models())}" for each in languages]
+    hint = f"did you mean {near}?" if near else "; ".join(known)
+    return f"{shown(name)} is not a known controller{f' of {language.title}' if language else ''}", hint
+
+
+@record
+class Target:
+    """The controller model that a program is written for, with the reasons; "" if nothing decides it.
+
+    `others` are models that fit the program as well.
+    """
+
+    model: str
+    reasons: list[str]
+    others: list[str]
 
 
 class Dialect:
@@ -188,9 +205,9 @@ class Dialect:
         """True if a name is that of a controller of the dialect, in any spelling."""
         return name in self.models()
 
-    def written_for(self, source: Source) -> tuple[str, list[str]]:
-        """Return the controller model that a program is written for, and the reasons; "" if it fits several."""
-        return "", []
+    def written_for(self, source: Source) -> Target:
+        """Return the controller model that a program is written for."""
+        return Target("", [], [])
 
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
         """Return message and hint for a key of the dialect's own section, None if valid."""

@@ -105,12 +105,12 @@ def check(
     from motionlang.lang.machine.machine import DEFAULT_AXES
     from motionlang.source import Source
 
-    problem = None if model is None else unknown_model(model)
-    if problem is not None:
-        raise ValueError("; ".join(problem))
     program = _checked(program)
     source = program if isinstance(program, Source) else Source.read(program)
     language = dialect_for(source, dialect)
+    problem = None if model is None else unknown_model(model, language)
+    if problem is not None:
+        raise ValueError("; ".join(problem))
     settings = settings_next_to(program) if machine is None else checked_settings(machine)
     axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
     wrong = missing_axes(settings, axes, language.first_axis)

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from motionlang.lang.dialect import Dialect, Interactive
+from motionlang.lang.dialect import Dialect, Interactive, Target
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -122,7 +122,7 @@ class Mccl(Dialect):
 
         return named(name) is not None
 
-    def written_for(self, source: Source) -> tuple[str, list[str]]:
+    def written_for(self, source: Source) -> Target:
         from motionlang.mccl.lint.board import written_for
 
         return written_for(source)

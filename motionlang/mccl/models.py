@@ -27,7 +27,7 @@ class Model:
     macro number, and `registers` the number of registers. `words` is true if TS has its four status words,
     and `at_target` if status bit 2 means "at target". `outputs` has the channels that are outputs at
     power-up. `whole_gains` is true if gains are integers. `update` is the servo period, s. `stepper` has
-    velocity, acceleration and minimum velocity of a stepper at power-up.
+    velocity, acceleration and minimum velocity of a stepper at power-up. `axes` is the number of axes.
     """
 
     name: str
@@ -45,6 +45,7 @@ class Model:
     whole_gains: bool = False
     update: float = 0.00025
     stepper: tuple[float, float, float] = (40_000.0, 100_000.0, 0.0)
+    axes: int = 8
 
     @property
     def separate_decel(self) -> bool:
@@ -58,7 +59,7 @@ _MODELS = (
     Model("dcx-pci100", "DCX-PCI100 modular controller", words=False, at_target=False, whole_gains=True,
           lacks=_BASIC, update=0.000341),
     Model("dcx-at200", "DCX-AT200 advanced modular controller", line_end="\r", words=False,
-          at_target=False, lacks=(_OUTPUT_CONTROL,), update=0.001),
+          at_target=False, lacks=(_OUTPUT_CONTROL,), update=0.001, axes=6),
     Model("dcx-pc100", "DCX-PC100 modular controller", prompt="", echo=False, line_end="\r", macros=255, words=False,
           at_target=False, whole_gains=True, lacks=(*_BASIC, _TASKS, _SCALES, _CONTOURS), update=0.001),
 )  # fmt: skip

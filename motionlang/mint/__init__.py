@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.lang.dialect import Dialect
+from motionlang.lang.dialect import Dialect, Target
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -120,7 +120,7 @@ class Mint(Dialect):
 
         return age(name) is not None
 
-    def written_for(self, source: Source) -> tuple[str, list[str]]:
+    def written_for(self, source: Source) -> Target:
         from motionlang.mint.lint.model import written_for
 
         return written_for(source)

@@ -13,6 +13,10 @@ V4, MINTMT = "Mint v4", "MintMT"
 
 # Their names on the command line.
 NAMES = ("mint4", "mintmt")
+# The extension of a program of Mint v4.
+V4_SUFFIX = ".prg"
+# The family of the string functions that Mint v4 lacks. Their names are names like any other there.
+STRINGS = "strings"
 _V4 = (
     "EuroSystem", "ServoNode 34", "ServoNode 50", "ServoNode 51", "NextMove PC", "NextMove PC2", "NextMove RK",
     "NextMove BX", "MintDrive",

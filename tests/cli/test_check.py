@@ -81,7 +81,7 @@ def test_a_model_by_the_name_of_its_product(cell: Cell) -> None:
     assert "error[model]: Const is MintMT: it does not compile on Mint v4\n" in ran.out
     ran = cell("check", "new.mnt", "--model", "MotiFlex e18")
     assert ran.status == 2
-    assert "'MotiFlex e18' is not a known controller; did you mean MotiFlex e180?" in ran.err
+    assert "'MotiFlex e18' is not a known controller of Mint; did you mean MotiFlex e180?" in ran.err
     cell.write("new.machine.toml", 'controller.model = "Microflex e15"\n')
     ran = cell("run", "new.mnt")
     assert ran.status == 1

@@ -232,6 +232,10 @@ def test_a_result_says_what_it_depends_on(cell: Cell) -> None:
         ("old.prg", "OUTX.1 = 0 : SPEED.0 = 5\nSPEED.0 = 6", '"mint4"    # line 1: OUTX.1; line 1: SPEED.0'),
         ("old.mnt", "Dim n As Integer\nSPEED(0) = 5", '"mintmt"    # line 1: As; line 2: SPEED(0)'),
         ("old.mnt", "PRINT 1", None),
+        ("old.prg", "PRINT 1", '"mint4"    # the extension .prg'),
+        ("old.mnt", "AUTO\n#GO\nPRINT 1", '"mint4"    # line 1: AUTO; line 2: #GO'),
+        ("old.prg", "LEN = 5\nPRINT LEN\nOUTX.1 = 1", '"mint4"    # line 1: Len as a name; line 3: OUTX.1'),
+        ("old.prg", "Dim n As Integer\n#GO\nPRINT 1", '"mintmt"    # line 1: As'),
         ("old.mnt", "SPEED(0) = 5\nACCEL.0 = 5", None),
         ("old.mccl", "CF35,CN34", '"multiflex"    # line 1: CF35, and 33 to 48 are outputs at power-up'),
         ("old.mccl", "CN10", '"dcx-pci300"    # line 1: CN10, and 9 to 16 are outputs at power-up'),
@@ -245,6 +249,23 @@ def test_the_controller_is_that_of_the_notation(cell: Cell, name: str, text: str
     machine = (cell.folder / "old.machine.toml").read_text()
     found = [each for each in machine.splitlines() if each.startswith("controller.model")]
     assert found == ([f"controller.model = {line}"] if line else [])
+
+
+@pytest.mark.parametrize(
+    ("text", "others"),
+    [
+        ("CN10", "dcx-pci100, dcx-at200 and dcx-pc100 fit the program as well"),
+        ("CN10\n8MN", "dcx-pci100 and dcx-pc100 fit the program as well"),
+        ("CN10\n1PP", "dcx-at200 fits the program as well"),
+    ],
+)
+def test_models_that_the_program_cannot_tell_apart_are_named(cell: Cell, text: str, others: str) -> None:
+    cell.write("old.mccl", f"{text}\n")
+    ran = cell("init", "old.mccl", "--format", "none")
+    assert f"controller.model is dcx-pci300; {others}\n" in ran.out
+    first, *_ = (cell.folder / "old.machine.toml").read_text().split("\n\n")[1:]
+    assert [line.partition(" ")[0] for line in first.splitlines()] == ["controller.model", "#", "run.until"]
+    assert f"# {others}\n" in first
 
 
 def test_the_limits_are_there_to_fill_in(cell: Cell) -> None:

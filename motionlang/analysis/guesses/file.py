@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from motionlang.analysis.guesses import Entry, Guesses
+    from motionlang.lang.dialect import Target
     from motionlang.lang.loop_dependencies import InputRead
     from motionlang.result import Run
     from motionlang.source import Source
@@ -37,7 +38,7 @@ HEAD = """\
 # A line with `guess = true` is a guess. Correct it and remove `guess = true`; until then, a run that depends on it
 # reports it. docs/machine-file.md explains every key.
 
-run.until = {until:.10g}    # {end}
+{model}run.until = {until:.10g}    # {end}
 """
 # The comment of a time limit: a given one, and the end of the operator's answers.
 LIMIT = "the run ends here if the program does not"
@@ -85,18 +86,14 @@ def machine_text(
     reads: list[InputRead],
     result: Run,
     until: float,
-    reasons: list[str] | None = None,
+    target: Target,
 ) -> str:
-    """Return the text of the machine file; `result` is the run with all guesses.
-
-    `reasons` say why the program is written for its controller model.
-    """
+    """Return the text of the machine file; `result` is the run with all guesses."""
     program = os.path.basename(source.name)
     fixed = guesses.fixed
     answers = [answer_entry(each, text) for each, texts in guesses.answers.items() for text in texts]
     sections = [
-        HEAD.format(program=program, **_end(guesses, until)),
-        *_model(fixed, reasons or []),
+        HEAD.format(program=program, model=_model(target), **_end(guesses, until)),
         *_table("input", INPUTS, _inputs(source, guesses, reads)),
         *_unknown(source, reads),
         *_table("analogue", ANALOGUE, [_guess(each) for each in guesses.analogue.values()]),
@@ -113,10 +110,19 @@ def machine_text(
     return "".join(sections)
 
 
-def _model(fixed: Mapping[str, object], reasons: list[str]) -> list[str]:
-    """Return the line of the controller model, with the reasons for it; empty if there is none."""
-    model = fixed.get("controller.model")
-    return [f"controller.model = {_value(model)}    # {'; '.join(reasons[:MAX_LINES])}\n"] if model else []
+def _model(target: Target) -> str:
+    """Return the line of the controller model, with the reasons for it; "" if there is none."""
+    if not target.model:
+        return ""
+    also = f"# {also_fitting(target)}\n" if target.others else ""
+    return f"controller.model = {_value(target.model)}    # {'; '.join(target.reasons[:MAX_LINES])}\n{also}"
+
+
+def also_fitting(target: Target) -> str:
+    """Return which other models a program fits."""
+    *most, last = target.others
+    names = f"{', '.join(most)} and {last}" if most else last
+    return f"{names} {'fits' if len(target.others) == 1 else 'fit'} the program as well"
 
 
 def scenario_text(source: Source, guesses: Guesses, result: Run, until: float, below: Guesses) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from motionlang.errors import Diagnostic, ProgramError, as_hint, nearest, renamed, shown
-from motionlang.lang.dialect import dialect, unknown_model
+from motionlang.lang.dialect import Dialect, dialect, unknown_model
 from motionlang.lang.machine.keys import (
     BUS_EVENTS,
     EXPECTED,
@@ -49,18 +49,21 @@ _COMPONENT = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
 _LONG_KEY = rf"(?<![\w-]){_COMPONENT}(?:[ \t]*\.[ \t]*{_COMPONENT}){{{_MAX_COMPONENTS}}}"
 
 
-def read_machine(source: Source, *, is_layer: bool = False) -> dict[str, object]:
+def read_machine(
+    source: Source, *, is_layer: bool = False, language: Dialect | None = None
+) -> dict[str, object]:
     """Return the settings of a machine file by dotted key, with tables as lists.
 
-    A file that `is_layer`, such as a scenario, may name an input instead of its channel; `layered` looks the
-    channel up in the file below. Raises ProgramError with every mistake.
+    The controller model must be one of `language`, or of any without it. A file that `is_layer`, such as a scenario,
+    may name an input instead of its channel; `layered` looks the channel up in the file below. Raises ProgramError with
+    every mistake.
     """
     tree = read_toml(source)
     settings: dict[str, object] = {}
     mistakes: list[Diagnostic] = []
     for key, value in _flatten(tree):
         name = current_key(key)
-        problems = list(_problems(name, _with_some_channel(name, value) if is_layer else value))
+        problems = list(_problems(name, _with_some_channel(name, value) if is_layer else value, language))
         mistakes.extend(_located(source, key, *problem) for problem in problems)
         if not problems:
             settings[name] = value
@@ -140,8 +143,11 @@ def _nearest_key(key: str, keys: Iterable[str]) -> str | None:
     return sections[section][near] if near else None
 
 
-def check_setting(key: str, value: object) -> tuple[str, str] | None:
-    """Return the problem of one plain setting and a hint, or None if it is valid."""
+def check_setting(key: str, value: object, language: Dialect | None = None) -> tuple[str, str] | None:
+    """Return the problem of one plain setting and a hint, or None if it is valid.
+
+    `language` is that of the program, if it is known.
+    """
     row = KEYS.get(generic(key))
     if row is None and generic(key).startswith(SERVO):
         from motionlang.servo import settings as servo
@@ -161,7 +167,7 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
     if problem is None and key == "controller.instruction_time" and not 1e-9 <= value <= 1.0:  # type: ignore[operator]
         problem = "must be 1e-9 to 1 second"
     if problem is None and key == "controller.model" and value:
-        return unknown_model(str(value))
+        return unknown_model(str(value), language)
     if problem is None and key.startswith(OF_DIALECTS):
         return dialect(key.partition(".")[0]).setting_problem(key, value)
     return None if problem is None else (f"{key} {problem}, not {shown(value)}", as_hint(row[1]))
@@ -178,13 +184,15 @@ def first_mistake(settings: Mapping[str, object]) -> str:
     return ""
 
 
-def _problems(key: str, value: object) -> Iterator[tuple[str, str, str, int]]:
+def _problems(
+    key: str, value: object, language: Dialect | None = None
+) -> Iterator[tuple[str, str, str, int]]:
     """Yield the mistakes in one key or table.
 
     Each has a message, a hint, the name to search for in the file and the index of its entry.
     """
     if key not in TABLES:
-        problem = check_setting(key, value)
+        problem = check_setting(key, value, language)
         if problem is not None:
             yield (*problem, key, 0)
         return

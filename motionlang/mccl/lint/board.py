@@ -1,7 +1,8 @@
-"""The board that a program is written for, from its file extension and its outputs."""
+"""The board that a program is written for, from its file extension, commands, axes and outputs."""
 
 from __future__ import annotations
 
+from motionlang.lang.dialect import Target
 from motionlang.mccl.models import DEFAULT, MODELS
 from motionlang.mccl.models import written_for as by_suffix
 from motionlang.mccl.resolve.line import Line, lines_of
@@ -10,14 +11,14 @@ from motionlang.source import Source
 _SWITCHES = frozenset({"channel_on", "channel_off"})
 
 
-def written_for(source: Source) -> tuple[str, list[str]]:
-    """Return the first model that has all commands and outputs of a program, and the reasons.
+def written_for(source: Source) -> Target:
+    """Return the first model that has all commands, axes and outputs of a program; the others that do follow.
 
-    The name is empty if the program switches no outputs, or if no model has them all.
+    There is none if the program switches no outputs, or if no model has them all.
     """
     suffixed = by_suffix(source.name)
     if suffixed != DEFAULT:
-        return suffixed, [f"the extension .{source.name.rpartition('.')[2]}"]
+        return Target(suffixed, [f"the extension .{source.name.rpartition('.')[2]}"], [])
     lines = [each for each in lines_of(source.text) if isinstance(each, Line)]
     commands = [command for line in lines for command in line.commands]
     families = {each.row.family for each in commands if each.row is not None}
@@ -28,10 +29,19 @@ def written_for(source: Source) -> tuple[str, list[str]]:
         for command in reversed(line.commands)
         if command.verb in _SWITCHES and command.number is not None and command.number not in made
     }
-    for name, model in MODELS.items():
-        fits = all(each.number in model.outputs for each in switched.values())
-        if switched and fits and not families.intersection(model.lacks):
-            outputs = f"{model.outputs.start} to {model.outputs.stop - 1} are outputs at power-up"
-            line, command = min(switched.items())
-            return name, [f"line {line}: {command.text}, and {outputs}"]
-    return "", []
+    axes = max((each.axis for each in commands), default=0)
+    fitting = [
+        model
+        for model in MODELS.values()
+        if axes <= model.axes
+        and all(each.number in model.outputs for each in switched.values())
+        and not families.intersection(model.lacks)
+    ]
+    if not switched or not fitting:
+        return Target("", [], [])
+    first, *others = fitting
+    outputs = f"{first.outputs.start} to {first.outputs.stop - 1} are outputs at power-up"
+    line, command = min(switched.items())
+    return Target(
+        first.name, [f"line {line}: {command.text}, and {outputs}"], [model.name for model in others]
+    )

@@ -6,12 +6,13 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
+from motionlang.mint.models import STRINGS
 
 
 def _function(name: str, index: str, unit: str, verb: str, help: str, example: str, changes: str = "",
-              optional: int = 0, meant: str = "") -> Keyword:  # fmt: skip
+              optional: int = 0, meant: str = "", family: str = "") -> Keyword:  # fmt: skip
     return Keyword(name, "", "function", "R", index, unit, verb, help, f"PRINT {example}",
-                   group="functions", changes=changes, optional=optional, meant=meant)  # fmt: skip
+                   group="functions", changes=changes, optional=optional, meant=meant, family=family)  # fmt: skip
 
 
 ROWS = (
@@ -35,17 +36,20 @@ ROWS = (
               meant="ATN ARCTAN"),
     _function("Rnd", "", "number", "random", "The next number of a fixed sequence between 0 and 1.",
               "Rnd < 1", changes="always"),
-    _function("Len", "text", "integer", "length", "The number of characters of a text.", 'Len("Mint")'),
-    _function("Asc", "text", "integer", "code", "The code of the first character of a text.", 'Asc("A")'),
+    _function("Len", "text", "integer", "length", "The number of characters of a text.", 'Len("Mint")', family=STRINGS),
+    _function("Asc", "text", "integer", "code", "The code of the first character of a text.", 'Asc("A")',
+              family=STRINGS),
     _function("Chr", "integer", "text", "character", "The character that has a code.", "Chr(65)"),
-    _function("Str", "number", "text", "shown", "A number as PRINT shows it.", "Str(1.5)"),
+    _function("Str", "number", "text", "shown", "A number as PRINT shows it.", "Str(1.5)", family=STRINGS),
     _function("Val", "text", "number", "value", "The number that a text begins with, 0 where there is none.",
-              'Val("1.5 mm")'),
-    _function("Left", "text, integer", "text", "left", "The first characters of a text.", 'Left("Mint", 2)'),
-    _function("Right", "text, integer", "text", "right", "The last characters of a text.", 'Right("Mint", 2)'),
+              'Val("1.5 mm")', family=STRINGS),
+    _function("Left", "text, integer", "text", "left", "The first characters of a text.", 'Left("Mint", 2)',
+              family=STRINGS),
+    _function("Right", "text, integer", "text", "right", "The last characters of a text.", 'Right("Mint", 2)',
+              family=STRINGS),
     _function("Mid", "text, integer, integer", "text", "middle",
               "Characters of a text from a place on (the first is 1), and how many.", 'Mid("Mint", 2, 2)',
-              optional=1),
+              optional=1, family=STRINGS),
     _function("IIf", "bool, any, any", "same", "choice", "One of two values, as a condition is true or false.",
               "IIf(1 > 0, 10, 20)"),
 )  # fmt: skip

@@ -10,11 +10,12 @@ from collections.abc import Callable, Iterator
 
 from motionlang.controller.io.host_memory import named_product
 from motionlang.errors import as_hint
+from motionlang.lang.dialect import Target
 from motionlang.lang.vocabulary import Vocabulary
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.comms import EVENTS
 from motionlang.mint.keywords.event_kinds import kind_and_number
-from motionlang.mint.models import ABSENT, LARGEST, MINTMT, NAMES, V4, age, named
+from motionlang.mint.models import ABSENT, LARGEST, MINTMT, NAMES, STRINGS, V4, V4_SUFFIX, age, named
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
 from motionlang.mint.syntax import nodes
@@ -72,28 +73,48 @@ def check_model(
             add("model", what, at, hint, "warning")
 
 
-def written_for(source: Source) -> tuple[str, list[str]]:
-    """Return the name of the generation that a program is written for, and the reasons.
+def written_for(source: Source) -> Target:
+    """Return the generation that a program is written for.
 
-    The name is empty if the program uses the notation of both generations, or of neither.
+    There is none if the program uses the notation of both. If it uses that of neither, then labels, AUTO and the
+    extension speak for v4, although MintMT accepts them.
     """
     module = parse(source)
     names = Names(table(), Problems(module), None)
     names.declare_module(module)
     found = [list(find(module, source, table())) for find in (_not_mintmt, _not_v4)]
-    if bool(found[0]) is bool(found[1]):
-        return "", []
+    if found[0] and found[1]:
+        return Target("", [], [])
     reasons: dict[str, str] = {}
-    for at, what, _, _ in sorted(found[0] or found[1]):
+    notation = [(at, what) for at, what, *_ in found[0] or found[1]]
+    for at, what in sorted(notation or _habits_of_v4(module)):
         reasons.setdefault(what, f"line {module.line(at)}: {what}")
-    return NAMES[0 if found[0] else 1], list(reasons.values())
+    if not notation and source.name.lower().endswith(V4_SUFFIX):
+        reasons[V4_SUFFIX] = f"the extension {V4_SUFFIX}"
+    model = NAMES[1 if found[1] else 0] if reasons else ""
+    return Target(model, list(reasons.values()), [])
+
+
+def _habits_of_v4(module: Module) -> Iterator[tuple[int, str]]:
+    """Find what programs of v4 have and MintMT accepts as well."""
+    for node in walk(module.everything):
+        if type(node) is nodes.Label:
+            yield node.at, f"#{node.name}"
+        elif type(node) is nodes.Auto:
+            yield node.at, "AUTO"
 
 
 def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:
     texts = TABLES.texts(source.text)
     yield from _v4_tokens(module, texts)
     for name in names_of(module):
-        if not name.axes or table.get(name.name) is None:
+        row = table.get(name.name)
+        if row is None:
+            continue
+        symbol = name.symbol
+        if row.family == STRINGS and symbol is not None and symbol.at == name.at:
+            yield name.at, f"{row.name} as a name", f"{row.name} is a function there: choose another name", ""
+        if not name.axes:
             continue
         word, *channels = texts[name.at].split(".")
         if channels:

@@ -29,7 +29,7 @@ expression. An unknown name gets none of these; the compiler reports it with a s
 
 Invariants.
 - A declaration hides a keyword of the same name. It is also reported, unless a program may reuse the keyword: a short
-  form, a v4 keyword or one that is not simulated.
+  form, a v4 keyword, one that is not simulated, or in a v4 program a string function.
 - Mistakes are collected in `problems`. After each of them resolution continues with a usable symbol.
 - `shared`: a function other than the one that declares the variable uses it. `boxed`: it is passed ByRef or outlives
   the run, so it lives in a list of one element. `uses` counts reads, not assignments.
@@ -49,6 +49,7 @@ from math import inf
 
 from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS, kind_and_number
 from motionlang.mint.keywords.unsimulated import WRITTEN, written
+from motionlang.mint.models import STRINGS
 from motionlang.mint.resolve.call_depth import count_calls
 from motionlang.mint.resolve.folding import fold, given
 from motionlang.mint.resolve.handlers import handles
@@ -74,6 +75,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
+    from motionlang.lang.keyword import Keyword
     from motionlang.lang.vocabulary import Vocabulary
     from motionlang.mint.resolve.folding import Meaning
     from motionlang.mint.resolve.problems import Problems
@@ -377,11 +379,16 @@ class Names:
             and row.name.lower() == key
             and row.simulated
             and row.group != "v4"
+            and not self._is_absent(row)
             and (row.kind != "statement" or key in TYPES)
         ):
             self.problems.add("duplicate", f"{row.name} is a {row.kind} of Mint and cannot be declared", symbol.at,
                               hint="choose another name")  # fmt: skip
         scope.names[key] = symbol
+
+    def _is_absent(self, row: Keyword) -> bool:
+        """True for a string function in a program of Mint v4, which has none."""
+        return row.family == STRINGS and self.problems.is_v4
 
     def _python(self, prefix: str, name: str) -> str:
         spelling = wanted = prefix + name.lower()
@@ -398,7 +405,10 @@ class Names:
     def _implicit(self, function: Function) -> None:
         """Declare names that are assigned without a Dim as Float variables."""
         for name, target in self._surveys[function].assigned.items():
-            if function.scope.find(name) is not None or self.table.get(name) is not None:
+            if function.scope.find(name) is not None:
+                continue
+            row = self.table.get(name)
+            if row is not None and not self._is_absent(row):
                 continue
             if not _is_result(function, name):
                 symbol = Symbol(name, "variable", Type(FLOAT), self._python("v_", name), target.at, function)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from motionlang.errors import Diagnostic, ProgramError, differ_little, nearest
+from motionlang.mint.models import V4_SUFFIX
 from motionlang.mint.syntax.traversal import names_of
 
 TYPE_CHECKING = False
@@ -33,9 +34,13 @@ class Problems:
         )
 
     @cached_property
-    def _is_v4(self) -> bool:
-        """True if a name of the program has the dots or square brackets of Mint v4."""
-        return any(name.axes for name in names_of(self._module))
+    def is_v4(self) -> bool:
+        """True if the program has the dots or square brackets of Mint v4, or its extension and no block of MintMT."""
+        module = self._module
+        if any(name.axes for name in names_of(module)):
+            return True
+        blocks = module.subs or module.tasks or module.events or module.startup or module.types
+        return not blocks and module.offsets.source.name.lower().endswith(V4_SUFFIX)
 
     @property
     def is_full(self) -> bool:
@@ -107,9 +112,9 @@ class Problems:
         near = [meant] if meant else [each for each in others if each in known] or others
         if not near and (similar := nearest(word, known)):
             near = [similar]
-            if table is not None and self._is_v4 and not differ_little(word, similar):
+            if table is not None and self.is_v4 and not differ_little(word, similar):
                 near = []
-        if table is not None and self._is_v4 and not otherwise:
+        if table is not None and self.is_v4 and not otherwise:
             otherwise = (
                 f'for a word of an older Mint, add its keyword to the machine file: [mint.words] {word} = "…"'
             )
