@@ -6,6 +6,8 @@ like the MultiFlex.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.lang.keyword import Keyword
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
@@ -88,6 +90,26 @@ def named(name: str) -> Model | None:
 
 def missing(model: Model, row: Keyword) -> Fault:
     """Return the fault with which a board answers a command that it does not have."""
-    have = [each.name for each in _MODELS if row.family not in each.lacks]
-    hint = f"{', '.join(have)} {'has' if len(have) == 1 else 'have'} it: controller.model in the machine file"
+    hint = elsewhere(lambda each: row.family not in each.lacks)
     return Fault(codes.INVALID, f"the {model.title} has no {row.name}", hint, "model")
+
+
+def no_macro_number(model: Model, number: int) -> Fault:
+    """Return the fault of a macro number that a board does not have."""
+    message = f"macros are numbered 0 to {model.macros}, not {number}"
+    return Fault(codes.MACRO_RANGE, message, elsewhere(lambda each: 0 <= number <= each.macros), "range")
+
+
+def elsewhere(has: Callable[[Model], bool]) -> str:
+    """Return a hint with the models that have what a program needs; "" if there are none."""
+    names = models_with(has)
+    return (
+        f"{names} {'have' if ',' in names else 'has'} it: controller.model in the machine file"
+        if names
+        else ""
+    )
+
+
+def models_with(has: Callable[[Model], bool]) -> str:
+    """Return the names of the models that have what a program needs."""
+    return ", ".join(each.name for each in _MODELS if has(each))

@@ -24,6 +24,7 @@ from motionlang.mccl.axis.flags import (
 from motionlang.mccl.axis.inputs import active_bits, index_input
 from motionlang.mccl.axis.motion_phase import at_target_time, is_backward, next_reversal, phase
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.models import elsewhere
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -55,7 +56,8 @@ def word(board: Board, axis: AxisState, which: int) -> tuple[int, float]:
     if which == 0:
         return _primary(board, axis)
     if not board.model.words:
-        raise Fault(codes.PARAMETER, f"the {board.model.title} has one status word", kind="range")
+        message = f"the {board.model.title} has one status word"
+        raise Fault(codes.PARAMETER, message, elsewhere(lambda each: each.words), "range")
     return (_auxiliary, _profile, _mode)[which - 1](board, axis)
 
 

@@ -13,6 +13,7 @@ from motionlang.mccl.axis.volts import percent, volts
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.flow import skip
 from motionlang.mccl.keywords.row import Group, polls, pure
+from motionlang.mccl.models import models_with
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -117,9 +118,11 @@ def wait_off(task: CommandTask, command: Command) -> Wait | None:
 def _switch(task: CommandTask, command: Command, on: bool) -> None:
     board, channel = task.board, task.whole(command)
     if channel not in board.outputs:
-        raise Fault(
-            codes.PARAMETER, f"channel {channel} is an input", f"CT{channel} makes it an output", "read-only"
-        )
+        # An output of this board that the program has made an input needs no other board.
+        others = "" if channel in board.model.outputs else models_with(lambda each: channel in each.outputs)
+        as_outputs = f"; it is one on {others}: controller.model in the machine file" if others else ""
+        hint = f"CT{channel} makes it an output{as_outputs}"
+        raise Fault(codes.PARAMETER, f"channel {channel} is an input", hint, "read-only")
     if board.controller.set_output(channel, int(on is not (channel in board.low_true))):
         board.effects += 1
     else:

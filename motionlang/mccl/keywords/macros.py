@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.row import Group, pure
+from motionlang.mccl.models import no_macro_number
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -84,9 +85,9 @@ def tell_macro(task: CommandTask, command: Command) -> None:
 
 
 def _number(task: CommandTask, command: Command) -> int:
-    number, last = task.whole(command), task.board.model.macros
-    if not 0 <= number <= last:
-        raise Fault(codes.MACRO_RANGE, f"macros are numbered 0 to {last}, not {number}", kind="range")
+    number, model = task.whole(command), task.board.model
+    if not 0 <= number <= model.macros:
+        raise no_macro_number(model, number)
     return number
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from motionlang.lang.lint import driven_inputs
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
-from motionlang.mccl.models import MODELS, Model
+from motionlang.mccl.models import Model, models_with
 from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.line import Line
 
@@ -48,5 +48,5 @@ def check_channels(lines: list[Line], settings: Mapping[str, object], model: Mod
 def _other_models(commands: list[tuple[Command, int]], made: set[int | None], model: Model) -> str:
     """Return a hint with the models on which all switched channels are outputs; "" if there are none."""
     switched = {each.number for each, _ in commands if each.verb in _SWITCHES} - made - {None}
-    names = [each.name for each in MODELS.values() if each is not model and switched.issubset(each.outputs)]
-    return f"it is an output on {', '.join(names)}: set controller.model in the machine file" if names else ""
+    names = models_with(lambda each: each is not model and switched.issubset(each.outputs))
+    return f"it is an output on {names}: set controller.model in the machine file" if names else ""

@@ -15,7 +15,7 @@ from motionlang.mccl.lint.channels import check_channels
 from motionlang.mccl.lint.checks import CALLS, lint
 from motionlang.mccl.lint.flow import Flow, flow_of
 from motionlang.mccl.lint.numbers import check_numbers
-from motionlang.mccl.models import DEFAULT, MODELS, Model, missing, named, written_for
+from motionlang.mccl.models import DEFAULT, MODELS, Model, missing, named, no_macro_number, written_for
 from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.resolve.line import Line, lines_of
@@ -92,7 +92,8 @@ def _no_axis(command: Command, axes: int) -> Fault | None:
     """Return the fault of an axis that this board does not have, or None."""
     if command.row is None or command.row.index not in ("axis", "axes") or command.axis <= axes:
         return None
-    return Fault(codes.NOT_ASSIGNED, f"there is no axis {command.axis}", f"the axes are 1 to {axes}", "axis")
+    hint = f"the axes are 1 to {axes}; controller.axes sets their number"
+    return Fault(codes.NOT_ASSIGNED, f"there is no axis {command.axis}", hint, "axis")
 
 
 def _wrong_here(line: Line, k: int, command: Command, model: Model, flow: Flow) -> Fault | None:
@@ -105,9 +106,8 @@ def _wrong_here(line: Line, k: int, command: Command, model: Model, flow: Flow) 
     if row.verb == "define_macro":
         if k:
             return codes.define_not_first()
-        last = model.macros
-        if number is not None and number > last:
-            return Fault(codes.MACRO_RANGE, f"macros are numbered 0 to {last}, not {number}", kind="range")
+        if number is not None and number > model.macros:
+            return no_macro_number(model, number)
     if row.verb == "repeat" and number is not None and number < 0:
         return codes.negative_repeat(number)
     if row.verb in _JUMPS and number is not None:

@@ -250,7 +250,7 @@ class Board:
         """Return an axis by its number; raise Fault if it does not exist."""
         found = self.axes.get(number)
         if found is None:
-            hint = f"the axes are {self.numbers[0]} to {self.numbers[-1]}"
+            hint = f"the axes are {self.numbers[0]} to {self.numbers[-1]}; controller.axes sets their number"
             raise Fault(codes.NOT_ASSIGNED, f"there is no axis {number}", hint, "axis")
         return found
 

@@ -222,9 +222,8 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> str:
             b.problem("range", f"{found.const} is not {what}", node)
         elif kind in ("axis", "axes") and found.const not in b.whole.axes:
             last = b.whole.axes[-1]
-            b.problem(
-                "axis", f"there is no axis {found.const}", node, f"this controller has axes 0 to {last}"
-            )
+            hint = f"this controller has axes 0 to {last}; controller.axes sets their number"
+            b.problem("axis", f"there is no axis {found.const}", node, hint)
             return "0"
     return as_integer(b, found)
 

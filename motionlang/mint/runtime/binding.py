@@ -287,8 +287,9 @@ def axis_of(environment: Environment, axis: int) -> int:
 
 
 def no_axis(environment: Environment, axis: int) -> Rejected:
-    axes = list(environment.controller.axes)
-    return Rejected("axis", f"there is no axis {axis}", f"this controller has axes {axes[0]} to {axes[-1]}")
+    last = list(environment.controller.axes)[-1]
+    hint = f"this controller has axes 0 to {last}; controller.axes sets their number"
+    return Rejected("axis", f"there is no axis {axis}", hint)
 
 
 @unchecked

@@ -104,6 +104,28 @@ def test_what_a_board_lacks_is_known_before_the_run_and_not_in_its_help(model: s
         assert "multiflex" in found.hint
 
 
+@pytest.mark.parametrize(
+    ("text", "model", "hint"),
+    [
+        ("MD300,1TP", "dcx-pc100", "multiflex, dcx-pci300, dcx-pci100, dcx-at200 have it"),
+        ("AL300,AR1,MC@1", "dcx-pc100", "multiflex, dcx-pci300, dcx-pci100, dcx-at200 have it"),
+        ("1TS2", "dcx-pci300", "multiflex has it"),
+        ("AL40,AR1,CN@1", "dcx-pc100", "CT40 makes it an output; it is one on multiflex"),
+    ],
+)
+def test_what_another_board_would_do_names_the_key_of_the_board(
+    text: str, model: str, hint: str, mccl: Runner
+) -> None:
+    (found,) = mccl(text, machine={"controller.model": model}).diagnostics
+    assert found.hint == f"{hint}: controller.model in the machine file"
+
+
+@pytest.mark.parametrize("text", ["CI9,CN9", "CN70", "MD2000,1TP"])
+def test_what_no_other_board_would_do_does_not(text: str, mccl: Runner) -> None:
+    (found,) = mccl(text, machine={"controller.model": "dcx-pc100"}).diagnostics
+    assert "controller.model" not in found.hint
+
+
 def test_a_stepper_of_a_multiflex_has_other_settings_at_power_up(mccl: Runner) -> None:
     text = 'LU"SPEED",1RL@0,TR0,LU"ACCEL",1RL@0,TR0,LU"MINSPEED",AR10,1RL@10,TR0,1RT,1RL@10,TR0,2RL@10,TR0'
     stepper = {"axis.1.motor": "stepper"}
