@@ -36,9 +36,11 @@ def what_ends(
     driven = dialect.driven_by(wait.why)
     leaves = _reads(dialect, source, task, wait)
     channels = sorted(number for kind, number in leaves if kind == "input" and number is not None)
+    levels = machine.controller.inputs
+    if not channels and driven == ["input"]:
+        channels = _channels_of_bank(dialect, source, machine, task)
     options = []
     if channels:
-        levels = machine.controller.inputs
         options += [f"{dash}input {each}={int(not levels[each])}@{at}" for each in channels[:MAX_NAMED]]
         driven = driven or ["input"]
     if wait.cause == "operator":
@@ -61,6 +63,21 @@ def what_ends(
                 return f"axis {axis} does not move and never finds the {edge}: start it before the search"
         return f"the machine file says where it is: {entries}"
     return f"{entries} of the machine file says when it comes" if entries else ""
+
+
+def _channels_of_bank(dialect: Dialect, source: Source, machine: Machine, task: Task) -> list[int]:
+    """Return the inputs that have to change for a value of a bank; empty if they are unknown or too many to name."""
+    if not source.text.strip():
+        return []
+    line, _, _ = dialect.locate(source, task.at)
+    levels = machine.controller.inputs
+    found = {
+        each.channel
+        for each in dialect.input_reads(source)
+        if each.kind in ("wait", "poll") and each.line == line and each.channel is not None
+        if each.level is not None and each.level != levels[each.channel]
+    }
+    return sorted(found) if len(found) <= MAX_NAMED else []
 
 
 def what_frees(dialect: Dialect, source: Source, machine: Machine, task: Task, wait: Wait) -> str:

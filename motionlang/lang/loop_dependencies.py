@@ -52,6 +52,7 @@ class InputRead:
     `channel` the number of the input, the code of the key, or the number; None if it is only known at run time
     `level`   the level that lets the program continue, or makes a test true; None if that is unknown
     `line`    the line; `last` is the last line of a loop, or the line that asks for the answer
+    `at_any_time`   true in a handler of an event, which no line comes before
     """
 
     kind: str
@@ -59,6 +60,7 @@ class InputRead:
     level: int | None
     line: int
     last: int
+    at_any_time: bool = False
 
     @property
     def is_input(self) -> bool:

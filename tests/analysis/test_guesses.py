@@ -8,7 +8,7 @@ from motionlang.analysis import guesses as module
 from motionlang.analysis.guesses import guessed
 from motionlang.analysis.guesses.file import machine_text
 from motionlang.execution import run
-from motionlang.lang.dialect import dialect
+from motionlang.lang.dialect import Target, dialect
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.cases import cases
@@ -159,6 +159,7 @@ def test_the_draft_of_a_machine_file(name: str, monkeypatch: pytest.MonkeyPatch)
     assert (guesses.count, len(done), result) == (count, runs, done[-1])
 
 
+NO_TARGET = Target("", [], [])
 # A line is quoted with 60 characters, a channel with three lines.
 PRESS = """\
 SCALE.0 = 1 : SCALE.1 = 100
@@ -246,7 +247,7 @@ def test_the_text_of_a_draft() -> None:
     source, mint = Source("/machines/old.prg", PRESS), dialect("mint")
     reads = mint.input_reads(source)
     guesses, result = guessed(source, mint, 20.0, {"input": [on(6, 0.5)]}, reads)
-    assert machine_text(source, guesses, reads, result, 20.0) == DRAFT
+    assert machine_text(source, guesses, reads, result, 20.0, NO_TARGET) == DRAFT
 
 
 def test_the_text_of_a_draft_without_guesses() -> None:
@@ -254,7 +255,7 @@ def test_the_text_of_a_draft_without_guesses() -> None:
     source, mint = Source("old.prg", KEYS), dialect("mint")
     reads, fixed = mint.input_reads(source), {"key": [{"at": 30.0, "text": 'R"'}]}
     guesses, result = guessed(source, mint, 2.5, dict(fixed), reads)
-    text = machine_text(source, guesses, reads, result, 2.5)
+    text = machine_text(source, guesses, reads, result, 2.5, NO_TARGET)
     assert text.partition("run.until")[2] == (
         " = 2.5    # the run ends here if the program does not\n\n# Keys that the operator presses.\n"
         'key = [\n  { at = 30.0, text = "R\\"" },\n]\n\n'

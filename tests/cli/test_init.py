@@ -81,6 +81,19 @@ def test_an_input_that_comes_and_goes(cell: Cell) -> None:
     assert inputs(cell, text) == [{"channel": 0, "at": 1.0, "for": 1.0, "every": 2.0}]
 
 
+@pytest.mark.parametrize("text", ["{}", "LOOP\n{}ENDL\n"])
+def test_two_values_of_a_bank_come_in_turn(cell: Cell, text: str) -> None:
+    waits = "PAUSE IN = 5\nPAUSE IN = 10\n? TIME\n"
+    starts = [(each["channel"], each["at"]) for each in inputs(cell, text.format(waits))]
+    assert starts == [(0, 1.0), (1, 2.0), (2, 1.0), (3, 2.0)]
+    assert cell("run", "old.prg", "--set", "run.until=9", "--format", "none").out.startswith("2000\n")
+
+
+def test_an_input_that_only_a_handler_tests_for_0_is_on_from_the_begin(cell: Cell) -> None:
+    text = "PAUSE INX(2)\nPAUSE INX(1)\nEND\nEvent IN3\nIF INX(2) = 0 THEN PRINT 7\nEnd Event\n"
+    assert inputs(cell, text, "old.mnt") == [{"channel": 1, "at": 0.3}, {"channel": 2, "at": 0.0}]
+
+
 def test_a_loop_with_a_time_limit_waits_too(cell: Cell) -> None:
     text = 'WAIT = 500\nWHILE INX.1 = 0\nn = n + 1\nWAIT = 10\nIF n > 200 THEN GOTO bad\nENDW\nEND\n#bad\n? "bad"\n'
     assert inputs(cell, text) == [{"channel": 1, "at": 0.8}]

@@ -8,12 +8,14 @@ runs to the time limit. Each guess is one entry of the machine file, marked `gue
 
     stuck at            guess
     an input            it follows the output that the program has just set, or changes 0.3 s later and stays; if the
-                        program also waits for the other level, it is on and off for a second each
+                        program also waits for the other level, it is on and off for a second each; the inputs of one
+                        value of a bank are off while those of the next are on
     an analogue input   50 %, or 100 %, 0 % and so on until the condition holds
     a menu              the numbers that the program compares the answer with, one after the other
     INPUT               the middle of a range such as `1 to 6` that the program prints, or 10, 1, 100 and so on
     a key               the keys that the program compares with, one after the other
-    nothing yet         an input at whose other level the program jumps away (`IF INX.2 = 0 THEN GOTO FAULT`) is on
+    nothing yet         an input at whose other level the program jumps away (`IF INX.2 = 0 THEN GOTO FAULT`) is on, and
+                        one that it waits for and a handler tests for 0
     homing              a switch one second ahead of the axis, then index marks
 
 Data: `Guesses` has the entries by channel, question, key and axis. An input that was guessed and is stuck again takes
@@ -100,6 +102,8 @@ class Guesses:
         self._forms: dict[int, set[str]] = {}
         self._tried: dict[str, list[str]] = {}
         self._lines: dict[int, int] = {}
+        # The inputs that are off while the others of a bank are on, in the first wait for both levels.
+        self._late: set[int] = set()
 
     @property
     def count(self) -> int:
@@ -141,8 +145,8 @@ class Guesses:
     def guard(self, reads: list[InputRead]) -> None:
         """Switch on the inputs that the program expects to be on.
 
-        These make it jump away while they are off, or it tests them for 0 before it waits for 1. An input for whose
-        level 0 the program also waits stays unchanged.
+        These make it jump away while they are off, or it tests them for 0 before it waits for 1, or in a handler. An
+        input for whose level 0 the program also waits stays unchanged.
         """
         for read in reads:
             off = any(
@@ -150,7 +154,10 @@ class Guesses:
                 for each in reads
             )
             waits = any(
-                each.kind == "wait" and each.channel == read.channel and each.level and each.line >= read.line
+                each.kind == "wait"
+                and each.channel == read.channel
+                and each.level
+                and (each.line >= read.line or read.at_any_time)
                 for each in reads
             )
             if (
@@ -160,6 +167,25 @@ class Guesses:
                 and not self.is_fixed(read.channel)
             ):
                 self.inputs[read.channel] = {"channel": read.channel, "at": 0.0}
+
+    def alternate(self, reads: list[InputRead]) -> None:
+        """Find the inputs whose pulses come while those of others pause.
+
+        They are off where the program first waits for a value of the bank, such as the 10 of `PAUSE IN = 5` and
+        `PAUSE IN = 10`.
+        """
+        levels: dict[int, dict[int, int | None]] = {}
+        for read in reads:
+            if read.kind == "wait" and read.channel is not None:
+                levels.setdefault(read.line, {})[read.channel] = read.level
+        seen: set[int] = set()
+        for _, wanted in sorted(levels.items()):
+            if 0 in wanted.values() and 1 in wanted.values():
+                self._late |= {each for each, level in wanted.items() if level == 0 and each not in seen}
+            seen |= wanted.keys()
+
+    def _pulses(self, channel: int) -> Entry:
+        return {"channel": channel, **PULSES, "at": PERIOD if channel in self._late else PULSES["at"]}
 
     def complete(self, reads: list[InputRead]) -> bool:
         """Guess inputs for the waits that the program has not reached.
@@ -173,7 +199,7 @@ class Guesses:
         left = [channel for channel in levels if channel not in self.inputs and levels[channel] != {0}]
         for channel in left:
             steady: Entry = {"channel": channel, "at": 0.0}
-            self.inputs[channel] = steady if levels[channel] == {1} else {"channel": channel, **PULSES}
+            self.inputs[channel] = steady if levels[channel] == {1} else self._pulses(channel)
         return bool(left)
 
     def is_fixed(self, channel: int) -> bool:
@@ -208,7 +234,7 @@ class Guesses:
         at = round(since + DELAY, 1)
         if wanted and channel not in self.inputs:
             yield "on", {"channel": channel, "at": at}
-        yield "pulses", {"channel": channel, **PULSES}
+        yield "pulses", self._pulses(channel)
 
     def level(self, channel: int, since: float) -> bool:
         """Give an analogue input the next level after `since`.
@@ -305,6 +331,7 @@ def guessed(
     """
     guesses = Guesses(fixed, path)
     reads = language.input_reads(source) if reads is None else reads
+    guesses.alternate(reads)
     guesses.guard(reads)
     compiled: Program | None = None
     for _ in range(MAX_ROUNDS):

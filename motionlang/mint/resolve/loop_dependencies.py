@@ -264,7 +264,7 @@ def input_reads(source: Source) -> list[InputRead]:
     bodies = [(function, list(walk(function.body))) for function in names.functions]
     banks = _Banks(node for _, body in bodies for node in body)
     for function, body in bodies:
-        found += _inputs(module, body, banks)
+        found += _inputs(module, body, banks, function.kind == "event")
         found += _keys(module, body)
         found += _choices(module, body)
         event = kind_and_number(function.name) if function.kind == "event" else None
@@ -326,7 +326,7 @@ class _Banks:
         return list(self.tested(name)) if bank is not None and self._masks.get(bank) else [None]
 
 
-def _inputs(module: Module, body: list[nodes.Node], banks: _Banks) -> Iterator[InputRead]:
+def _inputs(module: Module, body: list[nodes.Node], banks: _Banks, in_handler: bool) -> Iterator[InputRead]:
     seen: set[int] = set()
 
     def reads(kind: str, condition: nodes.Expr, wanted: bool, last: int = 0) -> Iterator[InputRead]:
@@ -334,7 +334,7 @@ def _inputs(module: Module, body: list[nodes.Node], banks: _Banks) -> Iterator[I
         seen.update(id(each) for each in walk([node for node, _, _ in found]))
         for node, channel, level in found:
             line = module.line(node.at)
-            yield InputRead(kind, channel, level, line, max(last, line))
+            yield InputRead(kind, channel, level, line, max(last, line), in_handler)
 
     for node in body:
         if isinstance(node, nodes.Pause):
@@ -349,7 +349,7 @@ def _inputs(module: Module, body: list[nodes.Node], banks: _Banks) -> Iterator[I
         if isinstance(node, nodes.Name) and id(node) not in seen and (_is_input(node) or _is_bank(node)):
             line = module.line(node.at)
             for channel in [_channel(node)] if _is_input(node) else banks.channels(node):
-                yield InputRead("test", channel, None, line, line)
+                yield InputRead("test", channel, None, line, line, in_handler)
 
 
 def _leaves(node: nodes.Node) -> bool:
