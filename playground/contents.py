@@ -20,6 +20,8 @@ from typing import Any
 ROOT = Path(__file__).resolve().parent.parent
 # The parts of the tree that a wheel is built from.
 SOURCES = ("motionlang", "grammars", "pyproject.toml", "README.md", "LICENSE")
+# The program that the page opens with, and shows the results of before Python is there.
+FIRST = "ballscrew.mnt"
 # The libraries of the language server with their versions and hashes.
 LIBRARIES = ROOT / "playground" / "requirements.txt"
 BUILD = "import sys; from setuptools import build_meta; build_meta.build_wheel(sys.argv[1])"
@@ -64,8 +66,11 @@ def pack(wheels: list[Path], file: Path) -> str:
     return file.name
 
 
-def gallery() -> list[dict[str, str]]:
-    """Return the programs in the form of a request to `runner`; `needs` is "numpy" or ""."""
+def gallery() -> list[dict[str, Any]]:
+    """Return the programs in the form of a request to `runner`.
+
+    `needs` is "numpy" or "", and `inputs` has the inputs that the program reads.
+    """
     sys.modules["numpy"] = None  # type: ignore[assignment]
     sys.path[:0] = [str(ROOT), str(ROOT / "playground")]
     made = []
@@ -73,22 +78,31 @@ def gallery() -> list[dict[str, str]]:
         for path in sorted((ROOT / "scripts" / dialect).iterdir()):
             if path.suffix in (".mnt", ".mcl"):
                 machine = path.with_suffix(".machine.toml")
-                request = {
+                request: dict[str, Any] = {
                     "name": path.name,
                     "dialect": dialect,
                     "program": path.read_text(encoding="utf-8"),
                     "machine": machine.read_text(encoding="utf-8") if machine.exists() else "",
                 }
-                made.append({**request, "needs": _needs(request)})
+                made.append({**request, "needs": _needs(request), "inputs": _runner().inputs(request)})
     return made
 
 
-def _needs(request: dict[str, str]) -> str:
+def _runner() -> Any:
     import runner
 
+    return runner
+
+
+def messages(request: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return what the page gets of a run."""
     found: list[dict[str, Any]] = []
-    runner.start(request, found.append)
-    marks = [mark for each in found for mark in each.get("marks", ())]
+    _runner().start(request, found.append)
+    return found
+
+
+def _needs(request: dict[str, Any]) -> str:
+    marks = [mark for each in messages(request) for mark in each.get("marks", ())]
     return "numpy" if any(mark["code"] == "extra" for mark in marks) else ""
 
 
@@ -115,7 +129,10 @@ def main(folder: Path) -> None:
         "wheel": package,
         "server": server,
         "gallery": programs,
+        "first": FIRST,
     }
+    first = messages(next(each | {"inputs": []} for each in programs if each["name"] == FIRST))
+    (folder / "first.json").write_text(json.dumps(first, ensure_ascii=False), encoding="utf-8")
     (folder / "contents.json").write_text(json.dumps(contents, ensure_ascii=False), encoding="utf-8")
 
 

@@ -13,10 +13,10 @@ import { BadLink, fromFragment, toFragment } from "./share.js";
 const element = (id) => document.getElementById(id);
 const FILES = ["program", "machine"];
 const SUFFIX = { mint: ".mnt", mccl: ".mcl" };
-const FIRST = "ballscrew.mnt";
 const LOADING = "Loading Python …"; // as in index.html
 const READY = "Ready. Press Run, or Ctrl-Enter.";
-const HOW = { ended: "The program has ended.", until: "The time of the run was up.", fault: "The program did not end as it should; see the errors." };
+const HOW = { ended: "The program has ended.", until: "The time of the run was up.", fault: "The program did not end as it should; see the errors.",
+  interrupted: "The run took more than 20 s and was ended. The results are those up to there." };
 
 const problems = new Problems(element("problems"), (editor, line) => {
   choose(editor.file);
@@ -33,8 +33,9 @@ const editors = {
 editors.machine.syntax = StreamLanguage.define(toml);
 const drafts = new Drafts();
 
-let name = FIRST;
+let name = "program.mnt";
 let answers = [];
+let first = "";
 let shared = "";
 let python = null;
 let runs = 0;
@@ -57,6 +58,24 @@ function request() {
   return { name, dialect, program: editors.program.text, machine: editors.machine.text };
 }
 
+// The switches of the inputs that the program reads; one that stays keeps its level.
+function showInputs(channels) {
+  const on = new Set(switchedOn());
+  const switches = channels.map((channel) => {
+    const [label, box] = [document.createElement("label"), document.createElement("input")];
+    Object.assign(box, { type: "checkbox", value: `${channel}`, checked: on.has(channel) });
+    box.setAttribute("role", "switch");
+    label.append(box, ` input ${channel}`);
+    return label;
+  });
+  element("switches").replaceChildren(...switches);
+  element("inputs").hidden = !channels.length;
+}
+
+function switchedOn() {
+  return [...element("switches").querySelectorAll("input:checked")].map(({ value }) => Number(value));
+}
+
 // Show a program; `draft` is its number if it is one of the reader's own.
 function open(file, draft = null) {
   stop("");
@@ -67,6 +86,8 @@ function open(file, draft = null) {
   editors.program.syntax = LANGUAGES[file.dialect];
   server?.open(request());
   results.clear();
+  showInputs([]); // those of another program are off
+  showInputs(file.inputs ?? []);
   choose("program");
   drafts.open(request(), draft);
 }
@@ -130,7 +151,7 @@ function start(given = []) {
   busy(true);
   say(python.ready ? "Running …" : "Loading Python; the program runs as soon as it is there …");
   began = performance.now();
-  python.run({ ...request(), answers });
+  python.run({ ...request(), answers, inputs: switchedOn() });
 }
 
 function stop(why) {
@@ -164,6 +185,7 @@ const HEARD = {
   },
   result: (result) => {
     results.result(result);
+    showInputs(result.inputs ?? []);
     for (const file of FILES) editors[file].markRun(result.marks.filter(({ tab }) => tab === file));
     if (result.marks.some(({ tab }) => tab === "machine")) choose("machine");
     measure("table", performance.now() - began);
@@ -256,6 +278,7 @@ function listen() {
     event.preventDefault();
     start([...answers, element("answer").value]);
   });
+  element("switches").addEventListener("change", () => results.age(true));
   element("tabs").addEventListener("click", ({ target }) => choose(target.id.slice("tab-".length)));
   element("tabs").addEventListener("keydown", ({ key, target }) => {
     if (key !== "ArrowLeft" && key !== "ArrowRight") return;
@@ -308,6 +331,17 @@ function fillGallery(gallery) {
   });
 }
 
+// The results of the first example, from when the page was built.
+async function showFirst() {
+  const messages = await (await fetch(new URL("first.json", import.meta.url))).json();
+  if (runs || python.running || element("gallery").value !== first || results.any) return;
+  for (const message of messages) {
+    if (message.type === "output") results.print(message.text);
+    else if (message.type === "result") results.result(message);
+    else if (message.type === "details") results.details(message);
+  }
+}
+
 async function begin() {
   listen();
   editors.program.syntax = LANGUAGES.mint;
@@ -323,8 +357,10 @@ async function begin() {
   listDrafts();
   if (linked || editors.program.text) return;
   const draft = number === null ? undefined : drafts.all[number];
-  open(draft ?? contents.gallery.find((one) => one.name === FIRST), draft ? number : null);
-  element("gallery").value = draft ? `${number}` : FIRST;
+  first = contents.first;
+  open(draft ?? contents.gallery.find((one) => one.name === first), draft ? number : null);
+  element("gallery").value = draft ? `${number}` : first;
+  if (!draft) await showFirst();
 }
 
 if (typeof WebAssembly !== "object") {

@@ -1,7 +1,9 @@
 // The two workers with Python. One runs programs; `stop` ends it, and a new one takes its place. The other is
 // started when the page is at rest. It has the language server, and runs a program while the first one loads.
 
-const SECONDS = 20;
+// A program ends by itself after 20 s, see worker.js, and shows what it has done. This limit is for what does not
+// look at the clock, such as a long computation of the browser, and for the pictures of such a run.
+const SECONDS = 40;
 
 // One worker, and how far it is. `take` gets its messages.
 class Interpreter {

@@ -4,26 +4,31 @@ The worker of the page calls `start` in the browser's Python; tests call it in a
 are dictionaries of plain values, in this order: `output` while the program prints, then `asks` or `result`,
 and after a result `details`. An INPUT without an answer ends a run with `asks`. The page then starts the
 program again with one answer more, which costs little and gives the same output up to there: a run depends on
-its text alone.
+its text and the switches of its inputs alone.
 """
 
 from __future__ import annotations
 
+import re
+import signal
+from contextlib import contextmanager
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
-from motionlang.errors import Diagnostic, ProgramError, missing
+from motionlang.errors import Diagnostic, OutOfTime, ProgramError, missing
 from motionlang.execution import run
 from motionlang.source import Source
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
+    from types import FrameType
 
     from motionlang.lang.machine.machine import Machine
     from motionlang.result import Run
 
     Message = dict[str, Any]
     Send = Callable[[Message], object]
+    Alarm = Callable[[bool], object]
 
 # The columns of a table in a pipe, so that the page has the table of the command line.
 WIDTH = 160
@@ -33,6 +38,10 @@ MAX_OUTPUT, SECONDS = 1_000_000, 0.05
 MAX_ROWS = 200
 # By the language that was chosen: the page has a list where the command line has an option.
 _CHOOSE = {"mint": "choose MCCL above", "mccl": "choose Mint above"}
+# Seconds that a program may take.
+LIMIT = 20
+SOONER = "run.until in the machine file ends it at a machine time"
+_OPTION = re.compile(r'--(\w+) (?:(\d+)=1@\S+|"[^"]*"|\S+)')
 NO_NUMPY = "install motionlang to run it on your computer: the Python of a browser has no numpy"
 
 
@@ -77,10 +86,11 @@ class Answers:
         raise KeyboardInterrupt
 
 
-def start(request: Message, send: Send) -> None:
-    """Run `request`: its `name`, `dialect`, `program`, `machine` and `answers`.
+def start(request: Message, send: Send, alarm: Alarm = bool) -> None:
+    """Run `request`: its `name`, `dialect`, `program`, `machine`, `answers` and `inputs`.
 
-    `machine` is the text of the machine file, blank for none.
+    `machine` is the text of the machine file, blank for none; `inputs` are the channels that are switched on. The
+    page raises SIGINT once `LIMIT` is over after `alarm(True)`, until `alarm(False)`.
     """
     source = Source(request["name"], request["program"])
     machine = Source(f"{request['name'].rpartition('.')[0]}.machine.toml", request["machine"])
@@ -102,10 +112,11 @@ def start(request: Message, send: Send) -> None:
         machine.ask = lambda: answers.next(machine)
 
     try:
-        made = run(
-            source, dialect=request["dialect"], machine=settings, show=output.write, begun=begun, cache=False,
-            keep_crash=True,
-        )  # fmt: skip
+        with _limited(alarm):
+            made = run(
+                source, dialect=request["dialect"], machine=settings, show=output.write, begun=begun, cache=False,
+                keep_crash=True, inputs=[f"{channel}=1" for channel in request.get("inputs", ())],
+            )  # fmt: skip
     except Exception as error:  # before the program began, such as a machine with a motor
         send({"type": "result", "status": "fault", "table": "", **_wrong([_crash(error)], source, "program")})
         return
@@ -116,8 +127,60 @@ def start(request: Message, send: Send) -> None:
     for each in made.diagnostics:
         if each.code == "language":
             each.hint = _CHOOSE[request["dialect"]]
-    send({"type": "result", "status": made.status, **_results(made, source), "dropped": output.dropped})
+        elif each.code == "interrupted":
+            each.hint = SOONER
+        each.hint = _without_options(each.hint)
+    results = _results(made, source)
+    send(
+        {
+            "type": "result",
+            "status": made.status,
+            **results,
+            "dropped": output.dropped,
+            "inputs": inputs(request),
+        }
+    )
     send({"type": "details", **_details(made)})
+
+
+def inputs(request: Message) -> list[int]:
+    """Return the digital inputs that a program reads; none if it has a syntax error."""
+    from motionlang.lang.dialect import dialect
+
+    try:
+        reads = dialect(request["dialect"]).input_reads(Source(request["name"], request["program"]))
+    except ProgramError:
+        return []
+    return sorted({each.channel for each in reads if each.is_input and each.channel is not None})
+
+
+@contextmanager
+def _limited(alarm: Alarm) -> Iterator[None]:
+    """Let the alarm of the page end the block as the limit of processor time of `motionlang run` does."""
+
+    def end(number: int, frame: FrameType | None) -> None:
+        raise OutOfTime(LIMIT)
+
+    before = signal.signal(signal.SIGINT, end)
+    alarm(True)
+    try:
+        yield
+    finally:
+        alarm(False)
+        signal.signal(signal.SIGINT, before)
+
+
+def _without_options(hint: str) -> str:
+    """Return a hint on what ends a wait, with the switches and the machine file in place of options."""
+    options = list(_OPTION.finditer(hint))
+    if not options:
+        return hint
+    channels = [each[2] for each in options if each[1] == "input" and each[2]]
+    if len(channels) == len(options):
+        switched = f"input{'s' if len(channels) > 1 else ''} {', '.join(channels)}"
+        return f"switch {switched} on, or add [[input]] to the machine file"
+    entries = re.search(r"as does? (.*) of the machine file", hint)
+    return f"add {entries[1]} to the machine file" if entries else ""
 
 
 def _settings(machine: Source, dialect: str) -> dict[str, object]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.editor.page import Page
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.dialect import Dialect
-from motionlang.lang.foreign import one_sentence
+from motionlang.lang.foreign import IN_EDITOR, one_sentence
 from motionlang.lang.machine.axes import missing_axes
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import DEFAULT_AXES
@@ -21,7 +21,7 @@ def findings(page: Page, known: dict[object, object] | None = None) -> list[Diag
     `known` is the parameter of `Dialect.check`.
     """
     found = page.language.check(page.source, page.settings, known)
-    return decoded(page.source, one_sentence(page.language, page.source, found))
+    return decoded(page.source, one_sentence(page.language, page.source, found, IN_EDITOR))
 
 
 def decoded(source: Source, found: list[Diagnostic], code: str = "syntax") -> list[Diagnostic]:

@@ -14,12 +14,16 @@ _WRONG = 1 / 3
 _TIMES = 4
 # The number of wrong lines checked against the other language, which reports at most a hundred errors.
 _MAX_CHECKED = 80
+# The hints on the command line, at the prompt and in an editor.
+IN_COMMAND = "add --dialect {name}, or rename the file to {suffix}"
+AT_PROMPT = ".{name} switches the prompt to {title}"
+IN_EDITOR = "choose {title} as the language, or rename the file to {suffix}"
 
 
 def one_sentence(
-    language: Dialect, source: Source, found: Sequence[Diagnostic], at_prompt: bool = False
+    language: Dialect, source: Source, found: Sequence[Diagnostic], hint: str = IN_COMMAND
 ) -> list[Diagnostic]:
-    """Return the diagnostics of a text, or a single one that names its real language."""
+    """Return the diagnostics of a text, or a single one that names its real language, with a hint."""
     wrong = _wrong_lines(found)
     if not wrong:
         return list(found)
@@ -34,12 +38,10 @@ def one_sentence(
             continue
         if len(_wrong_lines(other.check(begin))) * _TIMES <= min(len(wrong), _MAX_CHECKED):
             message = f"this is {other.title}, not {language.title}"
-            if at_prompt:
-                hint = f".{other.name} switches the prompt to {other.title}"
-            else:
+            if hint != AT_PROMPT:
                 message += f": {len(wrong)} of its first {lines} lines are not {language.title}"
-                hint = f"add --dialect {other.name}, or rename the file to {other.suffixes[0]}"
-            return [Diagnostic("language", message, hint=hint)]
+            how = hint.format(name=other.name, title=other.title, suffix=other.suffixes[0])
+            return [Diagnostic("language", message, hint=how)]
     return list(found)
 
 

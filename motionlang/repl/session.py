@@ -15,7 +15,7 @@ from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
 from motionlang.execution import accelerators
 from motionlang.lang.dialect import Dialect
-from motionlang.lang.foreign import one_sentence
+from motionlang.lang.foreign import AT_PROMPT, one_sentence
 from motionlang.lang.machine.machine import Machine
 from motionlang.repl.commands import is_command, obey, without_dot
 from motionlang.repl.debugging import Debugging
@@ -199,7 +199,7 @@ class Session:
         """
         if source is None or not source.text or all(each.severity != "error" for each in found):
             return found
-        checked = one_sentence(self.dialect, source, self.dialect.check(source), at_prompt=True)
+        checked = one_sentence(self.dialect, source, self.dialect.check(source), AT_PROMPT)
         return checked if checked and checked[0].code == "language" else found
 
     def _origin(self, diagnostic: Diagnostic, source: Source | None) -> Source | None:

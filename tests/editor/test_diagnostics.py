@@ -102,3 +102,8 @@ def test_a_machine_file_is_checked_against_its_program() -> None:
     assert [each.message for each in found] == ["axis.9: there is no axis 9"]
     _, wrong = settings_of(Source("a.machine.toml", "[axis.0]\ntravvel = 3\n"), dialect("mint"))
     assert [(each.line, each.message) for each in wrong] == [(2, "there is no key axis.0.travvel")]
+
+
+def test_the_hint_on_the_other_language_has_no_option_of_the_command_line() -> None:
+    (found,) = findings(page("1MN,1SV1000\n1MR100,1WS\n", "mint"))
+    assert found.hint == "choose MCCL as the language, or rename the file to .mcl"

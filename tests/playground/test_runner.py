@@ -5,7 +5,9 @@ from __future__ import annotations
 import contextlib
 import importlib.util
 import io
+import signal
 import sys
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +33,14 @@ def module(name: str) -> Any:
 runner = module("runner")
 
 
-def messages(program: str, *answers: str, machine: str = "", name: str = "program.mnt") -> list[Message]:
+def messages(
+    program: str,
+    *answers: str,
+    machine: str = "",
+    name: str = "program.mnt",
+    inputs: Sequence[int] = (),
+    alarm: Callable[[bool], object] = bool,
+) -> list[Message]:
     found: list[Message] = []
     dialect = "mccl" if name.endswith(".mcl") else "mint"
     request = {
@@ -40,8 +49,9 @@ def messages(program: str, *answers: str, machine: str = "", name: str = "progra
         "program": program,
         "machine": machine,
         "answers": list(answers),
+        "inputs": list(inputs),
     }
-    runner.start(request, found.append)
+    runner.start(request, found.append, alarm)
     return found
 
 
@@ -95,6 +105,51 @@ def test_the_hint_on_the_other_language_is_the_list_of_the_page() -> None:
     assert (mark["code"], mark["hint"]) == ("language", "choose MCCL above")
     result = of_type(messages("SPEED(0) = 5\nMOVER(0) = 3\nGO(0)\n", name="a.mcl"), "result")
     assert result["diagnostics"].endswith("hint: choose Mint above\n")
+
+
+@pytest.mark.parametrize(
+    ("program", "machine", "hint"),
+    [
+        ("PAUSE INX(2)\n", "", "switch input 2 on, or add [[input]] to the machine file"),
+        (
+            "PAUSE IN = 5\n",
+            "",
+            "switch inputs 0, 2 on, or add [[input]] to the machine file",
+        ),
+        ("PAUSE INX(2) = 0\n", "input = [{ channel = 2, at = 0.0 }]\n", "add [[input]] to the machine file"),
+        ("PAUSE ADC(2) > 5\n", "", "add [[analogue]] to the machine file"),
+    ],
+)
+def test_a_wait_names_the_switches_of_the_page(program: str, machine: str, hint: str) -> None:
+    (mark,) = of_type(messages(program, machine=machine), "result")["marks"]
+    assert (mark["code"], mark["hint"]) == ("never", hint)
+
+
+def test_the_inputs_that_a_program_reads_have_switches() -> None:
+    program = "PAUSE INX(2)\nIF INX(5) = 0 THEN PRINT 7\n"
+    result = of_type(messages(program, inputs=[2]), "result")
+    assert (result["status"], result["inputs"]) == ("ended", [2, 5])
+    assert printed(messages(program, inputs=[2, 5])) == ""
+    assert of_type(messages("PAUSE INX(\n"), "result")["inputs"] == []
+
+
+def test_a_loop_without_end_shows_what_it_has_done_and_where_it_is() -> None:
+    program = "Dim n\nPRINT 7\nLoop\nn = n + 1\nIf n > 1000 Then n = 0\nEnd Loop\n"
+
+    def alarm(on: bool) -> None:
+        signal.setitimer(signal.ITIMER_REAL, 0.2 if on else 0.0)
+
+    before = signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT))
+    try:
+        found = messages(program, alarm=alarm)
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    result = of_type(found, "result")
+    assert (result["status"], printed(found)) == ("interrupted", "7\n")
+    (mark,) = result["marks"]
+    assert mark["line"] in (3, 4, 5)
+    assert mark["message"] == "the run was ended after 20 s of processor time"
+    assert mark["hint"] == "run.until in the machine file ends it at a machine time"
 
 
 def test_the_scope_page_and_the_lines_follow_the_table() -> None:

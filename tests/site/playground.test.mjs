@@ -125,11 +125,38 @@ for (const name of ["chromium", "firefox"]) {
       assert.equal((await run(page)).output, "42\n");
     });
 
-    test("after 20 s a run is ended", async () => {
-      await enter(page, { program: LOOP });
+    test("after 20 s a run ends with what it has printed, and where it is", async () => {
+      await enter(page, { program: `PRINT 7\n${LOOP}` });
       await ready(page);
-      await page.click("#run");
-      await page.waitForFunction(() => /more than 20 s/.test(document.querySelector("#status").textContent), null, PATIENCE);
+      const { output, status, wrong } = await run(page);
+      assert.match(status, /more than 20 s/);
+      assert.equal(output, "7\n");
+      assert.match(wrong, /after 20 s of processor time\n --> program\.mnt:[345]/);
+    });
+
+    test("an input that the program reads has a switch, which the run uses", async () => {
+      await enter(page, { program: "PAUSE INX(2)\nPRINT 7\nPAUSE INX(3)\nPRINT 8\n" });
+      assert.match((await run(page)).wrong, /hint: switch input 2 on/);
+      const switches = page.locator("#switches input");
+      assert.equal(await switches.count(), 2);
+      await switches.nth(0).check();
+      assert.match((await run(page)).wrong, /hint: switch input 3 on/);
+      await switches.nth(1).check();
+      assert.equal((await run(page)).output, "7\n8\n");
+      await enter(page, { program: "PRINT 7\n" });
+      assert.equal(await page.locator("#inputs").isVisible(), false);
+    });
+
+    test("the first screen has the results of the first example before there is Python", async () => {
+      const fresh = await open(browser, "about:blank");
+      await fresh.route("**/pyodide/**", () => {}); // it never comes
+      await fresh.goto(PLAYGROUND);
+      await fresh.waitForSelector("#table:not([hidden])");
+      const { table, status } = await shown(fresh);
+      assert.match(table, /^ballscrew\.mnt · Mint · ended/);
+      assert.match(status, /^Loading Python/);
+      assert.equal(await figure(fresh, "runs"), 0);
+      await fresh.context().close();
     });
 
     test("INPUT is asked in the page", async () => {
