@@ -390,6 +390,11 @@ def _execute(
         if diagnostic is None:
             raise
         result.status = "fault"
+        # The warning of the check has the same cause.
+        where = diagnostic.code, diagnostic.line, diagnostic.column
+        result.diagnostics = [
+            each for each in result.diagnostics if (each.code, each.line, each.column) != where
+        ]
         result.diagnostics.append(diagnostic)
     finally:
         if thresholds:

@@ -66,12 +66,12 @@ REPORTED: tuple[
     (
         "Task t\nPAUSE IN(1)\nEnd Task\nRun t\n PAUSE IN(2)\n", {}, "fault",
         [f"line 5: {ENDLESS}", "line 2: t waits until IN(1)"],
-        [("never", ENDLESS, 5, 2, 5, "[[input]] of the machine file says when it comes", "error")],
+        [("never", ENDLESS, 5, 2, 5, "--input 64=1@0.5 ends it, as does [[input]] of the machine file", "error")],
     ),
     (
         "Task t\nPAUSE IN(1)\nEnd Task\nRun t\n PAUSE IN(2)\n", {"run.until": 2.0}, "fault",
         [f"line 5: {ENDLESS}", "line 2: t waits until IN(1)"],
-        [("never", ENDLESS, 5, 2, 5, "[[input]] of the machine file says when it comes", "error")],
+        [("never", ENDLESS, 5, 2, 5, "--input 64=1@0.5 ends it, as does [[input]] of the machine file", "error")],
     ),
     (
         "Task t\nWAIT=100\nEnd Task\nRun t\nWhile IN(1) = 0\nEnd While\n", {"run.until": 2.0}, "until",

@@ -11,6 +11,7 @@ import sys
 import textwrap
 from collections.abc import Sequence
 
+from motionlang.cli.complaints import unwritten
 from motionlang.cli.format_options import add_format
 from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import Commands, add_command
@@ -93,14 +94,13 @@ def profiles_command(arguments: argparse.Namespace) -> int:
 
 def _draw(demand: Demand, path: str) -> int:
     """Draw the four profiles; 1 if the file cannot be written, which is reported."""
-    from motionlang.errors import Diagnostic
     from motionlang.views.diagnostics import render
     from motionlang.views.profiles_plot import draw_profiles
 
     try:
         draw_profiles(demand, path)
     except OSError as problem:
-        diagnostic = Diagnostic("file", f"{path}: {problem.strerror or problem}")
+        diagnostic = unwritten(path, problem)
     else:
         return 0
     sys.stderr.write(render(diagnostic, None))

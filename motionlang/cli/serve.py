@@ -8,7 +8,7 @@ from __future__ import annotations
 import argparse
 
 from motionlang.cli.address import address
-from motionlang.cli.complaints import refuse, unreadable
+from motionlang.cli.complaints import no_dialect, refuse, unreadable
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.numbers import real, whole
@@ -21,7 +21,7 @@ from motionlang.cli.serve_line import serve_line
 from motionlang.cli.serve_modbus import serve_modbus
 from motionlang.errors import Diagnostic, MissingExtra
 from motionlang.execution import language_of, machine_of
-from motionlang.source import Source
+from motionlang.source import STDIN, Source
 
 EPILOG = """\
 The board is a PMC controller with ASCII MCCL; FILE is sent to it first, as a downloader would. If FILE is a Mint
@@ -112,6 +112,8 @@ def serve_command(args: argparse.Namespace) -> int:
     options = Options(args.file or "")
     source: Source | None = None
     if args.file is not None:
+        if args.file != STDIN and language_of(args.dialect, args.file) is None:
+            return refuse(options, [no_dialect(args.file)], None, 2)
         try:
             source = read_source(args.file)
         except OSError as error:

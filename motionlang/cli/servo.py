@@ -10,6 +10,7 @@ import sys
 from math import isfinite
 from typing import TYPE_CHECKING
 
+from motionlang.cli.complaints import complain, unreadable, unwritten
 from motionlang.cli.format_options import add_format
 from motionlang.cli.options import REPORTS
 from motionlang.cli.output_files import need_writer
@@ -367,7 +368,9 @@ def _guarded(name: str, handler: Handler) -> Handler:
         except OSError as problem:
             if problem.filename is None:  # of standard output: `main` reports it
                 raise
-            return _complain(name, f"{problem.filename}: {problem.strerror or problem}", WRONG)
+            say = unwritten if problem.filename == args.plot else unreadable
+            complain([say(problem.filename, problem)], None, "")
+            return WRONG
         except (ValueError, OverflowError) as problem:
             return _complain(name, str(problem), USAGE)
 

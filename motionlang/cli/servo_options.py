@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.cli.numbers import real, whole
+from motionlang.cli.numbers import machine_time, real, whole
 from motionlang.cli.parser import flag, option
 from motionlang.cli.servo_input import LOOP_OPTIONS, PLANT_OPTIONS
 from motionlang.notes import dissect
@@ -88,7 +88,7 @@ LISTING = (
 RUN = (
     option("file", "FILE", "the program"),
     option("--dialect --lang", None, "the language; default: by file extension", choices=["mint", "mccl"]),
-    option("--until", "S", "end the run after S seconds of machine time (600)", _POSITIVE, default=600.0),
+    option("--until", "S", "end the run after S seconds of machine time (600)", machine_time, default=600.0),
     option("--settle-time", "S", "time to simulate after the program ends, s (0.5)", _POSITIVE, default=0.5),
     option("--window", "C", "settling window, counts (1)", _POSITIVE, default=1.0),
     *PLANT_OPTIONS,

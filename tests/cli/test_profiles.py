@@ -103,4 +103,4 @@ def test_a_plot_that_cannot_be_written(cell: Cell, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     ran = cell("profiles", "--plot", str(tmp_path / "no" / "a.png"))
     assert (ran.status, ran.out) == (1, "")
-    assert "No such file" in ran.err
+    assert "cannot be written: no such file or directory" in ran.err

@@ -80,6 +80,15 @@ def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
     assert int(found[1]) >= logged // 250 // 2
 
 
+@pytest.mark.parametrize("name", ["a.txt", "a"])
+def test_a_file_of_no_language_is_refused(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / name).write_text("1MN\n", encoding="utf-8")
+    assert main(["serve", str(tmp_path / name), "--tcp", "0"]) == 2
+    assert "add --dialect mint or --dialect mccl" in capsys.readouterr().err
+
+
 def test_the_board_is_the_one_that_the_file_is_written_for(tmp_path: Path) -> None:
     """The suffix of the file, as PMC uses it, selects the board unless a setting does."""
     macros = tmp_path / "press.pc1"

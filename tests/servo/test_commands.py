@@ -138,8 +138,13 @@ def test_every_picture_is_drawn(
         (("step", "--mint", "KPROP=1", "--mccl", "SG=1"), 2, "give gains of either Mint or MCCL, not both"),
         (("step", "--loop", "proportional=nan"), 2, "proportional must be a finite number"),
         (("figure", "12.12"), 2, "is not one of"),
-        (("run", "missing.mnt"), 1, "missing.mnt: No such file or directory"),
-        (("step", "--machine", "missing.toml"), 1, "missing.toml: No such file or directory"),
+        (("run", "a.mnt", "--until", "-1"), 2, "argument --until: '-1' is not a time in seconds, 0 or more"),
+        (("run", "missing.mnt"), 1, "error[file]: missing.mnt cannot be read: no such file or directory"),
+        (
+            ("step", "--machine", "missing.toml"),
+            1,
+            "error[file]: missing.toml cannot be read: no such file or directory",
+        ),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, tuple) else "",
 )

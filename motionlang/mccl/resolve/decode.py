@@ -227,6 +227,7 @@ def out_of_range(value: float | int, row: Keyword) -> Fault:
     if abs(value) > _MAX_NUMBER and (row.low if value < 0 else row.high) is None:
         low = -_MAX_NUMBER if row.low is None else row.low
         accepted = f"{low:.10g} to {_MAX_NUMBER if row.high is None else row.high:.10g}"
-    return Fault(
-        codes.PARAMETER, f"{row.name} accepts {accepted}, not {value:.10g}", as_hint(row.help), "range"
-    )
+    shown = f"{value:.10g}"
+    if abs(value) > _MAX_NUMBER >= abs(float(shown)):
+        shown = f"{value:.17g}"  # fewer digits would show the bound itself
+    return Fault(codes.PARAMETER, f"{row.name} accepts {accepted}, not {shown}", as_hint(row.help), "range")

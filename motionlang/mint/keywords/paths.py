@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from motionlang.controller.faults import Rejected
+from motionlang.errors import count_of
 from motionlang.lang.keyword import Actions, Keyword
 from motionlang.mint.keywords.motion import refuse_stopping
 from motionlang.mint.runtime.binding import Maker, Operation, axis_of, of, of_word, on_axes, scale_of
@@ -19,10 +20,13 @@ def _ready(
 
     Raises Rejected if the number of axes or values is wrong, which is possible if AXES names the axes.
     """
-    wanted, count = (units.count("uu"), len(units)) if len(units) > 1 else (max(2, len(axes)), len(axes))
+    several = max(2, len(axes))
+    wanted, count = (units.count("uu"), len(units)) if len(units) > 1 else (several, several)
     if len(axes) != wanted or len(values) != count:
-        words = f"{name} is given {len(axes)} axes and {len(values)} values"
-        raise Rejected("values", words, f"it takes {wanted} axes and {count} values")
+        given = f"{count_of(len(axes), 'axis', 'axes')} and {count_of(len(values), 'value')}"
+        raise Rejected(
+            "values", f"{name} is given {given}", f"it takes {wanted} axes and {count_of(count, 'value')}"
+        )
     for axis in axes:
         scale_of(environment, axis)
         refuse_stopping(environment, axis)

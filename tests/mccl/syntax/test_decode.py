@@ -123,6 +123,15 @@ WRONG: list[tuple[str, str, int, int, str, str, str]] = [
         "set the acceleration; a whole number until a scale is set",
     ),
     ("AL1e16", "AL", 0, -1, "range", "AL accepts -1e+15 to 1e+15, not 1e+16", "load the accumulator"),
+    (
+        "AL1000000000000001.0",
+        "AL",
+        0,
+        -1,
+        "range",
+        "AL accepts -1e+15 to 1e+15, not 1000000000000001",
+        "load the accumulator",
+    ),
     ("AL-1e16", "AL", 0, -1, "range", "AL accepts -1e+15 to 1e+15, not -1e+16", "load the accumulator"),
 ]
 

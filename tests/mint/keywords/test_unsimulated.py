@@ -70,7 +70,7 @@ def test_keywords_that_move_or_decide_end_the_run_at_their_location(row: Keyword
     statement = word(row) if row.access == "C" else f"{word(row)} = 1"
     result = ran('PRINT "before"', f"IF 1 THEN {statement}", 'PRINT "after"')
     assert (result.status, result.output) == ("fault", ["before"])
-    assert locations(result) == [("warning", 2, 11), ("error", 2, 11)]
+    assert locations(result) == [("error", 2, 11)]
     assert {each.code for each in result.diagnostics} == {"not-simulated"}
 
 
@@ -84,8 +84,8 @@ def test_what_would_move_may_be_switched_off(row: Keyword) -> None:
 def test_unknown_value_ends_the_run_unless_the_machine_file_gives_it(row: Keyword) -> None:
     result = ran(f"PRINT {word(row)}")
     assert result.status == "fault"
-    assert locations(result) == [("warning", 1, 7), ("error", 1, 7)]
-    assert f"[mint.values] {row.name} = " in result.diagnostics[1].hint
+    assert locations(result) == [("error", 1, 7)]
+    assert f"[mint.values] {row.name} = " in result.diagnostics[0].hint
     reported = "abc" if row.unit == "text" else 2.5 if row.unit == "number" else 1
     result = ran(f"PRINT {word(row)}", **{f"mint.values.{row.name}": reported})
     assert (result.status, result.output, result.diagnostics) == ("ended", [shown(row)], [])
@@ -98,8 +98,9 @@ def test_run_reports_the_check_warnings_at_which_it_may_end() -> None:
     text = "CONFIG(0) = 1\nBINARY\nPRINT TEMPERATURE(0)\nAUTOTUNE(0, 1)\nAUTOHOMEMODE(0) = 0"
     checked = [each for each in DIALECT.check(Source("a.mnt", text)) if each.code == "not-simulated"]
     assert [each.line for each in checked] == [1, 2, 3, 4, 5]
-    warned = [each.as_dict() for each in ran(text).diagnostics if each.severity == "warning"]
-    assert warned == [each.as_dict() for each in checked[2:4]]
+    found = ran(text).diagnostics
+    assert [each.as_dict() for each in found if each.severity == "warning"] == [checked[3].as_dict()]
+    assert [each.line for each in found if each.severity == "error"] == [3]  # it has its own message
 
 
 def test_the_warnings_stay_with_a_program_in_the_cache() -> None:
