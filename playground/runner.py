@@ -179,7 +179,7 @@ def _without_options(hint: str) -> str:
     if len(channels) == len(options):
         switched = f"input{'s' if len(channels) > 1 else ''} {', '.join(channels)}"
         return f"switch {switched} on, or add [[input]] to the machine file"
-    entries = re.search(r"as does? (.*) of the machine file", hint)
+    entries = re.search(r"as does (.*) of the machine file", hint)
     return f"add {entries[1]} to the machine file" if entries else ""
 
 

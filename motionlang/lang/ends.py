@@ -54,8 +54,8 @@ def what_ends(
         options.append(f"{dash}analog {channel}=25@{at}")
     entries = " or ".join(each if "." in each else f"[[{each}]]" for each in driven)
     if options:
-        verbs = ("ends", "does") if len(options) == 1 else ("end", "do")
-        return f"{' '.join(options)} {verbs[0]} it, as {verbs[1]} {entries} of the machine file"
+        verb = "ends" if len(options) == 1 else "end"
+        return f"{' '.join(options)} {verb} it, as does {entries} of the machine file"
     if any("." in each for each in driven):
         for axis in (int(each.split(".")[1]) for each in driven if each.startswith("axis.")):
             if machine.controller.axes[axis].move is None:

@@ -30,7 +30,7 @@ def machine() -> Machine:
             "until IN(0) > 0",
             "input",
             (7, 1, 5, 3),
-            "--input 1=1@0.6 --input 3=1@0.6 --input 5=1@0.6 end it, as do [[input]] of the machine file",
+            "--input 1=1@0.6 --input 3=1@0.6 --input 5=1@0.6 end it, as does [[input]] of the machine file",
         ),
         ("for a word", "input", (4,), "--input 4=1@0.6 ends it, as does [[input]] of the machine file"),
         ("for the operator", "operator", (), "--answer 1 ends it, as does [[answer]] of the machine file"),
