@@ -10,13 +10,13 @@ from __future__ import annotations
 import gc
 from time import process_time
 
+from motionlang.mccl.runtime.poll import Poll
 from timing import seconds
 
 from motionlang.execution import accelerators, run
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
 from motionlang.mccl import DIALECT as MCCL
-from motionlang.mccl.runtime.poll import Poll
 from motionlang.mccl.runtime.task import CommandTask
 from motionlang.mint import DIALECT as MINT
 from motionlang.mint.compile import polling

@@ -113,6 +113,11 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "waits",
         ),
         ("scheduler",),
+        ("steps",),
+        ("variable_uses",),
+        ("loop_log",),
+        ("loops",),
+        ("step_task",),
     ),
     "controller": (
         ("accelerators", "clock", "scale", "faults", "move", "watches", "listeners"),

@@ -28,8 +28,9 @@ GROUPS: dict[tuple[str, str], str] = {
     ("debug", "replay scopes"): "a replay makes the scopes of its stops, which read the replay",
     ("log", "__init__ log moves"): "the folder's `__init__` has the formats that the log and its moves share",
     ("mcapi", "block call interface session"): "a session has interfaces, which carry out its calls and blocks",
+    ("lang", "loop_log loops step_task"): "a task knows its loops, which are those of a task",
     ("lsp", "features protocol server"): "a server answers requests with its features, which ask it for texts",
-    ("mccl/runtime", "board loop_log poll task"): "a board runs tasks, and a task commands its board",
+    ("mccl/runtime", "board task writer"): "a board runs tasks, and a task commands its board",
     ("mint/compile", "body conversions loop_times operators polling splitting stops"):
         "a body is handed to those who write parts of it",
     ("mint/compile", "calls expressions keyword_use path_use terminal_use unsimulated_use words"):

@@ -26,7 +26,7 @@ HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "ric
 LAZY = {
     # Lazy packages: each opens a family of modules; most programs need few. That of the command line
     # is the table of its commands.
-    "fast/__init__.py": "command_counters command_rounds loop_counters loop_switches moves ranges",
+    "fast/__init__.py": "loop_counters loop_switches moves ranges",
     "fast/time_slices.py": "recurrence timer_ticks",
     "fast/timer_ticks.py": "polled_ticks",
     "controller/axis_verbs.py": "motion.jog motion.profile_playback",

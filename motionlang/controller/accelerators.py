@@ -24,8 +24,6 @@ class Accelerators:
     * `scheduler(…)`: creates the scheduler of a run, called like `Scheduler`
     * `ranges(function)`: returns the variables of a Mint function with known ranges, and the ranges by node
     * `counted(counters, steps, levels)`: returns how many iterations of a loop with counters can be skipped
-    * `registers(task)`: creates the object that knows the registers that the loops of an MCCL task count
-    * `rounds(board)`: creates the object that skips rounds of several MCCL tasks, by its method `jumped(task)`
     * `servo(loop, plant, track, …)`: creates the simulated servo of an axis, called like `SpeculativeServo`
     * `switches(environment)`: creates the object that skips iterations of a Mint loop that switch outputs, by its
       method `skip`
@@ -37,15 +35,12 @@ class Accelerators:
         axes: Callable[[Sequence[int]], Sequence[Axis]] | None = None,
         counted: Callable[[Sequence[float], Sequence[float], Sequence[Sequence[float]]], float] | None = None,
         ranges: Callable[[Any], tuple[set[Any], dict[int, Any]]] | None = None,
-        registers: Callable[[Any], Any] | None = None,
-        rounds: Callable[[Any], Any] | None = None,
         scheduler: Callable[..., Any] | None = None,
         servo: Callable[..., Any] | None = None,
         switches: Callable[[Any], Any] | None = None,
     ) -> None:
         self.axes, self.counted, self.ranges = axes, counted, ranges
-        self.registers, self.switches = registers, switches
-        self.rounds, self.scheduler, self.servo = rounds, scheduler, servo
+        self.switches, self.scheduler, self.servo = switches, scheduler, servo
 
 
 NO_ACCELERATORS = Accelerators()

@@ -22,8 +22,6 @@ def everything() -> Accelerators:
         axes=_axes,
         counted=_counted,
         ranges=_ranges,
-        registers=_registers,
-        rounds=_rounds,
         scheduler=TimeSlices,
         servo=_servo,
         switches=_switches,
@@ -46,18 +44,6 @@ def _ranges(function: Any) -> Any:
     from motionlang.fast.ranges import ranges
 
     return ranges(function)
-
-
-def _registers(task: Any) -> Any:
-    from motionlang.fast.command_counters import CountedRegisters
-
-    return CountedRegisters(task)
-
-
-def _rounds(board: Any) -> Any:
-    from motionlang.fast.command_rounds import CommandRounds
-
-    return CommandRounds(board)
 
 
 def _servo(*given: Any, **columns: Any) -> Any:

@@ -91,11 +91,12 @@ class Hook:
         self.cells[2].cell_contents = offsets or None
         self.tally[1] = 0 if offsets else self.limit
 
-    def consider(self, task: Task, time: float, offset: int) -> None:
-        """Stop before a statement if that is due.
-
-        Only an interpreter calls this, after counting the statement; compiled code compares by itself.
-        """
+    def begins(self, task: Task, time: float, offset: int) -> None:
+        """Count a statement, and stop before it if that is due; compiled code does so by itself."""
+        tally = self.tally
+        tally[0] += 1
+        if tally[0] < tally[1]:
+            return
         if self.count >= self.limit or (self.offsets is not None and offset in self.offsets):
             self.stop(task, time, offset)
 

@@ -22,7 +22,7 @@ The clients, which need the earliest of these times:
 - Loops of Mint (`loop_skipping.py`): an iteration that did nothing and left every variable unchanged repeats
   until then, in one step.
 - Conditions of PAUSE (`Condition` of `waits.py`): the wait sleeps until then.
-- Loops of MCCL (`poll.py`): like loops of Mint, with the accumulator as the variable.
+- Loops of steps, in MCCL (`loops.py`): like loops of Mint, for one task or several.
 - Periods of several polling tasks, for which `read` collects the dependencies of all tasks.
 
 Data. `notes` is the list of dependencies of the running task, None if no client needs any. Nested loops share

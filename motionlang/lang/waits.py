@@ -105,6 +105,26 @@ class Delay(Wait):
         return f"for {self.ends - self.since:.10g} s"
 
 
+class Standstill(Wait):
+    """A wait until axes are at rest.
+
+    `end_of_moves` returns when they will be, negative once they are, so nothing has to be tested meanwhile.
+    """
+
+    __slots__ = ("end_of_moves",)
+
+    def __init__(self, controller: Controller, since: float, axes: tuple[int, ...]) -> None:
+        super().__init__(
+            since,
+            lambda: all(map(controller.is_at_standstill, axes)),
+            lambda: max(map(controller.standstill_time, axes), default=since),
+            until_idle(axes),
+            "axis",
+            axes,
+        )
+        self.end_of_moves = controller.end_of_moves(axes)
+
+
 class Condition(Wait):
     """A wait for a condition: checked at solved times, events, or ticks if unsolvable.
 

@@ -83,6 +83,17 @@ class TimeSliceStream(TimeSlicesInOrder):
         if self._alone_since is None:
             self._rested += count * fsum(wait[3] - wait[2] for wait in map(whole, waits))
 
+    def shared_by_all(self, seconds: float) -> None:
+        """Record that all tasks have computed in a part of the present time slice, as in `repeat_since`."""
+        self._rested += seconds
+
+    def so_far(self, task: str, began: float, now: float) -> None:
+        """Record the present time slice of a task up to now; `took` records the rest."""
+        if not self.seconds:
+            self._began = began
+        self.seconds[task] = self.seconds.get(task, 0.0) + now - began - self._rested
+        self._rested = now - began
+
     def took(self, task: str, began: float, now: float, stops: bool) -> None:
         """Record a time slice of a task; `stops` is true if the task then waits or ends."""
         seconds, rested, self._rested = self.seconds, self._rested, 0.0

@@ -56,7 +56,7 @@ class Block:
         body = line(self.commands)
 
         def start(task: CommandTask, _: Command) -> None:
-            call.outputs = (task.board.start_task(body, task),)
+            call.outputs = (task.board.start_task(task.board.written(body), task),)
 
         return line([own("GT", start)])
 

@@ -45,11 +45,10 @@ class Interface(CommandTask):
     """
 
     def __init__(self, board: Board, port: Port | None = None) -> None:
-        super().__init__("mcapi", board)
+        super().__init__("mcapi", board, None if port is None else port.task.registers)
+        self.serve()
         self.write = self._replied
         self.port = port
-        if port is not None:
-            self.registers = port.task.registers
         self.current_call: Call | None = None
         self.block: Block | None = None
         # The handle for which pmclock has reserved the interface.
@@ -97,10 +96,8 @@ class Interface(CommandTask):
         self.current_call, self.reply_text = following, ""
         return following.line
 
-    def _rest(self, now: float) -> Wait | None:
-        if self.done:
-            return None
-        return Wait(now, self._may_begin, lambda: INFINITY, "for the host to call", "host")
+    def rest(self) -> Wait | None:
+        return Wait(self.clock.now, self._may_begin, lambda: INFINITY, "for the host to call", "host")
 
     def _may_begin(self) -> bool:
         return bool(self._queue) and self._following() is not None
@@ -113,12 +110,12 @@ class Interface(CommandTask):
             return self._queue[0] if self._queue else None
         return next((call for call in self._queue if call.handle is self.owner), None)
 
-    def _refused(self, trouble: Fault | Rejected) -> None:
-        if self.board.refused(self, trouble):
-            if self.current_call is not None:
-                self.current_call.code = code_of(trouble)
-                self.current_call.more.clear()
-            self.abandon()
+    def refused(self, trouble: Fault | Rejected) -> bool:
+        ends_line = super().refused(trouble)
+        if ends_line and self.current_call is not None:
+            self.current_call.code = code_of(trouble)
+            self.current_call.more.clear()
+        return ends_line
 
     def tell(self, axis: int, text: str) -> None:
         """Report a value in the default form.

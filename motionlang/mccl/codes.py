@@ -41,6 +41,10 @@ ALREADY_ASSIGNED = -16
 ASSIGNED_TWICE = -17
 
 
+class Abandoned(Exception):
+    """Raised by a command to leave its line and all macros around it."""
+
+
 class Fault(Exception):
     """Raised so that the controller answers a command with `?code`.
 

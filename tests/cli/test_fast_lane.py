@@ -76,7 +76,13 @@ PARSER, MACHINE_FILE = (
     ("name", "text", "options", "first", "second"),
     [
         ("hello.mnt", "PRINT 1\n", ("--format", "none"), PARSER, []),
-        ("hello.mcl", "1MN,1TP\n", ("--format", "none"), ["re"], ["re"]),
+        (
+            "hello.mcl",
+            "1MN,1TP\n",
+            ("--format", "none"),
+            ["dataclasses", "re", "typing"],
+            ["dataclasses", "re", "typing"],
+        ),
         ("hello.mnt", "MOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\n", ("--profile",), PARSER, []),
         ("wired.mnt", "PAUSE INX(5)\nPRINT POS(0)\n", ("--format", "none"), [*PARSER, *MACHINE_FILE], []),
         ("caught.mnt", CAUGHT, ("--format", "none"), PARSER, []),
@@ -93,7 +99,7 @@ def test_a_plain_run_imports_nothing_slow(
 ) -> None:
     """The first run compiles; the second imports no module that takes milliseconds.
 
-    MCCL's patterns are an exception. A profile takes lines and blocks from the compiled program, and parses
+    MCCL's patterns and classes are an exception. A profile takes lines and blocks from the compiled program, and parses
     nothing.
     """
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path / "cache"))

@@ -160,7 +160,7 @@ def test_an_internal_error_is_reported_and_costs_a_line(
         raise ZeroDivisionError("so it is")
 
     with monkeypatch.context() as patch:
-        patch.setattr("motionlang.mccl.hosts.port.PortTask._gate", broken)
+        patch.setattr("motionlang.mccl.hosts.port.PortTask.gate", broken)
         first.send(b"1TP\r")
         first.expect(b"?3\n>")
     assert first.ask(b"1TP") == second.ask(b"1TP") == b"01 0\n>"

@@ -6,6 +6,8 @@ address of one board is not valid on another, so programs look them up.
 
 from __future__ import annotations
 
+from math import ceil, floor
+
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mccl import codes
@@ -134,11 +136,6 @@ NAMES: dict[str, int] = {name: FIRST + STEP * k for k, name in enumerate(_READER
 _BY_ADDRESS = {NAMES[name]: reader for name, reader in _READERS.items()}
 
 
-def read_until(until: float, here: int, axis: AxisState, address: int) -> float:
-    """Return until when a variable read by command `here` of a line stays valid."""
-    return until
-
-
 def changes_by_event(board: Board, address: int, bits: Iterable[int]) -> bool:
     """True if only events or commands change these bits of a variable."""
     return address == NAMES["STATUS"] and not any(VOLATILE >> bit & 1 for bit in bits)
@@ -161,6 +158,23 @@ def crossing_time(board: Board, axis: AxisState, address: int, level: float) -> 
     if address == NAMES["ERROR"]:
         return controller.error_crossing_time(number, level)
     return controller.clock.now
+
+
+def levels(test: str, limit: float, is_whole: bool) -> tuple[float, ...]:
+    """Return the levels of a reading at which the result of comparing it with `limit` changes.
+
+    `test` is the verb of the comparison. A reading that `is_whole` has lost its fraction.
+    """
+    if not is_whole:
+        return (limit,)
+    if test == "if_greater":
+        firsts = [floor(limit) + 1]
+    elif test == "if_below":
+        firsts = [ceil(limit)]
+    else:
+        firsts = [int(limit), int(limit) + 1] if limit == floor(limit) else []
+    # A whole number above 0 is read from itself on, one up to 0 from above the number before it on.
+    return tuple([float(first if first > 0 else first - 1) for first in firsts])
 
 
 # The variables that can be written, with their writers; all others are read-only.

@@ -38,9 +38,8 @@ class Download(FileTask):
             diagnostic.line, diagnostic.column, diagnostic.length = locate(self._source, self.at)
             self._complain(diagnostic)
 
-    def _rest(self, now: float) -> Wait | None:
+    def rest(self) -> Wait | None:
         """End the download; background tasks that the file has started continue."""
         self.board.complain = None
         self.board.ended(self)
-        self.done = True
         return None

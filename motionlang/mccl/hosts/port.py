@@ -15,6 +15,7 @@ from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.resolve.line import line_of, too_long
 from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.runtime.writer import LineSteps
 from motionlang.mccl.syntax.parser import MAX_LINE
 
 TYPE_CHECKING = False
@@ -279,6 +280,7 @@ class PortTask(CommandTask):
 
     def __init__(self, board: Board, port: Port) -> None:
         super().__init__("port", board)
+        self.serve()
         self._port = port
         self.write = self._send
         self.occupied = False
@@ -344,13 +346,13 @@ class PortTask(CommandTask):
     def next_line(self) -> Line | None:
         fault, self._fault = self._fault, None
         if fault is not None:
-            self._refused(fault)
+            self.refused(fault)
         line, self._line = self._line, None
         return line
 
-    def _rest(self, now: float) -> Wait | None:
-        if self.done:
-            return None
+    def rest(self) -> Wait | None:
+        """End the line, and return the wait for the next one."""
+        now = self.clock.now
         if self.occupied:
             self.occupied = False
             self._port.line_done(self._answered)
@@ -360,17 +362,14 @@ class PortTask(CommandTask):
         self._for_line.since = now
         return self._for_line
 
-    gated = True
-
-    def _gate(self, line: Line) -> Wait | None:
+    def gate(self) -> Wait | None:
+        """Return the wait for a key, or for the host to read."""
         if not self._may_go_on():
-            self.paid = self._holds = True
-            if self.stepping:
-                command = line.commands[self.pc]
-                self._send(f"{{ C{self.pc},{command.text} }} <")
-            return Wait(
-                self.board.controller.clock.now, self._may_go_on, lambda: INFINITY, "for a key", "operator"
-            )
+            self._holds = True
+            steps = self.steps
+            if self.stepping and isinstance(steps, LineSteps) and (command := steps.command(self.pc)):
+                self._send(f"{{ C{steps.index_of(self.pc)},{command.text} }} <")
+            return Wait(self.clock.now, self._may_go_on, lambda: INFINITY, "for a key", "operator")
         self._granted = self._holds = False
         return None
 

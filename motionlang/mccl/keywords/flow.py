@@ -6,80 +6,125 @@ commands are skipped.
 
 from __future__ import annotations
 
-from motionlang.lang.keyword import Actions
-from motionlang.mccl import codes
-from motionlang.mccl.keywords.row import Group, pure
+from typing import TYPE_CHECKING
 
-TYPE_CHECKING = False
+from motionlang.lang.keyword import Actions
+from motionlang.lang.steps import BACK, BRANCH, DO
+from motionlang.mccl import codes
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.row import Group, accumulator, pure, written
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.lang.waits import Wait
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
 
     Condition = Callable[[float | int, float | int], bool]
 
 
+@written
 @pure
-def repeat(task: CommandTask, command: Command) -> Wait | None:
+def repeat(line: LineWriter, command: Command) -> None:
     """Repeat the line up to here n more times (RP).
 
     Without n, or with 0, it repeats for ever.
     """
-    count = task.whole(command)
-    if count < 0:
-        raise codes.negative_repeat(count)
-    here = task.here
-    if count == 0 and task.board.assumptions.get("mccl.repeat-for-ever") == "once":
-        count = 1
-    if count == 0:
-        return task.jump(0)
-    left = task.repeats.get(here, count)
-    if left == 0:
-        del task.repeats[here]
-        return None
-    task.repeats[here] = left - 1
-    assert task.line is not None
-    if here != task.loop_log.end or task.loop_log.target:
-        task.loop_log.back(task.line, 0, here)
-    task.pc = 0
-    task.board.effects += 1
-    return None
+    index, once = line.index, line.board.assumptions.get("mccl.repeat-for-ever") == "once"
+
+    def again(task: CommandTask, command: Command) -> bool:
+        count = task.whole(command)
+        if count < 0:
+            raise codes.negative_repeat(count)
+        if count == 0 and not once:
+            return True
+        left = task.repeats.get(index, count or 1)
+        if left == 0:
+            del task.repeats[index]
+            return False
+        task.repeats[index] = left - 1
+        return True
+
+    line.act(BACK, again, to=0)
 
 
+@written
 @pure
-def jump(task: CommandTask, command: Command) -> Wait | None:
-    return task.jump(task.whole(command) - task.board.assumptions.get("mccl.jump-base", 0))  # type: ignore[operator]
+def jump(line: LineWriter, command: Command) -> None:
+    _jump(line, command, -line.board.assumptions.get("mccl.jump-base", 0))  # type: ignore[operator]
 
 
+@written
 @pure
-def jump_by(task: CommandTask, command: Command) -> Wait | None:
-    after = task.board.assumptions.get("mccl.jump-relative") == "next"
-    return task.jump(task.here + task.whole(command) + after)
+def jump_by(line: LineWriter, command: Command) -> None:
+    after = line.board.assumptions.get("mccl.jump-relative") == "next"
+    _jump(line, command, line.index + after)
 
 
+def _jump(line: LineWriter, command: Command, origin: int) -> None:
+    """Go on with the command that the parameter gives, counted from `origin`."""
+    base: int = line.board.assumptions.get("mccl.jump-base", 0)  # type: ignore[assignment]
+    end = line.end
+
+    def target(task: CommandTask, command: Command) -> int:
+        index = origin + task.whole(command)
+        if not 0 <= index <= end:
+            raise Fault(
+                codes.PARAMETER,
+                f"there is no command {base + index} here",
+                f"they are numbered {base} to {base + end - 1}",
+                "range",
+            )
+        return index
+
+    line.go(target, None if command.number is None else origin + command.number)
+
+
+@written
 @pure
-def nothing(task: CommandTask, command: Command) -> None:
-    return None
+def nothing(line: LineWriter, command: Command) -> None:
+    line.act(DO, lambda task, command: None)
 
 
-def skip(task: CommandTask) -> None:
-    """Skip the commands that depend on a false condition."""
-    task.pc += task.board.assumptions.get("mccl.skipped", 2)  # type: ignore[operator]
+def skip_unless(line: LineWriter, condition: Callable[[CommandTask, Command], bool]) -> None:
+    """Skip the commands that depend on a condition if it is false."""
+    skipped: int = line.board.assumptions.get("mccl.skipped", 2)  # type: ignore[assignment]
+    line.jump(BRANCH, line.index + 1 + skipped, condition)
 
 
 def _if(condition: Condition) -> Action:
+    """Return a comparison of the accumulator with the parameter."""
+
+    @written
+    @accumulator("compares")
     @pure
-    def decide(task: CommandTask, command: Command) -> None:
-        if not condition(task.registers[0], task.value(command)):
-            skip(task)
+    def decide(line: LineWriter, command: Command) -> None:
+        def test(task: CommandTask, command: Command) -> bool:
+            value = task.value(command)
+            task.tested(command, is_bit=False)
+            task.board.loops.compared(task.registers[0] - value)
+            return condition(task.registers[0], value)
+
+        skip_unless(line, test)
 
     return decide
 
 
-def _bit(accumulator: float | int, bit: float | int) -> int:
-    return int(accumulator) >> int(bit) & 1
+def _if_bit(wanted: int) -> Action:
+    """Return a test of the bit of the accumulator that the parameter gives."""
+
+    @written
+    @accumulator("tests")
+    @pure
+    def decide(line: LineWriter, command: Command) -> None:
+        def test(task: CommandTask, command: Command) -> bool:
+            task.tested(command, is_bit=True)
+            return int(task.registers[0]) >> int(task.value(command)) & 1 == wanted
+
+        skip_unless(line, test)
+
+    return decide
 
 
 # ------------------------------------------------------------------------------------------------- keywords
@@ -108,11 +153,11 @@ ROWS = (
          Actions("if_unequal", do=_if(lambda accumulator, value: accumulator != value)),
          "If the accumulator does not equal n carry out the next two commands, else skip them.", "AL5,IU4,AL7,NO,TR0"),
     _row("IS", "statement", "W", "none", "number",
-         Actions("if_set", do=_if(lambda accumulator, bit: _bit(accumulator, bit) == 1)),
+         Actions("if_set", do=_if_bit(1)),
          "If bit n of the accumulator is set carry out the next two commands, else skip them.", "AL5,IS2,AL7,NO,TR0",
          low=0, high=31),
     _row("IC", "statement", "W", "none", "number",
-         Actions("if_clear", do=_if(lambda accumulator, bit: _bit(accumulator, bit) == 0)),
+         Actions("if_clear", do=_if_bit(0)),
          "If bit n of the accumulator is clear carry out the next two commands, else skip them.", "AL5,IC1,AL7,NO,TR0",
          low=0, high=31),
     _row("NO", "statement", "C", "none", "", nothing,

@@ -6,18 +6,20 @@ Each wait ends at its exact time, without polling.
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.lang.waits import Wait, until_idle, wait_idle, wait_until
+from motionlang.lang.steps import BRANCH, TRY, WAIT
+from motionlang.lang.waits import Standstill, Wait, until_idle, wait_until
 from motionlang.mccl.axis.motion_phase import at_target_time
-from motionlang.mccl.keywords.row import Group, pure
+from motionlang.mccl.keywords.row import Group, pure, written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable
 
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.board import Board
     from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
 
 BEFORE_NEVER = 1e300
 # Counts within which a position counts as reached: far below one, far above rounding.
@@ -26,50 +28,62 @@ _REACHED = 1e-6
 
 @pure
 def wait(task: CommandTask, command: Command) -> Wait | None:
-    found = _dwell(task, command, task.board.controller.clock.now)
-    if found is not None:
-        task.poll.wait(task.board.seconds(float(task.value(command))))
-    return found
+    """Wait for the time that is the parameter."""
+    seconds = task.board.seconds(float(task.value(command)))
+    if seconds <= 0.0:
+        return None
+    now = task.board.controller.clock.now
+    task.board.loops.waits(seconds)
+    return wait_until(task.board.controller, now, now + seconds)
 
 
-def wait_stop(task: CommandTask, command: Command) -> Wait | None:
+@written
+def wait_stop(line: LineWriter, command: Command) -> None:
     """Wait until the trajectory is complete, then for the given time."""
-    board, controller = task.board, task.board.controller
-    now = controller.clock.now
-    stopping = task.axes(command)
-    axes = tuple([axis.number for axis in stopping])
-    if board.contours and any(map(board.awaits_path, stopping)):
-        task.then = lambda time: wait_stop(task, command)
-        return Wait(
-            now,
-            lambda: not any(map(board.awaits_path, stopping)),
-            lambda: INFINITY,
-            until_idle(axes),
-            "axis",
-            axes,
-        )
-    for number in axes:
-        if not controller.is_at_standstill(number) and not task.comes_to_rest(axes):
-            task.then = lambda time: _stopped(task, command, stopping, time)
-            return wait_idle(controller, now, axes)
-    return _stopped(task, command, stopping, controller.clock.now)
+    first = line.act(TRY, _paths)
+    line.act(WAIT, _standstill)
+    line.act(BRANCH, _has_no_path, to=first)
+    line.act(WAIT, wait)
 
 
-def _stopped(task: CommandTask, command: Command, axes: Iterable[AxisState], now: float) -> Wait | None:
-    """Dwell, unless a contour path of an axis waits."""
+def _has_no_path(task: CommandTask, command: Command) -> bool:
+    """True if no contour path of the axes waits."""
     board = task.board
-    if board.contours and any(map(board.awaits_path, axes)):
-        return wait_stop(task, command)
-    return _dwell(task, command, now)
+    return not board.contours or not any(map(board.awaits_path, task.axes(command)))
 
 
-def wait_target(task: CommandTask, command: Command) -> Wait | None:
-    """Wait until each axis has been within DB of its target for DT.
+def _paths(task: CommandTask, command: Command) -> Wait | None:
+    """Return the wait until no contour path of the axes waits."""
+    if _has_no_path(task, command):
+        return None
+    axes = tuple([axis.number for axis in task.axes(command)])
+    return Wait(
+        task.board.controller.clock.now,
+        lambda: _has_no_path(task, command),
+        lambda: INFINITY,
+        until_idle(axes),
+        "axis",
+        axes,
+    )
+
+
+def _standstill(task: CommandTask, command: Command) -> Wait | None:
+    controller = task.board.controller
+    axes = tuple([axis.number for axis in task.axes(command)])
+    if all(map(controller.is_at_standstill, axes)):
+        return None
+    return Standstill(controller, controller.clock.now, axes)
+
+
+@written
+def wait_target(line: LineWriter, command: Command) -> None:
+    """Wait until each axis in turn has been within DB of its target for DT.
 
     Then wait for the given time.
     """
-    axes = list(task.axes(command))
-    return _next_target(task, command, axes, task.board.controller.clock.now)
+    for index in range(1 if command.axis else len(line.board.all_axes)):
+        line.act(TRY, _target(index))
+    line.act(WAIT, wait)
 
 
 def wait_position(task: CommandTask, command: Command) -> Wait | None:
@@ -119,23 +133,19 @@ def passing_flag(board: Board, ready: Callable[[], bool], why: str) -> Wait:
     return Wait(board.controller.clock.now, ready, lambda: INFINITY, why)
 
 
-def _next_target(task: CommandTask, command: Command, axes: list[AxisState], now: float) -> Wait | None:
-    board = task.board
-    while axes:
-        axis = axes[0]
-        until = at_target_time(board, axis)
-        if until > now:
-            return _until_target(task, command, axes, now, until)
-        axes.pop(0)
-    return _dwell(task, command, now)
+def _target(index: int) -> Callable[[CommandTask, Command], Wait | None]:
+    """Return the wait for one of the axes that a command addresses."""
+
+    def until_target(task: CommandTask, command: Command) -> Wait | None:
+        axis, now = task.axes(command)[index], task.board.controller.clock.now
+        until = at_target_time(task.board, axis)
+        return _until_target(task.board, axis, now, until) if until > now else None
+
+    return until_target
 
 
-def _until_target(
-    task: CommandTask, command: Command, axes: list[AxisState], now: float, until: float
-) -> Wait:
-    board, axis = task.board, axes[0]
+def _until_target(board: Board, axis: AxisState, now: float, until: float) -> Wait:
     clock = board.controller.clock
-    task.then = lambda time: _next_target(task, command, axes, time)
     has_motor = board.controller.axes[axis.number].feedback is not None
     if until < INFINITY and not has_motor:
         why = f"for axis {axis.number} to be at target"
@@ -148,13 +158,6 @@ def _until_target(
         "axis",
         (axis.number,),
     )
-
-
-def _dwell(task: CommandTask, command: Command, now: float) -> Wait | None:
-    seconds = task.board.seconds(float(task.value(command)))
-    if seconds <= 0.0:
-        return None
-    return wait_until(task.board.controller, now, now + seconds)
 
 
 def break_at(task: CommandTask, command: Command) -> None:

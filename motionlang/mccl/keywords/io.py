@@ -6,13 +6,14 @@ Digital levels are logical: a low-true channel is on if its level is low.
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
+from motionlang.lang.steps import BRANCH
 from motionlang.lang.waits import Wait
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import real
 from motionlang.mccl.axis.volts import percent, volts
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.flow import skip
-from motionlang.mccl.keywords.row import Group, polls, pure
+from motionlang.mccl.keywords.flow import skip_unless
+from motionlang.mccl.keywords.row import Group, accumulator, polls, pure, written
 from motionlang.mccl.models import models_with
 
 TYPE_CHECKING = False
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.board import Board
     from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
 
 
 def is_on(board: Board, channel: int) -> bool:
@@ -75,6 +77,7 @@ def tell_analog(task: CommandTask, command: Command) -> None:
     task.tell(channel, real(volts(task.board.controller.analogue_input(channel))))
 
 
+@accumulator("sets")
 @polls("analogue")
 def get_analog(task: CommandTask, command: Command) -> None:
     task.registers[0] = volts(task.board.controller.analogue_input(task.whole(command)))
@@ -85,26 +88,28 @@ def set_analog(task: CommandTask, command: Command) -> None:
     task.board.controller.set_analogue_output(task.whole(command), percent(float(task.registers[0])))
 
 
+@written
 @polls("input")
-def do_if_on(task: CommandTask, command: Command) -> None:
-    _do_rest(task, is_on(task.board, task.whole(command)))
+def do_if_on(line: LineWriter, command: Command) -> None:
+    line.jump(BRANCH, line.end, _is_on)
 
 
+@written
 @polls("input")
-def do_if_off(task: CommandTask, command: Command) -> None:
-    _do_rest(task, not is_on(task.board, task.whole(command)))
+def do_if_off(line: LineWriter, command: Command) -> None:
+    line.jump(BRANCH, line.end, _is_off)
 
 
+@written
 @polls("input")
-def if_on(task: CommandTask, command: Command) -> None:
-    if not is_on(task.board, task.whole(command)):
-        skip(task)
+def if_on(line: LineWriter, command: Command) -> None:
+    skip_unless(line, _is_on)
 
 
+@written
 @polls("input")
-def if_off(task: CommandTask, command: Command) -> None:
-    if is_on(task.board, task.whole(command)):
-        skip(task)
+def if_off(line: LineWriter, command: Command) -> None:
+    skip_unless(line, _is_off)
 
 
 def wait_on(task: CommandTask, command: Command) -> Wait | None:
@@ -129,10 +134,12 @@ def _switch(task: CommandTask, command: Command, on: bool) -> None:
         board.rewrites += 1
 
 
-def _do_rest(task: CommandTask, yes: bool) -> None:
-    if not yes:
-        assert task.line is not None
-        task.pc = len(task.line.commands)
+def _is_on(task: CommandTask, command: Command) -> bool:
+    return is_on(task.board, task.whole(command))
+
+
+def _is_off(task: CommandTask, command: Command) -> bool:
+    return not is_on(task.board, task.whole(command))
 
 
 def _wait(task: CommandTask, command: Command, on: bool) -> Wait | None:

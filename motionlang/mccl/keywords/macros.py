@@ -2,56 +2,55 @@
 
 from __future__ import annotations
 
+from motionlang.lang.steps import CALL, DO, ENTER, JUMP
 from motionlang.mccl import codes
-from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.row import Group, pure
+from motionlang.mccl.codes import Abandoned, Fault
+from motionlang.mccl.keywords.row import Group, pure, written
 from motionlang.mccl.models import no_macro_number
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.waits import Wait
+    from motionlang.lang.steps import Values
     from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.mccl.runtime.writer import LineSteps, LineWriter
 
 
-def define_macro(task: CommandTask, command: Command) -> None:
+@written
+def define_macro(line: LineWriter, command: Command) -> None:
     """Define a macro from the rest of the line, replacing any with the same number."""
-    if task.here:
-        raise codes.define_not_first()
-    assert task.line is not None
-    task.board.macros[_number(task, command)] = task.line.rest(1)
-    task.pc = len(task.line.commands)
+    is_first, macro = line.index == 0, line.line.rest(1)
+
+    def define(task: CommandTask, command: Command) -> None:
+        if not is_first:
+            raise codes.define_not_first()
+        task.board.macros[_number(task, command)] = task.board.written(macro)
+
+    line.act(DO, define)
+    line.jump(JUMP, line.end)
 
 
+@written
 @pure
-def call_macro(task: CommandTask, command: Command) -> None:
-    task.call(_macro(task, command))
+def call_macro(line: LineWriter, command: Command) -> None:
+    line.act(CALL, _entered)
 
 
+@written
 @pure
-def jump_macro(task: CommandTask, command: Command) -> Wait | None:
+def jump_macro(line: LineWriter, command: Command) -> None:
     """Jump to a macro without return; a macro that jumps to itself is a loop."""
-    macro = _macro(task, command)
-    log = task.loop_log
-    if task.line is not macro:
-        log.left()
-        task.enter(macro)
-        return task.poll.again()
-    if task.here != log.end or log.target:
-        log.back(macro, 0, task.here)
-    task.pc, task.repeats = 0, {}
-    return task.poll.again()
+    line.act(ENTER, _entered)
 
 
 def reset_macros(task: CommandTask, command: Command) -> None:
     task.board.macros.clear()
 
 
+@written
 @pure
-def leave(task: CommandTask, command: Command) -> None:
-    assert task.line is not None
-    task.pc = len(task.line.commands)
+def leave(line: LineWriter, command: Command) -> None:
+    line.jump(JUMP, line.end)
 
 
 def start_task(task: CommandTask, command: Command) -> None:
@@ -72,6 +71,8 @@ def end_task(task: CommandTask, command: Command) -> None:
             "GT leaves its number in the accumulator",
             "range",
         )
+    if task.done:
+        raise Abandoned
 
 
 def tell_macro(task: CommandTask, command: Command) -> None:
@@ -91,7 +92,11 @@ def _number(task: CommandTask, command: Command) -> int:
     return number
 
 
-def _macro(task: CommandTask, command: Command) -> Line:
+def _entered(task: CommandTask, command: Command) -> tuple[LineSteps, Values]:
+    return _macro(task, command), task.new_values()
+
+
+def _macro(task: CommandTask, command: Command) -> LineSteps:
     number = _number(task, command)
     macro = task.board.macros.get(number)
     if macro is None:

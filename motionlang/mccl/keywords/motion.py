@@ -8,23 +8,32 @@ axis that runs continuously in velocity mode rejects the move.
 
 from __future__ import annotations
 
+from functools import wraps
+
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
+from motionlang.lang.steps import DO, WAIT
 from motionlang.lang.waits import wait_idle
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
 from motionlang.mccl.axis.flags import MOTOR_ERROR
 from motionlang.mccl.axis.launch import aim, check_unslaved, launch
-from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.row import Group
+from motionlang.mccl.codes import Abandoned, Fault
+from motionlang.mccl.keywords.row import Group, written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import TypeAlias
+
     from motionlang.lang.waits import Wait
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
-    from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.mccl.runtime.task import Action, CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
+
+    Targets: TypeAlias = list[tuple[AxisState, float]]
 
 
 def motor_on(task: CommandTask, command: Command) -> None:
@@ -45,13 +54,29 @@ def motor_off(task: CommandTask, command: Command) -> None:
         task.board.controller.disable(axis.number)
 
 
-def move_to(task: CommandTask, command: Command) -> Wait | None:
+def moves(targets: Callable[[CommandTask, Command], Targets]) -> Action:
+    """Make a command that starts moves from a function that returns their targets, counts.
+
+    An axis that must reverse comes to rest first.
+    """
+
+    @written
+    @wraps(targets)
+    def write(line: LineWriter, command: Command) -> None:
+        line.act(WAIT, lambda task, command: _start_moves(task, command, targets(task, command)))
+        line.act(DO, _start_later)
+
+    return write
+
+
+@moves
+def move_to(task: CommandTask, command: Command) -> Targets:
     value = float(task.value(command))
-    targets = [(axis, axis.position(value)) for axis in movable(task, command)]
-    return start_moves(task, command, targets)
+    return [(axis, axis.position(value)) for axis in movable(task, command)]
 
 
-def move_by(task: CommandTask, command: Command) -> Wait | None:
+@moves
+def move_by(task: CommandTask, command: Command) -> Targets:
     """Move by n user units relative to the target (MR).
 
     On a path, the move is relative to the end of the path so far.
@@ -65,11 +90,12 @@ def move_by(task: CommandTask, command: Command) -> Wait | None:
     for axis in movable(task, command):
         target = path.end_of(axis) if path is not None else aim(task.board, axis)
         targets.append((axis, target + axis.distance(value)))
-    return start_moves(task, command, targets)
+    return targets
 
 
-def go_home(task: CommandTask, command: Command) -> Wait | None:
-    return start_moves(task, command, [(axis, axis.position(0.0)) for axis in movable(task, command)])
+@moves
+def go_home(task: CommandTask, command: Command) -> Targets:
+    return [(axis, axis.position(0.0)) for axis in movable(task, command)]
 
 
 def go(task: CommandTask, command: Command) -> None:
@@ -160,7 +186,7 @@ def reset(task: CommandTask, command: Command) -> None:
     board.reset()
     for levels in (board.controller.outputs, board.controller.analogue_outputs):
         levels.clear()
-    task.abandon()
+    raise Abandoned
 
 
 def run_in_velocity_mode(task: CommandTask, axis: AxisState) -> None:
@@ -186,11 +212,12 @@ def movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
     return tuple(axis for axis in axes if task.board.controller.is_enabled(axis.number)) or axes
 
 
-def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> Wait | None:
-    """Start moves to targets, counts.
+def _start_moves(task: CommandTask, command: Command, targets: Targets) -> Wait | None:
+    """Start moves; return the wait for axes that must reverse, whose moves `_start_later` starts.
 
-    An axis that must reverse comes to rest first. Raises Fault unless in position mode (PM).
+    Raises Fault unless in position mode (PM).
     """
+    task.later = []
     path = task.path_open
     if path is not None:
         path.move(task, targets)
@@ -212,14 +239,18 @@ def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisSta
         return None
     _check_rest(task, command, stalled)
     at_once = [pair for pair in targets if pair[0].number not in stalled]
-    later = [pair for pair in targets if pair[0].number in stalled]
+    task.later = [(axis.number, target) for axis, target in targets if axis.number in stalled]
     _start(task, command, at_once)
     now = task.board.controller.clock.now
-    task.then = lambda _: _start(task, command, later)
     return wait_idle(task.board.controller, now, stalled)
 
 
-def _start(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> None:
+def _start_later(task: CommandTask, command: Command) -> None:
+    later, task.later = task.later, []
+    _start(task, command, [(task.board.axes[number], target) for number, target in later])
+
+
+def _start(task: CommandTask, command: Command, targets: Targets) -> None:
     for axis, target in targets:
         axis.running = False
         launch(task.board, axis, target, command.name, task.source_line)

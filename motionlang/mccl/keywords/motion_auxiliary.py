@@ -10,15 +10,17 @@ from math import floor
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.io.encoder import AUXILIARY
+from motionlang.lang.steps import DO, WAIT
 from motionlang.lang.waits import Wait
 from motionlang.mccl.axis.axis import nearest_whole
-from motionlang.mccl.keywords.row import Group
+from motionlang.mccl.keywords.row import Group, written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
 
 # A mark nearer than this, in counts, is the mark that the encoder is on: the search is for the next one.
 _ON = 1e-6
@@ -39,12 +41,18 @@ def tell_auxiliary_index(task: CommandTask, command: Command) -> None:
         task.tell(axis.number, task.quantity(axis, axis.aux_index, "uu"))
 
 
-def find_auxiliary_index(task: CommandTask, command: Command) -> Wait:
+@written
+def find_auxiliary_index(line: LineWriter, command: Command) -> None:
     """Wait for the next index mark, and define the encoder's position there.
 
     The position at the mark becomes the parameter.
     """
-    axis, value = task.axis(command), float(task.value(command))
+    line.act(WAIT, _until_index)
+    line.act(DO, _at_index)
+
+
+def _until_index(task: CommandTask, command: Command) -> Wait:
+    axis = task.axis(command)
     controller = task.board.controller
     encoder, began = controller.encoder(AUXILIARY + axis.number), controller.clock.now
     every = encoder.index_every
@@ -58,12 +66,6 @@ def find_auxiliary_index(task: CommandTask, command: Command) -> Wait:
     def due() -> float:
         return min((_crossing(task, axis, mark) for mark in marks), default=INFINITY)
 
-    def found(now: float) -> None:
-        mark = min(marks, key=lambda each: abs(each - encoder.position(now)))
-        _define(task, axis, mark, value)
-        axis.aux_index = axis.distance(value)
-
-    task.then = found
     why = f"for the index mark of the auxiliary encoder of axis {axis.number}"
     return Wait(
         began,
@@ -71,6 +73,14 @@ def find_auxiliary_index(task: CommandTask, command: Command) -> Wait:
         due,
         why,
     )
+
+
+def _at_index(task: CommandTask, command: Command) -> None:
+    axis, value, controller = task.axis(command), float(task.value(command)), task.board.controller
+    encoder = controller.encoder(AUXILIARY + axis.number)
+    every = encoder.index_every
+    _define(task, axis, round(encoder.position(controller.clock.now) / every) * every, value)
+    axis.aux_index = axis.distance(value)
 
 
 def _define(task: CommandTask, axis: AxisState, counts: float, value: float) -> None:

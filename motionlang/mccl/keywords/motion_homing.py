@@ -5,27 +5,32 @@ FI and FE search at once; IA and EL arm the search, and a later WI or WE waits f
 
 from __future__ import annotations
 
-from motionlang.lang.waits import Wait
+from motionlang.lang.steps import DO, TRY, WAIT
 from motionlang.mccl.axis.inputs import is_active
 from motionlang.mccl.keywords.flow_waits import passing_flag
-from motionlang.mccl.keywords.row import Group
+from motionlang.mccl.keywords.row import Group, written
 from motionlang.mccl.motion.edge_search import Seek
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mccl.axis.axis import AxisState
+    from collections.abc import Callable
+
+    from motionlang.lang.waits import Wait
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.mccl.runtime.writer import LineWriter
 
 
-def find_index(task: CommandTask, command: Command) -> Wait | None:
-    task.search = _begin(task, command, "index")
-    return _complete(task, task.axis(command), task.search)
+@written
+def find_index(line: LineWriter, command: Command) -> None:
+    line.act(DO, _search("index"))
+    line.act(TRY, _complete)
 
 
-def find_edge(task: CommandTask, command: Command) -> Wait | None:
-    task.search = _begin(task, command, "edge")
-    return _complete(task, task.axis(command), task.search)
+@written
+def find_edge(line: LineWriter, command: Command) -> None:
+    line.act(DO, _search("edge"))
+    line.act(TRY, _complete)
 
 
 def arm_index(task: CommandTask, command: Command) -> None:
@@ -36,44 +41,31 @@ def arm_edge(task: CommandTask, command: Command) -> None:
     _begin(task, command, "edge")
 
 
-def wait_index(task: CommandTask, command: Command) -> Wait | None:
+@written
+def wait_index(line: LineWriter, command: Command) -> None:
     """Wait for the index mark (WI).
 
-    If IA armed the search, the position at the mark gets the value that IA gave.
+    If IA armed the search, the position at the mark gets the value that IA gave. If nothing is armed, the zero is
+    unchanged.
     """
-    axis = task.axis(command)
-    seek = task.board.seeks.get(axis.number)
-    if seek is None or seek.kind != "index":
-        # Nothing is armed: wait for the next mark and leave the zero unchanged.
-        task.search = seek = Seek(task.board, axis, "index", 0.0)
-        task.then = lambda now: _found(task)
-        return _until_caught(task, axis, seek)
-    return _complete(task, axis, seek)
+    line.act(TRY, _complete)
 
 
-def wait_edge(task: CommandTask, command: Command) -> Wait | None:
+@written
+def wait_edge(line: LineWriter, command: Command) -> None:
     """Wait for the home input to be on (0) or off (1).
 
     If an armed edge has been caught, it is applied.
     """
-    board, axis = task.board, task.axis(command)
-    wanted = not task.value(command)
+    line.act(WAIT, _until_input)
+    line.act(DO, _apply_edge)
 
-    def finish(now: float) -> None:
-        seek = board.seeks.get(axis.number)
-        if seek is not None and seek.kind == "edge" and seek.done:
-            del board.seeks[axis.number]
-            seek.apply()
 
-    if is_active(board, axis, "home") is wanted:
-        finish(board.controller.clock.now)
-        return None
-    task.then = finish
-    return passing_flag(
-        board,
-        lambda: is_active(board, axis, "home") is wanted,
-        f"for the home switch of axis {axis.number} to be {'on' if wanted else 'off'}",
-    )
+def _search(kind: str) -> Callable[[CommandTask, Command], None]:
+    def search(task: CommandTask, command: Command) -> None:
+        task.search = _begin(task, command, kind)
+
+    return search
 
 
 def _begin(task: CommandTask, command: Command, kind: str) -> Seek:
@@ -85,30 +77,42 @@ def _begin(task: CommandTask, command: Command, kind: str) -> Seek:
     return seek
 
 
-def _complete(task: CommandTask, axis: AxisState, seek: Seek) -> Wait | None:
-    """Wait until the position is caught, then assign its value."""
-    board = task.board
-
-    def finish(now: float) -> None:
-        _found(task)
-        board.seeks.pop(axis.number, None)
-        if seek.done:
-            seek.apply()
-
-    if seek.done:
-        finish(board.controller.clock.now)
-        return None
-    task.then = finish
-    return _until_caught(task, axis, seek)
-
-
-def _found(task: CommandTask) -> None:
+def _complete(task: CommandTask, command: Command) -> Wait | None:
+    """Wait until the position is caught, then assign its value if the search was armed."""
+    board, axis = task.board, task.axis(command)
+    seek = task.search
+    armed = board.seeks.get(axis.number)
+    if seek is None and armed is not None and armed.kind == "index":
+        seek = armed
+    if seek is None:
+        task.search = seek = Seek(board, axis, "index", 0.0)
+    if not seek.done:
+        what = "the index mark" if seek.kind == "index" else "the home switch"
+        return passing_flag(board, lambda: seek.done, f"for {what} of axis {axis.number}")
     task.search = None
+    if seek is armed:
+        del board.seeks[axis.number]
+        seek.apply()
+    return None
 
 
-def _until_caught(task: CommandTask, axis: AxisState, seek: Seek) -> Wait:
-    what = "the index mark" if seek.kind == "index" else "the home switch"
-    return passing_flag(task.board, lambda: seek.done, f"for {what} of axis {axis.number}")
+def _until_input(task: CommandTask, command: Command) -> Wait | None:
+    board, axis, wanted = task.board, task.axis(command), not task.value(command)
+    if is_active(board, axis, "home") is wanted:
+        return None
+    return passing_flag(
+        board,
+        lambda: is_active(board, axis, "home") is wanted,
+        f"for the home switch of axis {axis.number} to be {'on' if wanted else 'off'}",
+    )
+
+
+def _apply_edge(task: CommandTask, command: Command) -> None:
+    seeks, number = task.board.seeks, task.axis(command).number
+    seek = seeks.get(number)
+    if seek is not None and seek.kind == "edge" and seek.done:
+        del seeks[number]
+        seek.apply()
 
 
 # ------------------------------------------------------------------------------------------------- keywords

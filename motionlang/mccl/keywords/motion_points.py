@@ -7,12 +7,12 @@ from math import inf
 from motionlang.mccl import codes
 from motionlang.mccl.axis.launch import aim
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.motion import movable, start_moves
+from motionlang.mccl.keywords.motion import movable, moves
 from motionlang.mccl.keywords.row import Group
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.waits import Wait
+    from motionlang.mccl.keywords.motion import Targets
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
 
@@ -31,7 +31,8 @@ def learn_target(task: CommandTask, command: Command) -> None:
         task.board.points[point, axis.number] = aim(task.board, axis)
 
 
-def move_to_point(task: CommandTask, command: Command) -> Wait | None:
+@moves
+def move_to_point(task: CommandTask, command: Command) -> Targets:
     """Move to a point.
 
     Without an axis, every axis for which the point was learned moves.
@@ -43,7 +44,7 @@ def move_to_point(task: CommandTask, command: Command) -> Wait | None:
         raise Fault(
             codes.PARAMETER, f"point {point} has not been learned", "LP and LT learn points", "unknown-word"
         )
-    return start_moves(task, command, targets)
+    return targets
 
 
 # ------------------------------------------------------------------------------------------------- keywords

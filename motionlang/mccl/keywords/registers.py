@@ -10,7 +10,7 @@ from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import real
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords.row import Group, polls, pure
+from motionlang.mccl.keywords.row import Group, accumulator, polls, pure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,22 +24,25 @@ if TYPE_CHECKING:
 LARGEST = 1e300
 
 
+@accumulator("sets")
 @polls("parameter")
 def load(task: CommandTask, command: Command) -> None:
     task.registers[0] = limited(task, task.value(command))
 
 
-# It counts its own effect: only a changed register is an effect.
+@accumulator("stores")
 @pure
 def store(task: CommandTask, command: Command) -> None:
     task.set_register(task.whole(command), task.registers[0])
 
 
+@accumulator("recalls")
 @polls("task")
 def recall(task: CommandTask, command: Command) -> None:
     task.registers[0] = task.register(task.whole(command))
 
 
+@accumulator("computes")
 @pure
 def complement(task: CommandTask, command: Command) -> None:
     task.registers[0] = wrapped(~_bits(task.registers[0]))
@@ -64,7 +67,8 @@ def too_large() -> Fault:
     return Fault(codes.PARAMETER, "the result is too large for a register", kind="overflow")
 
 
-def _with(operation: Operation) -> Action:
+def _with(operation: Operation, way: str = "computes") -> Action:
+    @accumulator(way)
     @polls("parameter")
     def apply(task: CommandTask, command: Command) -> None:
         task.registers[0] = limited(task, operation(task.registers[0], task.value(command)))
@@ -79,6 +83,7 @@ def limited(task: CommandTask, value: float | int) -> float | int:
     return wrapped(value)
 
 
+@accumulator("computes")
 @polls("parameter")
 def divide(task: CommandTask, command: Command) -> None:
     value = task.registers[0]
@@ -87,6 +92,7 @@ def divide(task: CommandTask, command: Command) -> None:
     task.registers[0] = limited(task, _quotient(value, task.value(command)))
 
 
+@accumulator("computes")
 @polls("parameter")
 def shift_right(task: CommandTask, command: Command) -> None:
     bits = _bits(task.registers[0])
@@ -124,9 +130,9 @@ ROWS = (
          low=0, high=255),
     _row("RA", "command", "W", "none", "number", recall, "Copy register n to the accumulator.", "RA10,TR0",
          low=0, high=255),
-    _row("AA", "command", "W", "none", "number", Actions("add", do=_with(lambda a, b: a + b)),
+    _row("AA", "command", "W", "none", "number", Actions("add", do=_with(lambda a, b: a + b, "adds")),
          "Add to the accumulator.", "AL5,AA3,TR0"),
-    _row("AS", "command", "W", "none", "number", Actions("subtract", do=_with(lambda a, b: a - b)),
+    _row("AS", "command", "W", "none", "number", Actions("subtract", do=_with(lambda a, b: a - b, "adds")),
          "Subtract from the accumulator.", "AL5,AS3,TR0"),
     _row("AM", "command", "W", "none", "number", Actions("multiply", do=_with(lambda a, b: a * b)),
          "Multiply the accumulator.", "AL246,AM2,TR0"),

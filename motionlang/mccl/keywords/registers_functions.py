@@ -10,7 +10,7 @@ import math
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.registers import limited, too_large
-from motionlang.mccl.keywords.row import Group, polls
+from motionlang.mccl.keywords.row import Group, accumulator, polls
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -51,6 +51,7 @@ FUNCTIONS: tuple[tuple[str, Function], ...] = (
 )
 
 
+@accumulator("computes")
 @polls("parameter")
 def evaluate(task: CommandTask, command: Command) -> None:
     """Replace the accumulator with the value of function n of it.

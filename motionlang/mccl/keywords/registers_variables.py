@@ -8,11 +8,11 @@ from __future__ import annotations
 from motionlang.lang.keyword import Actions
 from motionlang.mccl import codes
 from motionlang.mccl.axis.status import word
-from motionlang.mccl.axis.variables import NAMES, read, read_until, write
+from motionlang.mccl.axis.variables import NAMES, read, write
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords.motion import run_in_velocity_mode
 from motionlang.mccl.keywords.registers import wrapped
-from motionlang.mccl.keywords.row import Group, polls, pure
+from motionlang.mccl.keywords.row import Group, accumulator, polls, pure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.task import CommandTask
 
 
+@accumulator("sets")
 @pure
 def look_up(task: CommandTask, command: Command) -> None:
     """Store the address of a variable in the accumulator (LU).
@@ -39,25 +40,29 @@ def look_up(task: CommandTask, command: Command) -> None:
     task.registers[0] = address
 
 
+@accumulator("reads")
 @polls("position")
 def read_byte(task: CommandTask, command: Command) -> None:
-    task.registers[0] = int(_value(task, command)) & 0xFF
+    task.registers[0] = int(_value(task, command, "low")) & 0xFF
 
 
+@accumulator("reads")
 @polls("position")
 def read_word(task: CommandTask, command: Command) -> None:
-    low = int(_value(task, command)) & 0xFFFF
+    low = int(_value(task, command, "low")) & 0xFFFF
     task.registers[0] = low - 0x10000 if low & 0x8000 else low
 
 
+@accumulator("reads")
 @polls("position")
 def read_long(task: CommandTask, command: Command) -> None:
-    task.registers[0] = wrapped(int(_value(task, command)))
+    task.registers[0] = wrapped(int(_value(task, command, "whole")))
 
 
+@accumulator("reads")
 @polls("position")
 def read_real(task: CommandTask, command: Command) -> None:
-    task.registers[0] = float(_value(task, command))
+    task.registers[0] = float(_value(task, command, "real"))
 
 
 @pure
@@ -80,10 +85,11 @@ def write_real(task: CommandTask, command: Command) -> None:
     _write(task, command, float(task.registers[0]))
 
 
+@accumulator("reads")
 @polls("axis")
 def get_auxiliary(task: CommandTask, command: Command) -> None:
     value, until = word(task.board, task.axis(command), 1)
-    task.poll.dependencies.note(float, until)
+    task.has_read(until)
     task.registers[0] = wrapped(value)
 
 
@@ -101,11 +107,12 @@ def _write(task: CommandTask, command: Command, value: float) -> None:
         run_in_velocity_mode(task, axis)
 
 
-def _value(task: CommandTask, command: Command) -> float | int:
+def _value(task: CommandTask, command: Command, kind: str) -> float | int:
+    """Read a variable; `kind` is what the command takes of it: "real", "whole", or its "low" bits."""
     axis = task.axis(command)
     address = task.whole(command)
     value, until = read(task.board, axis, address)
-    task.poll.dependencies.note(read_until, until, task.here, axis, address)
+    task.has_read(until, axis, address, kind)
     return value
 
 

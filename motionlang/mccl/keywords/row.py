@@ -21,6 +21,26 @@ def pure(action: Action) -> Action:
     return action
 
 
+def written(action: Action) -> Action:
+    """Mark a function that writes the steps of a command, for one that is more than an operation."""
+    action.written = True  # type: ignore[attr-defined]
+    return action
+
+
+def accumulator(way: str) -> Callable[[Action], Action]:
+    """Mark how a pure action treats the accumulator; without a mark it leaves it alone.
+
+    It "sets" it, "reads" a value of the machine into it, "adds" to it, "computes" with it, "compares" it with a number,
+    "tests" a bit of it, "stores" it in a register, or "recalls" it from one.
+    """
+
+    def mark(action: Action) -> Action:
+        action.accumulator = way  # type: ignore[attr-defined]
+        return action
+
+    return mark
+
+
 def polls(kind: str) -> Callable[[Action], Action]:
     """Mark a pure action that reads a value, so that a loop of it polls that value.
 

@@ -8,16 +8,21 @@ from __future__ import annotations
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Rejected
 from motionlang.errors import Diagnostic
+from motionlang.lang.dependencies import Dependencies
+from motionlang.lang.loops import Loops
 from motionlang.lang.machine.machine import MAX_DIAGNOSTICS
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.limits import ALL, Inputs, Limits
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords import of_families
 from motionlang.mccl.models import DEFAULT, MODELS, named
 from motionlang.mccl.motion.contour import MAX_QUEUE, Contour
 from motionlang.mccl.motion.joystick import Joysticks
-from motionlang.mccl.runtime.task import PRIVATE, BackgroundTask
+from motionlang.mccl.runtime.register_uses import PRIVATE
+from motionlang.mccl.runtime.task import BackgroundTask
+from motionlang.mccl.runtime.writer import LineSteps, LineWriter
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -57,7 +62,6 @@ class Board:
     ) -> None:
         self.machine = machine
         self.controller: Controller = machine.controller
-        self.cost = machine.instruction_time
         self.model = _model(machine.model)
         # The assumptions that this board settles differently from the default, by name.
         self.assumptions = machine.assumptions
@@ -72,11 +76,12 @@ class Board:
         self.tasks: list[CommandTask] = []
         self.background: dict[int, BackgroundTask] = {}
         self._last_task = 0
-        # Counts of time slices that tasks take, and of their effects on anything but their accumulators.
-        # `rewrites` counts commands that switch an output to its present level, `waited` waits for a time.
-        self.slices = self.effects = self.rewrites = self.waited = 0
-        self._rounds: Any = None
-        self.at_work: CommandTask | None = None
+        # Counts of the effects of commands on anything but registers, of changes of registers that tasks share, and
+        # of commands that switch an output to its present level.
+        self.effects = self.stores = self.rewrites = 0
+        self.lacks = of_families(self.model.lacks)
+        self.dependencies = Dependencies(self.controller.clock)
+        self.loops = Loops(machine, machine.statements, self)
         self.points: dict[tuple[int, int], float] = {}
         self.records: dict[int, tuple[float, int]] = {}
         self.seeks: dict[int, Seek] = {}
@@ -93,7 +98,7 @@ class Board:
     def reset(self) -> None:
         """Reset to power-up: axes off, units counts and seconds, registers 0, no macros."""
         self.registers: list[float | int] = [0] * self.model.registers
-        self.macros: dict[int, Line] = {}
+        self.macros: dict[int, LineSteps] = {}
         self.time_unit = 1.0
         self.hexadecimal = False
         self.last_error = 0
@@ -275,30 +280,29 @@ class Board:
         """True if another task is ready to run."""
         return any(other.wait is None and other is not task and not other.done for other in self.tasks)
 
-    def count_time_slice(self, task: CommandTask) -> None:
-        """Count a time slice if a task other than the last one begins to run."""
-        if self.at_work is not task:
-            self.at_work = task
-            self.slices += 1
+    # ---------------------------------------------------------------------------------------- for the rule of loops
 
-    def jumped(self, task: CommandTask) -> None:
-        """Skip whole rounds of commands when a task jumps back while another one can run."""
-        if self._rounds is None:
-            make = self.machine.accelerators.rounds
-            if make is None:
-                return
-            self._rounds = make(self)
-        self._rounds.jumped(task)
+    @property
+    def shared(self) -> list[Any]:
+        """The registers of all tasks."""
+        return self.registers
 
-    def next_wake(self, task: CommandTask) -> float:
-        """Return the earliest time at which another task may do something."""
-        time = INFINITY
-        for other in self.tasks:
-            if other is not task and not other.done:
-                if other.wait is None:
-                    return self.controller.clock.now
-                time = min(time, other.wait.due())
-        return time
+    @property
+    def running(self) -> CommandTask:
+        """The task that runs."""
+        return self.loops.task  # type: ignore[return-value]  # all tasks of a board are of this class
+
+    def changes(self) -> tuple[int, int]:
+        """Return counters of the effects of commands, and of events."""
+        return self.effects, self.controller.clock.fired
+
+    def acted(self) -> tuple[int, ...]:
+        """Return counters of all that a loop could wait for."""
+        return *self.changes(), self.stores, self.rewrites
+
+    def written(self, line: Line) -> LineSteps:
+        """Return the steps of a line on this board."""
+        return LineWriter(line, self).steps
 
     # -------------------------------------------------------------------------------------------------- tasks
 
@@ -310,7 +314,7 @@ class Board:
         """Add another task that executes a host's lines."""
         self.tasks.append(task)
 
-    def start_task(self, macro: Line, issuer: CommandTask) -> int:
+    def start_task(self, macro: LineSteps, issuer: CommandTask) -> int:
         """Run a macro in the background and return the task's number.
 
         Its replies go to the same writer as the issuer's. Raises Fault if too many tasks run.

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from motionlang.lang.debugging import Frame, Variable
-from motionlang.mccl.runtime.task import PRIVATE, CommandTask
+from motionlang.mccl.runtime.register_uses import PRIVATE
+from motionlang.mccl.runtime.task import CommandTask
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.lang.steps import Steps
     from motionlang.lang.task import Task
-    from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.board import Board
 
 # A register has 32 bits; a number with a fraction is a float of 64.
@@ -35,16 +36,15 @@ class Inspection:
         """
         assert isinstance(task, CommandTask)
         private = [_register(task, number) for number in range(PRIVATE)]
-        found = [Frame(self._title(task.line), task.offset if offset is None else offset, private)]
-        for line, pc, _ in reversed(task.calls):
-            at = line.offsets[pc - 1] if 0 < pc <= len(line.offsets) else 0
-            found.append(Frame(self._title(line), at, private))
+        found = [Frame(self._title(task.steps), task.at if offset is None else offset, private)]
+        for call in reversed(task.calls[1:]):
+            found.append(Frame(self._title(call.steps), call.steps[call.pc - 1].at, private))
         return found
 
     def depth(self, task: Task) -> int:
         """Return the number of macro calls that the task is in."""
         assert isinstance(task, CommandTask)
-        return len(task.calls)
+        return max(len(task.calls) - 1, 0)
 
     def unlisted(self, task: Task | None, name: str) -> Variable | None:
         """Return a register by its name, such as R10, as seen by a task."""
@@ -55,9 +55,9 @@ class Inspection:
             return None
         return _register(task, int(number))
 
-    def _title(self, line: Line | None) -> str:
+    def _title(self, steps: Steps) -> str:
         for number, macro in self._board.macros.items():
-            if macro is line:
+            if macro is steps:
                 return f"macro {number}"
         return "main"
 

@@ -5,8 +5,6 @@ Each line is sent when the previous one has ended.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from motionlang.controller.clock import INFINITY
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import Machine
@@ -74,58 +72,35 @@ class MacroFile(Program):
         return task
 
 
-class TextTask(CommandTask):
-    """The foreground task that executes the lines of a text.
-
-    `_stray` is the offset of the last invalid line.
-    """
-
-    __slots__ = ("_lines", "_stray")
-
-    def __init__(self, name: str, board: Board, lines: Iterable[Line | tuple[Fault, int, int]]) -> None:
-        super().__init__(name, board)
-        board.foreground(self)
-        self._lines = iter(lines)
-        self._stray = 0
-
-    def next_line(self) -> Line | None:
-        """Return the next valid line, reporting the faults of invalid ones."""
-        for line in self._lines:
-            if isinstance(line, Line):
-                return line
-            fault, self._stray, _ = line
-            self.line = None
-            self._refused(fault)
-        return None
-
-
-class FileTask(TextTask):
+class FileTask(CommandTask):
     """Sends the lines of a file, and finally waits for remaining background tasks."""
 
-    __slots__ = ("_source",)
-
     def __init__(self, program: MacroFile, board: Board) -> None:
-        super().__init__(program.source.name, board, program.lines)
+        super().__init__(program.source.name, board)
+        board.foreground(self)
         self._source = program.source
-
-    @property
-    def at(self) -> int:
-        return super().at if self.line is not None else self._stray
+        self.carry_out(program.lines)
 
     def override(self, values: dict[str, float | str]) -> None:
         """Set registers by name."""
         override(self, values)
 
-    def _rest(self, now: float) -> Wait | None:
+    def rest(self) -> Wait | None:
+        """Return the wait for background tasks; None if none can do anything more."""
         board = self.board
         left = board.background
         if self._nothing_left():
             board.ended(self)
-            self.done = True
             board.machine.notes.update((remark_on(self._source, task), None) for task in left.values())
             return None
         names = ", ".join(str(number) for number in left)
-        return Wait(now, self._nothing_left, lambda: INFINITY, f"for background task {names} to end", "task")
+        return Wait(
+            self.clock.now,
+            self._nothing_left,
+            lambda: INFINITY,
+            f"for background task {names} to end",
+            "task",
+        )
 
     def _nothing_left(self) -> bool:
         """True if no background task can do anything more.
@@ -146,21 +121,20 @@ class FileTask(TextTask):
 def _only_watches(task: CommandTask) -> bool:
     """True if a task polls a value that no event changes, or waits for an input."""
     wait = task.wait
-    return task.poll.is_hopeless() or (wait is not None and wait.cause == "input" and wait.due() == INFINITY)
+    return task.is_futile or (wait is not None and wait.cause == "input" and wait.due() == INFINITY)
 
 
 def remark_on(source: Source, task: CommandTask) -> str:
     """Return a remark on a background task that still polls after the foreground ends."""
     line, _, _ = locate(source, task.at)
-    poll = task.poll
-    if poll.is_hopeless():
-        seen = " and ".join(poll.watched())
-        doing, since = f"polled {seen}" if seen else "ran a loop that polls nothing", poll.hopeless
+    if task.is_futile:
+        seen = " and ".join(task.watched())
+        doing, since = f"polled {seen}" if seen else "ran a loop that polls nothing", task.futile_since
     else:
         assert task.wait is not None
         doing, since = f"waited {task.wait.why}", task.wait.since
     macro = next(
-        (f" (macro {number})" for number, each in task.board.macros.items() if each is task.line), ""
+        (f" (macro {number})" for number, each in task.board.macros.items() if each is task.steps), ""
     )
     return (
         f"line {line}: background {task.name}{macro} still {doing} when the foreground ended; nothing could "

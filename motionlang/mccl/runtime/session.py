@@ -5,11 +5,14 @@ from __future__ import annotations
 from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import Interactive
 from motionlang.lang.machine.machine import Machine
+from motionlang.lang.steps import Steps, Values
 from motionlang.lang.task import Task
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.board import Board
-from motionlang.mccl.runtime.program import TextTask, locate, override
+from motionlang.mccl.runtime.program import locate, override
+from motionlang.mccl.runtime.register_uses import PRIVATE
 from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.runtime.writer import LineSteps
 from motionlang.source import Source
 
 
@@ -21,7 +24,7 @@ class Session(Interactive):
     def __init__(self, machine: Machine) -> None:
         self.board = Board(machine, self._complain)
         self._machine = machine
-        first = LineTask(self.board, Source("input", ""))
+        first = LineTask(self.board, Source("input", ""), [0] * PRIVATE)
         override(first, machine.overrides)
         self._registers = first.registers
 
@@ -31,30 +34,28 @@ class Session(Interactive):
         An error gives a `?` code and a diagnostic of the machine.
         """
         self.board.forget_complaints()
-        task = LineTask(self.board, source)
-        task.registers = self._registers
-        return task
+        return LineTask(self.board, source, self._registers)
 
     def _complain(self, diagnostic: Diagnostic, task: CommandTask) -> None:
         line = task.line
         if line is not None:
             # The command may be in a macro from an earlier text: its offset is in that text.
-            _, diagnostic.column, diagnostic.length = locate(Source("input", line.origin), task.offset)
+            _, diagnostic.column, diagnostic.length = locate(Source("input", line.origin), task.at_statement)
             diagnostic.line = line.number
         elif isinstance(task, LineTask):
             diagnostic.line, diagnostic.column, diagnostic.length = locate(task.source, task.at)
         self._machine.complain(diagnostic)
 
 
-class LineTask(TextTask):
+class LineTask(CommandTask):
     """Executes the lines of a text; background tasks run independently."""
 
-    __slots__ = ("_entered", "source")
-
-    def __init__(self, board: Board, source: Source) -> None:
-        super().__init__("terminal", board, lines_of(source.text))
+    def __init__(self, board: Board, source: Source, registers: list[float | int]) -> None:
+        super().__init__("terminal", board, registers)
+        board.foreground(self)
         self.source = source
-        self._entered = 0
+        self._begin = 0
+        self.carry_out(lines_of(source.text))
 
     @property
     def at(self) -> int:
@@ -62,17 +63,14 @@ class LineTask(TextTask):
 
         For a macro from an earlier text, this is the offset of the command that called it.
         """
-        if self.line is None:
-            return self._stray
-        if self.line.origin is self.source.text:
-            return self.offset
-        for line, pc, _ in self.calls:
-            if line.origin is self.source.text:
-                return line.offsets[pc - 1]
-        return self._entered
+        if self.line is None or self.line.origin is self.source.text:
+            return super().at
+        for call in self.calls:
+            steps = call.steps
+            if isinstance(steps, LineSteps) and steps.line.origin is self.source.text:
+                return steps[call.pc - 1].at
+        return self._begin
 
-    def next_line(self) -> Line | None:
-        line = super().next_line()
-        if line is not None:
-            self._entered = line.offsets[0]
-        return line
+    def enter(self, line: Line) -> tuple[Steps, Values]:
+        self._begin = line.offsets[0]
+        return super().enter(line)

@@ -1,31 +1,25 @@
-"""A task of the controller's interpreter.
-
-It has a line of commands, a program counter, and the duration of a command. Time is `base + count *
-cost`, so that it is the same number whether commands are run one by one or skipped together.
-"""
+"""A task of the controller's interpreter: it carries out lines of commands."""
 
 from __future__ import annotations
 
-from motionlang.controller.clock import INFINITY
+from typing import TYPE_CHECKING, Any
+
 from motionlang.controller.faults import Rejected
-from motionlang.lang.task import Task
-from motionlang.lang.waits import until_idle
+from motionlang.lang.step_task import StepTask
+from motionlang.lang.steps import CALL, END, JUMP, TRY, WAIT, Steps, Values
+from motionlang.lang.variable_uses import Copy
 from motionlang.mccl import codes
-from motionlang.mccl.codes import Fault
-from motionlang.mccl.keywords import of_families
-from motionlang.mccl.models import missing
-from motionlang.mccl.motion.path import DESCRIBES
+from motionlang.mccl.axis.variables import changes_by_event, crossing_time, levels
+from motionlang.mccl.codes import Abandoned, Fault
 from motionlang.mccl.resolve.command import NONE, REGISTER, TEXT
 from motionlang.mccl.resolve.decode import checked
-from motionlang.mccl.runtime.loop_log import LoopLog
-from motionlang.mccl.runtime.poll import Poll
+from motionlang.mccl.runtime.register_uses import ACCUMULATOR, PRIVATE
+from motionlang.mccl.runtime.writer import LineSteps
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
     from typing import TypeAlias
 
-    from motionlang.lang.scheduler import Scheduler
     from motionlang.lang.waits import Wait
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.motion.edge_search import Seek
@@ -34,10 +28,8 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.board import Board
 
-    Action: TypeAlias = Callable[["CommandTask", Command], Wait | None]
-    Then: TypeAlias = Callable[[float], Wait | None]
+    Action: TypeAlias = Callable[[Any, Command], Wait | None]
 
-PRIVATE = 10
 # Formats of a report of an axis, by the machine file's assumption `mccl.reply-form`.
 FORMS: dict[object, str] = {
     "01 1234": "{:02d} {}\n",
@@ -47,90 +39,89 @@ FORMS: dict[object, str] = {
 }
 # The largest depth of macro calls.
 MAX_DEPTH = 100
-# Commands between two returns to the scheduler, so that a busy program can be paced and interrupted.
-SLICE = 20_000
+# The values of a call: the task's registers 0 to 9, the same in all its calls, and how often each RP still repeats.
+REGISTERS, REPEATS = 0, 1
 
 
-class CommandTask(Task):
-    """Executes lines one after another; `next_line` supplies them.
+class CommandTask(StepTask):
+    """Carries out lines; the outermost of its calls is that of the line.
 
-    `line` is the current line or macro, `pc` the index of its next command, `calls` the lines to return to.
-    `registers` 0 to 9 are the task's own. `then` is called after the wait that the task is in.
+    `registers` 0 to 9 are the task's own.
     """
 
-    __slots__ = (
-        "base",
-        "board",
-        "calls",
-        "cost",
-        "count",
-        "here",
-        "horizon",
-        "lacks",
-        "line",
-        "loop_log",
-        "paid",
-        "path_open",
-        "pc",
-        "poll",
-        "registers",
-        "repeats",
-        "search",
-        "then",
-        "write",
-    )
+    recovers = (Fault, Rejected, Abandoned)
+    max_depth = MAX_DEPTH
 
-    def __init__(self, name: str, board: Board) -> None:
-        super().__init__(name)
+    def __init__(self, name: str, board: Board, registers: list[float | int] | None = None) -> None:
+        self.registers: list[float | int] = [0] * PRIVATE if registers is None else registers
+        super().__init__(name, Steps(), [self.registers, {}], board.loops)
         self.board = board
-        self.cost = board.cost
-        self.lacks = of_families(board.model.lacks)
+        self.hook = board.hook
+        self.lacks = board.lacks
         self.write = board.write
-        self.registers: list[float | int] = [0] * PRIVATE
-        self.line: Line | None = None
-        self.pc = 0
-        self.repeats: dict[int, int] = {}
-        self.calls: list[tuple[Line, int, dict[int, int]]] = []
-        self.then: Then | None = None
+        # Moves that the current command starts when their axes have come to rest: axes and targets, counts.
+        self.later: list[tuple[int, float]] = []
         # The search that the current command has begun and waits for.
         self.search: Seek | None = None
         # The contour path that the commands of the line are describing.
         self.path_open: Path | None = None
-        self.here = 0
-        # The end of the time slice; the machine time of the first command, and the number of commands since.
-        self.horizon = INFINITY
-        self.base = 0.0
-        self.count = 0
-        self.paid = False
-        self.poll = Poll(self)
-        self.loop_log = LoopLog(self)
+        # The reading in the accumulator: until when it is valid, its axis and address, and what it has of it.
+        self.reading: tuple[float, AxisState | None, int, str] | None = None
+        # The offset of the last line that was no line.
+        self.stray = 0
+        # The line that a host has sent.
+        self._entered: Line | None = None
 
-    # ------------------------------------------------------------------------------------- for the scheduler
+    # ---------------------------------------------------------------------------------------- as a task of steps
 
     @property
     def at(self) -> int:
-        return self.offset
+        return max(self.at_statement, 0) if self.calls else self.stray
 
     @property
-    def offset(self) -> int:
-        """The offset of the current command in the text that contained its line."""
-        line = self.line
-        return line.offsets[self.here] if line is not None and self.here < len(line.offsets) else 0
+    def repeats(self) -> dict[int, int]:
+        """How often each RP of the present line or macro still repeats, by the index of its command."""
+        return self.values[REPEATS]  # type: ignore[no-any-return]
 
     @property
-    def stack(self) -> tuple[int, ...]:
-        called = (line.offsets[pc - 1] for line, pc, _ in self.calls if 0 < pc <= len(line.offsets))
-        return (*called, self.offset)
+    def own(self) -> Values:
+        return self.registers
+
+    def context(self) -> object:
+        return (
+            tuple(self.repeats.items()),
+            *[(id(call.steps), call.pc, *call.values[REPEATS].items()) for call in self.calls],
+        )
+
+    def others_ready(self) -> bool:
+        return len(self.board.tasks) > 1 and self.board.is_shared(self)
+
+    def recover(self, error: Exception) -> None:
+        """Answer a refused command; go on with the next one, or leave the line and its macros."""
+        if self.done:
+            return  # it has ended itself
+        if isinstance(error, Abandoned) or self.refused(error):  # type: ignore[arg-type]
+            if not self.calls:
+                self.pc += 1
+            self.abandon()
+        elif isinstance(self.steps, LineSteps):
+            self.pc = self.steps.after(self.pc)
+
+    def too_deep(self) -> Fault:
+        """Return the fault of macros that are nested too deeply."""
+        return Fault(
+            codes.PARAMETER,
+            f"macros are nested deeper than {MAX_DEPTH}",
+            "a macro that calls itself never returns; MJ jumps without returning",
+            "recursion",
+        )
+
+    # -------------------------------------------------------------------------------------------------- lines
 
     @property
-    def stack_offsets(self) -> tuple[int, tuple[int, ...]]:
-        if self.calls:
-            return super().stack_offsets
-        return self.offset, ()
-
-    @property
-    def loops(self) -> list[tuple[int, float, tuple[int, ...]]]:
-        return self.loop_log.open()
+    def line(self) -> Line | None:
+        """The line or macro that it carries out."""
+        return self.steps.line if isinstance(self.steps, LineSteps) else None
 
     @property
     def source_line(self) -> int:
@@ -140,81 +131,92 @@ class CommandTask(Task):
     @property
     def word(self) -> str:
         """The mnemonic of the current command."""
-        line = self.line
-        return line.commands[self.here].name if line is not None and self.here < len(line.commands) else ""
+        command = self.steps.command(self.pc) if isinstance(self.steps, LineSteps) else None
+        return "" if command is None else command.name
 
-    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
-        """Run commands until the horizon, a wait or another task's time slice.
+    def enter(self, line: Line) -> tuple[Steps, Values]:
+        """Return the call of a line."""
+        return self.board.written(line), self.new_values()
 
-        Returns the time, s, and the wait, if any.
-        """
-        if now != self.base + self.count * self.cost:
-            self.base, self.count = now, 0
-        self.horizon = horizon
-        board, cost, lacks, gated = self.board, self.cost, self.lacks, self.gated
-        clock, left = board.controller.clock, SLICE
-        wait = self._go_on(now)
-        if wait is not None:
-            if (wait := self._pass(wait)) is not None:
-                return now, wait
-            now = clock.now
-        if (hook := board.hook) is not None:
-            tally = hook.tally
-        loop_log = self.loop_log
-        if shared := len(board.tasks) > 1:
-            board.count_time_slice(self)
-            shared = board.is_shared(self)
-        while left:
-            line, pc = self.line, self.pc
-            if line is None or pc >= len(line.commands):
-                if loop_log.running:
-                    loop_log.left()
-                if self._step_out():
-                    continue
-                return now, self._rest(now)
-            if self.paid:
-                self.paid = False
+    def new_values(self) -> Values:
+        """Return the values of a call of a line or a macro."""
+        return [self.registers, {}]
+
+    def carry_out(self, lines: Iterable[Line | tuple[Fault, int, int]]) -> None:
+        """Carry out these lines and then `rest`; a line that is no line is refused."""
+        for line in lines:
+            if isinstance(line, tuple):
+                self.steps.add(WAIT, self._stray(*line[:2]))
             else:
-                self.count += 1
-                now = self.base + self.count * cost
-                if now >= self.horizon or now >= clock.horizon:
-                    self.paid = True
-                    return now, None
-                clock.now = now
-            if gated and (wait := self._gate(line)) is not None:
-                return now, wait
-            if hook is not None:
-                tally[0] = begun = tally[0] + 1
-                if begun >= tally[1]:
-                    hook.consider(self, now, line.offsets[pc])
-            if pc > loop_log.end:
-                loop_log.passed()
-            # One command. It is inlined, because a call would be a tenth of its cost.
-            command = line.commands[pc]
-            self.here, self.pc = pc, pc + 1
-            if not command.pure:
-                board.effects += 1
-            try:
-                if self.path_open is not None and command.verb not in DESCRIBES:
-                    self.close_path()
-                if command.name in lacks and command.row is not None:
-                    raise missing(board.model, command.row)
-                wait = command.action(self, command)
-            except (Fault, Rejected) as trouble:
-                self._refused(trouble)
-            else:
-                if wait is not None:
-                    if (wait := self._pass(wait)) is not None:
-                        return now, wait
-                    now = clock.now
-            if not command.pure:  # it may have started or ended a task
-                shared = board.is_shared(self)
-            if shared:
-                return self.base + self.count * cost, None
-            left -= 1
-        return now, None
+                self.steps.add(CALL, self._call(line))
+        self.steps.add(TRY, lambda values: self.rest())
+        self.steps.add(END)
 
-    # ----------------------------------------------------------------------------------------- for the actions
+    def serve(self) -> None:
+        """Carry out the lines that `next_line` supplies, one by one."""
+        self.steps.add(TRY, lambda values: self._await_line())
+        self.steps.add(CALL, self._enter_next)
+        self.steps.add(JUMP, to=0)
+
+    def next_line(self) -> Line | None:
+        """Return the next line to carry out, None if there is none now."""
+        return None
+
+    def rest(self) -> Wait | None:
+        """Return the wait after the last line; None ends the task."""
+        return None
+
+    def abandon(self) -> None:
+        """Leave the current line and all macros around it."""
+        if self.calls:
+            self.steps, self.pc, self.values = self.calls[0]
+            self.calls.clear()
+        self.loop_log.leave()
+        self.is_paid, self.path_open = False, None
+        if self.search is not None:
+            self.search.withdraw()
+            self.search = None
+
+    def refused(self, trouble: Fault | Rejected) -> bool:
+        """Answer a rejected command; return True if the rest of the line is to be skipped."""
+        return self.board.refused(self, trouble)
+
+    def close_path(self) -> None:
+        """Complete the contour path that the line describes."""
+        path, self.path_open = self.path_open, None
+        if path is not None:
+            path.close(self)
+
+    def _call(self, line: Line) -> Callable[[Values], tuple[Steps, Values]]:
+        def call(values: Values) -> tuple[Steps, Values]:
+            if self.board.machine.world is not None:
+                self.board.machine.world.reach(line.number)
+            # A macro that the line calls is not at the position of its last call.
+            self.board.effects += 1
+            return self.enter(line)
+
+        return call
+
+    def _stray(self, fault: Fault, at: int) -> Callable[[Values], None]:
+        def refuse(values: Values) -> None:
+            self.stray = at
+            raise fault
+
+        return refuse
+
+    def _enter_next(self, values: Values) -> tuple[Steps, Values]:
+        assert self._entered is not None
+        return self.enter(self._entered)
+
+    def _await_line(self) -> Wait | None:
+        line = self.next_line()
+        if line is None:
+            return self.rest()
+        self._entered = line
+        self.board.effects += 1
+        return None
+
+    # -------------------------------------------------------------------------------------------- for the actions
 
     def reply(self, text: str) -> None:
         """Write one line of a reply."""
@@ -278,190 +280,86 @@ class CommandTask(Task):
     def set_register(self, number: int, value: float | int) -> None:
         """Set a register."""
         if number < PRIVATE:
-            if number and self.registers[number] != value:
-                self.board.effects += 1
             self.registers[number] = value
             return
         if number >= len(self.board.registers):
             raise self._no_register(number)
         if self.board.registers[number] != value:
-            self.board.effects += 1
+            self.board.stores += 1
         self.board.registers[number] = value
 
-    def call(self, line: Line) -> None:
-        """Execute a macro, then return."""
-        if len(self.calls) >= MAX_DEPTH:
-            raise Fault(
-                codes.PARAMETER,
-                f"macros are nested deeper than {MAX_DEPTH}",
-                "a macro that calls itself never returns; MJ jumps without returning",
-                "recursion",
-            )
-        if self.line is not None:
-            self.calls.append((self.line, self.pc, self.repeats))
-        self.enter(line)
+    def has_read(self, until: float, axis: AxisState | None = None, address: int = 0, kind: str = "") -> None:
+        """Record that the accumulator has a reading, valid until a time if nothing happens.
 
-    def enter(self, line: Line) -> None:
-        """Execute a line from its first command."""
-        self.line, self.pc, self.repeats = line, 0, {}
-        self.loop_log.entered = self.base + self.count * self.cost
-        if self.loop_log.running:
-            self.loop_log.find_end()
-
-    def jump(self, target: int) -> Wait | None:
-        """Continue with command `target` of the line."""
-        assert self.line is not None
-        if not 0 <= target <= len(self.line.commands):
-            first: int = self.board.assumptions.get("mccl.jump-base", 0)  # type: ignore[assignment]
-            last = first + len(self.line.commands) - 1
-            raise Fault(
-                codes.PARAMETER,
-                f"there is no command {first + target} here",
-                f"they are numbered {first} to {last}",
-                "range",
-            )
-        here, log = self.here, self.loop_log
-        self.pc = target
-        if target > here:
-            return None
-        if here != log.end or target != log.target:
-            log.back(self.line, target, here)
-        return self.poll.again()
-
-    def abandon(self) -> None:
-        """Leave the current line and all macros around it."""
-        self.calls.clear()
-        self.loop_log.left()
-        self.line, self.repeats, self.then, self.paid = None, {}, None, False
-        self.path_open = None
-        if self.search is not None:
-            self.search.withdraw()
-            self.search = None
-
-    def comes_to_rest(self, axes: tuple[int, ...]) -> bool:
-        """Let time pass within the slice until axes are at rest; False to yield."""
-        scheduler = self.board.machine.scheduler
-        if scheduler is None:
-            return False
-        since = scheduler.clock.now
-        if not scheduler.comes_to_rest(since, self.board.controller.end_of_moves(axes)):
-            return False
-        at, callers = self.stack_offsets
-        now = self._continue(scheduler)
-        scheduler.waited((self.name, at, since, now, "axis", axes, until_idle(axes), callers))
-        return True
-
-    # ----------------------------------------------------------------------------------------- for subclasses
-
-    def next_line(self) -> Line | None:
-        """Return the next line to execute, or None at the end."""
-        return None
-
-    # True if `_gate` is called before each command.
-    gated = False
-
-    def _gate(self, line: Line) -> Wait | None:
-        """Return the wait before the next command of a line, if any."""
-        return None
-
-    def _rest(self, now: float) -> Wait | None:
-        """Return the wait after the last line; None ends the task."""
-        self.done = True
-        return None
-
-    # ------------------------------------------------------------------------------------------------ private
-
-    def _go_on(self, now: float) -> Wait | None:
-        while self.then is not None:
-            then, self.then = self.then, None
-            try:
-                wait = then(now)
-            except (Fault, Rejected) as trouble:
-                self._refused(trouble)
-                return None
-            if wait is not None:
-                return wait
-        return None
-
-    def _pass(self, wait: Wait) -> Wait | None:
-        """Let waits pass within the time slice if nothing else can happen meanwhile.
-
-        Returns the wait for which the task must yield, if any.
+        `kind` is what it has of the variable of an axis: "real", "whole", or its "low" bits.
         """
-        scheduler = self.board.machine.scheduler
-        if scheduler is None:
-            return wait
-        left: Wait | None = wait
-        while left is not None and scheduler.passes(left):
-            now = self._continue(scheduler)
-            scheduler.waited(self.waited(left, now))
-            left = self._go_on(now)
-        return left
+        self.reading = until, axis, address, kind
+        self.board.dependencies.note(Copy(self.pc, ACCUMULATOR), _valid, until)
 
-    def _continue(self, scheduler: Scheduler) -> float:
-        """Continue at the present machine time and return that time."""
-        clock = scheduler.clock
-        now, horizon, until = clock.now, clock.horizon, scheduler.until
-        if now != self.base + self.count * self.cost:
-            self.base, self.count = now, 0
-        self.horizon = horizon if horizon < until else until
-        return now
+    def tested(self, command: Command, is_bit: bool) -> None:
+        """Record when a test of the accumulator gives another result, if that has a reading."""
+        board, dependencies = self.board, self.board.dependencies
+        if self.reading is None or dependencies.notes is None:
+            return
+        until, axis, address, kind = self.reading
+        value = self.value(command)
+        if is_bit and axis is not None and changes_by_event(board, address, [int(value)]):
+            return
+        if until > self.clock.now:
+            dependencies.note(_valid, until)
+        elif is_bit or axis is None or kind == "low":
+            dependencies.note(dependencies.at_once)
+        else:
+            for level in levels(command.verb, value, kind == "whole"):
+                dependencies.note(crossing_time, board, axis, address, level)
 
-    def _refused(self, trouble: Fault | Rejected) -> None:
-        if self.board.refused(self, trouble):
-            self.abandon()
+    # ------------------------------------------------------------------------------------------- for the report
 
-    def close_path(self) -> None:
-        """Complete the contour path that the line describes."""
-        path, self.path_open = self.path_open, None
-        if path is not None:
-            path.close(self)
+    @property
+    def is_futile(self) -> bool:
+        """True if only an event, or another task, can change its loop, and neither has acted."""
+        return self.futile_since is not None and self.futile_after == self.board.acted()
 
-    def _step_out(self) -> bool:
-        """Return from a macro, or begin the next line; return False if there is none."""
-        if self.path_open is not None:
-            try:
-                self.close_path()
-            except (Fault, Rejected) as trouble:
-                self._refused(trouble)
-        if self.calls:
-            self.line, self.pc, self.repeats = self.calls.pop()
-            self.loop_log.find_end()
-            return True
-        line = self.next_line()
-        self.line = line
-        if line is None:
-            return False
-        if self.board.machine.world is not None:
-            self.board.machine.world.reach(line.number)
-        # A macro that the line calls is not at the position of its last call.
-        self.board.effects += 1
-        self.enter(line)
-        return True
+    def watched(self) -> list[str]:
+        """Return what a futile loop polls: channels, and other commands that read."""
+        steps, first, last = self.last_loop
+        assert isinstance(steps, LineSteps)
+        found: dict[str, None] = {}
+        macros = dict(self.board.macros)
+        bodies = [steps.line.commands[steps.index_of(first) : steps.index_of(last) + 1]]
+        for commands in bodies:  # the list grows meanwhile
+            for command in commands:
+                if command.verb == "call_macro" and command.value in macros:
+                    bodies.append(macros.pop(int(command.value)).line.commands)
+                elif command.polls == "input":
+                    found[f"channel {command.text.lstrip(_LETTERS)}"] = None
+                elif command.polls:
+                    found[command.text] = None
+        return list(found)
 
     def _no_register(self, number: int) -> Fault:
         last = len(self.board.registers) - 1
         return Fault(codes.PARAMETER, f"there is no register {number}", f"registers are 0 to {last}", "range")
 
 
+_LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
+
+
+def _valid(until: float) -> float:
+    """Return until when a reading is valid."""
+    return until
+
+
 class BackgroundTask(CommandTask):
     """A macro in the background; the task ends with the macro."""
 
-    __slots__ = ("_number",)
-
-    def __init__(self, number: int, board: Board, macro: Line) -> None:
+    def __init__(self, number: int, board: Board, macro: LineSteps) -> None:
         super().__init__(f"task {number}", board)
-        self._number = number
-        self.base = board.controller.clock.now
-        self.enter(macro)
+        self.steps.add(CALL, lambda values: (macro, self.new_values()))
+        self.steps.add(END, lambda values: board.ended(self))
 
     def end(self) -> None:
         """End the task from outside; the scheduler drops it at its next time slice."""
         self.board.ended(self)
         self.done = True
         self.wait = None
-
-    def _rest(self, now: float) -> Wait | None:
-        self.board.ended(self)
-        self.done = True
-        return None

@@ -254,7 +254,7 @@ def test_an_error_of_our_own_costs_one_line(monkeypatch: pytest.MonkeyPatch) -> 
     console, port = board()
     other = console.open(echo=False)
     other.take()
-    monkeypatch.setattr("motionlang.mccl.hosts.port.PortTask._gate", lambda task, line: 1 / 0)
+    monkeypatch.setattr("motionlang.mccl.hosts.port.PortTask.gate", lambda task: 1 / 0)
     port.feed(b"1TP\r")
     other.feed(b"1TP\r")
     with pytest.raises(ZeroDivisionError) as trouble:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from motionlang.lang.dependencies import Dependencies
-from motionlang.mccl.runtime.poll import Poll
+from motionlang.lang.loops import Loops
 from motionlang.mccl.runtime.task import CommandTask
 from tests.cases import cases
 from tests.mccl.conftest import Runner
@@ -100,7 +100,7 @@ def outcome(runner: Runner, text: str) -> dict[str, Any]:
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_skipping_changes_nothing(name: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
     skipped = outcome(mccl, PROGRAMS[name])
-    monkeypatch.setattr(Poll, "again", lambda self: None)
+    monkeypatch.setattr(Loops, "back", lambda self, task, here, t, is_inside=True: (t, None))
     assert outcome(mccl, PROGRAMS[name]) == skipped
     assert skipped["output"]
 
@@ -113,13 +113,13 @@ def test_an_iteration_that_reads_a_position_is_skipped_whatever_the_type(
 
     At most eleven are carried out.
     """
-    rounds, again = [0], Poll.again
+    rounds, back = [0], Loops.back
 
-    def count(poll: Poll) -> object:
+    def count(*given: Any) -> Any:
         rounds[0] += 1
-        return again(poll)
+        return back(*given)
 
-    monkeypatch.setattr(Poll, "again", count)
+    monkeypatch.setattr(Loops, "back", count)
     result = mccl(f'LU"POSITION",AR20\n1MN,1SV1000,1MR50000\n1{read}@20,IB45000.5,JR-2,NO,1TP,1WS')
     assert result.output == ["01 45001"]
     assert rounds[0] <= 11
@@ -144,24 +144,24 @@ def test_eight_hours_of_polling(mccl: Runner) -> None:
     ("watch", "most"),
     [
         ("IN5,CN34,NO,IF5,CF34,NO,1RL@21,IC3,JR-9,NO", 6),
-        ("1RL@20,IG2000,CN34,NO,IB2001,CF34,NO,1RL@21,IC3,JR-9,NO", 6),
-        ("1RL@22,IG1,CN34,NO,1RL@21,IC3,JR-6,NO", 3),
-        ("IN5,1ST,NO,1RL@21,IC3,JR-5,NO", 3),
-        ("WA0.0005,1RL@20,IG2000,CN34,NO,1RL@21,IC3,JR-7,NO", 5),
+        ("1RL@20,IG2000,CN34,NO,IB2001,CF34,NO,1RL@21,IC3,JR-9,NO", 10),
+        ("1RL@22,IG1,CN34,NO,1RL@21,IC3,JR-6,NO", 4),
+        ("IN5,1ST,NO,1RL@21,IC3,JR-5,NO", 4),
+        ("WA0.0005,1RL@20,IG2000,CN34,NO,1RL@21,IC3,JR-7,NO", 8),
     ],
 )
 def test_an_hour_of_watching_is_over_at_once(
     watch: str, most: int, mccl: Runner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """At 1 count/s, 3600 counts take an hour, and a ramp takes 1 s more."""
-    jumps, again = 0, Poll.again
+    jumps, again = 0, Loops.back
 
-    def counted(poll: Poll) -> object:
+    def counted(*given: Any) -> Any:
         nonlocal jumps
         jumps += 1
-        return again(poll)
+        return again(*given)
 
-    monkeypatch.setattr(Poll, "again", counted)
+    monkeypatch.setattr(Loops, "back", counted)
     variables = 'LU"POSITION",AR20,LU"STATUS",AR21,LU"VELOCITY",AR22'
     result = mccl(f"{variables}\n1MN,1SV1,1SA1,1DS1,1MR3600\n{watch}", until=1e4)
     assert result.time == pytest.approx(3601.0, abs=0.001)
@@ -175,33 +175,30 @@ def test_a_bit_is_polled_from_event_to_event(bit: int, mccl: Runner, monkeypatch
     The executed iterations are a first one, which is compared with the second, and those just before and
     after the event.
     """
-    ends, again = [], Poll.again
+    ends, again = [], Loops.back
 
-    def counted(poll: Poll) -> object:
-        ends.append(poll.dependencies.clock.now)
-        return again(poll)
+    def counted(loops: Loops, *given: Any) -> Any:
+        ends.append(loops.machine.clock.now)
+        return again(loops, *given)
 
-    monkeypatch.setattr(Poll, "again", counted)
+    monkeypatch.setattr(Loops, "back", counted)
     mccl(f"1MN,1SV1000,1SA1000,1DS1000,1MR9000,{POLL.replace('3', str(bit), 1)}", until=9.9)
     assert [each for each in ends if 0.01 < each < 9.8] == []
 
 
-def test_a_poll_beside_a_wait_takes_one_time_slice(mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The other task waits 1 s at a time.
-
-    When it wakes, both tasks alternate for two commands each. Then the poll continues up to the next wake,
-    without a slice of 1 ms before that.
-    """
+def test_a_poll_and_a_wait_beside_it_are_one_period(mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The other task waits 1 s at a time; what both do in a second is skipped a hundred times."""
     slices, resume = 0, CommandTask.resume
 
     def counted(task: CommandTask, now: float, horizon: float) -> object:
         nonlocal slices
-        slices += 1.5 < now < 100.5
+        slices += 2.5 < now < 99.5
         return resume(task, now, horizon)
 
     monkeypatch.setattr(CommandTask, "resume", counted)
-    mccl(f"MD1,WA1,RP\nGT1\n{POLL.replace('IC3', 'IC25')}", until=101)
-    assert slices == 99 * 5
+    result = mccl(f"MD1,WA1,RP\nGT1\n{POLL.replace('IC3', 'IC25')}", until=101)
+    assert slices < 10
+    assert result.time == pytest.approx(101)
 
 
 def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
@@ -237,7 +234,7 @@ def test_a_loop_that_nothing_can_end_is_reported(mccl: Runner) -> None:
         # A background task that only waits does not keep the run alive.
         ("MD1,WA0.001,RP\nGT1\nTR0", 0.00208, 2),
         ("WA0.003,IF5,JR-2,NO", 100.0, 3),
-        ("RA31,AA1,AR31,JR-3", 100.0, 2),
+        ("RA31,AA1,AR31,JR-3", 100.0, 4),
         ("CN34,RP", 100.0, 2),
         ("MD1,CN34,RP\nGT1\nIF5,JR-1,NO", 100.0, 10),
         ("MD1,RA30,AA1,AR30,RP\nGT1\nIF5,JR-1,NO", 100.0, 20),
@@ -247,15 +244,15 @@ def test_a_loop_without_an_end_is_skipped_to_the_end_of_the_run(
     program: str, end: float, most: int, mccl: Runner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """At most so many jumps of thousands are executed."""
-    jumps, again = 0, Poll.again
+    jumps, again = 0, Loops.back
 
-    def counted(poll: Poll) -> object:
+    def counted(*given: Any) -> Any:
         nonlocal jumps
         jumps += 1
-        return again(poll)
+        return again(*given)
 
     with monkeypatch.context() as patched:
-        patched.setattr(Poll, "again", counted)
+        patched.setattr(Loops, "back", counted)
         result = mccl(program, until=100.0)
     assert result.time == pytest.approx(end, abs=1e-4)
     assert 0 < jumps <= most

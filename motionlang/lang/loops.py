@@ -1,0 +1,535 @@
+"""One rule for loops, for both languages, and for one task or many.
+
+An iteration that changes nothing, or changes each number by the same amount as the one before, repeats: until the next
+event, until a reading passes the value it is compared with, or until a comparison of numbers turns. All whole
+iterations up to that moment are counted at once.
+
+    While POS(0) < 50 : End While                nothing changes until POS(0) is 50
+    While n < 1000000 : n = n + 1 : End While    n grows by 1, and n - 1000000 turns its sign once
+
+Every jump back comes here with the state of all tasks, which is plain data, so the rule compares states:
+
+    place     for each task: its next step, the calls that it is in, and what is left of its wait; and the number of
+              actions whose effects cannot be compared
+    numbers   the contents of all variables
+    margins   left side minus right side of each comparison of numbers since the state before
+
+Two states with the same place and numbers are equal but for the time, whatever happens in between. With the same place
+and a constant difference of numbers and margins they are equal as far as the differences matter, provided that the
+numbers that change are only added, subtracted and compared, and that sums are exact, so that n additions are one
+multiplication. A state is compared with the last one at its place and with the one before that, so a loop may toggle.
+If several tasks run, the iterations of one are a period of all when the places of the others are the same again.
+
+Which variables matter is a static fact, worked out for a loop from the `Uses` of its steps (`variable_uses.py`). A
+variable that every iteration sets before it reads it is not compared. Its value after the loop is that of the last
+iteration, so one iteration less is skipped, and that one is carried out. A fact about a loop holds only while its task
+stays in it.
+
+A reading that changes by itself is in `Dependencies`, which solves when it passes the level it is compared with.
+
+Back-off: after a failed check the next 1, 2, 4, … jumps back of the task are not checked.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import ceil
+from typing import TYPE_CHECKING, Any
+
+from motionlang.controller.clock import INFINITY
+from motionlang.lang.dependencies import CLOSE, MAX_NOTES
+from motionlang.lang.statement_time import units
+from motionlang.lang.steps import own
+from motionlang.lang.variable_uses import NONE, UNKNOWN, Body, Copy, body_of
+from motionlang.lang.waits import ROUNDING, Delay, Wait
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Protocol
+
+    from motionlang.lang.dependencies import Dependencies, Note
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.statement_time import StatementTime
+    from motionlang.lang.step_task import StepTask
+    from motionlang.lang.steps import Steps
+
+    class World(Protocol):
+        """What the tasks of a program share."""
+
+        dependencies: Dependencies
+
+        @property
+        def tasks(self) -> Sequence[StepTask]:
+            """All tasks, those that wait included."""
+
+        @property
+        def shared(self) -> list[Any]:
+            """The variables of all tasks."""
+
+        def changes(self) -> tuple[int, int]:
+            """Return counters of the actions whose effects cannot be compared, and of events."""
+
+        def acted(self) -> object:
+            """Return counters of all that a loop could wait for, shared variables included."""
+
+
+MAX_BACK_OFF = 4096
+# So many states in a row may be equal and nothing skipped: a value changes in one iteration, and the next one acts.
+FREE_FAILURES = 2
+# More states of a task without an action are dropped.
+MAX_STATES = 2000
+# Numbers that are whole multiples of this, and smaller than `LARGEST`, add up without rounding.
+GRAIN = 2.0**-20
+LARGEST = 2.0**31
+# An iteration with more waits for a time is not skipped.
+MAX_DELAYS = 100
+
+
+@dataclass(slots=True, eq=False)
+class State:
+    """All tasks at a jump back of one of them."""
+
+    t: float
+    base: float
+    numbers: list[Any]
+    # The running task and its loop, and how often tasks have taken turns.
+    body: Body
+    strayed: int
+    turns: int
+    # Counters of all that has been done so far.
+    acted: object
+    # What each task has read, and how much of it before this state; the same for the margins.
+    read: list[tuple[StepTask, list[Note] | None, int]]
+    margins: list[float]
+    first_margin: int
+    # The same for the waits for a time.
+    delays: list[tuple[float, float]]
+    first_delay: int
+    # The wait of each other task, and what is left of it, in units of time, if its end is known.
+    waits: list[Wait | None]
+    left: list[int]
+    mark: Any
+    before: State | None = None
+    # By how much numbers and margins differ from those of the state before; None if that is not known.
+    change: list[float] | None = field(default=None)
+
+
+class Loops:
+    """Watches the jumps back of the tasks of a program, and skips iterations that repeat."""
+
+    def __init__(self, machine: Machine, time: StatementTime, world: World) -> None:
+        self.machine, self.time, self.world = machine, time, world
+        # The running task, and how often another one than the last has run.
+        self.task: StepTask | None = None
+        self.turns = 0
+        self._margins: list[float] = []
+        # The waits for a time: at which statement each began, and its length.
+        self._delays: list[tuple[float, float]] = []
+
+    # ------------------------------------------------------------------------------------------ for the tasks
+
+    def run(self, task: StepTask) -> None:
+        """Record that a task goes on."""
+        self.world.dependencies.notes = task.notes
+        if task is not self.task:
+            self.task = task
+            self.turns += 1
+
+    def give_way(self, task: StepTask) -> None:
+        """Record that a task has stopped."""
+        task.notes = self.world.dependencies.notes
+
+    def compared(self, margin: float) -> None:
+        """Record a comparison of numbers."""
+        if len(self._margins) > MAX_NOTES:
+            self._margins = []
+        self._margins.append(margin)
+
+    def waits(self, seconds: float) -> None:
+        """Record that the running task begins to wait for a time."""
+        if len(self._delays) > MAX_DELAYS:
+            self._delays = []
+        self._delays.append((self.time.count, seconds))
+
+    def back(self, task: StepTask, here: int, t: float, is_inside: bool = True) -> tuple[float, Wait | None]:
+        """Return the statement after all iterations that repeat, for a jump back from step `here`.
+
+        There is a wait, too, if the loop repeats until another task or the world acts. The jump is not inside one list
+        of steps if it enters another one without return.
+        """
+        log = task.loop_log
+        if is_inside and (here != log.end or task.pc != log.target):
+            log.back(here, task.pc)
+        steps, first, last_step = task.last_loop
+        if not is_inside or steps is not task.steps or first != task.pc or last_step != here:
+            task.strayed += 1
+            task.last_loop = task.steps, task.pc, here if is_inside else -1
+        if task.unchecked:
+            task.unchecked -= 1
+            return t, None
+        self._find_futile(task, here)
+        changes = self.world.changes()
+        if changes != task.met_after:
+            has_acted = bool(task.met) and changes[0] != task.met_after[0]
+            task.met, task.met_after = {}, changes
+            if has_acted:
+                return self._failed(task, t)
+        place, now = self._place(here), self._state(task, here, t)
+        if not task.met:
+            self._begin()
+        last = task.met.get(place)
+        wait = None
+        if last is not None:
+            t, wait, repeats = self._repeated(task, now, last)
+            if t != now.t or self.time.base != now.base or wait is not None:
+                task.failures = task.back_off = 0
+            elif not repeats or task.failures >= FREE_FAILURES:
+                return self._failed(task, t)
+            elif last.before is not None:
+                task.failures += 1
+        elif len(task.met) >= MAX_STATES or (task.met and not task.others_ready()):
+            return self._failed(task, t)
+        now.t, now.base, now.before = t, self.time.base, last
+        if last is not None:
+            last.before = None
+        if wait is None:
+            self._mark(now)
+            task.met[place] = now
+        else:
+            task.met = {}
+        return t, wait
+
+    def _find_futile(self, task: StepTask, here: int) -> None:
+        """Find out if an iteration of a task was like the one before, and only others can change that."""
+        dependencies, acted = self.world.dependencies, self.world.acted()
+        now = acted, here, id(task.steps), task.pc, task.context(), list(task.own)
+        notes, first = task.since
+        if (
+            now == task.last_own
+            and notes is not None
+            and notes is dependencies.notes
+            and task.futile_after != acted
+            and dependencies.until(self.machine.clock.now, notes[first:]) == INFINITY
+        ):
+            self._is_futile(task)
+        task.last_own, task.since = now, (dependencies.notes, len(dependencies.notes or ()))
+
+    def _is_futile(self, task: StepTask) -> None:
+        acted = self.world.acted()
+        if task.futile_after != acted:
+            task.futile_since, task.futile_after = self.machine.clock.now, acted
+
+    # ------------------------------------------------------------------------------------------------ states
+
+    def _place(self, here: int) -> tuple[object, ...]:
+        tasks = self.world.tasks
+        return here, *[
+            (id(each.steps), each.pc, each.is_paid, each.context(), _kind(each.wait)) for each in tasks
+        ]
+
+    def _state(self, task: StepTask, here: int, t: float) -> State:
+        tasks = self.world.tasks
+        numbers = [number for each in tasks for number in each.own] + self.world.shared
+        elapsed = units(self.time.base) + int(t) * self.time.cost_units
+        waits = [None if each is task else each.wait for each in tasks]
+        left = [units(wait.ends) - elapsed if isinstance(wait, Delay) else 0 for wait in waits]
+        body = _body(task.last_loop)
+        return State(
+            t,
+            self.time.base,
+            numbers,
+            body,
+            task.strayed,
+            self.turns,
+            self.world.acted(),
+            [],
+            self._margins,
+            0,
+            self._delays,
+            0,
+            waits,
+            left,
+            None,
+        )
+
+    def _begin(self) -> None:
+        """Begin to record what tasks read."""
+        for each in self.world.tasks:
+            if each.notes is None:
+                each.notes = []
+        if self.world.dependencies.notes is None and self.task is not None:
+            self.world.dependencies.notes = self.task.notes
+
+    def _mark(self, now: State) -> None:
+        """Record how much has been read and compared before a state."""
+        dependencies = self.world.dependencies
+        if self.task is not None:
+            if dependencies.notes is None:
+                dependencies.notes = []
+            self.task.notes = dependencies.notes
+            self.task.since = dependencies.notes, len(dependencies.notes)
+        for each in self.world.tasks:
+            if each.notes is None:
+                each.notes = []
+        now.read = [(each, each.notes, len(each.notes or ())) for each in self.world.tasks]
+        now.margins, now.first_margin = self._margins, len(self._margins)
+        now.delays, now.first_delay = self._delays, len(self._delays)
+        scheduler = self.machine.scheduler
+        if self.task is not None and scheduler is not None and len(scheduler.tasks) > 1:
+            self.machine.log.slices.so_far(self.task.name, scheduler.began, self.time.at(now.t))
+            now.mark = self.machine.log.mark_period()
+
+    def _failed(self, task: StepTask, t: float) -> tuple[float, Wait | None]:
+        task.met, task.failures = {}, 0
+        task.back_off = min(2 * task.back_off + 1, MAX_BACK_OFF)
+        task.unchecked = task.back_off
+        self.world.dependencies.rest()
+        return t, None
+
+    # ---------------------------------------------------------------------------------------------- skipping
+
+    def _repeated(self, task: StepTask, now: State, last: State) -> tuple[float, Wait | None, bool]:
+        """Skip the iterations that repeat that from `last` to `now`; False if it does not repeat."""
+        t = now.t
+        if not _same_waits(last, now):
+            return t, None, True
+        change = self._change(last, now)
+        if change is not None and not any(change):
+            return (*self._skip(task, now, last, INFINITY), True)
+        toggle = last.before
+        if toggle is not None and _same_waits(toggle, now):
+            change_of_two = self._change(toggle, now)
+            if change_of_two is not None and not any(change_of_two):
+                return (*self._skip(task, now, toggle, INFINITY), True)
+        if change is None:
+            return t, None, last.before is None
+        now.change = self._with_margins(change, last)
+        if now.change is None:
+            return t, None, last.before is None
+        if now.change == last.change and self._only_counts(task, now, last):
+            most = self._turn(now)
+            if most > 0:
+                return (*self._skip(task, now, last, most), True)
+        return t, None, last.before is None
+
+    def _variables(self) -> list[tuple[StepTask | None, int]]:
+        """Return the task of each number, None for those that are shared, and its number in `Uses`."""
+        return [
+            *[(each, own(k)) for each in self.world.tasks for k in range(len(each.own))],
+            *[(None, k) for k in range(len(self.world.shared))],
+        ]
+
+    def _with_margins(self, change: list[float], last: State) -> list[float] | None:
+        """Return the changes of numbers and of margins; None if other comparisons were made."""
+        if last.margins is not self._margins:
+            return None
+        since = self._margins[last.first_margin :]
+        before = self._margins[last.first_margin - len(since) : last.first_margin]
+        if len(since) > last.first_margin:
+            return None
+        return change + [b - a for a, b in zip(before, since, strict=True)]
+
+    def _change(self, last: State, now: State) -> list[float] | None:
+        """Return by how much each number that matters has changed; None if anything else is different."""
+        if last.numbers == now.numbers and list(map(type, last.numbers)) == list(map(type, now.numbers)):
+            return [0] * len(now.numbers)
+        is_alone = last.turns == now.turns and last.strayed == now.strayed
+        overwritten = now.body.overwritten if is_alone else NONE
+        change: list[float] = []
+        for (_, variable), one, other in zip(self._variables(), last.numbers, now.numbers, strict=True):
+            if (one == other and type(one) is type(other)) or variable in overwritten:
+                change.append(0)
+            elif is_number(one) and type(one) is type(other):
+                change.append(other - one)
+            else:
+                return None
+        return change
+
+    def _only_counts(self, task: StepTask, now: State, last: State) -> bool:
+        """True if the changing numbers are only added and compared, and add up exactly."""
+        bodies = {task: now.body if now.strayed == last.strayed else UNKNOWN}
+        for each, wait, then in zip(self.world.tasks, now.waits, last.waits, strict=True):
+            if each is not task and (wait is None or wait is not then):
+                bodies[each] = _body(each.last_loop)
+        for (owner, variable), number, by in zip(
+            self._variables(), now.numbers, now.change or (), strict=False
+        ):
+            if by:
+                linear = [bodies.get(owner, UNKNOWN)] if owner is not None else bodies.values()
+                if not (
+                    is_exact(number) and is_exact(by) and all(each.is_linear(variable) for each in linear)
+                ):
+                    return False
+        return True
+
+    def _turn(self, now: State) -> float:
+        """Return how many further iterations take the same branches, and overflow no number."""
+        count, change = len(now.numbers), now.change or []
+        most = INFINITY
+        margins = self._margins[len(self._margins) - (len(change) - count) :] if len(change) > count else []
+        for margin, by in zip(margins, change[count:], strict=True):
+            if by and not (is_exact(margin) and is_exact(by)):
+                return 0
+            if by and margin * by <= 0:
+                most = min(most, ceil(-margin / by) - 1)
+        for number, by in zip(now.numbers, change, strict=False):
+            if by:
+                most = min(most, (LARGEST - 1 - abs(number)) // abs(by) - 1)
+        return most
+
+    def _skip(self, task: StepTask, now: State, last: State, most: float) -> tuple[float, Wait | None]:
+        """Count the iterations that repeat the last one, at most `most` of them."""
+        time, clock, scheduler, t = self.time, self.machine.clock, self.machine.scheduler, now.t
+        assert scheduler is not None
+        here = time.leave(t)
+        began = last.base + last.t * time.cost
+        is_alone = now.turns == last.turns
+        stable = self._stable_until(task, now, last, began, is_alone)
+        kept = [
+            wait
+            for wait, then in zip(now.waits, last.waits, strict=True)
+            if wait is not None and wait is then
+        ]
+        # A statement that coincides with the end of another task's wait comes after it.
+        until = min([stable, clock.next_time(), *[each.due() - 0.5 * ROUNDING for each in kept]])
+        if until == INFINITY and most == INFINITY and now.acted == last.acted:
+            if last.delays is self._delays and len(self._delays) == last.first_delay:
+                self._is_futile(task)
+                return t, self._never()
+            if kept:
+                return t, None  # the run may end before, if all tasks are futile
+        if is_alone:
+            if any(each.wait is None for each in self.world.tasks if each is not task):
+                return t, None
+            until = min(until, max(time.until, scheduler.reach() if scheduler.by_itself else 0.0))
+        elif scheduler.by_itself and not any(each.ready() for each in kept):
+            until = min(until, scheduler.until)
+        else:
+            return t, None
+        if now.body.overwritten and now.strayed == last.strayed:
+            # The last iteration sets what the others would have set, so it is carried out.
+            until, most = until - (here - began) - CLOSE, most - 1
+        if not here < until < INFINITY:
+            return t, None
+        moved = self._moved(now, last)
+        if moved is None:
+            return t, None
+        times, time.base = self._fitting(now, last, until, most)
+        if times > 0:
+            more = times * (now.t - last.t) if now.base == last.base else 0.0
+            t = now.t + more
+            time.leave(t)
+            for wait, count, seconds in moved:
+                wait.since = time.at(count + more)
+                wait.ends = wait.since + seconds
+            self._carry(task, now, last, began, here, times)
+        return t, None
+
+    def _moved(self, now: State, last: State) -> list[tuple[Delay, float, float]] | None:
+        """Return the waits of other tasks that have begun since a state: statement and length.
+
+        None if one of them is not known.
+        """
+        begun = {self.time.at(count): (count, seconds) for count, seconds in self._delays}
+        waits = [wait for wait, then in zip(now.waits, last.waits, strict=True) if wait is not then]
+        found = [(wait, *begun.get(wait.since, (0.0, -1.0))) for wait in waits if isinstance(wait, Delay)]
+        return found if all(seconds >= 0.0 for _, _, seconds in found) else None
+
+    def _fitting(self, now: State, last: State, until: float, most: float) -> tuple[int, float]:
+        """Return how many more iterations fit before a time, at most `most`, and the base after them."""
+        time = self.time
+        if now.base == last.base:
+            return int(min(time.periods(last.base, last.t + 1.0, now.t + 1.0, until), most)), now.base
+        # Sums of waits for a time round, so they are added up one by one.
+        delays, base, times = self._delays[last.first_delay :], now.base, 0
+        is_sum = last.delays is self._delays and _after(last.base, delays, time.cost) == base
+        if not is_sum or now.turns != last.turns or now.t != last.t:
+            return 0, base
+        rest = (now.t + 1.0) * time.cost
+        while times < most and (following := _after(base, delays, time.cost)) + rest < until:
+            base = following
+            times += 1
+        return times, base
+
+    def _carry(self, task: StepTask, now: State, last: State, began: float, here: float, times: int) -> None:
+        """Log `times` more iterations like that from `began` to `here`, and let the numbers change with them."""
+        time, log, scheduler = self.time, self.machine.log, self.machine.scheduler
+        assert scheduler is not None
+        if now.turns != last.turns:
+            log.slices.so_far(task.name, scheduler.began, here)
+            log.repeat_period(last.mark, began, here, time.reached, times)
+            log.slices.shared_by_all(time.reached - here)
+        elif last.base != now.base:
+            log.repeat_waits(task.name, began, here - began, times)
+        if now.change is not None:
+            count = len(now.numbers)
+            k = 0
+            for values in [*[each.own for each in self.world.tasks], self.world.shared]:
+                for index in range(len(values)):
+                    if by := now.change[k]:
+                        values[index] = now.numbers[k] = now.numbers[k] + times * by
+                    k += 1
+            margins = now.change[count:]
+            first = len(self._margins) - len(margins)
+            for index, by in enumerate(margins):
+                self._margins[first + index] += times * by
+
+    def _stable_until(self, task: StepTask, now: State, last: State, began: float, is_alone: bool) -> float:
+        """Return the time until which all readings since `last` that matter stay unchanged."""
+        dependencies = self.world.dependencies
+        task.notes = dependencies.notes
+        body = now.body if is_alone and now.strayed == last.strayed else UNKNOWN
+        matter: list[Note] = []
+        for each, notes, first in last.read:
+            if each is not task and is_alone:
+                continue
+            if notes is None or notes is not each.notes:
+                return -INFINITY
+            matter += [
+                note
+                for note in notes[first:]
+                if not (isinstance(note[0], Copy) and body is not UNKNOWN and body.is_only_copied(note[0]))
+            ]
+        return dependencies.until(began - CLOSE, matter) - CLOSE
+
+    def _never(self) -> Wait:
+        """Return the wait of a loop that repeats until something else acts."""
+        acted, now = self.world.acted(), self.machine.clock.now
+        return Wait(now, lambda: self.world.acted() != acted, lambda: INFINITY, "for its loop to end")
+
+
+def _after(base: float, delays: list[tuple[float, float]], cost: float) -> float:
+    """Return the base of statements after some waits."""
+    for count, seconds in delays:
+        base = base + count * cost + seconds
+    return base
+
+
+def _body(loop: tuple[Steps, int, int]) -> Body:
+    """Return what a loop does with variables: its steps, the first and the last."""
+    steps, first, last = loop
+    found = steps.bodies.get((first, last))
+    if found is None:
+        found = steps.bodies[first, last] = body_of(steps, first, last) if first <= last else UNKNOWN
+    return found
+
+
+def _kind(wait: Wait | None) -> object:
+    """Return the wait itself, or what all waits for a time have in common."""
+    return Delay if isinstance(wait, Delay) else wait
+
+
+def _same_waits(last: State, now: State) -> bool:
+    """True if as much is left of each wait, unless it is the same one."""
+    waits = zip(last.waits, now.waits, last.left, now.left, strict=True)
+    return all(then is wait or before == left for then, wait, before, left in waits)
+
+
+def is_number(value: object) -> bool:
+    """True for a number that may count."""
+    return value.__class__ is int or value.__class__ is float
+
+
+def is_exact(number: float) -> bool:
+    """True if multiples of a number add up without rounding."""
+    return -LARGEST < number < LARGEST and (number / GRAIN).is_integer()

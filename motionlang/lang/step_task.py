@@ -1,0 +1,270 @@
+"""A task that runs steps; one class for both languages.
+
+Its state is `pc`, `calls` and `values` (see `steps.py`), with the list of steps that `pc` is an index of. A language
+adds in a subclass what the operations of its keywords look for in a task.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from motionlang.lang.loop_log import LoopLog
+from motionlang.lang.steps import (
+    BACK,
+    BRANCH,
+    CALL,
+    COMMAND,
+    DO,
+    END,
+    ENTER,
+    GO,
+    JUMP,
+    RETURN,
+    TRY,
+    WAIT,
+    Steps,
+    Values,
+)
+from motionlang.lang.task import Task
+from motionlang.lang.waits import Standstill, Wait
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.lang.debugging import Hook
+    from motionlang.lang.dependencies import Note
+    from motionlang.lang.loops import Loops, State
+
+# Statements between two returns to the scheduler, so that a busy program can be paced and interrupted.
+SLICE = 20_000
+
+
+class Call(NamedTuple):
+    """Where a caller goes on: its steps, the index of the next one, and its values."""
+
+    steps: Steps
+    pc: int
+    values: Values
+
+
+class StepTask(Task):
+    """Runs steps until something else may happen, a wait, or the end.
+
+    `at_statement` is the offset of the statement that has begun last.
+    """
+
+    # The errors of statements after which the program goes on.
+    recovers: tuple[type[Exception], ...] = ()
+    max_depth = 1000
+
+    def __init__(self, name: str, steps: Steps, values: Values, loops: Loops) -> None:
+        super().__init__(name)
+        self.steps, self.pc, self.values = steps, 0, values
+        self.calls: list[Call] = []
+        # True if the time of the statement at `pc` has been paid, and it has not begun.
+        self.is_paid = False
+        self.at_statement = -1
+        self.loops_of_all = loops
+        self.machine, self.time = loops.machine, loops.time
+        self.clock = self.machine.clock
+        self.loop_log = LoopLog(self)
+        self.hook: Hook | None = None
+        # What it has read since its last checked jump back, while that is recorded.
+        self.notes: list[Note] | None = None
+        # The jumps back that are not checked, the length of that back-off, and the checks in a row without a skip.
+        self.unchecked = self.back_off = self.failures = 0
+        # Its last loop: steps, first and last one; and how often that has become another.
+        self.last_loop = steps, 0, -1
+        self.strayed = 0
+        # The states at its jumps back, by their places, since the last action.
+        self.met: dict[object, State] = {}
+        self.met_after = -1, -1
+        # Its own state at the last checked jump back, and what it had read by then.
+        self.last_own: object = None
+        self.since: tuple[list[Note] | None, int] = None, 0
+        # Since when all its iterations are equal if nothing else acts, and after which actions.
+        self.futile_since: float | None = None
+        self.futile_after: object = None
+
+    # -------------------------------------------------------------------------------------------- for the log
+
+    @property
+    def now(self) -> float:
+        """The time of its present statement, s."""
+        return self.time.at(self.time.count)
+
+    @property
+    def at(self) -> int:
+        return max(self.at_statement, 0)
+
+    @property
+    def stack(self) -> tuple[int, ...]:
+        called = (call.steps[call.pc - 1].at for call in self.calls)
+        return (*(at for at in called if at >= 0), self.at)
+
+    @property
+    def loops(self) -> Sequence[tuple[int, float, tuple[int, ...]]]:
+        return self.loop_log.open()
+
+    # ------------------------------------------------------------------------------------------ for languages
+
+    @property
+    def own(self) -> Values:
+        """The variables of the running call that may count."""
+        return self.values
+
+    def context(self) -> object:
+        """Return a copy of what decides how the task goes on, except its own variables."""
+        raise NotImplementedError
+
+    def others_ready(self) -> bool:
+        """True if another task goes before the next statement."""
+        return False
+
+    def gate(self) -> Wait | None:
+        """Return the wait before a statement that has been paid, if any."""
+        return None
+
+    def recover(self, error: Exception) -> None:
+        """Set the state in which the program goes on after an error, one of `recovers`."""
+        raise error
+
+    def too_deep(self) -> Exception:
+        """Return the error of a call that is nested too deeply."""
+        return RecursionError()
+
+    # ------------------------------------------------------------------------------------------------ running
+
+    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        """Run from `now` until `horizon`, a wait or the end; return the time and the wait."""
+        loops = self.loops_of_all
+        loops.run(self)
+        try:
+            t, wait = self._run(self.time.go_on(now, horizon)[0], horizon)
+        finally:
+            loops.give_way(self)
+        return self.time.leave(t), wait
+
+    def _run(self, t: float, horizon: float) -> tuple[float, Wait | None]:
+        """Run from statement `t`; by `horizon`, or the next event, something else may happen."""
+        time, clock, calls, loop_log = self.time, self.clock, self.calls, self.loop_log
+        left, has_run, hook = SLICE, False, self.hook
+        time.count = t
+        while not self.done:
+            steps, pc, values = self.steps, self.pc, self.values
+            try:
+                while True:
+                    kind, do, to, at = steps[pc]
+                    if kind == COMMAND:
+                        self.pc = pc
+                        if self.is_paid:
+                            self.is_paid = False
+                        else:
+                            if not left or (has_run and self.others_ready()):
+                                return t, None
+                            left -= 1
+                            time.count = t = t + 1.0
+                            now = time.at(t)
+                            if now >= horizon or now >= clock.horizon:
+                                self.is_paid = True
+                                return t, None
+                            clock.now = now
+                        has_run = True
+                        if (wait := self.gate()) is not None:
+                            self.is_paid = True
+                            return t, wait
+                        if pc > loop_log.end:
+                            loop_log.passed()
+                        if hook is not None:
+                            hook.begins(self, clock.now, at)
+                        self.at_statement = at
+                        self.pc = pc = pc + 1
+                        if do is not None:
+                            do(values)
+                    elif kind == DO:
+                        do(values)  # type: ignore[misc]
+                        pc += 1
+                    elif kind in (WAIT, TRY):
+                        self.pc = pc
+                        wait = do(values)  # type: ignore[misc]
+                        if wait is None or kind == WAIT:
+                            self.pc = pc = pc + 1
+                        if wait is not None:
+                            if not self._passes(wait):
+                                return t, wait
+                            t, horizon = self._after_wait(wait, t)
+                    elif kind == BRANCH:
+                        pc = pc + 1 if do(values) else to  # type: ignore[misc]
+                    elif kind in (BACK, GO):
+                        here = pc
+                        pc = do(values) if kind == GO else to if do(values) else pc + 1  # type: ignore[misc]
+                        if pc <= here:
+                            self.pc = pc
+                            t, wait = self.loops_of_all.back(self, here, t)
+                            if wait is not None:
+                                return t, wait
+                    elif kind == JUMP:
+                        pc = to
+                    elif kind == CALL:
+                        if len(calls) > self.max_depth:
+                            raise self.too_deep()
+                        called = do(values)  # type: ignore[misc]
+                        calls.append(Call(steps, pc + 1, values))
+                        self.steps, self.values = steps, values = called
+                        self.pc = pc = 0
+                        loop_log.enter()
+                    elif kind == ENTER:
+                        here, before = pc, steps
+                        steps, values = do(values)  # type: ignore[misc]
+                        if steps is not before:
+                            loop_log.leave()
+                        self.steps, self.pc, self.values, pc = steps, 0, values, 0
+                        if steps is not before:
+                            loop_log.enter()
+                        t, wait = self.loops_of_all.back(self, here, t, steps is before)
+                        if wait is not None:
+                            return t, wait
+                    elif kind == RETURN:
+                        self.pc = pc
+                        if has_run and self.others_ready():
+                            return t, None
+                        if do is not None:
+                            do(values)
+                        if loop_log.running:
+                            loop_log.leave()
+                        self.steps, self.pc, self.values = steps, pc, values = calls.pop()
+                        if loop_log.running:
+                            loop_log.enter()
+                    else:
+                        assert kind == END
+                        self.pc = pc
+                        self.done = True
+                        if do is not None:
+                            do(values)
+                        return t, None
+                    if self.done:
+                        return t, None
+            except self.recovers as error:
+                self.recover(error)
+                if self.others_ready():
+                    break
+        return t, None
+
+    def _passes(self, wait: Wait) -> bool:
+        """Let a wait pass within the statement if nothing else happens meanwhile; False if the task must give way."""
+        scheduler = self.machine.scheduler
+        if scheduler is None:
+            return False
+        if isinstance(wait, Standstill):
+            return bool(scheduler.comes_to_rest(wait.since, wait.end_of_moves))
+        return bool(scheduler.passes(wait))
+
+    def _after_wait(self, wait: Wait, t: float) -> tuple[float, float]:
+        """Log a wait that has passed; return the statement after it, and the new horizon."""
+        time, clock, scheduler = self.time, self.clock, self.machine.scheduler
+        assert scheduler is not None
+        if clock.now != time.at(t):
+            t = time.start(clock.now)
+        time.leave(t)
+        scheduler.waited(self.waited(wait, clock.now))
+        return t, min(clock.horizon, scheduler.until)

@@ -1,0 +1,97 @@
+"""A program as a list of steps: both languages become the same few kinds.
+
+What a step computes is a function of `values`, the variables of the running call; where the program goes next is an
+integer. So the state of a task is three things, which can be copied, compared, stored and shown, and a task goes on
+from any copy of them:
+
+    pc        the index of its next step, in a list of steps
+    calls     for each call it is in: where that continues, and with which values
+    values    the variables of the innermost call
+
+Time. Each statement takes the same time, so a task counts statements and the time is base + count × cost, never a
+running sum (`statement_time.py`).
+
+Invariants
+- Only COMMAND and jumps back know of time. Nothing else happens between two of them.
+- A step has no memory: all that it changes is in `values`, in shared variables, or in the machine.
+- What a step does with variables is in its `Uses`, which may have too many reads and too few sets, never the reverse.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+Values = list[Any]
+
+# The kinds of step. `do` is what it computes, `to` another step.
+DO = 0  # do it
+COMMAND = 1  # a statement begins: let other tasks that are ready go first, then pay its time; then do it
+BRANCH = 2  # go on if `do` is true, else at `to`
+JUMP = 3  # go on at `to`
+BACK = 4  # the end of an iteration: go back to `to` if `do` is true
+GO = 5  # `do` returns the index of the next step
+WAIT = 6  # `do` returns what to wait for, or None
+TRY = 7  # like WAIT, but it is done again after the wait
+CALL = 8  # `do` returns the steps of a call and its values
+ENTER = 9  # the same, without return
+RETURN = 10  # let other tasks go first, do it, and go back to the caller
+END = 11  # do it; the task ends
+
+
+class Step(NamedTuple):
+    """One step; `at` is the offset of its statement in the text, -1 if it has none."""
+
+    kind: int
+    do: Callable[[Values], Any] | None = None
+    to: int = -1
+    at: int = -1
+
+
+class Uses(NamedTuple):
+    """The variables that a step uses: those of a call have numbers from -1 down, shared ones from 0 up."""
+
+    reads: frozenset[int] = frozenset()
+    sets: frozenset[int] = frozenset()
+    # Those among `reads` that it uses for more than sums and comparisons,
+    nonlinear: frozenset[int] = frozenset()
+    # and those that it only tests: a test of a reading says itself when its result changes.
+    tests: frozenset[int] = frozenset()
+
+
+NOTHING = Uses()
+
+
+class Steps(list[Step]):
+    """The steps of a program, or of a part of it that is called.
+
+    `uses` has what each step does with variables, None if that is unknown.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.uses: list[Uses | None] = []
+        # What loops do with variables, by their first and last step; worked out on demand.
+        self.bodies: dict[tuple[int, int], Any] = {}
+
+    def add(
+        self,
+        kind: int,
+        do: Callable[[Values], Any] | None = None,
+        to: int = -1,
+        at: int = -1,
+        uses: Uses | None = NOTHING,
+    ) -> int:
+        """Append a step and return its index."""
+        self.append(Step(kind, do, to, at))
+        self.uses.append(uses)
+        return len(self) - 1
+
+    def set_target(self, index: int, to: int) -> None:
+        """Set the step to which a step jumps."""
+        self[index] = self[index]._replace(to=to)
+
+
+def own(number: int) -> int:
+    """Return the number in `Uses` of a variable of a call."""
+    return -1 - number
