@@ -145,7 +145,8 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     ),
     "mccl": (
         ("codes", "evidence", "vocabulary"),
-        ("models", "syntax", "axis"),
+        ("models", "syntax"),
+        ("axis",),
         ("motion",),
         ("keywords",),
         ("resolve",),

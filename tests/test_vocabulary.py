@@ -13,7 +13,7 @@ from motionlang.lang.keyword import ROLES, TRAITS
 from motionlang.mccl.keywords import table as commands
 from motionlang.mccl.models import MODELS
 from motionlang.mint.keywords import table
-from motionlang.mint.models import ABSENT, LARGEST
+from motionlang.mint.models import ABSENT, LARGEST, STRINGS
 from motionlang.servo import gains
 from tests.trees import nodes_of
 
@@ -106,7 +106,7 @@ def test_effects_are_described_in_the_words_for_them() -> None:
 def test_a_family_that_a_controller_lacks_or_limits_is_one_of_the_rows() -> None:
     families = {row.family for row in commands()} - {""}
     assert {family for model in MODELS.values() for family in model.lacks} == families
-    assert {row.family for row in table()} - {""} == ABSENT.keys() | LARGEST.keys()
+    assert {row.family for row in table()} - {""} == ABSENT.keys() | LARGEST.keys() | {STRINGS}
 
 
 def test_what_people_mean_by_a_word_of_english_is_no_command() -> None:
