@@ -8,9 +8,9 @@ with and without the checks for skipping, run side by side.
 from __future__ import annotations
 
 import gc
+import sys
 from time import process_time
 
-from motionlang.mccl.runtime.poll import Poll
 from timing import seconds
 
 from motionlang.execution import accelerators, run
@@ -91,13 +91,6 @@ def speed(source: Source, machine: dict[str, object]) -> float:
     )
 
 
-class Unwatched(Poll):
-    """Loops of MCCL that are never checked for skipping."""
-
-    def again(self) -> None:
-        return None
-
-
 def started(text: str, dialect: Dialect = MINT) -> Scheduler:
     """Return the scheduler of a compiled program that is ready to run."""
     machine = Machine(accelerators=accelerators())
@@ -113,7 +106,7 @@ def plain(text: str, dialect: Dialect) -> Scheduler:
     scheduler = started(text, dialect)
     polling.watched = watched
     if isinstance(scheduler.parent, CommandTask):
-        scheduler.parent.poll = Unwatched(scheduler.parent)
+        scheduler.parent.unchecked = sys.maxsize
     return scheduler
 
 
