@@ -329,7 +329,7 @@ LIBRARIES = {
     "shtab": ("completion", "shtab"),
 }
 # The libraries that the package depends on and that a run may do without.
-REQUIRED = ("numpy",)
+REQUIRED = ("lark", "numpy")
 
 
 def count_of(number: int, noun: str, plural: str = "") -> str:

@@ -1,4 +1,4 @@
-"""Commands on a Python without any libraries, such as one in a browser."""
+"""Commands on a Python with Lark alone, such as one in a browser."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ import pytest
 
 from tests.built import ROOT
 
-LIBRARIES = ("lark", "numpy", "prompt_toolkit", "rich")
+# Those that no run needs. Lark parses.
+LIBRARIES = ("numpy", "prompt_toolkit", "rich")
 MINT, MCCL = "scripts/mint/pick-and-place.mnt", "scripts/mccl/back-and-forth.mcl"
 WITHOUT = f"""
 import sys
