@@ -1,4 +1,4 @@
-"""The build steps of the package: grammars in the wheel, and its description.
+"""The build steps of the package: grammars and their tables in the wheel, and its description.
 
 A `package-dir` mapping would do the same, but makes editable installs start through an import hook; see
 docs/contributing/decisions.md.
@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import re
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 from setuptools.command.build_py import build_py
@@ -15,10 +17,10 @@ from setuptools.command.egg_info import egg_info
 
 
 class BuildWithGrammars(build_py):
-    """`build_py` that also copies `grammars/*.lark` into `motionlang/grammars/`."""
+    """`build_py` that also puts `grammars/*.lark` and their tables into `motionlang/grammars/`."""
 
     def run(self) -> None:
-        """Build, and copy the grammars to the package.
+        """Build, copy the grammars to the package and make their tables.
 
         An editable install reads the grammars of the checkout.
         """
@@ -29,6 +31,9 @@ class BuildWithGrammars(build_py):
         target.mkdir(parents=True, exist_ok=True)
         for grammar in sorted(Path("grammars").glob("*.lark")):
             shutil.copy(grammar, target)
+        # A process of its own imports the package that is being built, also if another one is installed.
+        make = [sys.executable, "-m", "motionlang.mint.syntax.table", str(target.resolve())]
+        subprocess.run(make, check=True)
 
     def get_source_files(self) -> list[str]:
         """Return the files that an sdist needs in addition to the package."""

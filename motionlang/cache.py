@@ -31,6 +31,10 @@ SHARED = (
     "source.py",
     os.path.join("controller", "faults.py"),
 )
+# The grammars: inside an installed package, or next to it in a checkout.
+GRAMMARS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "grammars")
+if not os.path.isdir(GRAMMARS):
+    GRAMMARS = os.path.join(os.path.dirname(os.path.dirname(GRAMMARS)), "grammars")
 # Folders of that package that no compilation uses: linters, and evidence.
 ASIDE = ("lint", "evidence")
 # Bytes of the checksum at the beginning of an entry.
@@ -162,7 +166,7 @@ def _unchanged(states: list[tuple[str, State]]) -> bool:
 def _loaded(makers: tuple[str, ...]) -> dict[str, State]:
     """Return the state of the package files that made a result.
 
-    Raises OSError if one is missing.
+    The grammars are among them. Raises OSError if one is missing.
     """
     paths = [
         path
@@ -173,6 +177,7 @@ def _loaded(makers: tuple[str, ...]) -> dict[str, State]:
     for parent, _, files in os.walk(makers[0], onerror=_raise):
         if os.path.basename(parent) not in ASIDE:
             paths += [os.path.join(parent, name) for name in files if name.endswith(".txt")]
+    paths += [os.path.join(GRAMMARS, name) for name in os.listdir(GRAMMARS) if name.endswith(".lark")]
     found = {}
     for path in paths:
         now = state(path)
@@ -238,3 +243,18 @@ def _is_private(status: os.stat_result) -> bool:
     if not hasattr(os, "getuid"):
         return True
     return status.st_uid == os.getuid() and not status.st_mode & 0o022
+
+
+def path_of(name: str) -> str | None:
+    """Return the path of a file that a library keeps in the folder; None if the folder is not trustworthy."""
+    directory = folder() if wanted() else None
+    if directory is None:
+        return None
+    try:
+        os.makedirs(directory, 0o700, exist_ok=True)
+        if not _is_private(os.stat(directory)) or not os.access(directory, os.W_OK):
+            return None
+        path = os.path.join(directory, name)
+        return path if not os.path.exists(path) or _is_private(os.stat(path)) else None
+    except OSError:
+        return None

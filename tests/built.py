@@ -18,6 +18,7 @@ IGNORED = (
     "dist",
     "node_modules",
     "*.egg-info",
+    "*.table",
     "__pycache__",
     ".*_cache",
     ".hypothesis",

@@ -18,6 +18,8 @@ os.environ.setdefault("HYPOTHESIS_NO_PLUGINS", "1")
 from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 
+from motionlang.cache import GRAMMARS
+from motionlang.mint.syntax.table import write
 from tests import cases
 from tests.built import distributions
 
@@ -49,6 +51,9 @@ for _name in ("SIGINT", "SIGTERM", "SIGHUP"):
     _number = getattr(signal, _name, None)
     if _number is not None and signal.getsignal(_number) == signal.SIG_IGN:
         signal.signal(_number, signal.default_int_handler if _name == "SIGINT" else signal.SIG_DFL)
+
+# All processes of the tests load this table, also those with a cache of their own.
+write(GRAMMARS)
 
 # No property depends on the speed of the machine, and each run draws the same cases. Hypothesis would also
 # draw constants of those modules of the package that earlier tests have imported.

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from motionlang.lang.dialect import dialect
 from motionlang.lang.highlight import pieces
-from motionlang.mint.syntax.tables import TABLES
+from motionlang.mint.syntax.tokens import TABLE
 
 FILE = Path(__file__).parent.parent / "playground" / "keywords.json"
 
@@ -25,7 +25,7 @@ def _kinds(name: str) -> dict[str, str]:
     language, found = dialect(name), dict[str, set[str]]()
     words = {spelling.lower() for row in language.table().rows for spelling in (row.name, row.short)}
     if name == "mint":
-        words |= {kind.lower() for kind in TABLES.kinds if kind.isalpha()}
+        words |= {kind.lower() for kind in TABLE.kinds if kind.isalpha()}
     for word in filter(str.isidentifier, words):
         _, kind, piece = next(pieces(language, word))
         if piece == word and kind in ("move", "keyword", "not-simulated", "control"):

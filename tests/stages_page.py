@@ -13,7 +13,8 @@ from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
 from motionlang.mint import DIALECT
 from motionlang.mint.syntax.node import Node
-from motionlang.mint.syntax.parser import parse, tokens
+from motionlang.mint.syntax.parser import parse
+from motionlang.mint.syntax.tokens import tokens
 from motionlang.source import Source
 from motionlang.views.listing import render_listing
 from tests.recorder import Recorder
@@ -35,7 +36,7 @@ by `python -m tests.stages_page`, and a test compares it, so what you see is wha
 
 ## Tokens
 
-`mint/syntax/parser.py` splits the text by the tables of the grammar: kind, text and offset in the statement.
+Lark splits the text by the terminals of the grammar (`mint/syntax/tokens.py`): kind, text and offset in the statement.
 
 ```text
 {tokens}
@@ -102,7 +103,11 @@ def _tree(value: Any, name: str = "", depth: int = 0) -> list[str]:
         for cls in reversed(type(value).__mro__):
             for field in getattr(cls, "__slots__", ()):
                 inner = getattr(value, field, None)
-                if field not in ("at", "offsets") and inner is not False and inner not in (None, [], (), ""):
+                if (
+                    field not in ("start", "end", "source")
+                    and inner is not False
+                    and inner not in (None, [], (), "")
+                ):
                     lines += _tree(inner, field, depth + 1)
         return lines
     if isinstance(value, (list, tuple)):

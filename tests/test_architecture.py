@@ -83,7 +83,7 @@ PEERS: tuple[set[str], ...] = (
 # do not import each other. The lookup of a keyword ("vocabulary") is at the bottom, its file higher up.
 FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     "lang": (
-        ("collector",),
+        ("collector", "syntax"),
         (
             "debugging",
             "keyword",
@@ -156,7 +156,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
 }
 # A library, and the only modules that may import it.
 HOMES: dict[str, tuple[str, ...]] = {
-    "lark": ("lang/parsing",),
+    "lark": ("lang/parsing", "lang/syntax", "mint/syntax"),
     "rich": ("views",),
     "prompt_toolkit": ("repl",),
     "matplotlib": ("views",),

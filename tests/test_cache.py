@@ -205,6 +205,7 @@ print(*(m.__file__ for n, m in sys.modules.items() if n.startswith('motionlang')
 def installed(root: Path) -> Path:
     """Return a copy of the package in the form of an installation."""
     copy_with_bytecode(PACKAGE, root / "motionlang")
+    copy_with_bytecode(PACKAGE.parent / "grammars", root / "motionlang" / "grammars")
     return root / "motionlang"
 
 
@@ -230,7 +231,7 @@ def test_an_entry_lists_every_module_of_the_compiler(tmp_path: Path, folder: Pat
     assert {
         "mint/compile/compiler.py",
         "mint/keywords/axis.py",
-        "lang/parsing/parser.py",
+        "lang/syntax/grammar.py",
         "errors.py",
     } <= modules
     _, compiler, _ = loads(the_file(folder).read_bytes()[cache.CHECKSUM :])

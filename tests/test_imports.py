@@ -39,12 +39,11 @@ LAZY = {
     "mccl/__init__.py": "keywords keywords.row keywords.switchable lint.board lint.check models "
     "resolve.definitions resolve.loop_dependencies resolve.listing "
     "runtime.program runtime.session syntax.parser syntax.tokens syntax.tree",
-    "mint/__init__.py": "compile.listing interactive keywords keywords.machine_readings keywords.switchable lint "
-    "lint.model models program resolve.aliases resolve.chosen_rates resolve.definitions resolve.loop_dependencies "
-    "runtime.wait_sources syntax.extent syntax.layout syntax.parser",
+    "mint/__init__.py": "compile.listing keywords keywords.machine_readings keywords.switchable models program "
+    "resolve.aliases resolve.chosen_rates runtime.wait_sources",
     "mccl/keywords/__init__.py": "keywords.index",
     "mint/keywords/__init__.py": "keywords.index",
-    "mint/program.py": "compile.compiler runtime.debugging syntax.parser",
+    "mint/program.py": "runtime.debugging",
     "mint/runtime/environment.py": "runtime.binding runtime.errors runtime.events runtime.formats runtime.functions "
     "runtime.input_values runtime.loop_skipping runtime.power_up runtime.printing runtime.task_state",
     "planners/packed.py": "extrapolation rate reparametrised sequence superposition",
@@ -71,7 +70,6 @@ LAZY = {
     "mint/resolve/names.py": "resolve.flattening",
     "mint/runtime/printing.py": "models",
     "mint/runtime/task.py": "runtime.errors runtime.task_state",
-    "mint/syntax/parser.py": "syntax.errors syntax.nesting",
 }
 
 

@@ -75,7 +75,7 @@ def test_the_source_distribution_is_whole(built: tuple[Path, Path]) -> None:
         here = {
             path.relative_to(ROOT).as_posix()
             for path in (ROOT / folder).rglob("*")
-            if path.is_file() and "__pycache__" not in path.parts and path.suffix != ".pyc"
+            if path.is_file() and "__pycache__" not in path.parts and path.suffix not in (".pyc", ".table")
         }
         assert here <= names, sorted(here - names)[:5]
 

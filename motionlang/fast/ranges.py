@@ -156,7 +156,7 @@ class Flow:
     # -------------------------------------------------------------------------------------------- loops
 
     def _for(self, node: nodes.For, state: State) -> None:
-        start = self._value(node.start, state)[1]
+        start = self._value(node.first, state)[1]
         stop = self._value(node.stop, state)[1]
         step = self._value(node.step, state)[1] if node.step is not None else (1, 1, "i")
         symbol = self._followed(node.variable)

@@ -7,25 +7,13 @@ of the source, so they are valid for one text only.
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable, Iterator
 from operator import itemgetter
 
 from motionlang.record import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-    from typing import Protocol
-
-    # The start and end of a piece of text, as character offsets.
-    Span = tuple[int, int]
-
-    class Positions(Protocol):
-        """Converts positions that are tokens to offsets in a program."""
-
-        def of_name(self, token: int, length: int) -> Span: ...
-
-        def of_block(self, first: int, last: int) -> Span: ...
-
+# The start and end of a piece of text, as character offsets.
+Span = tuple[int, int]
 
 # The kinds of definitions.
 KINDS = (
@@ -42,66 +30,47 @@ class Definition:
     `home` the sub or task that declares it, "" for the module. `text` is the declaration, `type` and `value`
     what is known about them. `parameters` are the parameters of a sub. `fixed` is the reason why the name
     cannot be changed, "" if it can.
-
-    With `positions`, the scope is given as two tokens, and a use as its token and its length. They are
-    converted to offsets when one of them is first read, because most of them are never read.
     """
 
     __slots__ = (
-        "_positions", "_scope", "_span", "_uses",
-        "fixed", "home", "kind", "name", "parameters", "text", "type", "value",
-    )  # fmt: skip
+        "fixed",
+        "home",
+        "kind",
+        "name",
+        "parameters",
+        "scope",
+        "span",
+        "text",
+        "type",
+        "uses",
+        "value",
+    )
 
-    def __init__(
-        self, name: str, kind: str, scope: Span, text: str = "", positions: Positions | None = None
-    ) -> None:
+    def __init__(self, name: str, kind: str, scope: Span, text: str = "") -> None:
         assert kind in KINDS, kind
-        self.name, self.kind, self.text = name, kind, text
-        self._positions, self._scope = positions, scope
-        self._span: Span | None = None
-        self._uses: list[Span] = []
+        self.name, self.kind, self.scope, self.text = name, kind, scope, text
+        self.span: Span | None = None
+        self.uses: list[Span] = []
         self.home = self.type = self.value = self.fixed = ""
         self.parameters: tuple[str, ...] = ()
 
     @property
-    def scope(self) -> Span:
-        self._locate()
-        return self._scope
-
-    @property
-    def span(self) -> Span | None:
-        self._locate()
-        return self._span
-
-    @property
-    def uses(self) -> list[Span]:
-        self._locate()
-        return self._uses
-
-    @property
     def is_declared(self) -> bool:
         """True if the text has its declaration."""
-        return self._span is not None
+        return self.span is not None
 
     @property
     def is_used(self) -> bool:
         """True if the text has the name anywhere, including the declaration."""
-        return bool(self._uses)
+        return bool(self.uses)
 
     def use(self, span: Span) -> None:
         """Add a use."""
-        self._uses.append(span)
+        self.uses.append(span)
 
     def declare(self, span: Span) -> None:
         """Add the declaration, which counts as a use."""
-        self._span = span
-
-    def _locate(self) -> None:
-        positions, self._positions = self._positions, None
-        if positions is not None:
-            self._scope = positions.of_block(*self._scope)
-            self._span = self._span and positions.of_name(*self._span)
-            self._uses = [positions.of_name(*use) for use in self._uses]
+        self.span = span
 
     def __repr__(self) -> str:
         return f"Definition({self.name!r}, {self.kind!r})"

@@ -6,7 +6,7 @@ from motionlang.lang.dialect import Dialect, Target
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Interactive, Ranges
@@ -169,16 +169,9 @@ class Mint(Dialect):
         return table()
 
     def locate(self, source: Source, at: int) -> tuple[int, int, int]:
-        from motionlang.mint.syntax.parser import parse
+        from motionlang.mint.syntax.tokens import value_length
 
-        module = parse(source)
-        return module.line(at), module.column(at), module.length(at)
-
-    def locations(self, source: Source, offsets: Sequence[int]) -> list[tuple[int, int, int]]:
-        from motionlang.mint.syntax.parser import parse
-
-        module = parse(source)
-        return [(module.line(at), module.column(at), module.length(at)) for at in offsets]
+        return (*source.location(at), value_length(source.text, at))
 
     def blocks(self, source: Source) -> list[tuple[str, int, int]]:
         from motionlang.mint.syntax.extent import blocks
@@ -207,7 +200,7 @@ class Mint(Dialect):
         return (code[3:4].isalnum() or code[3:4] == "_") and not joined
 
     def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
-        from motionlang.mint.syntax.parser import tokens
+        from motionlang.mint.syntax.tokens import tokens
 
         return tokens(text)
 

@@ -154,9 +154,8 @@ class MintProgram(Program):
         line = outline[1].get(offset) if outline is not None else None
         if line is not None:
             return line
-        from motionlang.mint.syntax.parser import parse
 
-        return parse(self._source).line(offset)
+        return self._source.location(offset)[0]
 
     def run(self, machine: Machine, values: Mapping[str, float | str] | None = None) -> Task:
         """Return the parent task of the program as compiled.

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from motionlang.lang.nesting import StackSpace
 
 # What a later pass records in a node; it is no part of the text.
-_LATER = frozenset(("at", "row", "definition", "symbol", "offsets"))
+_LATER = frozenset(("at", "start", "end", "row", "definition", "symbol", "source"))
 _INDENT = "  "
 
 

@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import lark
 import pytest
 
 from motionlang.cli import quick_options
@@ -67,8 +68,8 @@ def test_everything_else_is_left_to_argparse(line: list[str]) -> None:
 # Reads the line of an error.
 CAUGHT = "PRINT 1 / NVLONG(0)\nEvent ONERROR\n  PRINT ERRLINE\n  ERRORCLEAR(_egALL, 0)\nEnd Event\n"
 PARSER, MACHINE_FILE = (
-    ["motionlang.mint.syntax.parser", "re"],
-    ["motionlang.lang.machine.file", "tomllib", "typing"],
+    ["dataclasses", "lark", "motionlang.mint.syntax.parser", "re", "typing"],
+    ["motionlang.lang.machine.file", "tomllib"],
 )
 
 
@@ -116,6 +117,7 @@ def test_a_plain_run_imports_nothing_slow(
         "print(code, sorted(slow & set(sys.modules)))"
     )
     command = [sys.executable, "-S", "-c", script, "run", str(program), *options]
+    monkeypatch.setenv("PYTHONPATH", str(Path(lark.__file__).parents[1]))
     shown = [
         subprocess.run(command, capture_output=True, text=True, check=True, cwd=".").stdout for _ in range(2)
     ]

@@ -265,7 +265,7 @@ def test_lines_and_their_locations() -> None:
     (offset,) = debugger.offsets_at(5)
     assert debugger.location_of(offset)[:2] == (5, 3)
     # The name behind it is no statement.
-    assert debugger.location_of(offset + 2)[:2] == (5, 11)
+    assert debugger.location_of(offset + 8)[:2] == (5, 11)
     assert debugger.offsets_at(6) == ()
 
 

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator
-
 import pytest
 
 from motionlang.editor import navigation
 from motionlang.editor.hover import hover
 from motionlang.editor.navigation import Refused
-from motionlang.mint.syntax.tables import TABLES
 from tests.cases import cases
 from tests.editor.pages import at_cursor, page
 
@@ -131,23 +127,11 @@ def test_what_is_no_name_is_refused(name: str) -> None:
     assert str(refused.value) == f"{name} is not a name: use letters, digits and _, and no keyword"
 
 
-def test_offsets_are_found_when_a_position_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A pause in typing looks names up, but most of their positions are never needed."""
-    texts: list[str] = []
-    matches = TABLES.matches
-
-    def recorded(text: str) -> Iterator[re.Match[str]]:
-        texts.append(text)
-        return matches(text)
-
-    monkeypatch.setattr(TABLES, "matches", recorded)
+def test_spans_of_names() -> None:
     text = "Dim parts As Integer\nSub Travel()\n  parts = parts + 1\nEnd Sub\nTravel()\n"
     names = page(text).names
     assert [each.name for each in names.definitions] == ["parts", "Travel"]
-    assert texts == []
-
     travel = names.definitions[1]
     assert travel.span == (25, 31)  # behind a line of 21 characters and `Sub `
     assert travel.scope == (0, len(text))
     assert names.blocks[0].span == (21, text.index("End Sub") + 7)
-    assert texts == [text]

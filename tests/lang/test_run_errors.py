@@ -27,7 +27,7 @@ def rejected(line: int) -> Rejected:
         (rejected(3), "range", "too fast", "less", (3, 1, 1)),
         (rejected(0), "range", "too fast", "less", (0, 0, 1)),
         (NotSimulated("no bus", "a drive", at=0), "not-simulated", "no bus", "a drive", (1, 1, 9)),
-        (NotSimulated("no bus", at=2), "not-simulated", "no bus", "", (1, 13, 1)),
+        (NotSimulated("no bus", at=12), "not-simulated", "no bus", "", (1, 13, 1)),
         (NotSimulated("no bus"), "not-simulated", "no bus", "", (0, 0, 1)),
         (
             ZeroDivisionError(),

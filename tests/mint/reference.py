@@ -87,7 +87,7 @@ class Reference:
 
     def do_for(self, node: nodes.For) -> None:
         name = node.variable.name.lower()
-        start = self.value(node.start)[1]
+        start = self.value(node.first)[1]
         stop = self.value(node.stop)
         step = self.value(node.step) if node.step is not None else ("Integer", 1.0)
         step = (step[0], int(step[1]) if step[0] == "Integer" else step[1])

@@ -175,11 +175,11 @@ def test_an_empty_list_is_one_line() -> None:
 
 
 def test_an_event_has_the_line_of_its_offset() -> None:
-    """An offset counts tokens: the second PRINT follows the line end."""
+    """The second PRINT is behind a line of 8 characters."""
     result = run(Source("a.mnt", "PRINT 1\nPRINT 2\n"), cache=False)
-    for at in (0, 3, -1):
+    for at in (0, 8, -1):
         result.machine.log.events.add((0.5, "wait", None, None, None, at, 0, ""))
-    result.machine.log.events.add((0.5, "wait", 0, 0.0, 0.0, 3, 2, "why"))
+    result.machine.log.events.add((0.5, "wait", 0, 0.0, 0.0, 8, 2, "why"))
     rows = [{"time": 0.5, "kind": "wait", "line": line} for line in (1, 2, 0)]
     more: dict[str, object] = {"axis": 0, "value": 0.0, "limit": 0.0, "commanded_by": 2, "text": "why"}
     assert build(result)["events"] == [*rows, rows[1] | more]

@@ -7,13 +7,9 @@ mistake, return to the cell before it. To find which tokens may come next, try e
 
 from __future__ import annotations
 
-from motionlang.lang.parsing.parser import State
+from collections.abc import Iterator
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from motionlang.lang.parsing.parser import Automaton, Rule
+from motionlang.lang.parsing.parser import Automaton, Rule, State
 
 
 class Cell:

@@ -448,10 +448,10 @@ class Body:
     # ------------------------------------------------------------------------------------------- errors
 
     def problem(self, code: str, message: str, node: nodes.Node, hint: str = "") -> None:
-        self.whole.problems.add(code, message, node.at, hint)
+        self.whole.problems.add(code, message, node.start, hint)
 
     def warn(self, code: str, message: str, node: nodes.Node, hint: str = "") -> None:
-        self.whole.problems.add(code, message, node.at, hint, "warning")
+        self.whole.problems.add(code, message, node.start, hint, "warning")
 
     # ---------------------------------------------------------------------------------------- variables
 

@@ -237,7 +237,7 @@ def compile_text(
         blocks = blocks_of(module)
         compiled = compile_module(module, settings, ranges, debug)
         compiled.remarks = chosen_rates(module, settings or {})
-        compiled.outline = dumps((blocks, module.offsets.lines(compiled.code.offsets)))
+        compiled.outline = dumps((blocks, [module.line(at) for at in compiled.code.offsets]))
         return compiled
 
 

@@ -7,7 +7,7 @@ from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.keywords import table
 from motionlang.mint.resolve.recall import Known, Recall
 from motionlang.mint.syntax.recovery import readable
-from motionlang.mint.syntax.tables import TABLES
+from motionlang.mint.syntax.tokens import Tokens
 from motionlang.source import Source
 
 # Errors that concern a statement by itself. Other errors, such as an Exit outside a loop, may be caused by a
@@ -57,8 +57,8 @@ _WORDS = ("NAME", "DOTTED")
 def _names(line: str) -> set[str]:
     """Return the words of a line that are not keywords of Mint."""
     words = table()
-    pieces = set(TABLES.texts(line))  # each once: a line may have a million of them
-    found = {piece.lower() for piece in pieces if TABLES.kind_of[piece] in _WORDS}
+    tokens = Tokens(line)
+    found = {text.lower() for kind, text in zip(tokens.kinds, tokens.texts, strict=True) if kind in _WORDS}
     return {word for word in found if (row := words.get(word)) is None or not row.simulated}
 
 

@@ -24,7 +24,7 @@ from motionlang.mint.resolve.symbols import (
 )
 from motionlang.mint.runtime.code_units import given_name
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.build import LINKS
+from motionlang.mint.syntax.nesting import LINKS
 
 _SAME = frozenset((INTEGER, FLOAT, STRING))
 # Integers that have been written, up to a maximum number.
@@ -96,7 +96,11 @@ def _number(b: Body, node: nodes.Number) -> Value:
     if known in (inf, -inf):
         b.problem("overflow", "the number is too large", node)
         return NOTHING
-    if intervals.INT_HIGH < known < 1 << 32 and type(known) is int and b.whole.problems.is_pattern(node.at):
+    if (
+        intervals.INT_HIGH < known < 1 << 32
+        and type(known) is int
+        and b.whole.problems.is_pattern(node.start)
+    ):
         known -= 1 << 32  # a 32-bit pattern is an Integer, even if its highest bit is set
     return literal(known)
 
@@ -173,7 +177,9 @@ def unknown(b: Body, node: nodes.Name) -> None:
         otherwise = (
             f"if the controller has this constant, declare its value: Const {node.name} As Integer = …"
         )
-    b.whole.problems.unknown(f"{node.name} is unknown", node.name, words, node.at, otherwise, b.whole.table)
+    b.whole.problems.unknown(
+        f"{node.name} is unknown", node.name, words, node.start, otherwise, b.whole.table
+    )
 
 
 def reference(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol | None]:
@@ -306,7 +312,7 @@ def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | N
     found = kind.record.members.get(node.field.lower())
     if found is None:
         b.whole.problems.unknown(f"{kind.record.name} has no member {node.field}", node.field,
-                                 kind.record.members.keys, node.at)  # fmt: skip
+                                 kind.record.members.keys, node.start)  # fmt: skip
         return None
     position, type_, sizes = found
     return f"{owner}[{position}]", type_, sizes
@@ -389,8 +395,8 @@ class _Done(nodes.Node):
 
     __slots__ = ("value",)
 
-    def __init__(self, at: int, value: Value) -> None:
-        self.at, self.value = at, value
+    def __init__(self, node: nodes.Node, value: Value) -> None:
+        self.start, self.end, self.value = node.start, node.end, value
 
 
 def _done(b: Body, node: _Done) -> Value:
@@ -400,7 +406,7 @@ def _done(b: Body, node: _Done) -> Value:
 def _nested(first: nodes.Expr, links: list[nodes.Link]) -> nodes.Expr:
     """Return some operations of a chain as nested nodes, as the grammar defines them."""
     for link in links:
-        first = nodes.Binary(first.at, link.op, first, link.value)
+        first = nodes.Binary(first.start, first.end, link.op, first, link.value)
     return first
 
 
@@ -419,7 +425,7 @@ def _chain(b: Body, node: nodes.Chain) -> Value:
             name = b.temp()
             steps.append(f"({name} := {found.truth if isinstance(found, Answer) else found.text})")
             found = Answer(name) if isinstance(found, Answer) else Value(name, found.type, found.range)
-        first = _Done(node.at, found)  # type: ignore[assignment]
+        first = _Done(node, found)  # type: ignore[assignment]
     if not steps:
         return found
     if isinstance(found, Answer):

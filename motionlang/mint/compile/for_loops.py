@@ -39,7 +39,7 @@ class Counter:
         self.text, type_, scalar = reference(b, node.variable)
         self.kind = type_.name
         self.exact = scalar not in b.analysed
-        self.start = number(b, node.start)
+        self.start = number(b, node.first)
         self.stop = number(b, node.stop)
         self.step = number(b, node.step) if node.step is not None else literal(1)
         if self.step.const == 0 and not _may_end(b, node, symbol):
@@ -47,7 +47,7 @@ class Counter:
                 "range", "a For that counts by 0 never ends", node.step or node, "leave it with Exit For"
             )
         b.settle()
-        first = converted(b, self.start, type_, node.start, self.exact)
+        first = converted(b, self.start, type_, node.first, self.exact)
         # Limit and step are evaluated once, before the variable has its first value.
         self.stop, self.step = _stored(b, self.stop), _stored(b, self.step)
         b.emit(f"{self.text} = {first}")

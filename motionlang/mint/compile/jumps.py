@@ -148,7 +148,7 @@ def jump(b: Body, node: nodes.Jump) -> None:
     labels = b.labels()
     key = node.name.lower()
     if key not in labels:
-        at = node.at + 1 + (b.whole.problems.text(node.at + 1) == "#")
+        at = node.name.start
         symbol = b.scope.find(node.name)
         if symbol is not None and symbol.kind == "sub":
             hint = f"a sub is called by its name alone: {symbol.name}"

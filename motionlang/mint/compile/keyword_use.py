@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from motionlang.errors import as_hint, count_of
 from motionlang.lang.keyword import Keyword
+from motionlang.lang.syntax.word import Word
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.body import Body, Reading, Value
 from motionlang.mint.compile.conversions import NOTHING, article, as_float, as_integer, literal
@@ -96,11 +97,11 @@ def answer(row: Keyword, text: str) -> Reading:
 def _each_of(node: nodes.Name, args: list[nodes.Expr]) -> nodes.Expr:
     """Expand `IDLE[0, 1]`, as written after a path, to `IDLE[0] And IDLE[1]`."""
     conditions: list[nodes.Expr] = [
-        nodes.Name(node.at, node.name, [arg], node.axes).resolve(None, node.row) for arg in args
+        nodes.Name(node.start, node.end, node.name, [arg], node.axes).resolve(None, node.row) for arg in args
     ]
     whole = conditions[0]
     for term in conditions[1:]:
-        whole = nodes.Binary(node.at, "And", whole, term)
+        whole = nodes.Binary(node.start, node.end, "And", whole, term)
     return whole
 
 
@@ -193,7 +194,9 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
             b.problem("values", f"{row.name} needs {needed} in brackets", node)
         bank = b.whole.names.default_bank
         if kind == "bank" and row.group == "io" and bank is not None:
-            return [as_integer(b, value(b, nodes.Name(node.at, bank.name).resolve(None, bank)))]
+            return [
+                as_integer(b, value(b, nodes.Name(node.start, node.end, Word(bank.name)).resolve(None, bank)))
+            ]
         return ["0"] * len(names)
     many = names[-1] in ("axis", "axes") and not single
     if len(args) != len(names) and not (many and len(args) >= len(names)):
@@ -231,10 +234,10 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> str:
 def _name_of_task(b: Body, node: nodes.Expr) -> str:
     """Return the name of the task that an index gives; it is not an expression."""
     named = node if type(node) is nodes.Name and node.args is None else None
-    word = node.name if type(node) is nodes.Name else ""
+    word = node.name if type(node) is nodes.Name else Word("")
     if named is not None and named.symbol is None and word.lower() == PARENT.lower():
         return repr(PARENT)
-    symbol = task(b, named or nodes.Name(node.at, word).resolve(None), word)
+    symbol = task(b, named or nodes.Name(node.start, node.end, word).resolve(None), word)
     return repr("" if symbol is None else symbol.name.lower())
 
 
@@ -246,7 +249,7 @@ def task(b: Body, node: nodes.Name | nodes.Run | nodes.End, name: str) -> Symbol
     def tasks() -> list[str]:
         return [each.name for each in b.whole.names.module.names.values() if each.kind == "task"]
 
-    b.whole.problems.unknown(f"there is no task {name}".rstrip(), name, tasks, node.at)
+    b.whole.problems.unknown(f"there is no task {name}".rstrip(), name, tasks, node.start)
     return None
 
 
@@ -273,7 +276,7 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
         write_path(b, node, target, row)
         return
     axes = None if by_default(b, target, row) else indices(b, target, row, single=False)
-    give(b, node, row, axes, [str(b.whole.line(node.at))] if row.group == "motion" else [])
+    give(b, node, row, axes, [str(b.whole.line(node.start))] if row.group == "motion" else [])
 
 
 def refuse(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
@@ -417,7 +420,7 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
         return
     operation, where = done_at(b, target, row, indices)
     if row.index in ("axes", "axis") or row.group == "motion":
-        where.append(str(b.whole.line(node.at)))
+        where.append(str(b.whole.line(node.start)))
     b.operate([(operation, where)])
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from motionlang.errors import Diagnostic
+from motionlang.lang.syntax.word import Word
 from motionlang.mint.resolve.problems import Problems
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
@@ -50,10 +51,10 @@ def _mark_body(module: nodes.Module, body: list[nodes.Stmt], wanted: set[int], m
     position = 0
     while position < len(body):
         node = body[position]
-        line = module.line(node.at)
+        line = module.line(node.start)
         if line in wanted and line in missing:
             missing.discard(line)
-            name = nodes.Name(node.at, WORD, [nodes.Number(node.at, line)])
-            body.insert(position, nodes.Call(node.at, name))
+            name = nodes.Name(node.start, node.end, Word(WORD), [nodes.Number(node.start, node.end, line)])
+            body.insert(position, nodes.Call(node.start, node.end, name))
             position += 1
         position += 1

@@ -60,7 +60,7 @@ def call(b: Body, node: nodes.Stmt, begin: int) -> None:
     """
     if type(node) not in (nodes.Call, nodes.Assign) or b.callee is None or b.callee is b.function:
         return
-    at = node.at
+    at = node.start
     b.lines.insert(begin, Line(b.indent, f"l{at} = t, E.statements.base", at))
     b.emit(
         f"if t - l{at}[0] > {MIN_STATEMENTS} and E.statements.base is l{at}[1]: "
@@ -91,7 +91,7 @@ def regions(b: Body) -> list[Region]:
                     continue
                 first = b.labels().get(node.name.lower(), number + 1)
                 if 0 < first <= number:
-                    region = found.setdefault(first, Region(labels[first - 1].at, first))
+                    region = found.setdefault(first, Region(labels[first - 1].start, first))
                     region.last, region.end = number, index + 1
     return list(found.values())
 

@@ -103,7 +103,7 @@ def repeat(b: Body, node: nodes.Repeat) -> None:
     flag, poll = _opened(b, "repeat", node.body, node.condition)
     _forever(b)
     body_of(b, "repeat", node.body, flag)
-    b.at = node.condition.at
+    b.at = node.condition.start
     b.begin()
     test = condition(b, node.condition)
     b.settle()

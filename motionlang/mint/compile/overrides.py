@@ -60,28 +60,28 @@ def _replace(
     """
     bare: dict[str, nodes.Variable] = {}
     own: set[str] = set()  # names that the program declares, also those of keywords
-    for node in sorted(walk(body), key=lambda each: each.at):
+    for node in sorted(walk(body), key=lambda each: each.start):
         if type(node) is nodes.Const:
             own.add(node.name.lower())
             if _take(node.name, wanted, done, names):
-                node.value = _literal(node.at, node.name, wanted)
+                node.value = _literal(node, node.name, wanted)
         elif type(node) is nodes.Dim:
             own |= {variable.name.lower() for variable in node.variables}
             for variable in node.variables:
                 if not variable.values and not variable.dimensions:
                     bare.setdefault(variable.name.lower(), variable)
                 if variable.values and not variable.dimensions and _take(variable.name, wanted, done, names):
-                    variable.values = [_literal(variable.at, variable.name, wanted)]
+                    variable.values = [_literal(variable, variable.name, wanted)]
         elif type(node) is nodes.Assign and type(node.target) is nodes.Name:
             key = node.target.name.lower()
             plain = node.target.args is None and (key in bare or key in own or table().get(key) is None)
             if plain and not _reads_itself(node, key) and _take(node.target.name, wanted, done, names):
-                node.values = [_literal(node.at, key, wanted)]
+                node.values = [_literal(node, key, wanted)]
             elif plain and key in bare and _take(node.target.name, wanted, done, names):
-                bare[key].values = [_literal(bare[key].at, key, wanted)]
+                bare[key].values = [_literal(bare[key], key, wanted)]
     for key, variable in bare.items():
         if _take(variable.name, wanted, done, names):
-            variable.values = [_literal(variable.at, key, wanted)]
+            variable.values = [_literal(variable, key, wanted)]
 
 
 def _reads_itself(node: nodes.Assign, key: str) -> bool:
@@ -102,8 +102,8 @@ def _take(name: str, wanted: Collection[str], done: set[str], names: list[str]) 
     return True
 
 
-def _literal(at: int, name: str, wanted: Mapping[str, float | str | bool]) -> nodes.Expr:
-    value = wanted[name.lower()]
+def _literal(node: nodes.Node, name: str, wanted: Mapping[str, float | str | bool]) -> nodes.Expr:
+    value, at = wanted[name.lower()], (node.start, node.end)
     if value is True or value is False:
-        return nodes.Given(at, name, value)
-    return nodes.String(at, value) if isinstance(value, str) else nodes.Number(at, value)
+        return nodes.Given(*at, name, value)
+    return nodes.String(*at, value) if isinstance(value, str) else nodes.Number(*at, value)

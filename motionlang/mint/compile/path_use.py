@@ -22,7 +22,7 @@ def write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) ->
         found = keyword_use.indices(b, target, row, single=False)
         _check(b, node, target, row, len(found))
         operation, axes = b.whole.called_together("load", row, found)
-    line = str(b.whole.line(node.at))
+    line = str(b.whole.line(node.start))
     b.operate([(operation, [*axes, f"({', '.join(values)},)", line])])
 
 

@@ -34,7 +34,7 @@ def block(b: Body, body: list[nodes.Stmt]) -> None:
     first, outer, b.deepest = len(lines), b.deepest, len(around)
     begin, ends = first, []
     for node in body:
-        b.at = node.at
+        b.at = node.start
         b.observes = b.calls = whole.checks = False
         if whole.debugging is not None:
             stops.before(b, node)
@@ -71,10 +71,10 @@ def _guard(b: Body, node: nodes.Stmt) -> None:
     if len(b.lines) == before:
         b.emit("pass")
     b.indent -= 1
-    b.at = node.at
+    b.at = node.start
     b.noted = True
     b.emit(f"except {b.whole.use('env', 'TROUBLE')} as x:")
-    b.emit(f" t = H = {b.whole.use('env', 'failed')}(x, t, {b.whole.line(node.at)})")
+    b.emit(f" t = H = {b.whole.use('env', 'failed')}(x, t, {b.whole.line(node.start)})")
     b.note_yield()
     b.emit(" t, H = yield t")  # ONERROR runs before the next statement, even if that only computes
 
@@ -216,7 +216,9 @@ def _initialise(b: Body, node: nodes.Dim) -> None:
             b.problem("values", f"{variable.name} is one value, {len(variable.values)} given", variable)
         else:
             found = value(b, variable.values[0])
-            text, kind, _ = reference(b, nodes.Name(variable.at, variable.name).resolve(symbol))
+            text, kind, _ = reference(
+                b, nodes.Name(variable.start, variable.end, variable.name).resolve(symbol)
+            )
             source = converted(b, found, kind, variable.values[0], exact=symbol not in b.analysed)
             b.settle()
             if not symbol.boxed:
@@ -295,12 +297,12 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
     message = f"{target.name} is neither a keyword nor a sub of this program"
     hint = _OTHER_WORDS.get(target.name.lower())
     if hint is not None:
-        following = b.scope.find(b.whole.problems.text(target.at + 1))
+        following = b.scope.find(b.whole.problems.text(target.name.end))
         if target.name.lower() == "call" and following is not None and following.kind == "sub":
             hint += f": {following.name}"
-        b.whole.problems.add("unknown-word", message, target.at, hint)
+        b.whole.problems.add("unknown-word", message, target.start, hint)
         return
-    b.whole.problems.unknown(message, target.name, known, target.at, table=b.whole.table)
+    b.whole.problems.unknown(message, target.name, known, target.start, table=b.whole.table)
 
 
 def _run(b: Body, node: nodes.Run) -> None:
@@ -362,7 +364,7 @@ def _long_if(b: Body, node: nodes.If) -> None:
     b.loops.append(("if", ""))
     for branch in loops.branches(node):
         _warn_of_else_if(b, branch.orelse)
-        b.at = branch.at
+        b.at = branch.start
         b.observes = b.calls = b.whole.checks = False
         test = condition(b, branch.condition)
         b.settle()
@@ -388,8 +390,8 @@ def _warn_of_else_if(b: Body, orelse: list[nodes.Stmt]) -> None:
     if type(chained) is not nodes.If or len(chained.body) < 2:
         return
     line = b.whole.line
-    first, last, here = line(chained.body[0].at), line(chained.body[-1].at), line(chained.at)
-    if here == first < last and b.whole.problems.text(chained.at).lower() == "else":
+    first, last, here = line(chained.body[0].start), line(chained.body[-1].start), line(chained.start)
+    if here == first < last and b.whole.problems.text(chained.start).lower() == "else":
         hint = "write ElseIf, or Else on a line of its own"
         b.warn("else-if", "this is read as an ElseIf, which continues to its end", chained, hint)
 
@@ -420,7 +422,7 @@ def _select(b: Body, node: nodes.Select) -> None:
 def _cases(b: Body, node: nodes.Select, tests: list[str]) -> None:
     word, many = "if", len(node.cases) > loops.MANY_CASES
     for case, test in zip(node.cases, tests, strict=True):
-        b.at = case.at
+        b.at = case.start
         if case.tests or not (many or word == "if"):
             b.emit(f"{word} {test}:" if case.tests else "else:")
         else:

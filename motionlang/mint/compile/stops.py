@@ -54,7 +54,7 @@ def before(b: Body, node: nodes.Stmt) -> None:
         isinstance(node, nodes.Dim) and not any(variable.values for variable in node.variables)
     ):
         return
-    _hook(b, node.at)
+    _hook(b, node.start)
 
 
 def in_empty_loop(b: Body, body: Sequence[nodes.Stmt]) -> None:

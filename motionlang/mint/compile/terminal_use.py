@@ -8,7 +8,7 @@ from motionlang.mint.compile.conversions import article, converted
 from motionlang.mint.compile.expressions import number, reference, unknown, value
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, Type
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.build import LINKS
+from motionlang.mint.syntax.nesting import LINKS
 
 
 def print_(b: Body, node: nodes.Print) -> None:
@@ -114,7 +114,10 @@ def line(b: Body, node: nodes.Call) -> None:
     """Compile `LINE row, values`: print from the beginning of a row of the screen."""
     args = node.target.args or []
     _print_on_row(
-        b, node, args[0] if args else None, [nodes.PrintItem(each.at, each, [], "") for each in args[1:]]
+        b,
+        node,
+        args[0] if args else None,
+        [nodes.PrintItem(each.start, each.end, each, [], "") for each in args[1:]],
     )
 
 

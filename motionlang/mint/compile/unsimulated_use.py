@@ -66,9 +66,9 @@ def _is_loose(row: Keyword) -> bool:
 def _location(b: Body, node: nodes.Node, row: Keyword) -> list[str]:
     """Return the last arguments of its operations: line and source offset."""
     if row.verb == STORED:
-        return [str(b.whole.line(node.at))]
-    at = -1 if b.whole.typed else node.at  # a typed sub may run when another line is executed
-    return [str(b.whole.line(node.at)), str(at)]
+        return [str(b.whole.line(node.start))]
+    at = -1 if b.whole.typed else node.start  # a typed sub may run when another line is executed
+    return [str(b.whole.line(node.start)), str(at)]
 
 
 def _indices(b: Body, node: nodes.Name, row: Keyword, single: bool = False) -> list[str]:
@@ -139,4 +139,4 @@ def _ending(b: Body, node: nodes.Node, row: Keyword, writes: bool) -> None:
         node,
         f"{row.name}: {as_hint(row.help)}; {end}",
     )
-    b.whole.problems.in_run.add((CODE, node.at))
+    b.whole.problems.in_run.add((CODE, node.start))

@@ -86,9 +86,9 @@ def lint(
     module: Module, names: Names, settings: Mapping[str, object], recall: Recall | None = None
 ) -> list[Diagnostic]:
     """Return the warnings of a program that compiles, in no particular order."""
-    facts = Facts(names, table(), has_host(module.offsets.source, COMMENT))
+    facts = Facts(names, table(), has_host(module.source, COMMENT))
     found = Findings(module, None if recall is None else recall.recorder)
-    FunctionChecks(facts, settings, module.offsets, found, recall).check()
+    FunctionChecks(facts, settings, module, found, recall).check()
     add = found.add
     check_blends(facts, add)
     check_busy_loops(facts, add)

@@ -5,44 +5,48 @@ Languages differ in precedence: in some of them the comparison binds more tightl
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from typing import TYPE_CHECKING
 
 from motionlang.mint.resolve.symbols import STRING
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.tokens import Tokens
 from motionlang.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from motionlang.lang.parsing.source_offsets import SourceOffsets
     from motionlang.mint.lint.effects import Facts
     from motionlang.mint.resolve.symbols import Function
+    from motionlang.source import Source
 
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _BITS = frozenset("&|")
 _OPEN, _CLOSED = frozenset("(["), frozenset(")]")
 
 
-def check_brackets(
-    facts: Facts, function: Function, offsets: SourceOffsets, add: Callable[..., None]
-) -> None:
+def check_brackets(facts: Facts, function: Function, source: Source, add: Callable[..., None]) -> None:
     """Report each comparison that has an `&` or `|` without brackets as an operand.
 
     The hint shows the line with brackets for both interpretations.
     """
     inner: set[int] = set()
+    tokens: Tokens | None = None
     for node in facts.of_kind(nodes.Binary, function):  # a node comes before its children
         if node.op not in _COMPARED or id(node) in inner:
             continue
-        chain = _Chain(offsets, node)
+        if not any(type(each) is nodes.Binary and each.op in _BITS for each in walk([node])):
+            continue
+        tokens = tokens or Tokens(source.text)
+        chain = _Chain(source.text, tokens, node)
         inner |= chain.inner
-        bits = [op for op in chain.ops if offsets.text(op) in _BITS]
+        bits = [op for op in chain.ops if tokens.texts[op] in _BITS]
         if bits and chain.is_written and not any(_is_text(each) for each in chain.operands):
-            sign = offsets.text(bits[0])
+            sign = tokens.texts[bits[0]]
             add(
                 "mixed-operators",
                 f"{sign} binds tighter than a comparison here, unlike in other languages",
-                bits[0],
+                tokens.starts[bits[0]],
                 f"add brackets: {chain.line(_BITS)}, as it is read here, or {chain.line(_COMPARED)}",
             )
 
@@ -66,13 +70,16 @@ class _Chain:
     limit of a For.
     """
 
-    def __init__(self, offsets: SourceOffsets, node: nodes.Binary) -> None:
-        self.offsets = offsets
+    def __init__(self, text: str, tokens: Tokens, node: nodes.Binary) -> None:
+        self.text, self.tokens, self.texts = text, tokens, tokens.texts
         self.inner: set[int] = set()
         self.operands: list[nodes.Expr] = []
         self.ops: list[int] = []
         self._add(node)
-        self.is_written = offsets.text(self._operator(node)) == node.op
+        self.is_written = self.texts[self._operator(node)] == node.op
+
+    def _token(self, node: nodes.Node) -> int:
+        return bisect_left(self.tokens.starts, node.start)
 
     def _add(self, node: nodes.Binary) -> None:
         op = self._operator(node)
@@ -89,8 +96,8 @@ class _Chain:
 
     def _operator(self, node: nodes.Binary) -> int:
         """Return the token of an operator, found before the brackets of its right operand."""
-        at = node.right.at - 1
-        while self.offsets.text(at) == "(":
+        at = self._token(node.right) - 1
+        while self.texts[at] == "(":
             at -= 1
         return at
 
@@ -104,7 +111,7 @@ class _Chain:
         return depth != 0 or least != 0
 
     def _depth(self, at: int) -> int:
-        text = self.offsets.text(at)
+        text = self.texts[at]
         return (text in _OPEN) - (text in _CLOSED)
 
     # ----------------------------------------------------------------------------------------------- readings
@@ -114,7 +121,7 @@ class _Chain:
         opened, closed = set(), set()
         starts = [self._start(), *(op + 1 for op in self.ops)]
         ends = [*(op - 1 for op in self.ops), self._end()]
-        joined = [self.offsets.text(op) in tight for op in self.ops]
+        joined = [self.texts[op] in tight for op in self.ops]
         for number, (start, end) in enumerate(zip(starts, ends, strict=True)):
             before = number > 0 and joined[number - 1]
             after = number < len(joined) and joined[number]
@@ -126,7 +133,7 @@ class _Chain:
 
     def _start(self) -> int:
         """Return the first token of the first operand, including its opening brackets."""
-        first = min(each.at for each in walk([self.operands[0]]))
+        first = min(self._token(each) for each in walk([self.operands[0]]))
         depth = sum(map(self._depth, range(first, self.ops[0])))
         while depth < 0:
             first -= 1
@@ -135,26 +142,26 @@ class _Chain:
 
     def _end(self) -> int:
         """Return the last token of the last operand, including its brackets and members."""
-        last = max(each.at for each in walk([self.operands[-1]]))
+        last = max(self._token(each) for each in walk([self.operands[-1]]))
         depth = sum(map(self._depth, range(self.ops[-1] + 1, last + 1)))
-        while depth > 0 or self.offsets.text(last + 1) in _OPEN or self.offsets.text(last + 1) == ".":
+        while depth > 0 or self.texts[last + 1] in _OPEN or self.texts[last + 1] == ".":
             last += 1
             depth += self._depth(last)
-            if self.offsets.text(last) == ".":
+            if self.texts[last] == ".":
                 last += 1
         return last
 
     def _written(self, opened: set[int], closed: set[int]) -> str:
         """Return the text of the line or lines with brackets inserted at some tokens."""
-        offsets = self.offsets
+        tokens = self.tokens
         at = self._start()
-        while at and "\n" not in offsets.text(at - 1):
+        while at and "\n" not in self.texts[at - 1]:
             at -= 1
         texts: list[str] = []
-        before = offsets.span(at)[0]
-        while (text := offsets.text(at)) and "\n" not in text:
-            start, end = offsets.span(at)
-            between = offsets.source.text[before:start]
+        before = tokens.starts[at]
+        while (text := self.texts[at]) and "\n" not in text:
+            start, end = tokens.starts[at], tokens.ends[at]
+            between = self.text[before:start]
             texts.append(" " if "\n" in between else between)
             texts.append("(" * (at in opened) + text + ")" * (at in closed))
             before = end

@@ -104,7 +104,7 @@ class Buffers:
         return True
 
     def _iterations(self, node: nodes.For) -> int | None:
-        start, stop = self.facts.number(node.start), self.facts.number(node.stop)
+        start, stop = self.facts.number(node.first), self.facts.number(node.stop)
         step = 1.0 if node.step is None else self.facts.number(node.step)
         return None if start is None or stop is None or not step else int((stop - start) // step) + 1
 

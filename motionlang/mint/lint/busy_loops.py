@@ -105,4 +105,4 @@ def _first(function: Function, region: set[Step]) -> int:
     whiles = [
         each for each in walk(function.body) if type(each) is nodes.While and id(each.condition) in inside
     ]
-    return min(each.at for each in [*whiles, *(step.node for step in region if step.node is not None)])
+    return min(each.start for each in [*whiles, *(step.node for step in region if step.node is not None)])

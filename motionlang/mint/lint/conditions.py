@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 
-from motionlang.lang.parsing.source_offsets import SourceOffsets
 from motionlang.mint.lint.axis_state import IDLE, MOVES, Axis, Follower, State
 from motionlang.mint.lint.effects import Facts, Key, spelt
 from motionlang.mint.resolve.flowgraph import TEST
@@ -39,11 +38,11 @@ class Conditions:
         self,
         facts: Facts,
         follower: Follower,
-        offsets: SourceOffsets,
+        module: nodes.Module,
         settings: Mapping[str, object],
         add: Add,
     ) -> None:
-        self.facts, self.follower, self.offsets, self.add = facts, follower, offsets, add
+        self.facts, self.follower, self.module, self.add = facts, follower, module, add
         self.limited = _limited(facts, settings)
         # The names in the function being checked that move or stop an axis, or call a sub.
         self._commands: set[int] = set()
@@ -64,7 +63,7 @@ class Conditions:
                 self._wait_for_condition(node)
             elif type(node) is nodes.Pause:
                 self._pause_for_time(node)
-                self._waits(node.condition, True, before[step], node.at)
+                self._waits(node.condition, True, before[step], node.start)
             elif step.kind == TEST:
                 self._equalities(node, None, before[step])
         tests = {id(step.node): step for step in before if step.kind == TEST}
@@ -73,7 +72,7 @@ class Conditions:
             if test is None:
                 continue
             if self._only_polls(loop):
-                self._waits(loop.condition, truth, before[test], loop.condition.at)
+                self._waits(loop.condition, truth, before[test], loop.condition.start)
             else:
                 self._equalities(loop.condition, truth, before[test])
 
@@ -100,13 +99,12 @@ class Conditions:
 
     def _wrong_wait(self, node: nodes.Node, message: str, hint: str, word: str) -> None:
         """Report a WAIT or PAUSE that should be the other, which is `word`."""
-        line = self.offsets.source.line(self.offsets.line(node.at))
-        found = _WAIT.match(line, self.offsets.column(node.at) - 1)
+        found = _WAIT.match(self.module.source.text, node.start)
         assert found is not None
         self.add(
             "wait-condition",
             message,
-            node.at,
+            node.start,
             hint,
             length=len(found[0].rstrip()),
             fix=(word if found[1].isupper() else word.capitalize()) + " " * (not found[0][-1:].isspace()),
@@ -159,7 +157,7 @@ class Conditions:
         else:
             hint = f"compare it with >= {number:.10g} or <= {number:.10g}, as the axis moves"
         message = f"{what} is compared for equality while axis {spelt(key)} moves, which is rarely true"
-        self.add("exact-position", message, node.at, hint)
+        self.add("exact-position", message, node.start, hint)
 
     # ------------------------------------------------------------------------------------- waits that never end
 

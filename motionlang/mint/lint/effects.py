@@ -59,7 +59,7 @@ class Act:
 
     @property
     def at(self) -> int:
-        return self.node.at
+        return self.node.start
 
     def value(self, number: int) -> nodes.Expr | None:
         """Return the value for the n-th axis; the last value applies to all further axes."""
@@ -359,7 +359,7 @@ def own_expressions(node: nodes.Node | None) -> list[nodes.Node]:
         return []
     kind = type(node)
     if kind is nodes.For:
-        return [each for each in (node.start, node.stop, node.step) if each is not None]  # type: ignore[attr-defined]
+        return [each for each in (node.first, node.stop, node.step) if each is not None]  # type: ignore[attr-defined]
     if kind is nodes.Select:
         return [node.subject]  # type: ignore[attr-defined]
     if kind is nodes.Case:

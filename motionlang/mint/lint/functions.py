@@ -17,11 +17,11 @@ from motionlang.mint.resolve.symbols import Function, Symbol
 if TYPE_CHECKING:
     from collections.abc import Hashable, Iterable, Mapping
 
-    from motionlang.lang.parsing.source_offsets import SourceOffsets
     from motionlang.mint.lint.axis_state import After, Axis
     from motionlang.mint.lint.effects import Facts, Key
     from motionlang.mint.lint.findings import Findings
     from motionlang.mint.resolve.recall import Recall
+    from motionlang.mint.syntax.nodes import Module
 
 
 class FunctionChecks:
@@ -31,11 +31,11 @@ class FunctionChecks:
         self,
         facts: Facts,
         settings: Mapping[str, object],
-        offsets: SourceOffsets,
+        module: Module,
         findings: Findings,
         recall: Recall | None,
     ) -> None:
-        self._facts, self._settings, self._offsets = facts, settings, offsets
+        self._facts, self._settings, self._module = facts, settings, module
         self._findings, self._recall = findings, recall
         add = findings.add
         reach = self._reach = Reach(facts, settings)
@@ -46,7 +46,7 @@ class FunctionChecks:
         self._buffers = Buffers(facts, follower, add)
         self._unused = Settings(facts, follower, add)
         self._reachability = Reachability(facts, follower, settings, add)
-        self._conditions = Conditions(facts, follower, offsets, settings, add)
+        self._conditions = Conditions(facts, follower, module, settings, add)
         self._keys: dict[Function, Hashable] = {}
         self._program = self._program_facts() if recall is not None else None
         self._seen: dict[Symbol, Hashable] = {}
@@ -77,7 +77,7 @@ class FunctionChecks:
         self._reachability.check(function)
         self._conditions.check(function)
         check_iterations(self._facts, function, self._findings.add)
-        check_brackets(self._facts, function, self._offsets, self._findings.add)
+        check_brackets(self._facts, function, self._module.source, self._findings.add)
 
     # --------------------------------------------------------------------------------- what a result depends on
 

@@ -21,11 +21,11 @@ from motionlang.mint.resolve.problems import Problems
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.parser import parse
-from motionlang.mint.syntax.tables import TABLES
+from motionlang.mint.syntax.tokens import Tokens, token_at
 from motionlang.mint.syntax.traversal import names_of, walk
 from motionlang.source import Source
 
-# A token, what it is, a hint, and the text that replaces it, "" if that is not certain.
+# An offset, what is there, a hint, and the text that replaces it, "" if that is not certain.
 Found = Iterator[tuple[int, str, str, str]]
 
 # Kinds of tokens that only Mint v4 has: what they are, and the MintMT equivalent.
@@ -105,8 +105,7 @@ def _habits_of_v4(module: Module) -> Iterator[tuple[int, str]]:
 
 
 def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:
-    texts = TABLES.texts(source.text)
-    yield from _v4_tokens(module, texts)
+    yield from _v4_tokens(source, Tokens(source.text))
     for name in names_of(module):
         row = table.get(name.name)
         if row is None:
@@ -116,31 +115,37 @@ def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:
             yield name.at, f"{row.name} as a name", f"{row.name} is a function there: choose another name", ""
         if not name.axes:
             continue
-        word, *channels = texts[name.at].split(".")
+        text = token_at(source.text, name.start)
+        word, *channels = text.split(".")
         if channels:
             meant = f"{word}({', '.join(channels)})"
-            yield name.at, texts[name.at], f"write {meant}", meant
+            yield name.start, text, f"write {meant}", meant
         else:
             inside = ", ".join(_shown(each) for each in name.args or ())
-            yield name.at, f"{name.name}[{inside}]", f"write {name.name}({inside})", ""
+            yield name.start, f"{name.name}[{inside}]", f"write {name.name}({inside})", ""
 
 
 def _not_v4(module: Module, source: Source, table: Vocabulary) -> Found:
-    texts = TABLES.texts(source.text)
-    yield from _mt_tokens(texts)
-    yield from _ends(texts)
+    tokens = Tokens(source.text)
+    yield from _mt_tokens(tokens)
+    yield from _ends(tokens)
     for name in names_of(module):
         row = table.get(name.name)
         brackets = name.args is not None and not name.axes
         if brackets and row is not None and row.kind not in ("function", "constant", "statement"):
             shown = ", ".join(_shown(each) for each in name.args or ())
             dotted = f"{name.name}.{shown}" if len(name.args or ()) == 1 else f"{name.name}[{shown}]"
-            yield name.at, f"{name.name}({shown})", f"write {dotted}" if shown else f"write {name.name}", ""
+            yield (
+                name.start,
+                f"{name.name}({shown})",
+                f"write {dotted}" if shown else f"write {name.name}",
+                "",
+            )
         elif row is not None and row.verb == "choice":
-            yield name.at, "IIf", "write IF … DO", ""
+            yield name.start, "IIf", "write IF … DO", ""
     for node in walk(module.body):
         if type(node) is nodes.Exit and node.kind:
-            yield node.at, f"Exit {node.kind.capitalize()}", "EXIT leaves the innermost loop", ""
+            yield node.start, f"Exit {node.kind.capitalize()}", "EXIT leaves the innermost loop", ""
 
 
 def _lacking(module: Module, product: str, table: Vocabulary) -> Iterator[tuple[int, str, str]]:
@@ -148,7 +153,7 @@ def _lacking(module: Module, product: str, table: Vocabulary) -> Iterator[tuple[
     for name in names_of(module):
         row = table.get(name.name)
         if row is not None and product in ABSENT.get(row.family, ()):
-            yield name.at, f"the {product} has no {row.name}", as_hint(row.help)
+            yield name.start, f"the {product} has no {row.name}", as_hint(row.help)
     for node in walk(module.everything):
         target = node.target if type(node) is nodes.Assign else None
         row = table.get(target.name) if type(target) is nodes.Name else None
@@ -162,7 +167,7 @@ def _lacking(module: Module, product: str, table: Vocabulary) -> Iterator[tuple[
         for value in node.values:
             if type(value) is nodes.Number and value.value > largest:
                 bounds = f"it takes {-largest:.10g} to {largest:.10g} there"
-                yield value.at, f"{row.name} cannot be {value.value:.10g} on the {product}", bounds
+                yield value.start, f"{row.name} cannot be {value.value:.10g} on the {product}", bounds
 
 
 def _never_raised(module: Module, product: str) -> Iterator[tuple[int, str, str]]:
@@ -180,15 +185,15 @@ def _never_raised(module: Module, product: str) -> Iterator[tuple[int, str, str]
             continue
         else:
             known = f"those of {span[0]} to {span[1]} do"
-        yield event.at, f"{event.name} never comes on the {product}", known
+        yield event.start, f"{event.name} never comes on the {product}", known
 
 
-def _v4_tokens(module: Module, texts: list[str]) -> Found:
+def _v4_tokens(source: Source, tokens: Tokens) -> Found:
     """Find tokens of Mint v4, each with its replacement.
 
     All tokens of a block get a replacement, so that the block stays consistent.
     """
-    kinds = [TABLES.kind_of[text] for text in texts]
+    kinds = tokens.kinds
     in_else_if = False
     for at, kind in enumerate(kinds):
         if kind in ("IF", "ELSEIF"):
@@ -196,21 +201,22 @@ def _v4_tokens(module: Module, texts: list[str]) -> Found:
         if kind not in _V4_TOKENS:
             continue
         what, hint, replacement = _V4_TOKENS[kind]
+        start = tokens.starts[at]
         if kind == "DO" and not in_else_if and kinds[at + 1] != "_NL":
-            replacement = f"Then\n{_indentation(module, at)} "  # Then opens a block only at the end of a line
-        yield at, what, f"write {hint}", _apart(module, at, replacement)
+            replacement = (
+                f"Then\n{_indentation(source, start)} "  # Then opens a block only at the end of a line
+            )
+        yield start, what, f"write {hint}", _apart(source.text, start, tokens.ends[at], replacement)
 
 
-def _indentation(module: Module, at: int) -> str:
-    """Return the whitespace at the beginning of a token's line."""
-    line = module.offsets.source.line(module.line(at))
+def _indentation(source: Source, at: int) -> str:
+    """Return the whitespace at the beginning of the line of an offset."""
+    line = source.line(source.location(at)[0])
     return line[: len(line) - len(line.lstrip(" \t"))]
 
 
-def _apart(module: Module, at: int, word: str) -> str:
+def _apart(text: str, start: int, end: int, word: str) -> str:
     """Return a replacement with spaces where a letter or digit is next to the token."""
-    start, end = module.offsets.span(at)
-    text = module.offsets.source.text
     before = " " if start and _in_word(text[start - 1]) else ""
     return f"{before}{word}{' ' if _in_word(text[end : end + 1]) else ''}"
 
@@ -219,31 +225,29 @@ def _in_word(letter: str) -> bool:
     return letter.isalnum() or letter in ("_", ".")
 
 
-def _mt_tokens(texts: list[str]) -> Found:
+def _mt_tokens(tokens: Tokens) -> Found:
     """Find tokens of MintMT.
 
     The `End` before such a token belongs to the same block and is not reported.
     """
     before = ""
     is_reported = False  # `Const x As …` is reported once
-    for at, text in enumerate(texts):
-        kind = TABLES.kind_of[text]
+    for at, kind in enumerate(tokens.kinds):
         is_reported = is_reported and kind not in ("_NL", "COLON")
         if kind in _MT_TOKENS and before not in ("END", "EXIT") and not (is_reported and kind == "AS"):
             is_reported = True
-            yield at, *_MT_TOKENS[kind], ""
+            yield tokens.starts[at], *_MT_TOKENS[kind], ""
         before = kind
 
 
-def _ends(texts: list[str]) -> Found:
+def _ends(tokens: Tokens) -> Found:
     """Find `End If` and similar closers, and an If with Then at the end of its line."""
     before = ""
-    for at, text in enumerate(texts):
-        kind = TABLES.kind_of[text]
+    for at, kind in enumerate(tokens.kinds):
         if before == "END" and kind in _END_OF:
-            yield at - 1, f"End {text.capitalize()}", f"write {_END_OF[kind]}", ""
+            yield tokens.starts[at - 1], f"End {tokens.texts[at].capitalize()}", f"write {_END_OF[kind]}", ""
         elif before == "THEN" and kind == "_NL":
-            yield at - 1, "Then at the end of a line", "write DO", ""
+            yield tokens.starts[at - 1], "Then at the end of a line", "write DO", ""
         before = kind
 
 

@@ -58,7 +58,7 @@ class Reachability:
                 is_reported = False
             elif not is_reported and not isinstance(step.node, _SILENT) and not _is_made(step.node):
                 is_reported = True
-                self.add("unreachable", "this statement is unreachable", step.node.at,
+                self.add("unreachable", "this statement is unreachable", step.node.start,
                          "the code before it never ends")  # fmt: skip
 
     def _labels(self, function: Function, labels: Mapping[str, Step]) -> None:
@@ -69,7 +69,7 @@ class Reachability:
                 assert type(step.node) is nodes.Label
                 event = function.kind == "main" and kind_and_number(name) is not None
                 hint = f"Mint v4 has no event {step.node.name} for programs; MintMT has one" if event else ""
-                self.add("unused-label", f"label {step.node.name} is never used", step.node.at, hint)
+                self.add("unused-label", f"label {step.node.name} is never used", step.node.start, hint)
 
     # ---------------------------------------------------------------------------------------------- conditions
 
@@ -88,7 +88,9 @@ class Reachability:
             value = self.facts.number(node)
             if value is not None:
                 self.add(
-                    "constant-condition", f"this condition is always {'true' if value else 'false'}", node.at
+                    "constant-condition",
+                    f"this condition is always {'true' if value else 'false'}",
+                    node.start,
                 )
         elif type(node) is nodes.Binary and node.op in ("And", "Or"):
             for side in (node.left, node.right):
@@ -111,7 +113,7 @@ class Reachability:
         self.add(
             "constant-condition",
             f"{side.value:.10g} is an operand of {node.op} on its own, {effect}",
-            side.at,
+            side.start,
             "compare it, as in x = 1 Or x = 2; & and | work on bits",
         )
 
@@ -129,7 +131,7 @@ class Reachability:
         why = f"axis {self._axis(words)} is at rest" if keywords and self._is_at_rest(words) else (
             "no entry of the machine file drives it" if keywords else "no other task and no event changes it"
         )  # fmt: skip
-        self.add("endless-wait", f"this waits for a condition that cannot change: {why}", node.at,
+        self.add("endless-wait", f"this waits for a condition that cannot change: {why}", node.start,
                  "it continues at once or never")  # fmt: skip
 
     def _inner(self, name: nodes.Name) -> list[nodes.Name]:
@@ -217,9 +219,9 @@ class Reachability:
         word = "While" if type(node) is nodes.While else "Repeat"
         if inputs:
             message = f"this {word} waits for a condition that cannot change: no entry of the machine file drives it"
-            self.add("endless-wait", message, inputs[0].at, "it ends at once or never")
+            self.add("endless-wait", message, inputs[0].start, "it ends at once or never")
             return
-        self.add("endless-loop", f"nothing in this {word} changes what its condition depends on", node.at,
+        self.add("endless-loop", f"nothing in this {word} changes what its condition depends on", node.start,
                  "the program never leaves it")  # fmt: skip
 
     def _is_dead(self, name: nodes.Name, symbol: Symbol | None) -> bool:

@@ -25,11 +25,14 @@ def check_servers(module: Module, settings: Mapping[str, object], add: Callable[
         if span is None:
             known = ", ".join(map(str, spans))
             add(
-                "no-connection", f"the machine file has no Modbus server {server}", name.at, f"it has {known}"
+                "no-connection",
+                f"the machine file has no Modbus server {server}",
+                name.start,
+                f"it has {known}",
             )
         elif not span[0] <= register <= register + _REACHED[name.name.lower()] - 1 <= span[1]:
             limits = f"its registers are {span[0]} to {span[1]}"
-            add("no-connection", f"Modbus server {server} rejects register {register}", name.at, limits)
+            add("no-connection", f"Modbus server {server} rejects register {register}", name.start, limits)
 
 
 def _spans(settings: Mapping[str, object]) -> dict[int, tuple[int, int]]:

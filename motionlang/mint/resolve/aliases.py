@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from motionlang.errors import nearest, shown
+from motionlang.lang.syntax.word import Word
 from motionlang.mint.keywords import table
 from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.traversal import names_of
@@ -27,7 +28,7 @@ def rename_old_words(module: Module, settings: Mapping[str, object]) -> None:
         return
     for name in names_of(module):
         if name.name.lower() in meant:
-            name.name = meant[name.name.lower()]
+            name.name = Word(meant[name.name.lower()], name.name.start, name.name.end)
 
 
 def problem(key: str, value: object) -> tuple[str, str] | None:

@@ -17,12 +17,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from motionlang.lang.syntax.word import Word
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
 # The loops and Selects around a statement, innermost last, each with the label behind it, or "" if it is
 # not flattened.
-Around = tuple[tuple[str, str], ...]
+Around = tuple[tuple[str, Word], ...]
 
 _KINDS = {
     nodes.For: "for",
@@ -74,15 +75,15 @@ class _Flattening:
                 out.append(node)
         return out
 
-    def _label(self, what: str) -> str:
+    def _label(self, what: str) -> Word:
         self._made += 1
-        return f"{what} {self._made}"
+        return Word(f"{what} {self._made}")
 
     def _exit(self, node: nodes.Exit, around: Around) -> nodes.Stmt:
         """Return an Exit, as a jump if the block that it leaves is flattened."""
         for kind, label in reversed(around):
             if kind == node.kind or (not node.kind and kind != "select"):
-                return nodes.Jump(node.at, "exit", label) if label else node
+                return nodes.Jump(node.start, node.end, "exit", label) if label else node
         return node
 
     def _inside(self, node: nodes.Stmt, around: Around) -> None:
@@ -92,7 +93,7 @@ class _Flattening:
         """
         if not any(label for _, label in around):
             return
-        inner = (*around, (_KINDS[type(node)], "")) if type(node) in _KINDS else around
+        inner = (*around, (_KINDS[type(node)], Word(""))) if type(node) in _KINDS else around
         for body in _bodies(node):
             body[:] = self.body(body, inner)
 
@@ -104,12 +105,18 @@ class _Flattening:
         while True:
             other, end = self._label("else"), self._label("end if")
             out += [
-                nodes.If(node.at, node.condition, [], [nodes.Jump(node.at, "exit", other)]),
+                nodes.If(
+                    node.start,
+                    node.end,
+                    node.condition,
+                    [],
+                    [nodes.Jump(node.start, node.end, "exit", other)],
+                ),
                 *self.body(node.body, around),
-                nodes.Jump(node.at, "exit", end),
-                nodes.Label(node.at, other),
+                nodes.Jump(node.start, node.end, "exit", end),
+                nodes.Label(node.start, node.end, other),
             ]
-            ends.append(nodes.Label(node.at, end))
+            ends.append(nodes.Label(node.start, node.end, end))
             if (
                 len(node.orelse) != 1
                 or type(node.orelse[0]) is not nodes.If
@@ -124,11 +131,23 @@ class _Flattening:
         chosen: list[nodes.Case] = []
         bodies: list[nodes.Stmt] = []
         for case, label in zip(node.cases, labels, strict=True):
-            chosen.append(nodes.Case(case.at, case.tests, [nodes.Jump(case.at, "exit", label)]))
-            bodies += [nodes.Label(case.at, label), *self.body(case.body, (*around, ("select", end)))]
-            bodies.append(nodes.Jump(case.at, "exit", end))
-        head = nodes.Select(node.at, node.subject, chosen)
-        return [head, nodes.Jump(node.at, "exit", end), *bodies, nodes.Label(node.at, end)]
+            chosen.append(
+                nodes.Case(
+                    case.start, case.end, case.tests, [nodes.Jump(case.start, case.end, "exit", label)]
+                )
+            )
+            bodies += [
+                nodes.Label(case.start, case.end, label),
+                *self.body(case.body, (*around, ("select", end))),
+            ]
+            bodies.append(nodes.Jump(case.start, case.end, "exit", end))
+        head = nodes.Select(node.start, node.end, node.subject, chosen)
+        return [
+            head,
+            nodes.Jump(node.start, node.end, "exit", end),
+            *bodies,
+            nodes.Label(node.start, node.end, end),
+        ]
 
     def loop(self, node: nodes.Loop, around: Around) -> list[nodes.Stmt]:
         return self._rewritten_loop(node, "loop", node.body, None, [], around)
@@ -137,27 +156,34 @@ class _Flattening:
         rewritten = self._rewritten_loop(node, "while", node.body, node.condition, [], around)
         first = rewritten[0]
         assert isinstance(first, nodes.Label)
-        return [nodes.Jump(node.at, "goto", first.name), *rewritten]  # the statement time of the While itself
+        return [
+            nodes.Jump(node.start, node.end, "goto", first.name),
+            *rewritten,
+        ]  # the statement time of the While itself
 
     def repeat(self, node: nodes.Repeat, around: Around) -> list[nodes.Stmt]:
         begin, end = self._label("repeat"), self._label("end repeat")
-        again = nodes.Jump(node.condition.at, "again", begin)
+        again = nodes.Jump(node.condition.start, node.condition.end, "again", begin)
         return [
-            nodes.Label(node.at, begin),
+            nodes.Label(node.start, node.end, begin),
             *self.body(node.body, (*around, ("repeat", end))),
-            nodes.If(node.condition.at, node.condition, [], [again]),
-            nodes.Label(node.at, end),
+            nodes.If(node.condition.start, node.condition.end, node.condition, [], [again]),
+            nodes.Label(node.start, node.end, end),
         ]
 
     def for_(self, node: nodes.For, around: Around) -> list[nodes.Stmt]:
         """Rewrite a For; limit and step are evaluated once, before the first assignment."""
         before: list[nodes.Stmt] = []
         stop = self._stored(node, node.stop, before)
-        step = nodes.Number(node.at, 1) if node.step is None else self._stored(node, node.step, before)
+        step = (
+            nodes.Number(node.start, node.end, 1)
+            if node.step is None
+            else self._stored(node, node.step, before)
+        )
         variable = node.variable
-        before.append(nodes.Assign(node.at, variable, [node.start]))
-        total = nodes.Binary(node.at, "+", variable, step)
-        next_ = [nodes.Assign(node.at, variable, [total])]
+        before.append(nodes.Assign(node.start, node.end, variable, [node.first]))
+        total = nodes.Binary(node.start, node.end, "+", variable, step)
+        next_ = [nodes.Assign(node.start, node.end, variable, [total])]
         return [
             *before,
             *self._rewritten_loop(node, "for", node.body, _goes_on(variable, stop, step), next_, around),
@@ -167,8 +193,8 @@ class _Flattening:
         if isinstance(value, nodes.Number):
             return value
         self._made += 1
-        name = nodes.Name(node.at, f"_for{self._made}")
-        before.append(nodes.Assign(node.at, name, [value]))
+        name = nodes.Name(node.start, node.end, Word(f"_for{self._made}"))
+        before.append(nodes.Assign(node.start, node.end, name, [value]))
         return name
 
     def _rewritten_loop(
@@ -182,14 +208,14 @@ class _Flattening:
     ) -> list[nodes.Stmt]:
         """Rewrite a loop: condition, body, end of the iteration, and the jump back."""
         begin, end = self._label(kind), self._label(f"end {kind}")
-        test = [] if condition is None else [nodes.Jump(node.at, "exit", end, condition)]
+        test = [] if condition is None else [nodes.Jump(node.start, node.end, "exit", end, condition)]
         return [
-            nodes.Label(node.at, begin),
+            nodes.Label(node.start, node.end, begin),
             *test,
             *self.body(body, (*around, (kind, end))),
             *last,
-            nodes.Jump(node.at, "again" if last else "goto", begin),
-            nodes.Label(node.at, end),
+            nodes.Jump(node.start, node.end, "again" if last else "goto", begin),
+            nodes.Label(node.start, node.end, end),
         ]
 
 
@@ -198,13 +224,13 @@ def _goes_on(variable: nodes.Expr, stop: nodes.Expr, step: nodes.Expr) -> nodes.
 
     The sign of the step may be known only at run time.
     """
-    at = variable.at
-    up, down = nodes.Binary(at, "<=", variable, stop), nodes.Binary(at, ">=", variable, stop)
+    at = variable.start, variable.end
+    up, down = nodes.Binary(*at, "<=", variable, stop), nodes.Binary(*at, ">=", variable, stop)
     if isinstance(step, nodes.Number):
         return up if step.value >= 0 else down
-    zero = nodes.Number(at, 0)
-    upward = nodes.Binary(at, "And", nodes.Binary(at, ">=", step, zero), up)
-    return nodes.Binary(at, "Or", upward, nodes.Binary(at, "And", nodes.Binary(at, "<", step, zero), down))
+    zero = nodes.Number(*at, 0)
+    upward = nodes.Binary(*at, "And", nodes.Binary(*at, ">=", step, zero), up)
+    return nodes.Binary(*at, "Or", upward, nodes.Binary(*at, "And", nodes.Binary(*at, "<", step, zero), down))
 
 
 _WRITERS: dict[type, Callable[..., list[nodes.Stmt]]] = {

@@ -60,24 +60,32 @@ def given(node: nodes.Expr, means: Callable[[nodes.Name], Meaning]) -> nodes.Exp
         return node
     known = fold(node, means)
     if known is not None:
-        return nodes.String(node.at, known) if isinstance(known, str) else nodes.Number(node.at, known)
+        return (
+            nodes.String(node.start, node.end, known)
+            if isinstance(known, str)
+            else nodes.Number(node.start, node.end, known)
+        )
     if type(node) is nodes.Name and node.args is None:
         symbol, _ = means(node)
         return symbol.node if symbol is not None and symbol.given else None  # type: ignore[return-value]
     if type(node) is nodes.Unary:
         operand = given(node.operand, means)
-        return None if operand is None else nodes.Unary(node.at, node.op, operand)
+        return None if operand is None else nodes.Unary(node.start, node.end, node.op, operand)
     if type(node) is nodes.Binary:
         left, right = given(node.left, means), given(node.right, means)
-        return None if left is None or right is None else nodes.Binary(node.at, node.op, left, right)
+        return (
+            None
+            if left is None or right is None
+            else nodes.Binary(node.start, node.end, node.op, left, right)
+        )
     if type(node) is nodes.Chain:
         first, links = given(node.first, means), []
         for link in node.links:
             right = given(link.value, means)
             if first is None or right is None:
                 return None
-            links.append(nodes.Link(link.at, link.op, right))
-        return None if first is None else nodes.Chain(node.at, first, links)
+            links.append(nodes.Link(link.start, link.end, link.op, right))
+        return None if first is None else nodes.Chain(node.start, node.end, first, links)
     return None
 
 

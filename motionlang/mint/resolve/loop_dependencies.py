@@ -77,7 +77,7 @@ class _Survey:
         for function in functions:
             for node in walk(function.body):
                 if isinstance(node, (*LOOPS, nodes.Pause)):
-                    self._nodes[node.at] = node
+                    self._nodes[node.start] = node
             self._by_labels.update(_by_labels(function))
 
     def at(self, token: int) -> LoopDependencies | None:
@@ -111,9 +111,9 @@ class _Survey:
         self, body: list[nodes.Stmt], conditions: list[nodes.Expr], why: str
     ) -> LoopDependencies:
         reached = list(self._reached(body))
-        lines = frozenset(self._module.line(node.at) for node in reached)
+        lines = frozenset(self._module.line(node.start) for node in reached)
         if not why and conditions:
-            in_order = sorted(conditions, key=lambda each: each.at)
+            in_order = sorted(conditions, key=lambda each: each.start)
             why = " or ".join(dict.fromkeys(map(shown, in_order)))
         within = self.reads([*conditions, *_deciding(reached, None)], reached)
         return LoopDependencies(self.reads(conditions, reached), within, lines, why)
@@ -188,7 +188,7 @@ def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
                 if first < number:
                     last[first] = number
     for first, number in last.items():
-        yield body[first].at, body[first : number + 1]
+        yield body[first].start, body[first : number + 1]
 
 
 def _deciding(body: Iterable[object], leaves: tuple[type, ...] | None) -> list[nodes.Expr]:
@@ -270,7 +270,7 @@ def input_reads(source: Source) -> list[InputRead]:
         event = kind_and_number(function.name) if function.kind == "event" else None
         if event is not None and event[0] == "in" and event[1] >= 0:
             line = module.line(function.at)
-            first = min((module.line(node.at) for node in body), default=line)
+            first = min((module.line(node.start) for node in body), default=line)
             found.append(InputRead("event", event[1], None, line, first))
     return sorted(found, key=lambda each: (each.line, each.kind, each.channel is None, each.channel or 0))
 
@@ -333,21 +333,21 @@ def _inputs(module: Module, body: list[nodes.Node], banks: _Banks, in_handler: b
         found = [each for each in _levels(condition, wanted, banks) if id(each[0]) not in seen]
         seen.update(id(each) for each in walk([node for node, _, _ in found]))
         for node, channel, level in found:
-            line = module.line(node.at)
+            line = module.line(node.start)
             yield InputRead(kind, channel, level, line, max(last, line), in_handler)
 
     for node in body:
         if isinstance(node, nodes.Pause):
             yield from reads("wait", node.condition, True)
         elif isinstance(node, (nodes.While, nodes.Repeat)):
-            last = max((module.line(each.at) for each in walk([node])), default=0)
+            last = max((module.line(each.start) for each in walk([node])), default=0)
             yield from reads("poll", node.condition, isinstance(node, nodes.Repeat), last)
         elif isinstance(node, nodes.If):
             leaves = not node.orelse and any(_leaves(each) for each in walk(node.body))
             yield from reads("guard" if leaves else "test", node.condition, not leaves)
     for node in body:
         if isinstance(node, nodes.Name) and id(node) not in seen and (_is_input(node) or _is_bank(node)):
-            line = module.line(node.at)
+            line = module.line(node.start)
             for channel in [_channel(node)] if _is_input(node) else banks.channels(node):
                 yield InputRead("test", channel, None, line, line, in_handler)
 
@@ -436,7 +436,7 @@ def _keys(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
             code = _whole(other)
             is_read = _is_key(side) or (isinstance(side, nodes.Name) and side.symbol in given)
             if is_read and code is not None and FIRST_KEY <= code <= LAST_KEY:
-                line = module.line(node.at)
+                line = module.line(node.start)
                 yield InputRead("key", code, None, line, line)
 
 
@@ -448,7 +448,7 @@ def _choices(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
         number = _whole(value)
         if isinstance(subject, nodes.Name) and subject.symbol is not None and number is not None:
             lines = compared.setdefault(subject.symbol, {})
-            lines[number] = min(lines.get(number, inf), module.line(value.at))
+            lines[number] = min(lines.get(number, inf), module.line(value.start))
 
     for node in body:
         if isinstance(node, nodes.Binary) and node.op in ("=", "<>"):
@@ -460,7 +460,7 @@ def _choices(module: Module, body: list[nodes.Node]) -> Iterator[InputRead]:
     for node in body:
         if isinstance(node, nodes.Input) and isinstance(node.target, nodes.Name):
             numbers = compared.get(node.target.symbol, {}) if node.target.symbol is not None else {}
-            asked = module.line(node.at)
+            asked = module.line(node.start)
             for number, line in numbers.items() if len(numbers) > 1 else ():
                 yield InputRead("answer", number, None, int(line), asked)
 

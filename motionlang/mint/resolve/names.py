@@ -160,10 +160,10 @@ class Names:
         self, kind: str, node: nodes.Task | nodes.Event | nodes.Sub, name: str, prefix: str
     ) -> Function:
         function = Function(kind, name, self._python(prefix, name), node.body, self.module)
-        function.node, function.at = node, node.at
+        function.node, function.at = node, node.start
         self.functions.append(function)
         if kind != "event":
-            self.add(self.module, Symbol(name, kind, Type(FLOAT), function.python, node.at, function))
+            self.add(self.module, Symbol(name, kind, Type(FLOAT), function.python, node.start, function))
         self._declare_data(function)
         return function
 
@@ -173,12 +173,12 @@ class Names:
             names = [
                 kind.upper() + ("" if kind in SINGLE else "0") for kind in KINDS if kind not in SOURCELESS
             ]
-            self.problems.unknown(f"there is no event {event.name}", event.name, lambda: names, event.at,
+            self.problems.unknown(f"there is no event {event.name}", event.name, lambda: names, event.start,
                                   f"the events are {', '.join(names)}")  # fmt: skip
         elif any(f.kind == "event" and kind_and_number(f.name) == found for f in self.functions[:-1]):
-            self.problems.add("duplicate", f"there is already a handler for {event.name}", event.at)
+            self.problems.add("duplicate", f"there is already a handler for {event.name}", event.start)
         elif found[0] in SOURCELESS:
-            self.problems.add("not-simulated", f"the event {event.name.upper()} never occurs here", event.at,
+            self.problems.add("not-simulated", f"the event {event.name.upper()} never occurs here", event.start,
                               f"EVENTPEND({KINDS.index(found[0])}, 0, 0) raises it", "warning")  # fmt: skip
 
     def _declare_task(self, task: nodes.Task) -> None:
@@ -188,14 +188,14 @@ class Names:
 
     def _declare_sub(self, sub: nodes.Sub, scope: Scope) -> Function:
         function = Function("sub", sub.name, self._python("s_", sub.name), sub.body, scope)
-        function.node, function.at = sub, sub.at
+        function.node, function.at = sub, sub.start
         self.functions.append(function)
         result = self.type_of(sub.result, INTEGER) if sub.function else Type(FLOAT)
-        self.add(scope, Symbol(sub.name, "sub", result, function.python, sub.at, function))
+        self.add(scope, Symbol(sub.name, "sub", result, function.python, sub.start, function))
         for parameter in sub.parameters:
             self._declare_parameter(function, parameter)
         if sub.function:
-            symbol = Symbol(sub.name, "variable", result, self._python("r_", sub.name), sub.at, function)
+            symbol = Symbol(sub.name, "variable", result, self._python("r_", sub.name), sub.start, function)
             function.result = symbol
         self._declare_data(function)
         return function
@@ -206,7 +206,7 @@ class Names:
         python = self._python("p_", node.name)
         while by_ref and f"{python}_k" in self._taken:
             python = self._python("p_", node.name)
-        symbol = Symbol(node.name, "parameter", kind, python, node.at, function)
+        symbol = Symbol(node.name, "parameter", kind, python, node.start, function)
         symbol.by_ref = by_ref
         if by_ref:
             self._taken[f"{python}_k"] = 0  # the index in the list, which is passed along with it
@@ -239,12 +239,14 @@ class Names:
         for member in node.members:
             key = member.name.lower()
             if key in record.members:
-                self.problems.add("duplicate", f"{node.name} already has a member {member.name}", member.at)
+                self.problems.add(
+                    "duplicate", f"{node.name} already has a member {member.name}", member.start
+                )
                 continue
             dimensions = self._dimensions(member, self.module)
             record.members[key] = (len(record.members), self.type_of(member.type, FLOAT), dimensions)
         if node.name.lower() in self.types or node.name.lower() in TYPES:
-            self.problems.add("duplicate", f"there is already a type {node.name}", node.at)
+            self.problems.add("duplicate", f"there is already a type {node.name}", node.start)
         self.types[node.name.lower()] = record
 
     def type_of(self, node: nodes.TypeName | None, default: str) -> Type:
@@ -258,7 +260,7 @@ class Names:
             known = [*TYPES.values(), *self.types]
             word = OTHER_TYPES.get(key, node.name)
             otherwise = f"the types are {', '.join(known)}"
-            self.problems.unknown(f"there is no type {node.name}", word, lambda: known, node.at, otherwise)
+            self.problems.unknown(f"there is no type {node.name}", word, lambda: known, node.start, otherwise)
             return Type(default)
         size = (
             self._whole(node.size, self.module, "the length of a String", 1)
@@ -290,14 +292,14 @@ class Names:
             elif type(node) is nodes.Const:
                 self._declare_const(function, node)
             elif type(node) is nodes.Define:
-                symbol = Symbol(node.name, "define", Type(FLOAT), "", node.at, function)
+                symbol = Symbol(node.name, "define", Type(FLOAT), "", node.start, function)
                 symbol.node = node.value
                 self.add(function.scope, symbol)
 
     def _make_lasting(self, symbol: Symbol, node: nodes.Variable) -> None:
         """Box an nv variable in a list, which receives the value of the previous run."""
         if symbol.type.name not in (INTEGER, FLOAT, STRING, RECORD):
-            self.problems.add("type", f"nv data cannot be {symbol.type}", node.at,
+            self.problems.add("type", f"nv data cannot be {symbol.type}", node.start,
                               hint="Integer, Float, String and user types can outlive the run")  # fmt: skip
         symbol.boxed = not (symbol.is_array or symbol.type.record)
 
@@ -308,10 +310,10 @@ class Names:
                 "controller"
             )
             self.problems.add(
-                "not-simulated", "variables of type Controller are not simulated", node.type.at, hint=hint
+                "not-simulated", "variables of type Controller are not simulated", node.type.start, hint=hint
             )
         symbol = Symbol(node.name, "variable", self.type_of(node.type, FLOAT),
-                        self._python("v_", node.name), node.at, function)  # fmt: skip
+                        self._python("v_", node.name), node.start, function)  # fmt: skip
         symbol.dimensions = self._dimensions(node, function.scope)
         self.add(function.scope, symbol)
         node.resolve(symbol)
@@ -322,22 +324,22 @@ class Names:
         value = fold(node.value, means)
         expression = given(node.value, means) if value is None else None
         if expression is not None:
-            symbol = Symbol(node.name, "define", Type(FLOAT), "", node.at, function)
+            symbol = Symbol(node.name, "define", Type(FLOAT), "", node.start, function)
             if node.type is not None:
-                expression = nodes.Cast(node.at, expression, self.type_of(node.type, FLOAT))
+                expression = nodes.Cast(node.start, node.end, expression, self.type_of(node.type, FLOAT))
             symbol.node, symbol.given = expression, True
             self.add(function.scope, symbol)
             return
         if value is None:
-            self.problems.add("type", f"the value of {node.name} is not known before the program runs", node.at,
+            self.problems.add("type", f"the value of {node.name} is not known before the program runs", node.start,
                               hint="a Const can use numbers, texts and other constants")  # fmt: skip
             value = 1  # as the size of an array or a divisor, 0 would be a second error
         natural = STRING if isinstance(value, str) else INTEGER if isinstance(value, int) else FLOAT
         kind = self.type_of(node.type, natural)
         if (kind.name == STRING) is not isinstance(value, str):
-            self.problems.add("type", f"{node.name} is {kind}, its value is {natural}", node.at)
+            self.problems.add("type", f"{node.name} is {kind}, its value is {natural}", node.start)
             value = "" if kind.name == STRING else 1
-        symbol = Symbol(node.name, "const", kind, "", node.at, function)
+        symbol = Symbol(node.name, "const", kind, "", node.start, function)
         symbol.const = int(value) if kind.name == INTEGER else float(value) if kind.name == FLOAT else value
         self.add(function.scope, symbol)
 
@@ -347,7 +349,7 @@ class Names:
         for size in sizes:
             count *= size
         if count > MAX_ELEMENTS:
-            self.problems.add("range", f"{node.name} has more than {MAX_ELEMENTS} elements", node.at,
+            self.problems.add("range", f"{node.name} has more than {MAX_ELEMENTS} elements", node.start,
                               hint="make the array smaller")  # fmt: skip
             return (1,) * len(sizes)
         return tuple(sizes)
@@ -361,7 +363,7 @@ class Names:
         if isinstance(value, (int, float)) and least <= value < inf and value == int(value):
             return int(value)
         self.problems.add("range", f"{what} must be a whole number of at least {least} that is known beforehand",
-                          node.at)  # fmt: skip
+                          node.start)  # fmt: skip
         return least
 
     def add(self, scope: Scope, symbol: Symbol) -> None:
@@ -411,7 +413,9 @@ class Names:
             if row is not None and not self._is_absent(row):
                 continue
             if not _is_result(function, name):
-                symbol = Symbol(name, "variable", Type(FLOAT), self._python("v_", name), target.at, function)
+                symbol = Symbol(
+                    name, "variable", Type(FLOAT), self._python("v_", name), target.start, function
+                )
                 symbol.declared = False
                 function.scope.names[name.lower()] = symbol
 

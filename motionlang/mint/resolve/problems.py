@@ -6,6 +6,7 @@ from functools import cached_property
 
 from motionlang.errors import Diagnostic, ProgramError, differ_little, nearest
 from motionlang.mint.models import V4_SUFFIX
+from motionlang.mint.syntax.tokens import token_at
 from motionlang.mint.syntax.traversal import names_of
 
 TYPE_CHECKING = False
@@ -139,8 +140,8 @@ class Problems:
 
     def text(self, at: int) -> str:
         """Return the text of a token, "" if the program has none."""
-        offsets = getattr(self._module, "offsets", None)
-        return "" if offsets is None else offsets.text(at)
+        source = getattr(self._module, "source", None)
+        return "" if source is None else token_at(source.text, at)
 
     def line(self, at: int) -> int:
         return self._module.line(at)

@@ -14,13 +14,14 @@ position.
     End Sub
 
 Data. `Recall` belongs to one check. The dict `known` passes from one check to the next; after a complete check it has
-the entries of that check alone. `OwnTokens` are the tokens that belong to one function. The tokens of a sub inside a
-task do not belong to the task, and the parent task has the tokens outside all blocks. A finding has the arguments with
-which a problem was reported (`recorder.py`). Its tokens are numbered within the function's own tokens.
+the entries of that check alone. `OwnText` is the text that belongs to one function. The text of a sub inside a task
+does not belong to the task, and the parent task has the text outside all blocks. A finding has the arguments with which
+a problem was reported (`recorder.py`). Its offsets are numbered within the function's own text.
 
 Invariants.
-- Findings that the key does not determine are not stored: a finding at a token of another function, as in a Define, and
-  a message that is reported once in a program. Nothing of a program with errors is stored; their hints use all names.
+- Findings that the key does not determine are not stored: a finding in the text of another function, as in a Define,
+  and a message that is reported once in a program. Nothing of a program with errors is stored; their hints use all
+  names.
 - Findings are repeated through the same function that recorded them, in the order of the functions, so limits and
   duplicates are treated as if they were new.
 
@@ -32,26 +33,23 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Hashable, Sequence
-from sys import maxsize
 from typing import Any
 
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.recorder import Recorder
 from motionlang.mint.resolve.symbols import Function, Symbol, Type
-from motionlang.mint.syntax import outline
 from motionlang.mint.syntax.nodes import Module
 
 # Findings and a value of the stage by key.
 Known = dict[object, Any]
 Findings = list[dict[str, Any]]
 
-_FUNCTIONS = frozenset(("SUB", "FUNCTION", "TASK", "EVENT"))
-# Arguments of the functions that record a problem which are tokens.
-_TOKENS = ("at", "other")
+# Arguments of the functions that record a problem which are offsets.
+_OFFSETS = ("at", "other")
 
 
-class OwnTokens:
-    """The tokens of one function as ranges of the text, numbered within the function."""
+class OwnText:
+    """The text of one function as ranges of offsets, numbered within the function."""
 
     __slots__ = ("_firsts", "_numbers", "ranges")
 
@@ -62,42 +60,39 @@ class OwnTokens:
             self._numbers.append(self._numbers[-1] + end - first)
 
     def number(self, at: int) -> int | None:
-        """Return the number of a token within the function, None if it is not its own."""
+        """Return the number of an offset within the function, None if it is not its own."""
         index = bisect_right(self._firsts, at) - 1
         if index < 0 or at >= self.ranges[index][1]:
             return None
         return self._numbers[index] + at - self._firsts[index]
 
     def at(self, number: int) -> int:
-        """Return the token that has a number within the function."""
+        """Return the offset that has a number within the function."""
         index = bisect_right(self._numbers, number) - 1
         return self._firsts[index] + number - self._numbers[index]
 
 
-def own_tokens(names: Names, kinds: Sequence[str]) -> dict[Function, OwnTokens]:
-    """Return the tokens of each function, {} if the end of any function is not found."""
-    functions = {each.at: each for each in names.functions if each is not names.main}
+def own_text(names: Names, module: Module) -> dict[Function, OwnText]:
+    """Return the text of each function."""
     found: dict[Function, list[tuple[int, int]]] = {names.main: []}
-    # The blocks around a token, each with its function, its end, and its first token that is not assigned yet.
-    opened: list[tuple[Function, int]] = [(names.main, len(kinds))]
+    # The functions around an offset, each with its end.
+    opened: list[tuple[Function, int]] = [(names.main, len(module.source.text))]
     begin = 0
-    for block in outline.blocks(kinds):
-        if block.kind not in _FUNCTIONS or block.first not in functions:
-            continue
-        while block.first >= opened[-1][1]:
-            function, end = opened.pop()
-            found[function].append((begin, end))
+    blocks = [(each.node, each) for each in names.functions if each.node is not None]
+    for node, function in sorted(blocks, key=lambda each: each[0].start):
+        while node.start >= opened[-1][1]:
+            around, end = opened.pop()
+            found[around].append((begin, end))
             begin = end
-        found[opened[-1][0]].append((begin, block.first))
-        begin = block.first
-        function = functions.pop(block.first)
+        found[opened[-1][0]].append((begin, node.start))
+        begin = node.start
         found[function] = []
-        opened.append((function, block.last + 1))
+        opened.append((function, node.end))
     while opened:
-        function, end = opened.pop()
-        found[function].append((begin, end))
+        around, end = opened.pop()
+        found[around].append((begin, end))
         begin = end
-    return {} if functions else {function: OwnTokens(ranges) for function, ranges in found.items()}
+    return {function: OwnText(ranges) for function, ranges in found.items()}
 
 
 class Interfaces:
@@ -150,8 +145,7 @@ class Recall:
     def __init__(self, module: Module, known: Known) -> None:
         self._module, self._known = module, known
         self._used: Known = {}
-        self._kinds = module.offsets.tokens()[1]
-        self._own: dict[Function, OwnTokens] = {}
+        self._own: dict[Function, OwnText] = {}
         self._keys: dict[Function, Hashable] = {}
         # What each function uses of its own names and of those around it.
         self.symbols: dict[Function, list[Symbol]] = {}
@@ -160,21 +154,17 @@ class Recall:
     def resolve(self, names: Names) -> Interfaces:
         """Compute the keys of all functions, after all names are resolved."""
         interfaces = Interfaces(names)
-        self._own = own_tokens(names, self._kinds)
-        offsets = self._module.offsets
-        offsets.span(maxsize - 1)
+        self._own = own_text(names, self._module)
+        program = self._module.source.text
         for function, own in self._own.items():
             self.symbols[function] = [each for each in function.scope.found.values() if each is not None]
-            text = "\0".join(
-                offsets.source.text[offsets.span(first)[0] : offsets.span(end - 1)[1]]
-                for first, end in own.ranges
-            )
+            text = "\0".join(program[first:end] for first, end in own.ranges)
             self._keys[function] = text, interfaces.seen_by(function)
         return interfaces
 
-    def own(self, function: Function) -> OwnTokens:
-        """Return the tokens of a function, none if they are unknown."""
-        return self._own.get(function) or OwnTokens([])
+    def own(self, function: Function) -> OwnText:
+        """Return the text of a function."""
+        return self._own[function]
 
     def key(self, stage: str, function: Function, *facts: Hashable) -> Hashable:
         """Return the key of a function for a stage, None if it cannot be recalled."""
@@ -197,7 +187,7 @@ class Recall:
             return
         own, findings = self.own(function), []
         for given in recorded:
-            moved = {name: own.number(given[name]) for name in _TOKENS if name in given}
+            moved = {name: own.number(given[name]) for name in _OFFSETS if name in given}
             if None in moved.values():
                 return
             findings.append({**given, **moved})
@@ -207,7 +197,7 @@ class Recall:
         """Record stored findings again, at the present position of their function."""
         own = self.own(function)
         for given in found[0]:
-            add(**{**given, **{name: own.at(given[name]) for name in _TOKENS if name in given}})
+            add(**{**given, **{name: own.at(given[name]) for name in _OFFSETS if name in given}})
 
     def finish(self) -> None:
         """Pass the entries of a complete check on to the next one."""

@@ -75,7 +75,7 @@ def _settings(module: Module) -> Iterator[tuple[Keyword, int | None, float | Non
         axes: list[Expr | None] = list(node.target.args) if node.target.args else [None]
         for axis, value in zip_longest(axes, node.values[: len(axes)], fillvalue=node.values[-1]):
             number = _literal(axis)
-            yield row, None if number is None else int(number), _literal(value), node.target.at
+            yield row, None if number is None else int(number), _literal(value), node.target.start
 
 
 def _has_units(module: Module) -> bool:

@@ -55,7 +55,14 @@ class Symbol:
     """
 
     def __init__(self, name: str, kind: str, type: Type, python: str, at: int, home: Function) -> None:
-        self.name, self.kind, self.type, self.python, self.at, self.home = name, kind, type, python, at, home
+        self.name, self.kind, self.type, self.python, self.at, self.home = (
+            str(name),
+            kind,
+            type,
+            python,
+            at,
+            home,
+        )
         self.dimensions: tuple[int, ...] = ()
         self.const: float | str | None = None
         self.node: object = None
@@ -129,7 +136,7 @@ class Function:
     def __init__(
         self, kind: str, name: str, python: str, body: list[nodes.Stmt], outer: Scope | None
     ) -> None:
-        self.kind, self.name, self.python, self.body = kind, name, python, body
+        self.kind, self.name, self.python, self.body = kind, str(name), python, body
         self.scope = Scope(self, outer)
         self.at = 0
         self.node: nodes.Node | None = None

@@ -9,7 +9,7 @@ from motionlang.record import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.parsing.linked_stack import Cell
+    from motionlang.lang.syntax.stack import Cell
 
 # The kinds of token that open a block, and the keyword as messages spell it.
 OPENERS = {

@@ -1,6 +1,6 @@
 """Find all syntax errors of a text in one pass, with position and suggested fix.
 
-The text is parsed again with a stack that can be rolled back (`motionlang.lang.parsing.linked_stack`). Each
+The text is parsed again with a stack that can be rolled back (`motionlang.lang.syntax.stack`). Each
 faulty line is reported once. The line is then dropped, or replaced by the shortest line that opens or closes
 the same block, so that one error gives one message. Missing and surplus closers are repaired in the same way. A block
 that is still open when the block around it closes is reported at its opener and closed. A closer without an open block
@@ -13,9 +13,7 @@ from math import inf
 
 from motionlang.errors import Diagnostic, ProgramError, nearest
 from motionlang.lang import typography
-from motionlang.lang.parsing.linked_stack import empty, expected, feed, feed_all
-from motionlang.lang.parsing.parser import BAD, END
-from motionlang.lang.parsing.source_offsets import SourceOffsets
+from motionlang.lang.syntax.grammar import BAD, END
 from motionlang.mint.syntax import expectations
 from motionlang.mint.syntax.blocks import (
     CLOSERS,
@@ -26,29 +24,29 @@ from motionlang.mint.syntax.blocks import (
     opened_blocks,
     plain_lines,
 )
-from motionlang.mint.syntax.build import MAX_DEPTH, number
-from motionlang.mint.syntax.tables import SPELLINGS, TABLES
+from motionlang.mint.syntax.build import number
+from motionlang.mint.syntax.nesting import MAX_DEPTH
+from motionlang.mint.syntax.tokens import TABLE, Tokens
 from motionlang.source import Source
 
 AFTER_A_NAME = {"EQUAL", "DOT", "LPAR", "LSQB"}
-KEYWORDS = {spelling: kind for kind, spelling in SPELLINGS.items() if kind.isalpha()}
+KEYWORDS = {spelling: kind for kind, spelling in TABLE.spellings.items() if kind.isalpha()}
 MAX_BACK = 2000  # a misspelt opener is looked for among so many tokens before its closer
 MAX_ERRORS = 100  # more are not useful; a binary file has one on every line
 
 
 def diagnose(source: Source) -> ProgramError:
-    """Return all errors of a text that cannot be parsed."""
+    """Return all errors of a text."""
     reader = _Reader(source)
     reader.read()
     return ProgramError(reader.diagnostics)
 
 
-def unfinished(texts: list[str]) -> bool:
+def unfinished(text: str) -> bool:
     """True if the text ends inside a block and has no error before that."""
-    top = empty(TABLES)
-    for at, text in enumerate(texts):
-        kind = TABLES.kind_of[text]
-        top, fits = feed(top, kind, at)
+    top = TABLE.empty()
+    for at, kind in enumerate(Tokens(text).kinds):
+        top, fits = top.feed(kind, at)
         if not fits:
             return kind == END
     return False
@@ -61,11 +59,10 @@ class _Reader:
     """
 
     def __init__(self, source: Source) -> None:
-        self.texts = TABLES.texts(source.text)
-        self.kinds = TABLES.kinds_of(self.texts)
-        self.offsets = SourceOffsets(source, TABLES, self.texts, self.kinds)
+        self.source, self.tokens = source, Tokens(source.text)
+        self.texts, self.kinds = self.tokens.texts, self.tokens.kinds
         self.diagnostics: list[Diagnostic] = []
-        self.top = self.deepest = empty(TABLES)
+        self.top = TABLE.empty()
         self.before = self.line = self.mark = self.top
         self.start = 0  # the token at which the statement began
         self.spent: dict[int, int] = {}  # maps an opener to the inner opener that took its closer
@@ -79,33 +76,24 @@ class _Reader:
             if closer:
                 self._watch_columns(closer)
             self.before = self.top
-            self.top, fits = feed(self.top, self.kinds[at], at)
+            self.top, fits = self.top.feed(self.kinds[at], at)
             if fits:
                 self._check(at)
             at = self._after(at) if fits else self._mistake(at)
-            if self.top.depth > self.deepest.depth:
-                self.deepest = self.top
             if self.top.depth > 2 * MAX_DEPTH and self._is_too_deep():
-                self.deepest = self.top
+                self._report_depth()
                 break
-        if not self.diagnostics or at < len(self.kinds):
-            self._report_depth()
 
     def _is_too_deep(self) -> bool:
         return self.top.symbol == "_NL" and sum(cell.symbol == "body" for cell in self.top) > MAX_DEPTH
 
     def _report_depth(self) -> None:
-        """Report blocks that are nested too deeply.
-
-        If a text cannot be parsed and no error was found in it so far, no other error is possible.
-        """
-        blocks = opened_blocks(self.deepest)
-        if blocks and len(self.diagnostics) < MAX_ERRORS:
-            message = f"blocks are nested more than {MAX_DEPTH} deep here"
-            hint = "move the inner ones into a Sub"
-            self.report(
-                "syntax", message, blocks[min(1, len(blocks) - 1)].at, hint
-            )  # the last one has no body yet
+        """Report blocks that are nested too deeply."""
+        blocks = opened_blocks(self.top)
+        message = f"blocks are nested more than {MAX_DEPTH} deep here"
+        hint = "move the inner ones into a Sub"
+        # The last one has no body yet.
+        self.report("syntax", message, blocks[min(1, len(blocks) - 1)].at, hint)
 
     def report(
         self, code: str, message: str, at: int, hint: str = "", last: int | None = None, candidate: str = ""
@@ -114,14 +102,12 @@ class _Reader:
 
         `candidate` is a text that may have been meant instead.
         """
-        start, end = self.offsets.span(at)
-        if last is not None:
-            end = self.offsets.span(last)[1]
+        start, end = self.tokens.starts[at], self.tokens.ends[at if last is None else last]
         length = 1 if self.kinds[at] in ("_NL", END) else max(1, end - start)
-        line, column = self.offsets.line(at), self.offsets.column(at)
+        line, column = self.source.location(start)
         fix = ""
         if self.kinds[at] == BAD:
-            replaced, fix = typography.plain(self.offsets.source.line(line)[column - 1 :])
+            replaced, fix = typography.plain(self.source.line(line)[column - 1 :])
             length = replaced or length
         candidates = (candidate,) if candidate else ()
         self.diagnostics.append(
@@ -172,7 +158,13 @@ class _Reader:
 
     def _under(self, block: Block) -> bool:
         """True if the statement is in the same column as the opener of a block."""
-        return self.offsets.column(self.start) == self.offsets.column(block.at)
+        return self._column(self.start) == self._column(block.at)
+
+    def _line(self, at: int) -> int:
+        return self.source.location(self.tokens.starts[at])[0]
+
+    def _column(self, at: int) -> int:
+        return self.source.location(self.tokens.starts[at])[1]
 
     # ------------------------------------------------------------------------------------------- mistakes
 
@@ -254,7 +246,7 @@ class _Reader:
         found = nearest(word, keywords) if is_name else None
         if found is None or word.lower() in self._subs:
             return ""
-        return found if feed_all(self.mark, self._with(at, keywords[found]), at) is not None else ""
+        return found if self.mark.feed_all(self._with(at, keywords[found]), at) is not None else ""
 
     def _with(self, at: int, kind: str) -> tuple[str, ...]:
         """Return the rest of a line with another kind of token at its beginning."""
@@ -274,7 +266,7 @@ class _Reader:
         """Return a hint for a surplus `End If` if an `Else If` was read as ElseIf."""
         for token in range(at - 1, 1, -1):
             if self.kinds[token - 2 : token + 1] == ["_NL", "ELSE", "IF"]:
-                line = self.offsets.line(token)
+                line = self._line(token)
                 return (
                     f"the `Else If` of line {line} is an ElseIf; write a separate If on the line below Else"
                 )
@@ -290,7 +282,7 @@ class _Reader:
             if self.kinds[token] == "IF" and (not token or self.kinds[token - 1] in ("_NL", "COLON")):
                 line = self.kinds[token : self._line_end(token)]
                 if "THEN" in line and line[-1] != "THEN":
-                    number = self.offsets.line(token)
+                    number = self._line(token)
                     return f"the If of line {number} ends with its line; begin a new line after its Then"
                 break
         return ""
@@ -310,7 +302,7 @@ class _Reader:
     def _declared_inside(self, blocks: list[Block]) -> int:
         """Report and close the blocks still open before a `Sub` or another declared block."""
         kinds = tuple(self.kinds[self.start : self.start + 2])
-        while blocks and feed_all(self.mark, kinds, self.start) is None:
+        while blocks and self.mark.feed_all(kinds, self.start) is None:
             self._missing(blocks[0])
             if not self._close(blocks[:1]):
                 return self._skip(self.start)
@@ -337,7 +329,7 @@ class _Reader:
         Returns False if a closer does not fit.
         """
         for block in blocks:
-            top = feed_all(self.mark, (*block.closing, "_NL"), self.start)
+            top = self.mark.feed_all((*block.closing, "_NL"), self.start)
             if top is None:
                 return False
             self.mark = self.top = top
@@ -349,19 +341,19 @@ class _Reader:
         end = self._line_end(at)
         if keyword := self._keyword(self.start, KEYWORDS):
             self._report_misspelt(self.start, keyword)
-            repaired = feed_all(self.mark, self._with(self.start, KEYWORDS[keyword]), self.start)
+            repaired = self.mark.feed_all(self._with(self.start, KEYWORDS[keyword]), self.start)
             assert repaired is not None
             self.top = repaired
             return self._after_line(end)
         kind, text = self.kinds[at], self.texts[at]
         before = self.texts[at - 1] if at else ""
-        kinds = expected(TABLES, self.top)
+        kinds = self.top.expected()
         if kinds <= AFTER_A_NAME:  # in `Run 3` the keyword was read as a name, which was not intended
-            kinds = expected(TABLES, self.before)
+            kinds = self.before.expected()
         hint = expectations.hint(kinds, before, text, self.kinds[self.start])
         self.report("syntax", expectations.message(kinds, kind, text), at, hint)
         for plain in plain_lines(self.kinds[self.start : end]):
-            if top := feed_all(self.mark, plain, self.start):
+            if top := self.mark.feed_all(plain, self.start):
                 self.top = top
                 return self._after_line(end)
         return self._skip(at)
@@ -380,7 +372,7 @@ class _Reader:
         """
         end = self._line_end(at)
         for top in (self.mark, self.line):
-            after, fits = feed(top, "_NL", end)
+            after, fits = top.feed("_NL", end)
             if fits:
                 self.top = after
                 break

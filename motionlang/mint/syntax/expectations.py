@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 
-from motionlang.lang.parsing.parser import BAD, END
+from motionlang.lang.syntax.grammar import BAD, END
 from motionlang.lang.typography import typographic, unclosed
-from motionlang.mint.syntax.tables import SPELLINGS
+from motionlang.mint.syntax.tokens import TABLE
 
+SPELLINGS = TABLE.spellings
 VALUE = {"NUMBER", "STRING"}  # if both are valid, any value is
 STATEMENT = {"PAUSE", "DIM", "GOTO"}  # if all are valid, any statement is
 SEPARATORS = {"_NL", "COLON"}

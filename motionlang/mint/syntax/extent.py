@@ -25,16 +25,16 @@ def blocks_of(module: Module) -> list[tuple[str, int, int]]:
     named += ((sub.name, sub, sub.body) for sub in module.subs)
     named += ((f"event {event.name}", event, event.body) for event in module.events)
     named += (("Startup", startup, startup.body) for startup in module.startup)
-    return [(name, module.line(node.at), _last(module, node, body)) for name, node, body in named]
+    return [(str(name), module.line(node.start), _last(module, node, body)) for name, node, body in named]
 
 
 def _last(module: Module, node: Node, body: Sequence[object]) -> int:
-    """Return the line of the last token of a node.
+    """Return the line of the last node of a block.
 
-    At each level of the tree the child that begins last contains the last token.
+    At each level of the tree the child that begins last contains the last one.
     """
-    last, below = node.at, body
+    last, below = node.start, body
     while nodes := [each for each in below if isinstance(each, Node)]:
-        edge = max(nodes, key=lambda each: each.at)
-        last, below = max(last, edge.at), children(edge)
+        edge = max(nodes, key=lambda each: each.start)
+        last, below = max(last, edge.start), children(edge)
     return module.line(last)

@@ -10,15 +10,15 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 
 from motionlang.lang.names import LineLayout
-from motionlang.lang.parsing.parser import BAD
+from motionlang.lang.syntax.grammar import BAD
 from motionlang.mint.syntax.outline import CLOSE, MIDDLE, OPEN, BlockToken, block_tokens
-from motionlang.mint.syntax.tables import TABLES
+from motionlang.mint.syntax.tokens import Tokens
 
 
 def layout(text: str) -> list[LineLayout]:
     """Return the layout of each line of a text."""
-    kinds = TABLES.kinds_of(TABLES.texts(text))
-    spans = TABLES.spans(text)
+    tokens = Tokens(text)
+    kinds, spans = tokens.kinds, [*zip(tokens.starts, tokens.ends, strict=True)]
     starts = [0]
     while (end := text.find("\n", starts[-1])) >= 0:
         starts.append(end + 1)

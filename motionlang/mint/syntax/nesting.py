@@ -1,4 +1,4 @@
-"""Flatten long chains of operations, and reject expressions nested too deeply.
+"""The nesting of a tree: its blocks, long chains of operations, expressions nested too deeply.
 
 The grammar is left-associative, so the parser makes `a + b + c …` a `Binary` in a `Binary` and so on. The
 later passes are recursive, and Python's recursion is limited. To its author a chain of operations is not
@@ -8,10 +8,19 @@ too. Only texts with long lines are processed here. Cost: one visit of each node
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.build import LINKS, MAX_EXPRESSION_DEPTH
-from motionlang.mint.syntax.nodes import Binary, Chain, Link, Module, Node
+from motionlang.mint.syntax.nodes import Binary, Chain, Link, Module, Node, Stmt
+from motionlang.mint.syntax.tokens import token_at
+
+# Nesting of blocks. This is a limit of motionlang, not of Mint.
+MAX_DEPTH = 200
+MAX_EXPRESSION_DEPTH = (
+    200  # nesting of nodes; each level takes two or three of the compiler's 1,000 stack frames
+)
+LINKS = 50  # operations in a row that remain nested
 
 # Nodes that nest inside an expression. Any other node, such as a statement, starts again at depth 0.
 _NESTS = (
@@ -25,6 +34,25 @@ _NESTS = (
     nodes.String,
     nodes.Omitted,
 )
+
+
+def bodies(module: Module) -> Iterator[tuple[list[Stmt], int]]:
+    """Yield every list of statements of a program with its depth, which counts an ElseIf as a level."""
+    subs = [*module.subs, *(sub for task in module.tasks for sub in task.subs)]
+    waiting = [(module.body, 0), *((sub.body, 1) for sub in subs)]
+    waiting += ((task.body, 1) for task in module.tasks)
+    waiting += ((event.body, 1) for event in module.events)
+    waiting += ((startup.body, 1) for startup in module.startup)
+    while waiting:
+        body, depth = waiting.pop()
+        yield body, depth
+        for each in body:
+            if isinstance(each, nodes.If):
+                waiting += ((each.body, depth + 1), (each.orelse, depth + 1))
+            elif isinstance(each, nodes.Select):
+                waiting += ((case.body, depth + 1) for case in each.cases)
+            elif isinstance(each, (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)):
+                waiting.append((each.body, depth + 1))
 
 
 def flatten_chains(module: Module) -> None:
@@ -52,22 +80,21 @@ def _flat(node: Node) -> Node:
         first = first.left
     if len(operations) <= LINKS:
         return node
-    links = [Link(each.right.at, each.op, each.right) for each in reversed(operations)]
-    return Chain(node.at, first, links)  # type: ignore[arg-type]
+    links = [Link(each.right.start, each.right.end, each.op, each.right) for each in reversed(operations)]
+    return Chain(node.start, node.end, first, links)  # type: ignore[arg-type]
 
 
 def check_depth(module: Module) -> None:
     """Raise ProgramError for every line with an expression that is nested too deeply."""
-    offsets = module.offsets
-    lines = {offsets.line(node.at): node.at for node in _too_deep(module)}
+    lines = {module.line(node.start): node.start for node in _too_deep(module)}
     if lines:
         raise ProgramError(
             Diagnostic(
                 "syntax",
                 f"the expression is nested more than {MAX_EXPRESSION_DEPTH} deep",
                 line,
-                offsets.column(at),
-                length=offsets.length(at),
+                module.column(at),
+                length=len(token_at(module.source.text, at)),
                 hint="split it into several statements",
             )
             for line, at in lines.items()

@@ -1,4 +1,4 @@
-"""The base class of all syntax tree nodes: token number, and equality by content."""
+"""The base class of all syntax tree nodes: position, and equality by content."""
 
 from __future__ import annotations
 
@@ -15,12 +15,13 @@ if TYPE_CHECKING:
 
 @record
 class Node:
-    """A node of the syntax tree; `at` is the number of its first token."""
+    """A node of the syntax tree, from offset `start` to offset `end` of the text."""
 
     if TYPE_CHECKING:
         __slots__: ClassVar[tuple[str, ...]]  # the fields of the class itself
 
-    at: int
+    start: int
+    end: int
 
     def __repr__(self) -> str:
         fields = ", ".join(repr(getattr(self, name)) for name in self.__slots__)

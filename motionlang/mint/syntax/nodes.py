@@ -1,7 +1,7 @@
 """The abstract syntax of Mint, which the parser builds and the compiler reads.
 
-Every node has `at`, the ordinal of its first token. `Module.line(at)` and `Module.column(at)` turn it into a
-position in the text.
+Every node extends from the character at `start` to the one before `end` of the text, and so does every name, which is
+a `Word`. `Module.line(start)` and `Module.column(start)` turn an offset into a position.
 
 The grammar contains no keyword of the motion library: `SPEED(0) = 10` is an `Assign` to a `Name`, and `GO(0)` is a
 `Call` of a `Name`. The compiler finds their meaning in the keyword table.
@@ -9,14 +9,17 @@ The grammar contains no keyword of the motion library: `SPEED(0) = 10` is an `As
 
 from __future__ import annotations
 
-from motionlang.lang.parsing.source_offsets import SourceOffsets
-from motionlang.mint.syntax.chain import Chain as Chain  # noqa: PLC0414
-from motionlang.mint.syntax.chain import Link as Link  # noqa: PLC0414
-from motionlang.mint.syntax.given import Cast as Cast  # noqa: PLC0414 - so are these
-from motionlang.mint.syntax.given import Given as Given  # noqa: PLC0414
+from motionlang.lang.syntax.word import Word
 from motionlang.mint.syntax.node import Node as Node  # noqa: PLC0414 - nodes.Node to everybody else
 from motionlang.mint.syntax.node import Resolved
 from motionlang.record import record
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.resolve.symbols import Type
+
+NO_WORD = Word("")
 
 # --------------------------------------------------------------------------------------------- expressions
 
@@ -46,7 +49,7 @@ class Name(Resolved):
     `MOVER.0` and `MOVER[0, 1]`, whose indices can only be axes or channels.
     """
 
-    name: str
+    name: Word
     args: list[Expr] | None = None
     axes: bool = False
 
@@ -59,7 +62,7 @@ class Member(Node):
     """
 
     value: Expr
-    field: str
+    field: Word
     args: list[Expr] | None = None
 
 
@@ -85,7 +88,45 @@ class Binary(Node):
 
 @record
 class Omitted(Node):
-    """An omitted value, as in `SPEED(0, 1) = , 20`; `at` is the `,` after it."""
+    """An omitted value, as in `SPEED(0, 1) = , 20`: the empty text before a `,`."""
+
+
+@record
+class Link(Node):
+    """An operator of a `Chain` and the operand after it."""
+
+    op: str
+    value: Expr
+
+
+@record
+class Chain(Node):
+    """A long left-associative run of operations, such as `a + b - c …`.
+
+    As nested `Binary` nodes it would be thousands of levels deep; `nesting.py` makes it from these.
+    """
+
+    first: Expr
+    links: list[Link]
+
+
+@record
+class Given(Node):
+    """A value that the program receives when it starts.
+
+    It replaces the initial value of a name that differs between runs of one compiled program.
+    """
+
+    name: str
+    is_text: bool
+
+
+@record
+class Cast(Node):
+    """A conversion to another type: a `Const` with a type whose value is a `Given`."""
+
+    value: Expr
+    type: Type
 
 
 Expr = Number | String | Given | Cast | Name | Member | Unary | Binary | Chain | Omitted
@@ -139,7 +180,7 @@ class Print(Resolved):
 
     items: list[PrintItem]
     terminal: Expr | None = None
-    word: str = ""
+    word: Word = NO_WORD
     line: Expr | None = None
 
 
@@ -157,7 +198,7 @@ class Input(Node):
 class TypeName(Node):
     """The name of a type, built-in or user-defined; `String` has a `size`."""
 
-    name: str
+    name: Word
     size: Expr | None = None
 
 
@@ -165,7 +206,7 @@ class TypeName(Node):
 class Variable(Resolved):
     """One name of a `Dim`: its dimensions (empty for a scalar), type, initial values."""
 
-    name: str
+    name: Word
     dimensions: list[Expr]
     type: TypeName | None
     values: list[Expr]
@@ -184,8 +225,8 @@ class Const(Node):
 
     __slots__ = ("more", "name", "type", "value")
 
-    def __init__(self, at: int, name: str, type: TypeName | None, value: Expr) -> None:
-        self.at, self.name, self.type, self.value = at, name, type, value
+    def __init__(self, start: int, end: int, name: Word, type: TypeName | None, value: Expr) -> None:
+        self.start, self.end, self.name, self.type, self.value = start, end, name, type, value
         self.more: list[Const] = []
 
 
@@ -193,7 +234,7 @@ class Const(Node):
 class Define(Node):
     """`Define name = text`: `name` stands for an expression at each use."""
 
-    name: str
+    name: Word
     value: Expr
 
 
@@ -239,10 +280,10 @@ class Select(Node):
 
 @record
 class For(Node):
-    """`For variable = start To stop Step step … Next`."""
+    """`For variable = first To stop Step step … Next`."""
 
     variable: Name
-    start: Expr
+    first: Expr
     stop: Expr
     step: Expr | None
     body: list[Stmt]
@@ -292,21 +333,21 @@ class Pause(Node):
 class Run(Resolved):
     """`Run task`."""
 
-    name: str
+    name: Word
 
 
 @record
 class End(Resolved):
     """`End`, which ends the program, or `End task`."""
 
-    name: str | None = None
+    name: Word | None = None
 
 
 @record
 class Label(Node):
     """`#NAME` (v4) or `NAME:` on a line of its own."""
 
-    name: str
+    name: Word
 
 
 @record
@@ -317,7 +358,7 @@ class Jump(Node):
     """
 
     kind: str
-    name: str
+    name: Word
     unless: Expr | None = None
 
 
@@ -363,7 +404,7 @@ Stmt = (
 class Parameter(Node):
     """One parameter of a sub or a function."""
 
-    name: str
+    name: Word
     type: TypeName | None
     by_ref: bool = False
     is_array: bool = False
@@ -373,7 +414,7 @@ class Parameter(Node):
 class Sub(Node):
     """`Sub name(parameters) … End Sub`; a `Function` has a `result` type."""
 
-    name: str
+    name: Word
     parameters: list[Parameter]
     body: list[Stmt]
     function: bool = False
@@ -384,7 +425,7 @@ class Sub(Node):
 class Task(Node):
     """`Task name … End Task`, with the subs and functions written inside it."""
 
-    name: str
+    name: Word
     body: list[Stmt]
     subs: list[Sub]
 
@@ -393,7 +434,7 @@ class Task(Node):
 class Event(Node):
     """`Event name … End Event`."""
 
-    name: str
+    name: Word
     body: list[Stmt]
 
 
@@ -408,28 +449,30 @@ class Startup(Node):
 class UserType(Node):
     """`Type name … End Type`."""
 
-    name: str
+    name: Word
     members: list[Variable]
 
 
 class Located(Node):
-    """A tree with the positions of its tokens, which comparisons ignore."""
+    """A tree with its source, which comparisons ignore."""
 
-    __slots__ = ("offsets",)
+    __slots__ = ("source",)
 
-    offsets: SourceOffsets
+    source: Source
 
     def line(self, at: int) -> int:
-        """Return the line, from 1, of a token; `at` of any node of the tree is a token."""
-        return self.offsets.line(at)
+        """Return the line, from 1, of an offset."""
+        return self.source.location(at)[0]
 
     def column(self, at: int) -> int:
-        """Return the column, from 1, of a token."""
-        return self.offsets.column(at)
+        """Return the column, from 1, of an offset."""
+        return self.source.location(at)[1]
 
     def length(self, at: int) -> int:
         """Return the number of characters of a token, or of a sign with its number."""
-        return self.offsets.value_length(at)
+        from motionlang.mint.syntax.tokens import value_length
+
+        return value_length(self.source.text, at)
 
 
 class Module(Located):
@@ -439,6 +482,8 @@ class Module(Located):
 
     def __init__(
         self,
+        start: int,
+        end: int,
         body: list[Stmt],
         subs: list[Sub],
         tasks: list[Task],
@@ -446,7 +491,7 @@ class Module(Located):
         startup: list[Startup],
         types: list[UserType],
     ) -> None:
-        self.at = 0
+        self.start, self.end = start, end
         self.body, self.subs, self.tasks, self.events = body, subs, tasks, events
         self.startup, self.types = startup, types
 

@@ -3,47 +3,68 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from typing import cast
 
-from motionlang.lang.parsing.parser import BAD, Stuck, TooDeep
-from motionlang.lang.parsing.source_offsets import SourceOffsets
-from motionlang.mint.syntax.build import MAX_EXPRESSION_DEPTH, Misuse
-from motionlang.mint.syntax.nodes import Module
-from motionlang.mint.syntax.tables import TABLES
+from lark import UnexpectedInput
+
+from motionlang.lang.collector import CollectorOff
+from motionlang.lang.syntax.grammar import lex
+from motionlang.mint.syntax.build import Misuse
+from motionlang.mint.syntax.errors import diagnose, unfinished
+from motionlang.mint.syntax.nesting import (
+    MAX_DEPTH,
+    MAX_EXPRESSION_DEPTH,
+    bodies,
+    check_depth,
+    flatten_chains,
+)
+from motionlang.mint.syntax.nodes import Call, Label, Module
+from motionlang.mint.syntax.tokens import PARSER, ended
 from motionlang.source import Source
 
-# The kinds of token as a reader sees them. A kind that is not listed is a control word or an operator.
-_CLASSES = {"NAME": "word", "DOTTED": "word", "NUMBER": "number", "STRING": "string", "CHARACTER": "string"}
-_SEPARATORS = {"COLON", "COMMA", "SEMICOLON", "LPAR", "RPAR", "LSQB", "RSQB"}
-_COMMENT = re.compile(r"'[^\n]*|[Rr][Ee][Mm][^\n]*|:")
+# `NAME:` on a line of its own. The grammar takes it for a call.
+_LABEL = re.compile(r"^[ \t]*+([A-Za-z_][A-Za-z0-9_]*+)[ \t]*+:[ \t]*+(?:'.*)?$", re.MULTILINE)
+# How a line may end that continues on the next one.
+_CONTINUED = re.compile(r"[\\_][ \t]*(?:'.*)?$", re.MULTILINE)
 
 
 def parse(source: Source) -> Module:
     """Return the tree of a program; raise ProgramError with all errors of the text."""
-    texts = TABLES.texts(source.text)
-    kinds = TABLES.kinds_of(texts)
     try:
-        module: Module = TABLES.parse(texts, kinds)
-    except (Stuck, TooDeep, Misuse):
-        from motionlang.mint.syntax.errors import diagnose  # imported only for a text with an error
-
+        with CollectorOff():  # a tree has no cycles
+            module = cast(Module, PARSER.parse(ended(source.text)))
+    except (UnexpectedInput, Misuse):
         raise diagnose(source) from None
-    module.offsets = SourceOffsets(source, TABLES, texts, kinds)
-    if not _short(module.offsets):
-        from motionlang.mint.syntax.nesting import check_depth, flatten_chains
-
+    module.source = source
+    labels = {
+        match.start(1) for match in _LABEL.finditer(source.text) if _begins_line(source.text, match.start())
+    }
+    deepest = 0
+    for body, depth in bodies(module):
+        deepest = max(depth, deepest)
+        for i, each in enumerate(body) if labels else ():
+            if type(each) is Call and each.start in labels and each.target.args is None:
+                body[i] = Label(each.start, each.end, each.target.name)
+    if deepest > MAX_DEPTH and (error := diagnose(source)).diagnostics:
+        raise error
+    if not _is_short(source.text):
         flatten_chains(module)
         check_depth(module)
     return module
 
 
-def _short(offsets: SourceOffsets) -> bool:
+def _begins_line(text: str, at: int) -> bool:
+    """True if the line at an offset does not continue the line before."""
+    before = text[text.rfind("\n", 0, max(at - 1, 0)) + 1 : at]
+    return not before or [token.type for token in lex(PARSER, before)][-1:] == ["_NL"]
+
+
+def _is_short(text: str) -> bool:
     """True if all lines are too short for an expression to be nested too deeply.
 
     A level takes at least one character, as in `---1`.
     """
-    lines = offsets.source.text.split("\n")
-    return not offsets.continues and max(map(len, lines)) <= MAX_EXPRESSION_DEPTH
+    return max(map(len, text.split("\n"))) <= MAX_EXPRESSION_DEPTH and not _CONTINUED.search(text)
 
 
 def is_complete(text: str) -> bool:
@@ -51,48 +72,4 @@ def is_complete(text: str) -> bool:
 
     It is incomplete inside an open block and after a line continuation.
     """
-    from motionlang.mint.syntax.errors import unfinished
-
-    return not (text.rstrip(" \t\n").endswith(("\\", " _")) or unfinished(TABLES.texts(text)))
-
-
-def tokens(text: str) -> Iterator[tuple[str, str, int]]:
-    """Yield the tokens of a text for highlighting: kind, text and offset.
-
-    Blanks and line ends are left out. The kinds are word, control, number, string, comment, operator,
-    separator and bad. Any text is accepted.
-    """
-    end = 0
-    for match in TABLES.matches(text):
-        start = match.start(1)
-        yield from _between(text, end, start)
-        piece, end = match[1], match.end()
-        kind = TABLES.kind_of[piece]
-        if kind == "_NL":
-            yield from _comments(piece, start)
-        else:
-            yield _class(kind, piece), piece, start
-    yield from _between(text, end, len(text))
-
-
-def _class(kind: str, piece: str) -> str:
-    if kind == BAD:
-        return "bad"
-    if kind in _SEPARATORS:
-        return "separator"
-    return _CLASSES.get(kind) or ("control" if piece[0].isalpha() else "operator")
-
-
-def _comments(piece: str, start: int) -> Iterator[tuple[str, str, int]]:
-    """Yield the comments in a token of line ends, which includes comments and blanks."""
-    for match in _COMMENT.finditer(piece):
-        kind = "separator" if match[0] == ":" else "comment"
-        yield kind, match[0], start + match.start()
-
-
-def _between(text: str, start: int, end: int) -> Iterator[tuple[str, str, int]]:
-    """Yield the line continuation mark between two tokens; skip blanks."""
-    gap = text[start:end]
-    if gap.strip():
-        at = start + len(gap) - len(gap.lstrip())
-        yield "separator", text[at:end].rstrip(), at
+    return not (text.rstrip(" \t\n").endswith(("\\", " _")) or unfinished(text))

@@ -11,8 +11,8 @@ if TYPE_CHECKING:
     from typing import Any
 
 # Slots that hold no nodes, such as names and operators. All other slots of a class are in `_CHILDREN`.
-_NOT_NODES = frozenset(("at", "args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
-                        "offsets", "repeat", "separator", "word"))  # fmt: skip
+_NOT_NODES = frozenset(("args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
+                        "repeat", "separator", "source", "word"))  # fmt: skip
 _CHILDREN: dict[type, tuple[str, ...]] = {
     cls: tuple(slot for slot in cls.__slots__ if slot not in _NOT_NODES)
     for cls in vars(nodes).values()
@@ -84,13 +84,13 @@ def meant(node: nodes.Expr) -> nodes.Expr:
 
 
 def copied(node: object) -> object:
-    """Return a copy of a tree, with the same token numbers."""
+    """Return a copy of a tree, with the same positions."""
     if node.__class__ is list:
         return [copied(each) for each in node]
     if node.__class__ not in _CHILDREN:
         return node
     made = node.__class__.__new__(node.__class__)
-    made.at = node.at  # type: ignore[attr-defined]
+    made.start, made.end = node.start, node.end  # type: ignore[attr-defined]
     for slot in node.__class__.__slots__:  # type: ignore[attr-defined]
         setattr(made, slot, copied(getattr(node, slot)))
     return made
@@ -159,7 +159,9 @@ class Survey:
 
     def of(self, *kinds: type) -> list[nodes.Node]:
         """Return the statements of these kinds, in the order of the text."""
-        return sorted((node for node in self.statements if node.__class__ in kinds), key=lambda node: node.at)
+        return sorted(
+            (node for node in self.statements if node.__class__ in kinds), key=lambda node: node.start
+        )
 
 
 def names_of(module: nodes.Module) -> Iterator[nodes.Name]:

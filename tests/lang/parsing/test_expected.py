@@ -5,29 +5,19 @@ The texts are those that test errors.
 
 from __future__ import annotations
 
-from functools import cache
 from pathlib import Path
 
 import lark
-import pytest
 from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from motionlang.lang.parsing.generate import build_lark
 from motionlang.lang.parsing.linked_stack import empty, expected, feed
-from motionlang.lang.parsing.parser import BAD, END
+from motionlang.lang.parsing.parser import END
 from motionlang.mccl.syntax.mistakes import stuck
 from motionlang.mccl.syntax.parser import parts, pieces
 from motionlang.mccl.syntax.tables import AUTOMATON
-from motionlang.mint.syntax.tables import TABLES
 
 TESTS = Path(__file__).parents[2]
-
-
-def mint_texts() -> list[str]:
-    """Return Mint programs with errors: one per file, or separated by lines of dashes."""
-    files = sorted((TESTS / "errors" / "mint").glob("*.mnt"))
-    many = (TESTS / "mint" / "syntax" / "parser_errors.txt").read_text().split("\n----\n")
-    return [*(file.read_text() for file in files), *many]
 
 
 class Accepted:
@@ -41,22 +31,6 @@ class Accepted:
         if stack not in self._known:
             self._known[stack] = set(parser.accepts())  # type: ignore[no-untyped-call]
         return self._known[stack]
-
-
-@pytest.mark.slow
-def test_mint_expects_what_lark_accepts() -> None:
-    reference, accepted, seen = build_lark("mint.lark"), Accepted(), 0
-    own = cache(lambda top: expected(TABLES, top))
-    for text in mint_texts():
-        parser, top = reference.parse_interactive(""), empty(TABLES)
-        for at, piece in enumerate(TABLES.texts(text)):
-            assert own(top) == accepted(parser), (text, piece)
-            seen += 1
-            kind = TABLES.kind_of[piece]
-            if kind in own(top) - {END, BAD}:  # wrong tokens are omitted
-                parser.feed_token(lark.Token(kind, piece))
-                top = feed(top, kind, at)[0]
-    assert seen > 1000
 
 
 def test_mccl_expects_what_lark_accepts() -> None:

@@ -89,17 +89,17 @@ def test_a_debug_build_counts_statements_and_describes_its_variables() -> None:
     hooks = [line.strip() for line in compiled.code.text.split("\n") if ": B(" in line or "m_ =" in line]
     assert hooks == [
         "m_ = lambda: (v_n, v_pad, v_p,)",
-        "if (n := n + 1) >= N or (D is not None and 27 in D): B(t, 27)",
-        "if (n := n + 1) >= N or (D is not None and 34 in D): B(t + 1.0, 34)",
-        "if (n := n + 1) >= N or (D is not None and 34 in D): B(t, 34)",
+        "if (n := n + 1) >= N or (D is not None and 79 in D): B(t, 79)",
+        "if (n := n + 1) >= N or (D is not None and 93 in D): B(t + 1.0, 93)",
+        "if (n := n + 1) >= N or (D is not None and 93 in D): B(t, 93)",
         "m_ = lambda: (p_what, p_what_k, p_list,)",
-        "if (n := n + 1) >= N or (D is not None and 61 in D): B(t, 61)",
+        "if (n := n + 1) >= N or (D is not None and 174 in D): B(t, 174)",
     ]
     integer, pad = ("Integer", (), ()), ("Float", (2,), ())
     spot = ("Spot", (), (("x", ("Float", (), ())),))
     main = (("n", "v_n", integer, "boxed"), ("pad", "v_pad", pad, ""), ("p", "v_p", spot, ""))
     raises = (("what", "p_what", integer, "by_ref"), ("list", "p_list", ("Float", (0,), ()), ""))
-    assert compiled.stops == ([27, 34, 61], {"main": ("main", main), "s_raise": ("Raise", raises)})
+    assert compiled.stops == ([79, 93, 174], {"main": ("main", main), "s_raise": ("Raise", raises)})
 
 
 TYPED = """\
@@ -143,14 +143,14 @@ def test_a_typed_line_declares_its_new_names_alone() -> None:
         "  if k6_2(0.0, v_a, 1): yield",
         "  t += 1.0",
     ]
-    assert line.offsets == [0, 0, 0, 0, 0, 0, 12, 12, 21, 21, 29, 29, 29, 34, 34, 37, 37, 37]
+    assert line.offsets == [0, 0, 0, 0, 0, 0, 32, 32, 47, 47, 63, 63, 63, 71, 71, 82, 82, 82]
     assert dict(zip(line.operations, line.specs, strict=True)) == {
         "k0_2": ("read", "POS", 0),
         "k1_2": ("fn", "integer"),
         "k2_2": ("env", "in_whole_counts"),
         "k3_2": ("show", "float"),
         "k4_2": ("read", "(printer)"),
-        "k5_2": ("wait", 29, 5.0, False),
+        "k5_2": ("wait", 63, 5.0, False),
         "k6_2": ("write", "OUTX"),
     }
 

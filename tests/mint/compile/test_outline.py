@@ -32,7 +32,7 @@ def test_blocks_and_lines_outlast_the_cache(path: Path) -> None:
 @pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.stem)
 def test_a_block_ends_with_the_last_of_all_its_nodes(path: Path) -> None:
     module = parse(Source.read(path))
-    offsets = {block.at: max(node.at for node in walk([block])) for block in blocks_in(module)}
+    offsets = {block.start: max(node.start for node in walk([block])) for block in blocks_in(module)}
     ends = {module.line(at): module.line(last) for at, last in offsets.items()}
     assert {first: last for _, first, last in blocks_of(module)} == ends
 

@@ -84,8 +84,8 @@ def test_a_typed_line_may_lack_the_name() -> None:
     override_if_there(module, {"x": 1.0, "M": 5.0})
     override_if_there(module, {})
     assert [repr(each.values) for each in module.body if isinstance(each, nodes.Assign)] == [
-        repr([nodes.Number(2, 1)]),
-        repr([nodes.Number(6, 5.0)]),
+        repr([nodes.Number(2, 2, 1)]),
+        repr([nodes.Number(6, 6, 5.0)]),
     ]
 
 

@@ -55,7 +55,7 @@ MOVED = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n"
         (MOVED, {"target": 5.0, "span": (0.0, 5.0)}),
         (MOVED + "STOP(0)", {"target": 5.0, "span": (0.0, 5.0)}),
         (MOVED + "POS(0) = 7", {"target": 7, "frame": -2.0, "span": (7, 7)}),
-        (MOVED + "SCALE(0) = 2", {"target": None, "scaled": 18, "span": None}),
+        (MOVED + "SCALE(0) = 2", {"target": None, "scaled": 35, "span": None}),
         ("POS(0) = 7", {"target": 7, "frame": -7.0, "span": (7, 7)}),
         (
             "MOVER(0) = 5\nPOS(0) = 7",
@@ -82,10 +82,10 @@ MOVED = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n"
             },
         ),
         ("SPEED(0) = 5 : ACCEL(0) = 0", {"set": {"speed", "accel"}, "speeded": True, "zeros": {"accel"}}),
-        ("SPEED(0) = 5 : SCALE(0) = 2", {"stale": {"speed"}, "scaled": 7, "speeded": True}),
-        ("SPEED(0) = 5 : SCALE(0) = 2 : SPEED(0) = 3", {"set": {"speed"}, "scaled": 7, "speeded": True}),
+        ("SPEED(0) = 5 : SCALE(0) = 2", {"stale": {"speed"}, "scaled": 15, "speeded": True}),
+        ("SPEED(0) = 5 : SCALE(0) = 2 : SPEED(0) = 3", {"set": {"speed"}, "scaled": 15, "speeded": True}),
         ("SPEED(0) = 5 : ACCELTIME(0) = 9", {"set": {"speed"}, "speeded": True}),
-        ("PRINT 1 : ACCELTIME(0) = 9 : DECELTIME(0) = 9", {"timed": 3}),
+        ("PRINT 1 : ACCELTIME(0) = 9 : DECELTIME(0) = 9", {"timed": 10}),
         ("ACCELTIME(0) = 9 : SPEED(0) = 5", {"set": {"speed"}, "speeded": True}),
         (
             "VECTORR(0, 1) = 3, 4",
@@ -114,7 +114,7 @@ TASK = "\nTask press\nMOVER(1) = 2 : GO(1)\nEnd Task"
         ("n = 1\nMOVER(n) = 5", NOTHING),
         (
             "load()\nSub load()\nMOVER(0) = 5\nEnd Sub",
-            NOTHING | {"waiting": 1, "loaded": 9},
+            NOTHING | {"waiting": 1, "loaded": 18},
         ),
         (
             "Run press\nMOVER(1) = 5\nJOG(0) = 0" + TASK,

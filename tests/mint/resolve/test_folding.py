@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.mint.resolve.folding import fold, given
 from motionlang.mint.resolve.symbols import INTEGER, Function, Symbol, Type
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.build import LINKS
+from motionlang.mint.syntax.nesting import LINKS
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 from tests.cases import cases
@@ -26,7 +26,7 @@ def constants(name: nodes.Name) -> tuple[Symbol | None, None]:
     found = Symbol(name.name, "variable" if name.name == "v" else "const", Type(INTEGER), "", 0, MAIN)
     found.const = 5 if name.name == "c" else None
     found.given = name.name == "a"
-    found.node = nodes.Given(0, "a", False) if found.given else None
+    found.node = nodes.Given(0, 0, "a", False) if found.given else None
     return found, None
 
 

@@ -41,7 +41,7 @@ def resolved(text: str) -> dict[str, list[nodes.Name]]:
     names.declare_module(module)
     found: dict[str, list[nodes.Name]] = {}
     every = [node for f in names.functions for node in walk(f.body) if isinstance(node, nodes.Name)]
-    for node in sorted(every, key=lambda node: node.at):
+    for node in sorted(every, key=lambda node: node.start):
         found.setdefault(node.name, []).append(node)
     return found
 

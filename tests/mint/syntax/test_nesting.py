@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.errors import ProgramError
-from motionlang.mint.syntax.build import LINKS, MAX_DEPTH, MAX_EXPRESSION_DEPTH
-from motionlang.mint.syntax.nesting import depth_of
+from motionlang.mint.syntax.nesting import LINKS, MAX_DEPTH, MAX_EXPRESSION_DEPTH, depth_of
 from motionlang.mint.syntax.nodes import Assign
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.mint.syntax.layout import layout
 from motionlang.mint.syntax.outline import blocks
-from motionlang.mint.syntax.tables import TABLES
+from motionlang.mint.syntax.tokens import Tokens
 
 # The levels by which a line moves back and by which the lines below it change. A line with `c` continues
 # another one, and one with `u` is unreadable.
@@ -127,10 +127,10 @@ def test_a_label_within_a_v4_routine_does_not_end_it() -> None:
 
 def test_the_lines_of_each_block() -> None:
     text = "\n".join(text for _, text in rows())
-    texts = TABLES.texts(text)
-    lines = [1 + text.count("\n", 0, start) for start, _ in TABLES.spans(text)]
+    tokens = Tokens(text)
+    lines = [1 + text.count("\n", 0, start) for start in tokens.starts]
     found = []
-    for each in blocks(TABLES.kinds_of(texts)):
-        name = f" {texts[each.name]}" if each.name >= 0 else ""
+    for each in blocks(tokens.kinds):
+        name = f" {tokens.texts[each.name]}" if each.name >= 0 else ""
         found.append(f"{lines[each.first]} {lines[each.last]} {each.kind}{name}")
     assert found == BLOCKS.splitlines()

@@ -12,10 +12,9 @@ from pathlib import Path
 import pytest
 
 from motionlang.errors import ProgramError
-from motionlang.lang.parsing.linked_stack import empty, feed_all
 from motionlang.mint.syntax.blocks import CLOSERS, DECLARATIONS, OPENERS, PLAIN, Block
 from motionlang.mint.syntax.parser import parse
-from motionlang.mint.syntax.tables import LITERALS, TABLES
+from motionlang.mint.syntax.tokens import TABLE
 from motionlang.source import Source
 
 HERE = Path(__file__).parent
@@ -99,19 +98,18 @@ def test_a_tree_that_is_accepted_can_be_walked() -> None:
 
 def test_blocks_agree_with_the_grammar() -> None:
     """The messages about blocks match the tables of the grammar."""
-    assert set(OPENERS) | set(CLOSERS) | DECLARATIONS <= set(LITERALS.values())
+    assert set(OPENERS) | set(CLOSERS) | DECLARATIONS <= TABLE.kinds
     for kind in OPENERS:
-        opened = feed_all(empty(TABLES), PLAIN[kind], 0)
+        opened = TABLE.empty().feed_all(PLAIN[kind], 0)
         assert opened
-        assert feed_all(
-            opened,
+        assert opened.feed_all(
             (*(("CASE", "ELSE", "_NL") if kind == "SELECT" else ()), *Block(kind, 0, False).closing),
             0,
         )
     for closer, kind in CLOSERS.items():
-        opened = feed_all(empty(TABLES), PLAIN[kind], 0)
+        opened = TABLE.empty().feed_all(PLAIN[kind], 0)
         assert opened
-        assert feed_all(opened, PLAIN[closer], 0), closer
+        assert opened.feed_all(PLAIN[closer], 0), closer
 
 
 @pytest.mark.parametrize(

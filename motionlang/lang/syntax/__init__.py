@@ -1,0 +1,1 @@
+"""Syntax that both languages share: grammars, stacks of a parser, names with positions."""

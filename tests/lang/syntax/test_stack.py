@@ -1,0 +1,42 @@
+"""The expected items in messages equal Lark's sets, for every prefix of a text.
+
+The texts are those that test errors.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import lark
+import pytest
+
+from motionlang.lang.syntax.grammar import BAD, END, build
+from motionlang.lang.syntax.stack import Cell
+from motionlang.mint.syntax.tokens import TABLE, Tokens
+from tests.lang.parsing.test_expected import Accepted
+
+TESTS = Path(__file__).parents[2]
+
+
+def mint_texts() -> list[str]:
+    """Return Mint programs with errors: one per file, or separated by lines of dashes."""
+    files = sorted((TESTS / "errors" / "mint").glob("*.mnt"))
+    many = (TESTS / "mint" / "syntax" / "parser_errors.txt").read_text().split("\n----\n")
+    return [*(file.read_text() for file in files), *many]
+
+
+@pytest.mark.slow
+def test_mint_expects_what_lark_accepts() -> None:
+    reference, accepted, seen = build("mint", None), Accepted(), 0
+    own = cache(Cell.expected)
+    for text in mint_texts():
+        parser, top = reference.parse_interactive(""), TABLE.empty()
+        tokens = Tokens(text)
+        for at, (kind, piece) in enumerate(zip(tokens.kinds, tokens.texts, strict=True)):
+            assert own(top) == accepted(parser), (text, piece)
+            seen += 1
+            if kind in own(top) - {END, BAD}:  # wrong tokens are omitted
+                parser.feed_token(lark.Token(kind, piece))
+                top = top.feed(kind, at)[0]
+    assert seen > 1000
