@@ -9,11 +9,13 @@ from __future__ import annotations
 import gzip
 import io
 import json
+import os
 import shutil
 import subprocess
 import sys
 import tempfile
 import zipfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -22,8 +24,11 @@ ROOT = Path(__file__).resolve().parent.parent
 SOURCES = ("motionlang", "grammars", "pyproject.toml", "README.md", "LICENSE")
 # The program that the page opens with, and shows the results of before Python is there.
 FIRST = "ballscrew.mnt"
-# The libraries of the language server with their versions and hashes.
+# The libraries of the language server and of a run, with their versions and hashes.
 LIBRARIES = ROOT / "playground" / "requirements.txt"
+RUN_LIBRARIES = ROOT / "playground" / "requirements-run.txt"
+# The version of Python in Pyodide, for the tables of the grammars.
+PYTHON = "3.14"
 BUILD = "import sys; from setuptools import build_meta; build_meta.build_wheel(sys.argv[1])"
 
 
@@ -41,27 +46,40 @@ def build_wheel(folder: Path) -> Path:
     return next(folder.glob("*.whl"))
 
 
-def fetch_libraries(folder: Path) -> list[Path]:
-    """Download the wheels of the language server to `folder`."""
+def fetch_libraries(folder: Path, requirements: Path) -> list[Path]:
+    """Download the wheels of required libraries to `folder`."""
     command = [
         sys.executable, "-m", "pip", "download", "--quiet", "--disable-pip-version-check", "--no-deps",
-        "--only-binary=:all:", "--require-hashes", "--requirement", str(LIBRARIES), "--dest", str(folder),
+        "--only-binary=:all:", "--require-hashes", "--requirement", str(requirements), "--dest", str(folder),
     ]  # fmt: skip
     subprocess.run(command, check=True)
     return sorted(folder.glob("*.whl"))
 
 
-def pack(wheels: list[Path], file: Path) -> str:
+def write_tables(folder: Path, libraries: list[Path]) -> list[Path]:
+    """Write the tables of the grammars for the Python of the page, by the Lark that it gets."""
+    folder.mkdir()
+    path = os.pathsep.join(map(str, libraries))
+    command = [sys.executable, "-m", "motionlang.mint.syntax.table", str(folder), PYTHON]
+    subprocess.run(command, cwd=ROOT, check=True, env={**os.environ, "PYTHONPATH": path})
+    return sorted(folder.glob("*.table"))
+
+
+def pack(wheels: list[Path], file: Path, tables: Sequence[Path] = ()) -> str:
     """Write the files of wheels into one archive, compressed as a whole; return its name.
 
-    A wheel compresses each file by itself, which makes it a quarter larger.
+    A wheel compresses each file by itself, which makes it a quarter larger. `tables` replace those in the wheel.
     """
     plain = io.BytesIO()
     with zipfile.ZipFile(plain, "w", zipfile.ZIP_STORED) as archive:
         for wheel in wheels:
             with zipfile.ZipFile(wheel) as source:
                 for each in source.infolist():
+                    if each.filename.endswith(".table"):
+                        continue
                     archive.writestr(zipfile.ZipInfo(each.filename), source.read(each))
+        for table in tables:
+            archive.writestr(zipfile.ZipInfo(f"motionlang/grammars/{table.name}"), table.read_bytes())
     file.write_bytes(gzip.compress(plain.getvalue(), mtime=0))
     return file.name
 
@@ -118,9 +136,11 @@ def main(folder: Path) -> None:
     programs = gallery()
     with tempfile.TemporaryDirectory() as scratch:
         wheel = build_wheel(Path(scratch))
-        package = pack([wheel], folder / f"{wheel.name}.gz")
+        libraries = fetch_libraries(Path(scratch, "libraries"), RUN_LIBRARIES)
+        tables = write_tables(Path(scratch, "tables"), libraries)
+        package = pack([wheel, *libraries], folder / "motionlang.zip.gz", tables)
     with tempfile.TemporaryDirectory() as scratch:
-        server = pack(fetch_libraries(Path(scratch)), folder / "language-server.zip.gz")
+        server = pack(fetch_libraries(Path(scratch), LIBRARIES), folder / "language-server.zip.gz")
     from motionlang import __version__
 
     contents = {

@@ -56,9 +56,9 @@ async function start() {
   const python = await Promise.race([load(), missing]);
   const loaded = performance.now() - began;
   const [wheel, runner] = await files;
-  python.unpackArchive(wheel, "wheel");
+  unpack(python, wheel);
   python.FS.writeFile("/home/pyodide/runner.py", new Uint8Array(runner));
-  const run = python.runPython("import runner\nlambda request, send, alarm: runner.start(request.to_py(), send, alarm)");
+  const run = python.runPython("import importlib\nimportlib.invalidate_caches()\nimport runner\nlambda request, send, alarm: runner.start(request.to_py(), send, alarm)");
   python.setInterruptBuffer(clock);
   return { python, run, loaded };
 }
@@ -66,7 +66,7 @@ async function start() {
 async function serve(python) {
   const { server } = await contents;
   const [program, libraries] = await Promise.all([bytes("language.py"), archive(server)]);
-  python.unpackArchive(libraries, "zip", { extractDir: python.runPython("import site\nsite.getsitepackages()[0]") });
+  unpack(python, libraries);
   python.FS.writeFile("/home/pyodide/language.py", new Uint8Array(program));
   const begin = python.runPython("import importlib\nimportlib.invalidate_caches()\nimport language\nlanguage.serve");
   return begin((text) => postMessage({ type: "told", text }));
@@ -86,6 +86,11 @@ const clock = {
 
 function alarm(on) {
   clock.end = on ? performance.now() + 1000 * SECONDS : Infinity;
+}
+
+// An archive of the files of several wheels.
+function unpack(python, files) {
+  python.unpackArchive(files, "zip", { extractDir: python.runPython("import site\nsite.getsitepackages()[0]") });
 }
 
 const started = start();

@@ -111,8 +111,8 @@ def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:
         if row is None:
             continue
         symbol = name.symbol
-        if row.family == STRINGS and symbol is not None and symbol.at == name.at:
-            yield name.at, f"{row.name} as a name", f"{row.name} is a function there: choose another name", ""
+        if row.family == STRINGS and symbol is not None and symbol.at == name.start:
+            yield name.start, f"{row.name} as a name", f"{row.name} is a function there: choose another name", ""
         if not name.axes:
             continue
         text = token_at(source.text, name.start)
