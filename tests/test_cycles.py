@@ -46,7 +46,7 @@ GROUPS: dict[tuple[str, str], str] = {
     ("mint/runtime", "binding changes environment errors events input_values loop_log loop_skipping operations "
                      "power_up task task_state waits"):
         "the environment of a program owns its tasks, events and operations; each is handed its environment",
-    ("mint/syntax", "chain given node nodes"): "each kind of node contains expressions, which are nodes",
+    ("mint/syntax", "node nodes"): "each kind of node contains expressions, which are nodes",
     ("planners", "crossing cubics curve formula sequence"):
         "the kinds of profile are made from each other: a sequence of formulas, the cubics of a curve",
     ("repl", "commands debugging session"): "a command changes the session that runs it",

@@ -46,7 +46,7 @@ class Task:
     """`resume(now, horizon)` runs from `now`; it returns the time reached and a wait.
 
     `None` for the wait means that the horizon was reached, or, with `done` set, that the task has ended.
-    Source positions ("at") are token numbers, which the dialect's `locate` converts to line and column.
+    Source positions ("at") are offsets, which the dialect's `locate` converts to line and column.
 
     A task that only polls sets `poll_check`: the number of actions so far, and true if it reads anything.
     `last_poll` is its last reading, as text.

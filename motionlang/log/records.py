@@ -1,7 +1,7 @@
 """The records of a log, by kind: their fields in the order of writing.
 
 A run writes plain tuples; a stream of the log returns them as these types. Times are seconds of the machine's
-clock. `at` is a source position, a token number that the dialect's `locate` converts to line and column;
+clock. `at` is a source position, an offset that the dialect's `locate` converts to line and column;
 `line` is a line.
 """
 

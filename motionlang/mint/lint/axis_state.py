@@ -33,11 +33,11 @@ class Axis(NamedTuple):
     - `frame`: the distance of the program's zero from the position at power-up in user units, None if
       unknown.
     - `set`: the move settings made so far, in user units.
-    - `stale`: the move settings made before the last change of the scale, which is at token `scaled`.
-    - `timed`: the token that set a ramp time before any speed was set, None if there is none.
+    - `stale`: the move settings made before the last change of the scale, which is at offset `scaled`.
+    - `timed`: the offset of what set a ramp time before any speed was set, None if there is none.
     - `speeded`: a speed may have been set.
     - `zeros`: the move settings that are 0.
-    - `loaded`: the token of the first move that waits for a GO, None if unknown.
+    - `loaded`: the offset of the first move that waits for a GO, None if unknown.
     - `empty`: no move waits for a GO.
     - `span`: the lowest and the highest position that the moves so far can have reached, None if unknown.
     - `jogs`: the axis jogs, and no statement has stopped it.
@@ -314,7 +314,7 @@ class Follower:
         return self._checked(step, act, number, loaded._replace(target=target, span=span))
 
     def _loaded(self, axis: Axis, act: Act) -> Axis:
-        """Record the token of the move if it is the first one in the buffer."""
+        """Record the offset of the move if it is the first one in the buffer."""
         return axis._replace(loaded=act.at) if axis.waiting == 1 else axis
 
     def _target(self, act: Act, number: int, axis: Axis, relative: bool) -> float | None:

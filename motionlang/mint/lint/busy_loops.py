@@ -100,7 +100,7 @@ def _with_subs(facts: Facts, region: set[Step]) -> set[Step]:
 
 
 def _first(function: Function, region: set[Step]) -> int:
-    """Return the first token of a loop."""
+    """Return the first offset of a loop."""
     inside = {id(step.node) for step in region}
     whiles = [
         each for each in walk(function.body) if type(each) is nodes.While and id(each.condition) in inside

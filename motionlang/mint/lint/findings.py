@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from motionlang.errors import Diagnostic
 from motionlang.mint.resolve.recorder import Recorder
 from motionlang.mint.syntax.nodes import Module
+from motionlang.mint.syntax.tokens import value_length
 
 
 class Findings:
-    """Warnings at token numbers, turned into lines and columns.
+    """Warnings at offsets, turned into lines and columns.
 
     They are also passed to `recorder`.
     """
@@ -31,7 +32,7 @@ class Findings:
         fix: str = "",
         other: int | None = None,
     ) -> None:
-        """Record a warning; the line of token `other` replaces `{line}` in its message."""
+        """Record a warning; the line of offset `other` replaces `{line}` in its message."""
         if self._recorder is not None:
             more = {} if other is None else {"other": other}
             self._recorder.note(
@@ -48,7 +49,7 @@ class Findings:
         if other is not None:
             message = message.replace("{line}", str(module.line(other)))
         where = module.line(at), module.column(at)
-        length = length or module.length(at)
+        length = length or value_length(module.source.text, at)
         self.found.setdefault(
             (code, at, message),
             Diagnostic(

@@ -144,7 +144,7 @@ class FunctionChecks:
     def _portable(self, function: Function) -> tuple[tuple[Hashable, Hashable], ...] | None:
         """Return the facts after a function in a form that other programs can use.
 
-        Numbers replace the symbols and tokens of this program. Returns None if a token of another function is among
+        Numbers replace the symbols and offsets of this program. Returns None if an offset of another function is among
         them. There are no facts about a function that is still being analysed.
         """
         assert self._recall is not None
@@ -165,7 +165,7 @@ class FunctionChecks:
         return tuple(sorted(found, key=lambda each: repr(each[0])))
 
     def _after(self, function: Function, found: Iterable[tuple[tuple[int | None, Key], Axis]]) -> After:
-        """Convert stored facts back: insert the symbols and tokens of this program."""
+        """Convert stored facts back: insert the symbols and offsets of this program."""
         assert self._recall is not None
         at = self._recall.own(function).at
         return {

@@ -56,7 +56,7 @@ FIRST_KEY, LAST_KEY = 32, 126
 
 
 def finder(source: Source) -> Callable[[int], LoopDependencies | None]:
-    """Return a function that maps a token to the dependencies of its loop or PAUSE."""
+    """Return a function that maps an offset to the dependencies of its loop or PAUSE."""
     module = parse(source)
     names = Names(table(), Problems(module), None)
     names.declare_module(module)
@@ -80,14 +80,14 @@ class _Survey:
                     self._nodes[node.start] = node
             self._by_labels.update(_by_labels(function))
 
-    def at(self, token: int) -> LoopDependencies | None:
-        """Return the dependencies of the loop or PAUSE at a token, None if there is none."""
-        node = self._nodes.get(token)
+    def at(self, offset: int) -> LoopDependencies | None:
+        """Return the dependencies of the loop or PAUSE at an offset, None if there is none."""
+        node = self._nodes.get(offset)
         if isinstance(node, nodes.Pause):
             return LoopDependencies(self.reads([node.condition], []), why=f"until {shown(node.condition)}")
         if node is not None:
             return self.loop(node)  # type: ignore[arg-type]
-        return self.goto(self._by_labels[token]) if token in self._by_labels else None
+        return self.goto(self._by_labels[offset]) if offset in self._by_labels else None
 
     def loop(self, node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop) -> LoopDependencies:
         """Return the dependencies of a loop statement."""

@@ -22,7 +22,7 @@ MAX_PROBLEMS = 100
 
 
 class Problems:
-    """Diagnostics at token numbers, turned into lines and columns."""
+    """Diagnostics at offsets, turned into lines and columns."""
 
     def __init__(self, module: Module) -> None:
         self._module = module
@@ -135,11 +135,11 @@ class Problems:
         return sorted(found, key=lambda each: (each.line, each.column))
 
     def is_pattern(self, at: int) -> bool:
-        """True if the number at a token is written in hexadecimal or binary."""
+        """True if the number at an offset is written in hexadecimal or binary."""
         return self.text(at)[1:2] in ("x", "X", "b", "B")
 
     def text(self, at: int) -> str:
-        """Return the text of a token, "" if the program has none."""
+        """Return the text of the token at an offset, "" if the program has none."""
         source = getattr(self._module, "source", None)
         return "" if source is None else token_at(source.text, at)
 
@@ -147,7 +147,8 @@ class Problems:
         return self._module.line(at)
 
     def _location(self, at: int) -> tuple[int, int, int]:
-        return self._module.line(at), self._module.column(at), self._module.length(at)
+        source = self._module.source
+        return (*source.location(at), value_length(source.text, at))
 
     def raise_errors(self) -> None:
         """Raise ProgramError if there is any error; warnings alone raise nothing."""

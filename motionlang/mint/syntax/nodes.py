@@ -468,12 +468,6 @@ class Located(Node):
         """Return the column, from 1, of an offset."""
         return self.source.location(at)[1]
 
-    def length(self, at: int) -> int:
-        """Return the number of characters of a token, or of a sign with its number."""
-        from motionlang.mint.syntax.tokens import value_length
-
-        return value_length(self.source.text, at)
-
 
 class Module(Located):
     """A whole program: the parent task's statements, then its blocks, in source order."""

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.parser import is_complete, parse
-from motionlang.mint.syntax.tokens import tokens
+from motionlang.mint.syntax.tokens import tokens, value_length
 from motionlang.source import Source
 from tests.cases import examples
 from tests.mint.syntax.test_parser_errors import samples as broken
@@ -25,7 +25,9 @@ def module(text: str) -> Module:
 
 def locations(text: str) -> list[tuple[int, int, int]]:
     tree = module(text)
-    return [(tree.line(each.start), tree.column(each.start), tree.length(each.start)) for each in tree.body]
+    return [
+        (tree.line(each.start), tree.column(each.start), value_length(text, each.start)) for each in tree.body
+    ]
 
 
 def test_locations() -> None:
