@@ -441,7 +441,8 @@ class Builder(Transformer[lark.Token, Module]):
             PrintItem(each.start, each.end, each, [], ",") for each in values[1 if row is not None else 0 :]
         ]
         if shown:
-            shown[-1].using, shown[-1].separator = using, separator
+            last = shown[-1]
+            last.using, last.separator, last.end = using, separator, [last, *using][-1].end
         end = [*values, *using, *items][-1].end
         return Print(name.start_pos, end, [*shown, *items], None, _word(name), row)
 

@@ -5,14 +5,18 @@ from __future__ import annotations
 import subprocess
 import sys
 
+import lark
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang.syntax.word import Word
+from motionlang.mint.syntax.node import Node
 from motionlang.mint.syntax.nodes import Module
 from motionlang.mint.syntax.parser import is_complete, parse
 from motionlang.mint.syntax.tokens import tokens, value_length
+from motionlang.mint.syntax.traversal import children, walk
 from motionlang.source import Source
 from tests.cases import examples
 from tests.mint.syntax.test_parser_errors import samples as broken
@@ -52,6 +56,23 @@ def test_location_of_a_binary_is_that_of_its_left_side() -> None:
 def test_equality_ignores_locations() -> None:
     assert module("x = 1") == module("\n\n  x   =  1 ' note")
     assert module("x = 1") != module("x = 2")
+
+
+@pytest.mark.parametrize("name", samples())
+def test_every_node_and_name_has_its_position(name: str) -> None:
+    """A name is the text at its position, and a node contains its children; nothing in a tree is Lark's."""
+    text = samples()[name]
+    tree = module(text)
+    assert (tree.start, tree.end <= len(text)) == (0, True)
+    for node in walk(tree.everything):
+        for value in children(node):
+            assert not isinstance(value, lark.Token)
+            assert not isinstance(value, Node) or node.start <= value.start <= value.end <= node.end
+        for field in ("name", "field", "word"):
+            word = getattr(node, field, None)
+            if word:
+                assert isinstance(word, Word)
+                assert text[word.start : word.end] == word
 
 
 @pytest.mark.parametrize("name", samples())
