@@ -112,6 +112,16 @@ def test_blocks_agree_with_the_grammar() -> None:
         assert opened.feed_all(PLAIN[closer], 0), closer
 
 
+ENDS = [*(f"End {name}" for name in OPENERS.values()), *(TABLE.spellings[kind] for kind in CLOSERS)]
+
+
+@pytest.mark.parametrize("end", ENDS)
+def test_an_end_outside_its_block_is_an_error(end: str) -> None:
+    """A contextual lexer would read `End If` as END and a name."""
+    (line,) = shown(f"x = 1\n{end} : y = 2").split("\n")
+    assert line.startswith(f"2:1+{len(end)} stray-end: `{end}` without a")
+
+
 @pytest.mark.parametrize(
     "opener", ["While x < 3", "If x Then", "For i = 1 To 2", "Select Case x\nCase 1", "Repeat"]
 )
