@@ -99,9 +99,9 @@ def _habits_of_v4(module: Module) -> Iterator[tuple[int, str]]:
     """Find what programs of v4 have and MintMT accepts as well."""
     for node in walk(module.everything):
         if type(node) is nodes.Label:
-            yield node.at, f"#{node.name}"
+            yield node.start, f"#{node.name}"
         elif type(node) is nodes.Auto:
-            yield node.at, "AUTO"
+            yield node.start, "AUTO"
 
 
 def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:
@@ -112,7 +112,12 @@ def _not_mintmt(module: Module, source: Source, table: Vocabulary) -> Found:
             continue
         symbol = name.symbol
         if row.family == STRINGS and symbol is not None and symbol.at == name.start:
-            yield name.start, f"{row.name} as a name", f"{row.name} is a function there: choose another name", ""
+            yield (
+                name.start,
+                f"{row.name} as a name",
+                f"{row.name} is a function there: choose another name",
+                "",
+            )
         if not name.axes:
             continue
         text = token_at(source.text, name.start)

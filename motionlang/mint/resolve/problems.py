@@ -6,7 +6,7 @@ from functools import cached_property
 
 from motionlang.errors import Diagnostic, ProgramError, differ_little, nearest
 from motionlang.mint.models import V4_SUFFIX
-from motionlang.mint.syntax.tokens import token_at
+from motionlang.mint.syntax.tokens import token_at, value_length
 from motionlang.mint.syntax.traversal import names_of
 
 TYPE_CHECKING = False
@@ -41,7 +41,7 @@ class Problems:
         if any(name.axes for name in names_of(module)):
             return True
         blocks = module.subs or module.tasks or module.events or module.startup or module.types
-        return not blocks and module.offsets.source.name.lower().endswith(V4_SUFFIX)
+        return not blocks and module.source.name.lower().endswith(V4_SUFFIX)
 
     @property
     def is_full(self) -> bool:
