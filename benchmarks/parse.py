@@ -21,10 +21,9 @@ from statistics import median
 from parse_program import program
 from timing import seconds
 
-from motionlang.lang.parsing.generate import build_lark
 from motionlang.lang.syntax.grammar import lex
-from motionlang.mccl.resolve.decode import COMMANDS
-from motionlang.mccl.syntax.parser import parts, pieces
+from motionlang.mccl.resolve.line import lines_of
+from motionlang.mccl.syntax.parser import parse as tree
 from motionlang.mint.syntax.parser import parse
 from motionlang.mint.syntax.tokens import PARSER
 from motionlang.source import Source
@@ -61,23 +60,13 @@ def mccl(count: int) -> None:
         for k in range(count)
     ]
     text = "\n".join(lines)
-    lark = build_lark("mccl.lark", lexer="contextual", keep_all_tokens=False, maybe_placeholders=False)
-
-    def parsed() -> object:
-        return [[parts(piece) for piece in pieces(line)] for line in text.split("\n")]
-
-    def known() -> object:
-        COMMANDS.clear()
-        return [[COMMANDS[piece] for piece in pieces(line)] for line in text.split("\n")]
-
     rounds = [
-        (seconds(lambda: lark.parse(text), True), seconds(parsed, True), seconds(known, True))
+        (seconds(lambda: tree(text), True), seconds(lambda: list(lines_of(text)), True))
         for _ in range(ROUNDS)
     ]
     size = 6 * count
-    print(f"mccl_parse {median(mine for _, mine, _ in rounds) / size * 1e6:.2f} us_per_command")
-    print(f"mccl_parse_vs_lark_as_shipped {median(lark / mine for lark, mine, _ in rounds):.1f} x_faster")
-    print(f"mccl_known_vs_lark_as_shipped {median(lark / mine for lark, _, mine in rounds):.1f} x_faster")
+    print(f"mccl_parse {median(mine for mine, _ in rounds) / size * 1e6:.2f} us_per_command")
+    print(f"mccl_known {median(known for _, known in rounds) / size * 1e6:.2f} us_per_command")
 
 
 if __name__ == "__main__":

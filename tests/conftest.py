@@ -19,7 +19,7 @@ from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 
 from motionlang.cache import GRAMMARS
-from motionlang.mint.syntax.table import write
+from motionlang.tables import write
 from tests import cases
 from tests.built import distributions
 

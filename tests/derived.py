@@ -11,8 +11,7 @@ import sys
 
 # In this order: a program cannot use a new keyword before the grammar has its tokens and the indexes its row.
 WRITERS = (
-    "motionlang.lang.parsing.generate",
-    "motionlang.mint.syntax.table",
+    "motionlang.tables",
     "tests.keyword_index",
     "tests.assumption_index",
     "tests.keyword_pages",

@@ -46,7 +46,6 @@ FOLDERS = (
     "tests/views",
     "tests/repl",
     "tests/log",
-    "tests/lang/parsing",
     "tests/generated/test_results.py",
 )
 TESTED_EXTRAS = ("can", "plot", "parquet", "polars", "pandas", "completion")

@@ -156,7 +156,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
 }
 # A library, and the only modules that may import it.
 HOMES: dict[str, tuple[str, ...]] = {
-    "lark": ("lang/parsing", "lang/syntax", "mint/syntax"),
+    "lark": ("lang/syntax", "mccl/syntax", "mint/syntax"),
     "rich": ("views",),
     "prompt_toolkit": ("repl",),
     "matplotlib": ("views",),

@@ -136,7 +136,7 @@ class Client(Connection):
 
     def download(self, text: str, timeout: float | None = None) -> list[str]:
         """Send the lines of a file without its comments; return all answers."""
-        from motionlang.mccl.syntax.parser import without_comment
+        from motionlang.mccl.syntax.comments import without_comment
 
         answer: list[str] = []
         for number, line in enumerate(Source("", text).text.split("\n"), 1):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import accumulate
+
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
@@ -44,7 +46,13 @@ def own(name: str, action: Action) -> Command:
 def line(commands: Iterable[Command]) -> Line:
     """Return commands as a line, with their joined text."""
     found = tuple(commands)
-    return Line(found, 0, ",".join(each.text for each in found), 0)
+    text = ",".join(each.text for each in found)
+    return Line(
+        found,
+        0,
+        text,
+        tuple(accumulate((len(each.text) + 1 for each in found[:-1]), initial=0)) if found else (),
+    )
 
 
 def number(value: float | int) -> str:

@@ -78,15 +78,17 @@ class Mccl(Dialect):
         Raises ProgramError with all syntax errors.
         """
         from motionlang.errors import ProgramError
-        from motionlang.mccl.syntax.tree import NotACommand, parse
+        from motionlang.mccl.syntax.parser import parse
+        from motionlang.mccl.syntax.tree import Wrong
 
-        try:
-            return parse(source.text)
-        except NotACommand as error:
-            positions = {source.location(at) for at in error.found}
+        module = parse(source.text)
+        commands = [each for line in module.lines for each in line.commands]
+        positions = {source.location(each.start) for each in commands if isinstance(each, Wrong)}
+        if positions:
             mistakes = [each for each in self.check(source) if each.severity == "error"]
             syntax = [each for each in mistakes if (each.line, each.column) in positions]
-            raise ProgramError(syntax or mistakes) from None  # the line may be too long, too
+            raise ProgramError(syntax or mistakes)  # the line may be too long, too
+        return module
 
     def check(
         self,
@@ -165,9 +167,9 @@ class Mccl(Dialect):
         return Session(machine)
 
     def has_code(self, line: str) -> bool:
-        from motionlang.mccl.syntax.parser import spans
+        from motionlang.mccl.syntax.parser import parse
 
-        return next(iter(spans(line)), None) is not None
+        return bool(parse(line).lines)
 
     def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
         from motionlang.mccl.syntax.tokens import tokens

@@ -67,6 +67,7 @@ def test_a_compiled_program_is_cached_for_each_setting(
 def test_the_engine_runs_a_third_of_the_gallery_without_the_folder(tmp_path: Path) -> None:
     root = tmp_path / "motionlang"
     copy_with_bytecode(PACKAGE, root, "fast")
+    copy_with_bytecode(PACKAGE.parent / "grammars", root / "grammars")
     programs = map(str, sorted(GALLERY.glob("*/*.m[nc]*"))[::3])
     command = [sys.executable, "-m", "motionlang", "verify", *programs, "--jobs", "1"]
     ran = subprocess.run(

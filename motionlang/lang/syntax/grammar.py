@@ -64,13 +64,13 @@ def build(name: str, builder: Transformer[Token, Any] | None, **options: object)
     return Lark(text_of(name), **{**settings, **options})
 
 
-def load(name: str, builder: Transformer[Token, Any]) -> Lark:
-    """Return the parser of a grammar, from a stored table if one fits."""
+def load(name: str, builder: Transformer[Token, Any], **options: object) -> Lark:
+    """Return the parser of a grammar, from a stored table if one fits; the options are those of `build`."""
     table = table_name(name)
     try:
         return Lark.load(BytesIO(_read(table)))
     except OSError:
-        return build(name, builder, cache=path_of(table) or False)
+        return build(name, builder, cache=path_of(table) or False, **options)
 
 
 def lex(parser: Lark, text: str) -> Iterator[Token]:
@@ -79,7 +79,9 @@ def lex(parser: Lark, text: str) -> Iterator[Token]:
     return tokens
 
 
-def store(name: str, builder: Transformer[Token, Any], target: str, python: str = PYTHON) -> None:
+def store(
+    name: str, builder: Transformer[Token, Any], target: str, python: str = PYTHON, **options: object
+) -> None:
     """Write the table of a grammar into a folder, for a version of Python; old ones of this grammar are removed."""
     table = table_name(name, python)
     for other in os.listdir(target):
@@ -87,7 +89,7 @@ def store(name: str, builder: Transformer[Token, Any], target: str, python: str 
             os.remove(os.path.join(target, other))
     if not os.path.exists(os.path.join(target, table)):
         with replacing(os.path.join(target, table)) as file:
-            build(name, builder).save(file, exclude_options=("import_paths",))
+            build(name, builder, **options).save(file, exclude_options=("import_paths",))
 
 
 @cache

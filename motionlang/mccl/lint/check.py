@@ -20,8 +20,8 @@ from motionlang.mccl.resolve.command import Command
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.program import locate
-from motionlang.mccl.syntax.mistakes import stuck
-from motionlang.mccl.syntax.tables import COMMENT
+from motionlang.mccl.syntax.comments import COMMENT
+from motionlang.mccl.syntax.parser import mistake
 from motionlang.source import Source
 
 # Jumps within a line.
@@ -161,7 +161,7 @@ def _diagnostic(source: Source, at: int, fault: Fault, severity: str = "error") 
         candidates = [_WORD.sub(each, text, count=1) for each in fault.candidates]
     if fault.kind == "syntax":
         text = source.line(line)[column - 1 :]
-        end = stuck(text[:length])[0]
+        end = mistake(text[:length])
         replaced, fix = plain(text[end:])
         if replaced:
             length, fix = end + replaced, text[:end] + fix

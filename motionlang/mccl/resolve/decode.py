@@ -1,24 +1,21 @@
-"""From the text of a command to a `Command`, cached because programs repeat.
-
-The form is `[axis] MNEMONIC [parameter]`. The mnemonic is two letters in either case. The parameter is an
-integer, a real number, `@n` (the content of register n) or a text in quotes.
-"""
+"""From a node of the tree to a `Command`, or to the fault of a text that is none."""
 
 from __future__ import annotations
 
 import re
 from math import nextafter
+from typing import TYPE_CHECKING
 
 from motionlang.errors import as_hint
+from motionlang.lang.typography import typographic, unclosed
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
 from motionlang.mccl.keywords.row import not_simulated
 from motionlang.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT, Command
-from motionlang.mccl.syntax.parser import head
-from motionlang.mccl.syntax.tables import BEGINS, COMMAND
+from motionlang.mccl.resolve.nearest import candidates, hint
+from motionlang.mccl.syntax import tree
 
-TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
     from motionlang.mccl.runtime.task import Action, CommandTask
@@ -26,10 +23,6 @@ if TYPE_CHECKING:
 _DIGITS = "0123456789"
 # A number beyond this is an error, even for a command without a range.
 _MAX_NUMBER = 1e15
-# Enough for any program. A served board gets different texts every day and must not store all of them.
-_MEMO_SIZE = 20_000
-
-_words: dict[str, Word] = {}
 
 
 class Word:
@@ -40,10 +33,8 @@ class Word:
 
     __slots__ = ("action", "axis", "fault", "high", "low", "name", "pure", "row", "takes_text", "without")
 
-    def __init__(self, text: str) -> None:
-        axis, name = head(text)
-        self.name = name.upper()
-        self.axis = int(axis[:9] or 0)
+    def __init__(self, axis: int | None, name: str) -> None:
+        self.name, self.axis = name, axis or 0
         row = self.row = table().get(self.name)
         self.fault: Fault | None = None
         self.without: Fault | None = None  # the fault if it has no parameter
@@ -82,47 +73,31 @@ class _Wrong:
         raise Fault(self.fault.code, self.fault.message, self.fault.hint, self.fault.kind)
 
 
-class Commands(dict[str, Command]):
-    """Cache from the text of a command to its `Command`.
-
-    An invalid text gives a command that raises its fault when it runs.
-    """
-
-    def __missing__(self, text: str) -> Command:
-        if len(self) >= _MEMO_SIZE:
-            self.clear()
-            _words.clear()
-        match = COMMAND.fullmatch(text)
-        command = self[text] = _no_command(text) if match is None else _decoded(text, *match.groups())
-        return command
-
-
-COMMANDS = Commands()
 _LETTERS = re.compile("[A-Za-z]{2}")
 
 
-def _decoded(
-    text: str, written: str, whole: str | None, real: str | None, register: str | None, quoted: str | None
-) -> Command:
-    word = _words.get(written)
-    if word is None:
-        word = _words[written] = Word(written)
-    kind = NUMBER
-    value: float | int | str
+def decoded(node: tree.Command | tree.Wrong, text: str) -> Command:
+    """Return the command of a node and its text; an invalid one raises its fault when it runs."""
+    if isinstance(node, tree.Wrong):
+        return _no_command(node, text)
+    word = Word(node.axis, node.word)
     fault = word.fault
-    if whole or real:
-        value = int(whole) if whole else float(real)  # type: ignore[arg-type]
-        if not word.low <= value <= word.high or word.takes_text:
-            fault = fault or _misfit(word, value)
-    elif register:
-        kind, value = REGISTER, int(register[1:])
-    elif quoted:
-        kind, value = TEXT, quoted[1:-1]
-        if not word.takes_text:
-            fault = fault or _no_text(word)
-    else:
-        kind, value = NONE, 0
-        fault = fault or word.without
+    kind: int
+    value: float | int | str
+    match node.argument:
+        case None:
+            kind, value = NONE, 0
+            fault = fault or word.without
+        case tree.Register():
+            kind, value = REGISTER, node.argument.number
+        case str():
+            kind, value = TEXT, node.argument
+            if not word.takes_text:
+                fault = fault or _no_text(word)
+        case _:
+            kind, value = NUMBER, node.argument
+            if not word.low <= value <= word.high or word.takes_text:
+                fault = fault or _misfit(word, value)
     if fault is None:
         return Command(text, word.name, word.row, word.axis, kind, value, word.action, word.pure)
     return _wrong(text, word, fault)
@@ -133,17 +108,14 @@ def _wrong(text: str, word: Word, fault: Fault) -> Command:
     return Command(text, word.name, word.row, word.axis, NONE, 0, _Wrong(fault), word.pure)
 
 
-def _no_command(text: str) -> Command:
+def _no_command(node: tree.Wrong, text: str) -> Command:
     """Return the invalid command for a text that does not have the form of one."""
-    from motionlang.lang.typography import typographic, unclosed
-    from motionlang.mccl.syntax.mistakes import stuck
-
-    end, expected = stuck(text)
+    end = node.mistake - node.start
     misprint = typographic(text[end:].lstrip(" \t")) or unclosed(text[end:])
     if misprint is not None:
         name = text[:end].lstrip(_DIGITS)[:2].upper()
         return Command(text, name, None, 0, NONE, 0, _Wrong(Fault(codes.FORMAT, *misprint, "syntax")), False)
-    if "MNEMONIC" in expected:
+    if not node.word:
         wrong = f"{text} is not a command"
         hint = "a command is [axis] two letters [parameter], such as 1MR1000"
         if not text.strip(_DIGITS):
@@ -155,15 +127,13 @@ def _no_command(text: str) -> Command:
         digits = len(text) - len(text.lstrip(_DIGITS))
         name, axis = text[digits : digits + 2].upper(), int(text[:digits][:9] or 0)
         return Command(text, name, None, axis, NONE, 0, _Wrong(fault), False)
-    word = Word(text[:end])
+    word = Word(node.axis, node.word)
     letters = text[end - 2 :].rstrip("0123456789.+-")
     fault = _unknown(letters) if word.row is None else _no_parameter(text[end:], word.row, letters)
     return _wrong(text, word, fault)
 
 
 def _unknown(word: str) -> Fault:
-    from motionlang.mccl.resolve.nearest import candidates, hint
-
     name = word if len(word) > 2 else word.upper()
     message = f"there is no command {name}"
     return Fault(codes.UNRECOGNISED, message, hint(word), "unknown-word", candidates(word))
@@ -174,11 +144,9 @@ def _no_parameter(rest: str, row: Keyword, letters: str) -> Fault:
 
     `letters` are the mnemonic and what follows it: they may be a word of another language.
     """
-    from motionlang.mccl.resolve.nearest import candidates, hint
-
-    if rest[0] == BEGINS["REGISTER"]:
+    if rest[0] == "@":
         return Fault(codes.FORMAT, f"{row.name} needs a register number after @", "such as MR@10", "syntax")
-    if rest[0] == BEGINS["TEXT"]:
+    if rest[0] == '"':
         return Fault(codes.FORMAT, f"the text after {row.name} is not closed", 'a text ends with "', "syntax")
     if row.unit == "text" and row.access == "W":
         return _wants_text(row)

@@ -15,7 +15,7 @@ from motionlang.mccl.models import written_for
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.task import CommandTask
-from motionlang.mccl.syntax.parser import spans
+from motionlang.mccl.syntax.parser import parse
 from motionlang.source import Source
 
 
@@ -166,5 +166,6 @@ def locate(source: Source, at: int) -> tuple[int, int, int]:
     text = source.line(line)
     if column == 1 and len(text) > 255:
         return line, 1, min(len(text), 80)
-    end = next((last for first, last in spans(text) if first == column - 1), column)
+    commands = [each for found in parse(text).lines for each in found.commands]
+    end = next((each.end for each in commands if each.start == column - 1), column)
     return line, column, end - column + 1

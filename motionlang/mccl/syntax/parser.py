@@ -1,58 +1,92 @@
-"""From MCCL text to lines and commands, with `grammars/mccl.lark`.
+"""From MCCL text to its tree, by Lark with `grammars/mccl.lark`.
 
 This module contains no mnemonic.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator
+from functools import cache
+from typing import cast
 
-from motionlang.mccl.syntax.tables import COMMAND, PIECE, SEPARATORS, TERMINALS
+from lark import Lark, Token, Transformer
 
-# The parts of a command: the axis with the mnemonic, and at most one parameter, which is an integer, a
-# real number, a register or a text in quotes. A missing part is None.
-Parts = tuple[str | None, ...]
+from motionlang.lang.syntax.grammar import load
+from motionlang.mccl.syntax.tree import Command, Line, Module, Register, Wrong
 
-_AXIS, _MNEMONIC = (re.compile(TERMINALS[name], re.ASCII) for name in ("AXIS", "MNEMONIC"))
+
+class Builder(Transformer[Token, Module]):
+    """Builds the node of each rule from its tokens and nodes; a symbol that is missing is None."""
+
+    def start(self, lines: list[Line]) -> Module:
+        return Module(lines, start=0, end=lines[-1].end if lines else 0)
+
+    def line(self, commands: list[Command | Wrong]) -> Line:
+        first, last = commands[0], commands[-1]
+        return Line(0, commands, start=first.start, end=last.end)
+
+    def command(self, found: list[Token | None]) -> Command:
+        axis, word, argument = found
+        assert word is not None
+        start, end = _extent(found)
+        given = end if argument is None else argument.start_pos or 0
+        return Command(_number(axis), word.upper(), _argument(argument), start=start, end=end, given=given)
+
+    def wrong(self, found: list[Token | None]) -> Wrong:
+        axis, word, rest = found
+        assert rest is not None
+        start, end = _extent(found)
+        text = "".join(each for each in found if each is not None)
+        mistake = rest.start_pos or 0
+        return Wrong(text, _number(axis), str(word or "").upper(), start=start, end=end, mistake=mistake)
+
+
+def _extent(tokens: list[Token | None]) -> tuple[int, int]:
+    given = [each for each in tokens if each is not None]
+    return cast(int, given[0].start_pos), cast(int, given[-1].end_pos)
+
+
+def _number(axis: Token | None) -> int | None:
+    return None if axis is None else int(axis[:9])  # enough for any axis that there is
+
+
+def _argument(token: Token | None) -> int | float | str | Register | None:
+    if token is None:
+        return None
+    match token.type:
+        case "WHOLE":
+            return int(token)
+        case "REAL":
+            return float(token)
+        case "REGISTER":
+            return Register(int(token[1:]), start=token.start_pos or 0, end=token.end_pos or 0)
+    return str(token[1:-1])
+
+
+# What a text means depends on what is before it: `1` may be an axis or a number.
+OPTIONS: dict[str, object] = {"lexer": "contextual", "keep_all_tokens": False, "postlex": None}
 # The controller's input buffer, in characters.
 MAX_LINE = 255
 
 
-def pieces(line: str) -> list[str]:
-    """Return the text of each command of a line, including invalid ones."""
-    found: list[str] = PIECE.findall(line)
-    while found and not found[-1]:
-        found.pop()
-    return found
+@cache
+def parser() -> Lark:
+    """Return the parser of the grammar."""
+    return load("mccl", Builder(), **OPTIONS)
 
 
-def spans(line: str) -> Iterator[tuple[int, int]]:
-    """Yield the start and end of the text of each command of a line."""
-    for match in PIECE.finditer(line):
-        if match[1]:
-            yield match.span(1)
+def parse(text: str) -> Module:
+    """Return the tree of a text; what is no command is in it as `Wrong`."""
+    module = cast(Module, parser().parse(text))
+    at = number = 0
+    for line in module.lines:
+        number += text.count("\n", at, line.start)
+        at, line.number = line.start, number + 1
+    return module
 
 
-def parts(piece: str) -> Parts | None:
-    """Return the components of a command, or None if the text is not a command."""
-    match = COMMAND.fullmatch(piece)
-    return match and match.groups()
-
-
-def without_comment(line: str) -> str:
-    """Return the line without its comment, as a downloader sends it."""
-    end = max((end for _, end in spans(line)), default=0)
-    separators = SEPARATORS.match(line, end)
-    return line[: separators.end()] if separators else line[:end]
-
-
-def head(text: str) -> tuple[str, str]:
-    """Return the axis number and mnemonic at the beginning of a command.
-
-    The mnemonic is "" if it has none.
-    """
-    axis = _AXIS.match(text)
-    begin = axis.end() if axis else 0
-    mnemonic = _MNEMONIC.match(text, begin)
-    return text[:begin], mnemonic[0] if mnemonic else ""
+def mistake(text: str) -> int:
+    """Return the length of the valid beginning of a text that should be a command."""
+    for line in parse(text).lines:
+        for command in line.commands:
+            return command.mistake if isinstance(command, Wrong) else command.end
+    return 0

@@ -1,60 +1,58 @@
-"""The tokens of a text for highlighting.
-
-Their kinds are axis, command, number, register, text, comment, separator and unknown.
-"""
+"""The tokens of a text, for highlighting: read from its tree, and what lies between the commands."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from motionlang.mccl.keywords import table
-from motionlang.mccl.syntax.parser import head, spans, without_comment
-from motionlang.mccl.syntax.tables import BEGINS
+from motionlang.mccl.syntax.parser import parse
+from motionlang.mccl.syntax.tree import Command, Register, Wrong
 
+# What stands between two commands: comments, line ends, separators.
+_BETWEEN = re.compile(r"(?P<comment>[;#][^\r\n]*)|(?P<separator>\r?\n|.)", re.DOTALL)
 _DIGITS = "0123456789"
-# The kind of an argument, by the character with which it begins.
-_ARGUMENTS = {BEGINS["TEXT"]: "text", BEGINS["REGISTER"]: "register"}
 
 
 def tokens(text: str) -> Iterator[tuple[str, str, int]]:
     """Yield kind, text and offset of each token; together they make up all of `text`."""
-    start = 0
-    for line in text.splitlines(keepends=True):
-        body = line.rstrip("\r\n")
-        code = without_comment(body)
-        yield from _line(code, start)
-        if len(code) < len(body):
-            yield "comment", body[len(code) :], start + len(code)
-        if len(body) < len(line):
-            yield "separator", line[len(body) :], start + len(body)
-        start += len(line)
-
-
-def _line(code: str, start: int) -> Iterator[tuple[str, str, int]]:
     end = 0
-    for first, last in spans(code):
-        yield from _separators(code[end:first], start + end)
-        yield from _command(code[first:last], start + first)
-        end = last
-    yield from _separators(code[end:], start + end)
+    for line in parse(text.replace("\r", " ")).lines:
+        for command in line.commands:
+            yield from _between(text, end, command.start)
+            yield from _command(text, command)
+            end = command.end
+    yield from _between(text, end, len(text))
 
 
-def _separators(text: str, start: int) -> Iterator[tuple[str, str, int]]:
-    for at, each in enumerate(text, start):
-        yield "separator", each, at
+def _between(text: str, start: int, end: int) -> Iterator[tuple[str, str, int]]:
+    for match in _BETWEEN.finditer(text, start, end):
+        assert match.lastgroup is not None
+        yield match.lastgroup, match[0], match.start()
 
 
-def _command(text: str, start: int) -> Iterator[tuple[str, str, int]]:
-    axis, name = head(text)
-    if not axis and not name:
-        count = len(text) - len(text.lstrip(_DIGITS))
-        axis, name = text[:count], text[count : count + 2]
+def _command(text: str, command: Command | Wrong) -> Iterator[tuple[str, str, int]]:
+    whole = text[command.start : command.end]
+    count = len(whole) - len(whole.lstrip(_DIGITS))
+    axis, name = whole[:count], whole[count : count + 2]
     if axis:
-        yield "axis", axis, start
+        yield "axis", axis, command.start
     if name:
         known = table().get(name)
         kind = "unknown" if known is None else "command" if known.simulated else "not-simulated"
-        yield kind, name, start + len(axis)
-    begin = len(axis) + len(name)
-    if begin < len(text):
-        yield _ARGUMENTS.get(text[begin], "number"), text[begin:], start + begin
+        yield kind, name, command.start + count
+    begin = count + len(name)
+    if begin < len(whole):
+        yield _argument(command, whole[begin]), whole[begin:], command.start + begin
+
+
+def _argument(command: Command | Wrong, first: str) -> str:
+    if isinstance(command, Command):
+        return (
+            "register"
+            if isinstance(command.argument, Register)
+            else "text"
+            if isinstance(command.argument, str)
+            else "number"
+        )
+    return {'"': "text", "@": "register"}.get(first, "number")

@@ -14,16 +14,20 @@ from hypothesis import strategies as st
 from motionlang.cache import GRAMMARS
 from motionlang.lang.syntax import grammar
 from motionlang.lang.syntax.grammar import BAD, build, lex, load, store, table_name
+from motionlang.mccl.syntax.parser import OPTIONS
 from motionlang.mint.syntax.build import Builder
 from motionlang.mint.syntax.tokens import PARSER, ended
 from tests.cases import examples
 
 
-def test_the_grammar_has_no_conflict(caplog: pytest.LogCaptureFixture) -> None:
+@pytest.mark.parametrize(("name", "options"), [("mint", {}), ("mccl", OPTIONS)])
+def test_a_grammar_has_no_conflict(
+    name: str, options: dict[str, object], caplog: pytest.LogCaptureFixture
+) -> None:
     lark.logger.setLevel(logging.DEBUG)
     lark.logger.propagate = True
     try:
-        build("mint", None, debug=True)
+        build(name, None, debug=True, **options)
     finally:
         lark.logger.setLevel(logging.CRITICAL)
     assert "conflict" not in caplog.text.lower()

@@ -10,11 +10,11 @@ from pathlib import Path
 
 import lark
 import pytest
+from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from motionlang.lang.syntax.grammar import BAD, END, build
 from motionlang.lang.syntax.stack import Cell
 from motionlang.mint.syntax.tokens import TABLE, Tokens
-from tests.lang.parsing.test_expected import Accepted
 
 TESTS = Path(__file__).parents[2]
 
@@ -24,6 +24,19 @@ def mint_texts() -> list[str]:
     files = sorted((TESTS / "errors" / "mint").glob("*.mnt"))
     many = (TESTS / "mint" / "syntax" / "parser_errors.txt").read_text().split("\n----\n")
     return [*(file.read_text() for file in files), *many]
+
+
+class Accepted:
+    """Lark's accepted tokens, cached by its stack of states."""
+
+    def __init__(self) -> None:
+        self._known: dict[tuple[int, ...], set[str]] = {}
+
+    def __call__(self, parser: InteractiveParser) -> set[str]:
+        stack = tuple(parser.parser_state.state_stack)
+        if stack not in self._known:
+            self._known[stack] = set(parser.accepts())  # type: ignore[no-untyped-call]
+        return self._known[stack]
 
 
 @pytest.mark.slow

@@ -6,9 +6,18 @@ import pytest
 
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import table
-from motionlang.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT
-from motionlang.mccl.resolve.decode import COMMANDS, checked, problem
+from motionlang.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT, Command
+from motionlang.mccl.resolve.decode import checked, problem
+from motionlang.mccl.resolve.line import line_of
 from tests.cases import cases
+
+
+def command(text: str) -> Command:
+    """Return a command that stands behind another one."""
+    line = line_of(f"NO,{text}")
+    assert line is not None
+    _, found = line.commands
+    return found
 
 
 @cases(
@@ -32,7 +41,7 @@ from tests.cases import cases
 def test_a_command_has_its_axis_and_parameter(
     text: str, name: str, axis: int, kind: int, value: float | str
 ) -> None:
-    found = COMMANDS[text]
+    found = command(text)
     assert problem(found) is None
     assert (found.name, found.axis, found.kind, found.value) == (name, axis, kind, value)
     assert isinstance(found.value, type(value))
@@ -68,14 +77,12 @@ WRONG: list[tuple[str, str, int, int, str, str, str]] = [
     ("??", "??", 0, 2, "syntax", "?? is not a command", FORM),
     ("#", "#", 0, 2, "syntax", "# is not a command", "; begins a comment"),
     ("//start", "//", 0, 2, "syntax", "//start is not a command", "; begins a comment"),
-    ("1 MR5", " M", 1, 2, "syntax", "1 MR5 is not a command", FORM),
     ("1MR1.2.3", "MR", 1, 2, "syntax", "1.2.3 is not a number", "only a number follows MR"),
     ("1WA1s", "WA", 1, 2, "syntax", "1s is not a number", "only a number follows WA"),
     ("CNx", "CN", 0, 2, "syntax", "x is not a number", "only a number follows CN"),
     ("1MR10002MR5", "MR", 1, 2, "syntax", "10002MR5 is not a number", COMMAS),
     ("MR@", "MR", 0, 2, "syntax", "MR needs a register number after @", "such as MR@10"),
     ("MR=5", "MR", 0, 2, "syntax", "=5 is not a number", "write the number alone: MR5"),
-    ("MR= 5", "MR", 0, 2, "syntax", "= 5 is not a number", "write the number alone: MR5"),
     ("1WS(0.1)", "WS", 1, 2, "syntax", "(0.1) is not a number", "write the number alone: WS0.1"),
     ("MR[-5", "MR", 0, 2, "syntax", "[-5 is not a number", "write the number alone: MR-5"),
     ("MR=", "MR", 0, 2, "syntax", "= is not a number", "only a number follows MR"),
@@ -140,7 +147,7 @@ WRONG: list[tuple[str, str, int, int, str, str, str]] = [
 def test_an_invalid_command_has_its_reason(
     text: str, name: str, axis: int, code: int, kind: str, message: str, hint: str
 ) -> None:
-    found = COMMANDS[text]
+    found = command(text)
     fault = problem(found)
     assert fault is not None
     assert (found.name, found.axis, found.kind) == (name, axis, NONE)

@@ -4,14 +4,45 @@ from __future__ import annotations
 
 import pytest
 from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import motionlang
 from motionlang.errors import ProgramError
 from motionlang.lang.dialect import dialect
-from motionlang.mccl.syntax.tree import Command, Line, Module, Register
+from motionlang.mccl.keywords import table
+from motionlang.mccl.syntax.comments import without_comment
+from motionlang.mccl.syntax.parser import parse
+from motionlang.mccl.syntax.tree import Command, Line, Module, Register, Wrong
 from motionlang.mint.syntax import nodes
 from tests.cases import cases, examples
-from tests.mccl.syntax.test_grammar import Read, by_grammar, files
+
+numbers = st.one_of(
+    st.integers(-9999, 9999).map(str),
+    st.decimals(-999, 999, places=3).map(str),
+    st.sampled_from([".5", "5.", "+3", "-.25", "1e3", "2.5E-1", ""]),
+)
+parameters = st.one_of(
+    numbers, st.integers(0, 255).map("@{}".format), st.sampled_from(['"A"', '"a;b,c d"', '""'])
+)
+names = st.sampled_from([row.name for row in table()]).flatmap(
+    lambda name: st.sampled_from([name, name.lower()])
+)
+commands = st.builds("{}{}{}".format, st.sampled_from(["", "1", "2", "0", "08"]), names, parameters)
+remarks = st.sampled_from(["", "; a remark", " ;1MR5", ";,\"'"])
+lines = st.builds(
+    "{}{}{}".format,
+    st.sampled_from(["", " ", "\t", ","]),
+    st.lists(commands, max_size=5).flatmap(
+        lambda found: st.sampled_from([",", " ", ", ", ",,", "\t"]).map(
+            lambda separator: separator.join(found)
+        )
+    ),
+    remarks,
+)
+files = st.lists(st.one_of(lines, st.sampled_from(["", "# a whole line", "  #1MR5", ";"])), max_size=6).map(
+    "\n".join
+)
+
 
 # The four commands that TN1069 prints: their forms, an example and its tree.
 PROFILES = {
@@ -36,15 +67,15 @@ def test_a_node_knows_its_offset() -> None:
     text = " 1MR5,2TP\n3TP\n"
     module = motionlang.parse(text, "mccl")
     assert isinstance(module, Module)
-    assert [[text[each.at :][:3] for each in line.commands] for line in module.lines] == [
-        ["1MR", "2TP"],
+    assert [[text[each.start : each.end] for each in line.commands] for line in module.lines] == [
+        ["1MR5", "2TP"],
         ["3TP"],
     ]
 
 
 def test_nodes_are_equal_if_all_but_their_offsets_are() -> None:
-    command = Command(1, "MR", 5, 0)
-    assert command == Command(1, "MR", 5, 7)
+    command = Command(1, "MR", 5)
+    assert command == Command(1, "MR", 5, start=7, end=11)
     for other in (
         Command(2, "MR", 5),
         Command(1, "MA", 5),
@@ -86,12 +117,29 @@ def test_the_profile_commands_have_the_forms_that_are_printed(name: str) -> None
 
 @settings(max_examples=examples(200))
 @given(files)
-def test_the_tree_is_that_of_the_grammar(text: str) -> None:
+def test_a_tree_has_the_commands_of_each_line_up_to_its_comment(text: str) -> None:
     module = motionlang.parse(text, "mccl")
     assert isinstance(module, Module)
-    expected: Read = by_grammar(text)
-    found = [[(each.axis or 0, each.word) for each in line.commands] for line in module.lines]
-    assert found == [[each[:2] for each in line] for line in expected]
+    found = {line.number: [text[each.start : each.end] for each in line.commands] for line in module.lines}
+    for number, line in enumerate(text.split("\n"), 1):
+        code = without_comment(line)
+        if '"' not in code:
+            assert found.get(number, []) == code.replace(",", " ").split()
+
+
+@settings(max_examples=examples(300))
+@given(st.text(alphabet='1aM.@",; -+e#\n', max_size=12))
+def test_every_text_has_a_tree(text: str) -> None:
+    """What is no command is in it, too; only separators and comments are left out."""
+    module, end = parse(text), 0
+    for line in module.lines:
+        for command in line.commands:
+            between = text[end : command.start]
+            assert all(without_comment(each).strip(", \t") == "" for each in between.split("\n"))
+            assert command.start < command.end
+            assert not isinstance(command, Wrong) or text[command.start : command.end] == command.text
+            end = command.end
+    assert all(without_comment(each).strip(", \t") == "" for each in text[end:].split("\n"))
 
 
 def test_every_syntax_error_is_in_the_exception() -> None:

@@ -1,4 +1,4 @@
-"""Writer of the table of the grammar: `python -m motionlang.mint.syntax.table [FOLDER [PYTHON]]`."""
+"""Writer of the tables of the grammars: `python -m motionlang.tables [FOLDER [PYTHON]]`."""
 
 from __future__ import annotations
 
@@ -6,12 +6,14 @@ import sys
 
 from motionlang.cache import GRAMMARS
 from motionlang.lang.syntax.grammar import PYTHON, store
+from motionlang.mccl.syntax import parser as mccl
 from motionlang.mint.syntax.build import Builder
 
 
 def write(target: str = GRAMMARS, python: str = PYTHON) -> None:
-    """Write the table for the present Lark and a version of Python into a folder."""
+    """Write the tables for the present Lark and a version of Python into a folder."""
     store("mint", Builder(), target, python)
+    store("mccl", mccl.Builder(), target, python, **mccl.OPTIONS)
 
 
 if __name__ == "__main__":

@@ -1,1 +1,0 @@
-"""Table-driven parsing: from `.lark` grammars to tables, and from texts to trees."""
