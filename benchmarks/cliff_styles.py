@@ -6,10 +6,13 @@ it is written. Each style has a neighbour, a plain program with the same motion.
 
 from __future__ import annotations
 
+from math import inf
 from typing import NamedTuple
 
 # A style may be this many times slower than its neighbour, and must reach this multiple of real time.
 MOST, LEAST = 10.0, 1000.0
+# Programs of steps need no neighbour: each must reach this multiple of real time.
+LEAST_OF_STEPS = 100.0
 
 _AXES = "SPEED(0, 1) = 100;\nACCEL(0, 1) = 500;\nDECEL(0, 1) = 500;\n"
 _THERE, _BACK = "  MOVEA(0) = 100 : GO(0)\n", "  MOVEA(0) = 0 : GO(0)\n"
@@ -52,6 +55,8 @@ def _add(
     least: float = 0.0,
 ) -> None:
     suffix = "mcl" if family.startswith("mccl") else "mnt"
+    if suffix == "mcl":
+        most, least = most or inf, least or LEAST_OF_STEPS
     STYLES[f"{family}_{name}"] = Style(
         family, neighbour, f"{name}.{suffix}", text, machine or {}, most, least
     )
@@ -458,10 +463,10 @@ _add(
     "relative",
     "1MN,1SV100,1SA5000,1DS5000\n1MR10,1WS,RP\n",
     neighbour="mccl_moves_mint",
-    most=2.3,
+    most=4.0,
 )
 _add("mccl_moves", "absolute", "1MN,1SV100,1SA5000,1DS5000\n1MA10,1WS,1MA0,1WS,RP\n",
-     neighbour="mccl_moves_mint", most=2.3)  # fmt: skip
+     neighbour="mccl_moves_mint", most=4.0)  # fmt: skip
 _add(
     "mccl_moves",
     "in_macro",
