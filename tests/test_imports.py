@@ -36,9 +36,7 @@ LAZY = {
     "dap/relay.py": "engine",
     "dap/server.py": "adapter relay",
     "lang/machine/machine.py": "machine.axes machine.nonvolatile machine.operator",
-    "mccl/__init__.py": "keywords keywords.row keywords.switchable lint.board lint.check models "
-    "resolve.definitions resolve.loop_dependencies resolve.listing "
-    "runtime.program runtime.session syntax.parser syntax.tokens syntax.tree",
+    "mccl/__init__.py": "keywords keywords.row keywords.switchable models syntax.tree",
     "mint/__init__.py": "compile.listing keywords keywords.machine_readings keywords.switchable models program "
     "resolve.aliases resolve.chosen_rates runtime.wait_sources",
     "mccl/keywords/__init__.py": "keywords.index",
@@ -62,7 +60,6 @@ LAZY = {
     "client/client.py": "virtual",
     "client/mint.py": "virtual",
     "log/stream.py": "records repeated sampled",
-    "mccl/resolve/decode.py": "resolve.nearest syntax.mistakes",
     "mccl/runtime/board.py": "keywords.switchable",
     "mccl/runtime/program.py": "runtime.debugging",
     "mint/compile/compiler.py": "compile.error_recovery compile.line_triggers",

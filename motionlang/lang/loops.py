@@ -34,7 +34,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from math import ceil
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from motionlang.controller.clock import INFINITY
 from motionlang.lang.dependencies import CLOSE, MAX_NOTES
@@ -85,33 +85,44 @@ LARGEST = 2.0**31
 MAX_DELAYS = 100
 
 
+class Mark(NamedTuple):
+    """A list of records, and its length at some moment."""
+
+    records: list[Any]
+    length: int
+
+    def since(self, records: list[Any]) -> list[Any] | None:
+        """Return the records since then; None if another list has been begun."""
+        return records[self.length :] if records is self.records else None
+
+
+NO_RECORDS = Mark([], 0)
+
+
 @dataclass(slots=True, eq=False)
 class State:
-    """All tasks at a jump back of one of them."""
+    """All tasks at a jump back of one of them, at statement `t` from `base`."""
 
     t: float
     base: float
     numbers: list[Any]
-    # The running task and its loop, and how often tasks have taken turns.
+    # The wait of each other task, and what is left of it, in units of time, if its end is known.
+    waits: list[Wait | None]
+    left: list[int]
+    # What the loop of the running task does, and how often that task has changed its loop, and tasks have taken turns.
     body: Body
     strayed: int
     turns: int
     # Counters of all that has been done so far.
     acted: object
-    # What each task has read, and how much of it before this state; the same for the margins.
-    read: list[tuple[StepTask, list[Note] | None, int]]
-    margins: list[float]
-    first_margin: int
-    # The same for the waits for a time.
-    delays: list[tuple[float, float]]
-    first_delay: int
-    # The wait of each other task, and what is left of it, in units of time, if its end is known.
-    waits: list[Wait | None]
-    left: list[int]
-    mark: Any
+    # What had been recorded: readings of each task, margins, waits for a time, and the log of several tasks.
+    read: list[tuple[StepTask, Mark]] = field(default_factory=list)
+    margins: Mark = NO_RECORDS
+    delays: Mark = NO_RECORDS
+    logged: Any = None
+    # The last state at the same place, and by how much numbers and margins differ from it; None if not known.
     before: State | None = None
-    # By how much numbers and margins differ from those of the state before; None if that is not known.
-    change: list[float] | None = field(default=None)
+    change: list[float] | None = None
 
 
 class Loops:
@@ -157,17 +168,25 @@ class Loops:
         There is a wait, too, if the loop repeats until another task or the world acts. The jump is not inside one list
         of steps if it enters another one without return.
         """
-        log = task.loop_log
-        if is_inside and (here != log.end or task.pc != log.target):
-            log.back(here, task.pc)
-        steps, first, last_step = task.last_loop
-        if not is_inside or steps is not task.steps or first != task.pc or last_step != here:
-            task.strayed += 1
-            task.last_loop = task.steps, task.pc, here if is_inside else -1
+        self._follow(task, here, is_inside)
         if task.unchecked:
             task.unchecked -= 1
             return t, None
         self._find_futile(task, here)
+        return self._check(task, here, t)
+
+    def _follow(self, task: StepTask, here: int, is_inside: bool) -> None:
+        """Log the jump, and note if it is that of another loop than the last one."""
+        log = task.loop_log
+        if is_inside and (here != log.end or task.pc != log.target):
+            log.back(here, task.pc)
+        steps, first, last = task.last_loop
+        if not is_inside or steps is not task.steps or first != task.pc or last != here:
+            task.strayed += 1
+            task.last_loop = task.steps, task.pc, here if is_inside else -1
+
+    def _check(self, task: StepTask, here: int, t: float) -> tuple[float, Wait | None]:
+        """Compare the present state with the last one at its place, and skip what repeats."""
         changes = self.world.changes()
         if changes != task.met_after:
             has_acted = bool(task.met) and changes[0] != task.met_after[0]
@@ -234,23 +253,8 @@ class Loops:
         waits = [None if each is task else each.wait for each in tasks]
         left = [units(wait.ends) - elapsed if isinstance(wait, Delay) else 0 for wait in waits]
         body = _body(task.last_loop)
-        return State(
-            t,
-            self.time.base,
-            numbers,
-            body,
-            task.strayed,
-            self.turns,
-            self.world.acted(),
-            [],
-            self._margins,
-            0,
-            self._delays,
-            0,
-            waits,
-            left,
-            None,
-        )
+        acted = self.world.acted()
+        return State(t, self.time.base, numbers, waits, left, body, task.strayed, self.turns, acted)
 
     def _begin(self) -> None:
         """Begin to record what tasks read."""
@@ -271,13 +275,13 @@ class Loops:
         for each in self.world.tasks:
             if each.notes is None:
                 each.notes = []
-        now.read = [(each, each.notes, len(each.notes or ())) for each in self.world.tasks]
-        now.margins, now.first_margin = self._margins, len(self._margins)
-        now.delays, now.first_delay = self._delays, len(self._delays)
+            now.read.append((each, Mark(each.notes, len(each.notes))))
+        now.margins = Mark(self._margins, len(self._margins))
+        now.delays = Mark(self._delays, len(self._delays))
         scheduler = self.machine.scheduler
         if self.task is not None and scheduler is not None and len(scheduler.tasks) > 1:
             self.machine.log.slices.so_far(self.task.name, scheduler.began, self.time.at(now.t))
-            now.mark = self.machine.log.mark_period()
+            now.logged = self.machine.log.mark_period()
 
     def _failed(self, task: StepTask, t: float) -> tuple[float, Wait | None]:
         task.met, task.failures = {}, 0
@@ -321,12 +325,10 @@ class Loops:
 
     def _with_margins(self, change: list[float], last: State) -> list[float] | None:
         """Return the changes of numbers and of margins; None if other comparisons were made."""
-        if last.margins is not self._margins:
+        since, first = last.margins.since(self._margins), last.margins.length
+        if since is None or len(since) > first:
             return None
-        since = self._margins[last.first_margin :]
-        before = self._margins[last.first_margin - len(since) : last.first_margin]
-        if len(since) > last.first_margin:
-            return None
+        before = self._margins[first - len(since) : first]
         return change + [b - a for a, b in zip(before, since, strict=True)]
 
     def _change(self, last: State, now: State) -> list[float] | None:
@@ -393,7 +395,7 @@ class Loops:
         # A statement that coincides with the end of another task's wait comes after it.
         until = min([stable, clock.next_time(), *[each.due() - 0.5 * ROUNDING for each in kept]])
         if until == INFINITY and most == INFINITY and now.acted == last.acted:
-            if last.delays is self._delays and len(self._delays) == last.first_delay:
+            if last.delays.since(self._delays) == []:
                 self._is_futile(task)
                 return t, self._never()
             if kept:
@@ -441,9 +443,10 @@ class Loops:
         if now.base == last.base:
             return int(min(time.periods(last.base, last.t + 1.0, now.t + 1.0, until), most)), now.base
         # Sums of waits for a time round, so they are added up one by one.
-        delays, base, times = self._delays[last.first_delay :], now.base, 0
-        is_sum = last.delays is self._delays and _after(last.base, delays, time.cost) == base
-        if not is_sum or now.turns != last.turns or now.t != last.t:
+        delays, base, times = last.delays.since(self._delays), now.base, 0
+        if delays is None or _after(last.base, delays, time.cost) != base:
+            return 0, base
+        if now.turns != last.turns or now.t != last.t:
             return 0, base
         rest = (now.t + 1.0) * time.cost
         while times < most and (following := _after(base, delays, time.cost)) + rest < until:
@@ -457,7 +460,7 @@ class Loops:
         assert scheduler is not None
         if now.turns != last.turns:
             log.slices.so_far(task.name, scheduler.began, here)
-            log.repeat_period(last.mark, began, here, time.reached, times)
+            log.repeat_period(last.logged, began, here, time.reached, times)
             log.slices.shared_by_all(time.reached - here)
         elif last.base != now.base:
             log.repeat_waits(task.name, began, here - began, times)
@@ -480,14 +483,15 @@ class Loops:
         task.notes = dependencies.notes
         body = now.body if is_alone and now.strayed == last.strayed else UNKNOWN
         matter: list[Note] = []
-        for each, notes, first in last.read:
+        for each, read in last.read:
             if each is not task and is_alone:
                 continue
-            if notes is None or notes is not each.notes:
+            notes = read.since(each.notes) if each.notes is not None else None
+            if notes is None:
                 return -INFINITY
             matter += [
                 note
-                for note in notes[first:]
+                for note in notes
                 if not (isinstance(note[0], Copy) and body is not UNKNOWN and body.is_only_copied(note[0]))
             ]
         return dependencies.until(began - CLOSE, matter) - CLOSE

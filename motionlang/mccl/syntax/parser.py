@@ -5,7 +5,9 @@ This module contains no mnemonic.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from functools import cache
+from itertools import accumulate
 from typing import cast
 
 from lark import Lark, Token, Transformer
@@ -28,10 +30,10 @@ class Builder(Transformer[Token, Module]):
         axis, word, argument = found
         assert word is not None
         start, end = _extent(found)
-        given = end if argument is None else argument.start_pos or 0
-        return Command(_number(axis), word.upper(), _argument(argument), start=start, end=end, given=given)
+        return Command(_number(axis), word.upper(), _argument(argument), start=start, end=end)
 
     def wrong(self, found: list[Token | None]) -> Wrong:
+        """Build the node of a text that is no command."""
         axis, word, rest = found
         assert rest is not None
         start, end = _extent(found)
@@ -77,10 +79,9 @@ def parser() -> Lark:
 def parse(text: str) -> Module:
     """Return the tree of a text; what is no command is in it as `Wrong`."""
     module = cast(Module, parser().parse(text))
-    at = number = 0
+    ends = list(accumulate(len(each) + 1 for each in text.split("\n")))
     for line in module.lines:
-        number += text.count("\n", at, line.start)
-        at, line.number = line.start, number + 1
+        line.number = bisect_right(ends, line.start) + 1
     return module
 
 

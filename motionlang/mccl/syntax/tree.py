@@ -34,13 +34,12 @@ class Command(Node):
     """A command.
 
     `axis` is the number in front, or None. `word` is the mnemonic in capital letters. `argument` is an
-    int, a float, a str for a text in quotes, a Register, or None; it begins at offset `given`.
+    int, a float, a str for a text in quotes, a Register, or None.
     """
 
     axis: int | None
     word: str
     argument: int | float | str | Register | None
-    given: int = field(default=0, compare=False, kw_only=True)
 
 
 @dataclass(slots=True, repr=False)
