@@ -26,6 +26,7 @@ from tests.built import distributions
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
+    from typing import IO
 
     from motionlang.lang.program import Program
     from motionlang.lang.scheduler import Outside
@@ -220,9 +221,24 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     left_out = [] if "long" in chosen else ["long"]
     if not config.option.slow and "slow" not in chosen:
         left_out.append("slow")
-    out = [item for item in items if any(map(item.get_closest_marker, left_out))]
-    config.hook.pytest_deselected(items=out)
-    items[:] = [item for item in items if item not in set(out)]
+    is_out = [any(map(item.get_closest_marker, left_out)) for item in items]
+    config.hook.pytest_deselected(items=[item for item, out in zip(items, is_out, strict=True) if out])
+    items[:] = [item for item, out in zip(items, is_out, strict=True) if not out]
+
+
+@pytest.fixture
+def unrendered(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let figures write their size instead of an image, which takes matplotlib half a second.
+
+    It is for tests of a command that also draws. The tests of each picture render it.
+    """
+    pytest.importorskip("matplotlib")
+    from matplotlib.figure import Figure
+
+    def save(figure: Figure, file: IO[bytes], **options: object) -> None:
+        file.write(str(figure.get_size_inches()).encode())
+
+    monkeypatch.setattr(Figure, "savefig", save)
 
 
 @pytest.fixture(scope="session")

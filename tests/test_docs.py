@@ -38,6 +38,7 @@ PAGES = [
 # The pages whose text names commands in passing.
 NAMING = [*PAGES, ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs" / "keywords").rglob("*.md"))]
 _INLINE = re.compile(r"`motionlang ([a-z][^`]*)`")
+_IMAGE = re.compile(r"--plot \S+\.(png|svg)")
 _BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -83,8 +84,14 @@ def at_root(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 @pytest.mark.usefixtures("at_root")
 @pytest.mark.parametrize(("kind", "text"), blocks("console"))
 def test_console(
-    kind: str, text: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    kind: str,
+    text: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    request: pytest.FixtureRequest,
 ) -> None:
+    if _IMAGE.search(text):
+        request.getfixturevalue("unrendered")
     for command, shown in commands(text):
         words = shlex.split(command, comments=True)
         if words[0] == "cat" and not Path(words[1]).exists():

