@@ -116,11 +116,11 @@ async def stop(client: LanguageClient) -> int:
     return await process.wait()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def in_one_server() -> Iterator[InOneServer]:
     """Yield a function that runs `work` with the text at a path.
 
-    All tests of a module share one server.
+    All tests share one server. A test has texts of its own, in its `tmp_path`.
     """
     with asyncio.Runner() as runner:
         first = Editor(make_test_lsp_client(), "")

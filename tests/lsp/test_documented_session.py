@@ -10,7 +10,7 @@ from pathlib import Path
 
 from lsprotocol import types
 
-from tests.lsp.conftest import ROOT, Editor, session
+from tests.lsp.conftest import ROOT, Editor, InOneServer
 from tests.lsp.test_server import changes_of
 
 PROGRAM = ROOT / "scripts" / "mint" / "limit-recovery.mnt"
@@ -43,7 +43,7 @@ def hinted(text: str, hint: types.InlayHint) -> str:
     return f"{hint.position.line + 1}  {line:{WIDTH}}{hint.label}\n"
 
 
-def test_the_session_in_an_editor_is_as_documented(tmp_path: Path) -> None:
+def test_the_session_in_an_editor_is_as_documented(in_one_server: InOneServer, tmp_path: Path) -> None:
     before, after = shown_on_the_page()
     right = PROGRAM.read_text(encoding="utf-8")
     machine = PROGRAM.with_suffix(".machine.toml").read_text(encoding="utf-8")
@@ -72,4 +72,4 @@ def test_the_session_in_an_editor_is_as_documented(tmp_path: Path) -> None:
         hints = await server.text_document_inlay_hint_async(types.InlayHintParams(document, lines))
         assert "".join(hinted(right, each) for each in hints or ()) == after
 
-    assert session(work, tmp_path) == 0
+    in_one_server(work, tmp_path / "a.mnt")
