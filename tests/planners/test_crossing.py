@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.planners import Profile, crossing, plan, plan_velocity
 from motionlang.planners.curve import from_curve, hold
-from tests.cases import cases
+from tests.cases import cases, examples
 
 
 def profiles(seed: int) -> list[Profile]:
@@ -33,7 +33,7 @@ def as_pieces(profile: Profile) -> Profile:
     return made
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(examples(40)))
 def test_crossings_have_the_same_bits_as_a_search_of_all_pieces(seed: int) -> None:
     numbers = random.Random(seed + 1000)
     for profile in profiles(seed):

@@ -12,7 +12,8 @@ from motionlang.servo import Drive, Loop, Motor, Override, Track, simulate
 from tests.servo.plain import Array, run_plain
 
 PID = Loop(0.04, 2e-5, 0.9, integral_limit=5.0)
-LONG = 1.6
+# Both moves of `there_and_back` and 0.07 s at rest.
+LONG = 1.3
 
 LOOPS = {
     "pid": PID,
