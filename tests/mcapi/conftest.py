@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 import socket
+import subprocess
+import sys
 import threading
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 
 from motionlang.lang.machine.machine import Machine
 from motionlang.mcapi import MC_OPEN_BINARY, Mcapi
+from motionlang.mcapi.build import SOURCE, TARGETS
 from motionlang.mcapi.host import McapiHost
 from motionlang.mcapi.session import McapiBoard
 from motionlang.mccl.hosts.console import Console
@@ -18,6 +24,46 @@ from motionlang.serve.pace import Pace
 
 # Seconds after which a waiting test has failed; a successful one never waits that long.
 PATIENCE = 20.0
+COMPILER = next(filter(shutil.which, TARGETS["linux"].compilers), None)
+needs_compiler = pytest.mark.skipif(
+    COMPILER is None or sys.platform != "linux", reason="the C library needs Linux and a C compiler"
+)
+
+
+def motionlang(cache: Path, *words: str, **more: str) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, "MOTIONLANG_CACHE": str(cache), **more}
+    command = [sys.executable, "-m", "motionlang", "mcapi", *words]
+    # Hosts write files into their folder.
+    return subprocess.run(
+        command, env=environment, capture_output=True, text=True, timeout=100, check=False, cwd=cache
+    )
+
+
+@pytest.fixture(scope="session")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the folder of a user's cache in which the library has been built."""
+    folder = tmp_path_factory.mktemp("cache")
+    done = motionlang(folder, "build")
+    assert (done.returncode, done.stderr) == (0, "")
+    return folder
+
+
+@pytest.fixture(scope="session")
+def library(cache: Path) -> Path:
+    """Return the C library."""
+    (found,) = cache.rglob(TARGETS["linux"].library)
+    return found
+
+
+@pytest.fixture(scope="session")
+def chost(library: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the C host of these tests, linked with the library like other hosts."""
+    program = tmp_path_factory.mktemp("host") / "chost"
+    source = Path(__file__).parent / "host.c"
+    options = ["-O1", f"-I{SOURCE}", f"-L{library.parent}"]
+    command = [str(COMPILER), *options, "-o", str(program), str(source), "-lmcapi", "-lpthread"]
+    subprocess.run(command, check=True)
+    return program
 
 
 def opened(machine: dict[str, object] | None = None, mode: int = MC_OPEN_BINARY) -> Mcapi:

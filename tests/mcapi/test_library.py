@@ -16,28 +16,9 @@ import pytest
 
 from motionlang.mcapi.build import FILES, SOURCE, TARGETS, CannotBuild, build
 from motionlang.mcapi.table import FUNCTIONS
-from tests.mcapi.conftest import Serve
+from tests.mcapi.conftest import COMPILER, Serve, needs_compiler
 
 HERE = Path(__file__).parent
-COMPILER = next(filter(shutil.which, TARGETS["linux"].compilers), None)
-needs_compiler = pytest.mark.skipif(
-    COMPILER is None or sys.platform != "linux", reason="the C library needs Linux and a C compiler"
-)
-
-
-@pytest.fixture(scope="module")
-def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build(TARGETS["linux"], tmp_path_factory.mktemp("library"))
-
-
-@pytest.fixture(scope="module")
-def chost(library: Path) -> Path:
-    """The C host of these tests, linked with the library like other hosts."""
-    program = library.parent / "chost"
-    options = ["-O1", f"-I{SOURCE}", f"-L{library.parent}"]
-    command = [str(COMPILER), *options, "-o", str(program), str(HERE / "host.c"), "-lmcapi", "-lpthread"]
-    subprocess.run(command, check=True)
-    return program
 
 
 def run(program: Path, library: Path, address: str, **more: str) -> subprocess.CompletedProcess[str]:

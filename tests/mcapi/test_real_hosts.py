@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 
 from motionlang.mcapi.table import FUNCTIONS
-from tests.mcapi.test_library import needs_compiler
+from tests.mcapi.conftest import needs_compiler
 
 HERE = Path(__file__).parent
 # Methods that fail in PMC's binding before they reach the library, on a real board as well.

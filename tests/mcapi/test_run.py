@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import subprocess
 import sys
@@ -10,8 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.mcapi.build import SOURCE
-from tests.mcapi.test_library import COMPILER, needs_compiler
+from tests.mcapi.conftest import motionlang, needs_compiler
 
 HERE = Path(__file__).parent
 # A host in Python that calls the C library as PMC's binding does.
@@ -28,24 +26,6 @@ assert library.MCGetPositionEx(handle, 1, byref(position)) == 0
 print(position.value)
 sys.exit(7)
 """
-
-
-@pytest.fixture(scope="module")
-def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return the folder of a user's cache in which the library has been built."""
-    folder = tmp_path_factory.mktemp("cache")
-    done = motionlang(folder, "build")
-    assert (done.returncode, done.stderr) == (0, "")
-    return folder
-
-
-def motionlang(cache: Path, *words: str, **more: str) -> subprocess.CompletedProcess[str]:
-    environment = {**os.environ, "MOTIONLANG_CACHE": str(cache), **more}
-    command = [sys.executable, "-m", "motionlang", "mcapi", *words]
-    # Hosts write files into their folder.
-    return subprocess.run(
-        command, env=environment, capture_output=True, text=True, timeout=100, check=False, cwd=cache
-    )
 
 
 @needs_compiler
@@ -163,14 +143,10 @@ def test_the_clock_of_the_host_runs_as_fast_as_the_board(cache: Path) -> None:
 
 
 @needs_compiler
-def test_a_program_linked_with_the_library(cache: Path, tmp_path: Path) -> None:
+def test_a_program_linked_with_the_library(cache: Path, chost: Path, tmp_path: Path) -> None:
     """The program loads libmcapi-4.4.1.so, which is found by LD_LIBRARY_PATH."""
-    library = Path(motionlang(cache, "path").stdout.strip())
-    program = tmp_path / "chost"
-    command = [str(COMPILER), "-o", str(program), str(HERE / "host.c"), f"-I{SOURCE}", f"-L{library.parent}"]
-    subprocess.run([*command, "-lmcapi", "-lpthread"], check=True)
     log = tmp_path / "c.log"
-    done = motionlang(cache, "run", "--record", str(log), "--", str(program))
+    done = motionlang(cache, "run", "--record", str(log), "--", str(chost))
     assert (done.returncode, done.stdout, done.stderr.splitlines()[-1:]) == (
         0,
         "5001\n",

@@ -74,3 +74,8 @@ def shift(moves: int = 400) -> Run:
         controller.move_by(i % 4, 997.0 * ((i * 37) % 101) - 48_000.0, "MOVER", 5 + i % 2)
         controller.clock.advance(controller.clock.now + 1.44)
     return ended(run)
+
+
+def short_shift() -> Run:
+    """Return a run of 120 moves, which is sampled finely in little time."""
+    return shift(120)

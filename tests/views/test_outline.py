@@ -10,10 +10,10 @@ import pytest
 from motionlang.controller.controller import Controller
 from motionlang.result import Run
 from motionlang.views.outline import outline, thinned
-from tests.views.runs import ballscrew, pick, shift
+from tests.views.runs import ballscrew, pick, short_shift
 
 
-@pytest.mark.parametrize("make", [ballscrew, pick, shift])
+@pytest.mark.parametrize("make", [ballscrew, pick, short_shift])
 @pytest.mark.parametrize("quantity", ["position", "velocity", "acceleration"])
 @pytest.mark.parametrize("bins", [50, 1000])
 def test_extremes_are_those_of_a_fine_sampling(make: Callable[[], Run], quantity: str, bins: int) -> None:

@@ -22,7 +22,7 @@ from motionlang.servo.settings import make_plant
 from motionlang.source import Source
 from motionlang.views.scope import _packed, page, write_scope
 from tests.generated.motion import generate
-from tests.views.runs import ballscrew, ended, new_run, pick, shift
+from tests.views.runs import ballscrew, ended, new_run, pick, short_shift
 from tests.views.test_vcd import switched
 
 PROGRAM = "SPEED(0) = 50\nMOVER(0) = 100 ' </script><script>alert(1)\nGO(0)\n"
@@ -47,12 +47,12 @@ class Engine:
         return json.loads(self._context.eval(f"JSON.stringify({expression})"))
 
 
-@pytest.mark.parametrize("make", [ballscrew, pick, shift])
+@pytest.mark.parametrize("make", [ballscrew, pick, short_shift])
 def test_every_value_under_the_cursor_is_that_of_the_trace(make: Callable[[], Run]) -> None:
     made = make()
     engine = Engine(made)
     quantities = ("position", "velocity", "acceleration", "jerk")
-    samples = made.trace.sample(4001.3 / made.trace.end, quantities=quantities)
+    samples = made.trace.sample(1201.3 / made.trace.end, quantities=quantities)
     for k, axis in enumerate(made.trace.axes):
         for order, quantity in enumerate(quantities):
             values = samples.get(axis, quantity)[:-1]
@@ -61,7 +61,7 @@ def test_every_value_under_the_cursor_is_that_of_the_trace(make: Callable[[], Ru
             assert found == pytest.approx(values.tolist(), rel=1e-9, abs=1e-9 * (1 + np.abs(values).max()))
 
 
-@pytest.mark.parametrize("make", [ballscrew, pick, shift])
+@pytest.mark.parametrize("make", [ballscrew, pick, short_shift])
 def test_the_pieces_of_a_page_are_those_that_a_trace_samples(make: Callable[[], Run]) -> None:
     """Both expand the same profiles, but add in a different order."""
     made = make()
@@ -85,7 +85,7 @@ def test_numbers_that_recur_are_written_once(values: list[float], packed: object
     assert json.dumps(_packed(values)) == json.dumps(packed)
 
 
-@pytest.mark.parametrize("make", [ballscrew, pick, shift])
+@pytest.mark.parametrize("make", [ballscrew, pick, short_shift])
 @pytest.mark.parametrize("columns", [40, 1000])
 def test_what_is_drawn_holds_every_peak(make: Callable[[], Run], columns: int) -> None:
     made = make()
