@@ -65,8 +65,18 @@ def output_until_all_have_ended(process: subprocess.Popen[str]) -> str:
             pass
 
 
-@pytest.mark.parametrize("verb", COMMANDS)
-@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
+# Each signal for one command, and each command with one signal: their workers are of the same kind.
+@pytest.mark.parametrize(
+    ("number", "verb"),
+    [
+        (signal.SIGKILL, "sweep"),
+        (signal.SIGTERM, "sweep"),
+        (signal.SIGHUP, "sweep"),
+        (signal.SIGINT, "sweep"),
+        (signal.SIGKILL, "check"),
+        (signal.SIGINT, "verify"),
+    ],
+)
 def test_no_worker_outlives_a_command_that_is_ended(number: int, verb: str, folder: Path) -> None:
     process = started(ANNOUNCED, verb, folder)
     assert process.stderr is not None
