@@ -89,7 +89,6 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ("name", "text", "shown"),
     [("a.mnt", "POS(0) = 5\nPRINT HFW(0)\n", "2.5000"), ("a.mcl", "HY\n", "0.5")],
 )
-@pytest.mark.slow
 def test_a_word_added_by_the_recipe_runs(copy: Path, name: str, text: str, shown: str) -> None:
     (copy / name).write_text(text, encoding="utf-8")
     assert python(copy, "-m", "motionlang", "run", name, "--format", "none").split() == [shown]
