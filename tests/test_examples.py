@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from runpy import run_path
 
 import pytest
 
@@ -19,19 +20,24 @@ def test_they_are_numbered_without_a_gap() -> None:
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_an_example_prints_its_comments(path: Path, tmp_path: Path) -> None:
+def test_an_example_prints_its_comments(
+    path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
+    run_path(str(path), run_name="__main__")
+    assert capsys.readouterr().out.splitlines() == SHOWN.findall(path.read_text(encoding="utf-8"))
+
+
+def test_an_example_is_a_script(tmp_path: Path) -> None:
     done = subprocess.run(
-        [
-            sys.executable,
-            "-c",
-            f"import sys, runpy; sys.path[:0] = [{str(ROOT)!r}]; runpy.run_path({str(path)!r}, run_name='__main__')",
-        ],
+        [sys.executable, str(EXAMPLES[0])],
         cwd=tmp_path,
         capture_output=True,
         text=True,
         encoding="utf-8",
-        env={"PYTHONUTF8": "1", "MOTIONLANG_CACHE": str(tmp_path)},
+        env={"PYTHONUTF8": "1", "PYTHONPATH": str(ROOT), "MOTIONLANG_CACHE": str(tmp_path)},
         check=False,
     )
     assert done.returncode == 0, done.stderr
-    assert done.stdout.splitlines() == SHOWN.findall(path.read_text(encoding="utf-8"))
+    assert done.stdout.splitlines() == SHOWN.findall(EXAMPLES[0].read_text(encoding="utf-8"))

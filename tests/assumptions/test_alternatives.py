@@ -93,7 +93,7 @@ def test_a_question_of_its_own_is_answered_as_assumed(each: Assumption) -> None:
     assert {verdict.answer: verdict.status for verdict in found.verdicts} == {found.verdicts[0].answer: HOLDS}
 
 
-@pytest.mark.parametrize("distance", [20.0, 12.5, 4.0, 1000.0])
+@pytest.mark.parametrize("distance", [12.5, 4.0, 1000.0])
 @pytest.mark.parametrize(
     "each",
     [each for each in assumptions().values() if each.probe and each.probe.motion],

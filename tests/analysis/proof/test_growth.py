@@ -113,7 +113,7 @@ def test_a_slave_is_compared_with_the_offsets_that_are_under_way_alone(
 def test_a_long_run_is_unpacked_a_few_times_and_not_for_each_of_its_moves(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """2 000 jogs without rests are some 16 chunks of 128 moves, and 16 of profiles."""
+    """1 000 jogs without rests are some 8 chunks of 128 moves, and 8 of profiles."""
     count = 0
 
     def counted(data: bytes) -> object:
@@ -123,9 +123,9 @@ def test_a_long_run_is_unpacked_a_few_times_and_not_for_each_of_its_moves(
 
     for name, value in (("MAX_TAIL", 512), ("LEFT", 128), ("CHUNK_SIZE", 128)):
         monkeypatch.setattr(stream, name, value)
-    result = proved(JOGS.format(2000))
+    result = proved(JOGS.format(1000))
     monkeypatch.setattr(stream, "loads", counted)
     proof = result.proof()
     assert proof.holds
-    assert proof.counts["moves"] == 2000
-    assert 0 < count <= 500
+    assert proof.counts["moves"] == 1000
+    assert 0 < count <= 250
