@@ -140,14 +140,14 @@ def test_each_request_is_answered_in_each_phase(name: str, code: int | None) -> 
     asyncio.run(whole())
 
 
-@cases("body", GARBAGE)
-def test_garbage_gets_at_most_an_error(body: str) -> None:
+def test_garbage_gets_at_most_an_error() -> None:
     async def whole() -> None:
         wire = phase("open")
-        wire.receive(body)
-        wire.request(1, "textDocument/documentSymbol", {"textDocument": {"uri": URI}})
-        await wire.settled()
-        assert [each["name"] for each in wire.answers()[1][0]["result"]] == ["x"]
+        for number, body in enumerate(GARBAGE, 100):
+            wire.receive(body)
+            wire.request(number, "textDocument/documentSymbol", {"textDocument": {"uri": URI}})
+            await wire.settled()
+            assert [each["name"] for each in wire.answers()[number][0]["result"]] == ["x"], body[:100]
 
     asyncio.run(whole())
 
@@ -323,19 +323,6 @@ def test_a_line_of_ten_megabytes_gets_one_warning() -> None:
     assert [each["message"] for each in found] == [
         "the text is too large to be checked as you type\nhint: motionlang check a.mnt checks it"
     ]
-
-
-def test_a_program_that_never_ends_has_times_all_the_same() -> None:
-    served = Process()
-    served.open("Loop\n  MOVER(0) = 1 : GO(0) : WAIT = 5000\nEnd Loop\n")
-    lines = {"start": {"line": 0, "character": 0}, "end": {"line": 9, "character": 0}}
-    served.request(1, "textDocument/inlayHint", {"textDocument": {"uri": URI}, "range": lines})
-    hints = served.until(id=1)["result"]
-    assert [each["position"]["line"] for each in hints] == [1]
-    served.request(2, "shutdown", None)
-    served.until(id=2)
-    served.notify("exit", None)
-    assert served.end() == (0, "")
 
 
 def test_bytes_that_are_no_message_are_answered() -> None:

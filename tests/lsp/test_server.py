@@ -203,6 +203,18 @@ def test_positions_are_in_units_of_utf_16(in_one_server: InOneServer, tmp_path: 
     in_one_server(work, tmp_path / "a.mnt")
 
 
+def test_a_program_that_never_ends_has_times_all_the_same(in_one_server: InOneServer, tmp_path: Path) -> None:
+    async def work(client: Editor) -> None:
+        await client.open("Loop\n  MOVER(0) = 1 : GO(0) : WAIT = 5000\nEnd Loop\n")
+        lines = types.Range(at(0, 0), at(9, 0))
+        hints = await client.client.text_document_inlay_hint_async(
+            types.InlayHintParams(client.document, lines)
+        )
+        assert [each.position.line for each in hints or ()] == [1]
+
+    in_one_server(work, tmp_path / "a.mnt")
+
+
 def test_lenses_are_for_editors_that_have_their_commands(in_one_server: InOneServer, tmp_path: Path) -> None:
     async def work(client: Editor) -> None:
         await client.open("Print 1\n")

@@ -76,7 +76,7 @@ def test_the_law_to_the_tick(kp: float, kd: float, ki: float) -> None:
 
 
 def test_a_new_value_is_no_new_entry_of_the_log() -> None:
-    result = ran(RATES + "HTAKPROP(0) = 10\nHTA(0) = 40\nWAIT = 2000\nHTA(0) = 10\nWAIT = 2000\nSTOP(0)")
+    result = ran(RATES + "HTAKPROP(0) = 10\nHTA(0) = 40\nWAIT = 200\nHTA(0) = 10\nWAIT = 200\nSTOP(0)")
     assert len(result.controller.log.moves) == 1
 
 

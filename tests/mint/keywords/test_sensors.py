@@ -75,8 +75,8 @@ ALONE: dict[str, dict[str, object]] = {
 }
 
 
-def ran(text: str, machine: dict[str, object] = WORLD) -> Run:
-    return run(Source("a.mnt", HEAD + text), machine=machine, cache=False, until=20.0)
+def ran(text: str, machine: dict[str, object] = WORLD, until: float = 6.0) -> Run:
+    return run(Source("a.mnt", HEAD + text), machine=machine, cache=False, until=until)
 
 
 def outcome(result: Run) -> list[object]:
@@ -116,7 +116,7 @@ def test_a_sample_that_nothing_reads_is_not_computed(monkeypatch: pytest.MonkeyP
 
     monkeypatch.setattr(Sampling, "rows", counted)
     text = "Dim n As Integer\nFor n = 1 To 5\n  MOVEA(0) = 100 : GO(0)\n  PAUSE IDLE(0)\n  PRINT ADC(0)\n"
-    found = ran(f"{text}  MOVEA(0) = 0 : GO(0)\n  PAUSE IDLE(0)\nNext\n", FORCE)
+    found = ran(f"{text}  MOVEA(0) = 0 : GO(0)\n  PAUSE IDLE(0)\nNext\n", FORCE, until=20.0)
     assert 0 < computed <= 10 * 2 * 4
     computed = 0
     assert len(list(found.machine.log.analogue_inputs)) in range(10 * 1190, 10 * 1210)
