@@ -27,7 +27,7 @@ from motionlang.controller.triggers.limit import Limit
 from motionlang.lang.machine.machine import Machine
 from motionlang.planners import plan
 from motionlang.planners.reference import Slope
-from tests.cases import cases
+from tests.cases import cases, one_in
 from tests.controller.machines import cam, offset
 
 DECEL, ERROR_DECEL = 200.0, 400.0
@@ -288,7 +288,8 @@ def rest(kind: Kind, free: Free, action: str) -> float | None:
     return free.position + free.velocity * abs(free.velocity) / (2.0 * rate)
 
 
-CAUSES = ("met", "already active", "turned into", "placed", "mode", "enabled", "renamed", "input")
+CAUSES = ("met", "already active", "turned into", "placed", "mode", "enabled", "input", "renamed")
+WITHOUT_DIRECTION = ("mode", "enabled", "input")
 
 
 # The motion without a limit does not depend on the limit: each is computed once.
@@ -378,12 +379,12 @@ def _at_moment(kind: Kind, cause: str, action: str, motor: bool) -> tuple[Contro
     return c, shift, free_at(kind, kind.moment, motor)
 
 
-def half_of_actions(name: str, cause: str, half: int) -> tuple[str, ...]:
-    """Return every second action.
+def third_of_actions(name: str, cause: str, third: int) -> tuple[str, ...]:
+    """Return every third action.
 
-    In each half, any two of motion, cause and action meet.
+    In each third, any two of motion, cause and action meet.
     """
-    return ACTIONS[(list(KINDS).index(name) + CAUSES.index(cause) + half) % 2 :: 2]
+    return ACTIONS[(list(KINDS).index(name) + CAUSES.index(cause) + third) % 3 :: 3]
 
 
 @pytest.mark.parametrize("name", KINDS)
@@ -393,22 +394,23 @@ def test_a_limit_holds(name: str, cause: str) -> None:
 
 
 # The simulation of a motor takes ten times as long.
-@pytest.mark.parametrize("half", [0, pytest.param(1, marks=pytest.mark.long)])
+@pytest.mark.parametrize("third", one_in(3, range(3)))
 @pytest.mark.parametrize("name", KINDS)
 @cases("cause", CAUSES)
-def test_a_limit_holds_a_motor(name: str, cause: str, half: int) -> None:
-    _holds(name, cause, half_of_actions(name, cause, half), motor=True)
+def test_a_limit_holds_a_motor(name: str, cause: str, third: int) -> None:
+    _holds(name, cause, third_of_actions(name, cause, third), motor=True)
 
 
-def test_half_of_the_actions_still_meet_every_motion_and_every_cause() -> None:
+@pytest.mark.parametrize("causes", [CAUSES, WITHOUT_DIRECTION])
+def test_a_third_of_the_actions_still_meets_every_motion_and_every_cause(causes: tuple[str, ...]) -> None:
     chosen = {
         (name, cause, action)
         for name in KINDS
-        for cause in CAUSES
-        for action in half_of_actions(name, cause, 0)
+        for cause in causes
+        for action in third_of_actions(name, cause, 0)
     }
     assert {(name, action) for name, _, action in chosen} == set(product(KINDS, ACTIONS))
-    assert {(cause, action) for _, cause, action in chosen} == set(product(CAUSES, ACTIONS))
+    assert {(cause, action) for _, cause, action in chosen} == set(product(causes, ACTIONS))
 
 
 def _holds(name: str, cause: str, actions: tuple[str, ...], motor: bool) -> None:
@@ -458,8 +460,8 @@ def test_every_kind_reverses_or_cannot() -> None:
 @pytest.mark.parametrize("name", KINDS)
 def test_an_error_of_no_direction_holds(name: str) -> None:
     for motor in (False, True):
-        for cause in ("mode", "enabled", "input"):
-            for action in half_of_actions(name, cause, 0) if motor else ACTIONS:
+        for cause in WITHOUT_DIRECTION:
+            for action in third_of_actions(name, cause, 0) if motor else ACTIONS:
                 kind, c = KINDS[name], machine(motor)
                 made = limit(c, "ignore" if cause == "mode" else action, 0)
                 made.enabled = cause != "enabled"
