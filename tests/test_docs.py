@@ -16,17 +16,16 @@ import shlex
 import shutil
 from collections.abc import Iterator
 from contextlib import suppress
-from functools import cache
 from pathlib import Path
 
 import pytest
 from _pytest.mark import ParameterSet
 
-from motionlang.cli import main
-from motionlang.cli.commands import build_parser
+from motionlang.cli import commands, main
 from motionlang.execution import run
 from motionlang.lang.machine.file import read_machine
 from motionlang.source import Source
+from tests.cli.programs import parser_of
 
 ROOT = Path(__file__).parent.parent
 # The examples of the keyword pages are those of the tables, which have their own tests.
@@ -53,11 +52,7 @@ def blocks(*kinds: str) -> list[ParameterSet]:
     return found
 
 
-# Building the options of a command takes longer than parsing a line with them.
-parser_of = cache(build_parser)
-
-
-def commands(block: str) -> Iterator[tuple[str, str]]:
+def commands_of(block: str) -> Iterator[tuple[str, str]]:
     """Yield each command of a console block with the output shown below it."""
     chunks = re.split(r"^\$ ", block, flags=re.MULTILINE)
     for chunk in filter(None, chunks):
@@ -79,6 +74,7 @@ def at_root(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
         os.symlink(ROOT / name, tmp_path / name)
     shutil.copytree(ROOT / "examples" / "old", tmp_path / "old")
     monkeypatch.setenv("COLUMNS", "100")
+    monkeypatch.setattr(commands, "build_parser", parser_of)
 
 
 @pytest.mark.usefixtures("at_root")
@@ -92,7 +88,7 @@ def test_console(
 ) -> None:
     if _IMAGE.search(text):
         request.getfixturevalue("unrendered")
-    for command, shown in commands(text):
+    for command, shown in commands_of(text):
         words = shlex.split(command, comments=True)
         if words[0] == "cat" and not Path(words[1]).exists():
             Path(words[1]).parent.mkdir(exist_ok=True)

@@ -10,8 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.cli import commands
 from tests.cases import cases
 from tests.cli.notes import NAMES, answer
+from tests.cli.programs import parser_of
 from tests.sources.page import PAGE, ROOT, Entry, entries, page
 
 ENTRIES = [each for each in entries() if each.kind != "context"]
@@ -47,8 +49,9 @@ def label(each: Entry | str) -> str:
     return each if isinstance(each, str) else f"{each.document[:10]}: {each.words}"
 
 
+@pytest.mark.usefixtures("unrendered")
 def test_each_command_shows_what_the_document_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    pytest.importorskip("matplotlib")
+    monkeypatch.setattr(commands, "build_parser", parser_of)
     shutil.copytree(ROOT / "scripts", tmp_path / "scripts")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path / "cache"))
