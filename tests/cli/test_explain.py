@@ -30,8 +30,10 @@ def codes(cell: Cell, example: Example) -> set[str]:
 
 @pytest.mark.parametrize("code", EXAMPLES)
 def test_an_example_has_its_diagnostic_and_its_fix_none(
-    code: str, cell: Cell, monkeypatch: pytest.MonkeyPatch
+    code: str, cell: Cell, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
 ) -> None:
+    if code == "window":  # its commands draw
+        request.getfixturevalue("unrendered")
     if code == "extra":  # an installation without the libraries of --trace pick.parquet
         found = importlib.util.find_spec
         monkeypatch.setattr(
