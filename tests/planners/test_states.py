@@ -11,9 +11,10 @@ import os
 import numpy as np
 import pytest
 
+from tests.cases import examples
 from tests.planners.many import BATCH, drawn, integrated
 
-COUNT = int(os.environ.get("MOTIONLANG_LONG", "20000"))
+COUNT = int(os.environ.get("MOTIONLANG_LONG") or examples(20_000))
 SHAPES = ("trapezoid", "scurve")
 
 
