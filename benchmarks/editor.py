@@ -132,7 +132,7 @@ async def type_keys(text: str, count: int, typed: int) -> tuple[list[float], flo
     typist = Typist(text + "\n")
     known = typist.server.session.known(URI)
     assert known is not None
-    typist.server.session.names(known)
+    await typist.server.session.named(known)
     taken, first = [], 0
     for number in range(typed):
         column = number % (len(TYPED) + 1)

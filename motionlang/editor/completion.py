@@ -1,7 +1,7 @@
 """Completion: keywords, names of the program and blocks, with snippets.
 
-Only the line of the cursor is examined, and the names may come from a text that is a few keystrokes older. So the
-cost does not depend on the size of the program.
+Only the line of the cursor is examined, and the names of the page may come from a text that is a few keystrokes
+older.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class Item:
     rank: int
 
 
-def complete(page: Page, offset: int, names: Names | None = None) -> list[Item]:
+def complete(page: Page, offset: int) -> list[Item]:
     """Return the proposals for the text before an offset.
 
     There are none in a comment or a string.
@@ -70,10 +70,9 @@ def complete(page: Page, offset: int, names: Names | None = None) -> list[Item]:
     before, after = page.text[start:offset], page.text[offset:end]
     if page.is_prose(offset):
         return []
-    found = page.names if names is None else names
     if page.language.name == "mccl":
-        return list(_commands(page, before, offset, found))
-    return list(_words(page, before, after, offset, found))
+        return list(_commands(page, before, offset, page.names))
+    return list(_words(page, before, after, offset, page.names))
 
 
 def _words(page: Page, before: str, after: str, offset: int, names: Names) -> Iterator[Item]:

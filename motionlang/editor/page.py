@@ -21,15 +21,19 @@ _WORDS = frozenset(("word", "control", "command", "not-simulated"))
 
 
 class Page:
-    """The text of a program. Its names are computed on first use."""
+    """The text of a program. Its names are computed on first use, unless they are given."""
 
     __slots__ = ("_names", "_starts", "language", "settings", "source")
 
     def __init__(
-        self, source: Source, language: Dialect, settings: Mapping[str, object] | None = None
+        self,
+        source: Source,
+        language: Dialect,
+        settings: Mapping[str, object] | None = None,
+        names: Names | None = None,
     ) -> None:
         self.source, self.language, self.settings = source, language, dict(settings or {})
-        self._names: Names | None = None
+        self._names = names
         self._starts: list[int] | None = None
 
     @property

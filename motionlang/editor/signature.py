@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from motionlang.assumptions.keyword_facts import INDEX, UNITS
 from motionlang.editor.page import Page
-from motionlang.lang.names import Names
 from motionlang.record import record
 
 _OPENING, _CLOSING = ("(", "["), (")", "]")
@@ -23,7 +22,7 @@ class Signature:
     active: int
 
 
-def signature(page: Page, offset: int, names: Names | None = None) -> Signature | None:
+def signature(page: Page, offset: int) -> Signature | None:
     """Return the signature of the innermost open bracket before an offset."""
     start, _ = page.line_of(offset)
     if page.is_prose(offset):
@@ -41,8 +40,7 @@ def signature(page: Page, offset: int, names: Names | None = None) -> Signature 
     if not opened or not opened[-1][0]:
         return None
     name, number = opened[-1]
-    found = page.names if names is None else names
-    own = next((each for each in found.visible(offset) if each.name.lower() == name.lower()), None)
+    own = next((each for each in page.names.visible(offset) if each.name.lower() == name.lower()), None)
     if own is not None:
         if own.kind not in ("sub", "function"):
             return None

@@ -8,7 +8,6 @@ from functools import lru_cache
 from motionlang.editor.page import Page
 from motionlang.lang.dialect import dialect
 from motionlang.lang.highlight import pieces
-from motionlang.lang.names import Names
 
 # The kinds of tokens, in the order of their numbers, by the kinds of `lang/highlight.py` and `lang/names.py`.
 TYPES = (
@@ -62,17 +61,14 @@ def _words(language: str, line: str) -> tuple[tuple[int, int, str, str], ...]:
     return tuple(found)
 
 
-def tokens(
-    page: Page, first: int, last: int, names: Names | None = None
-) -> Iterator[tuple[int, int, int, int, int]]:
+def tokens(page: Page, first: int, last: int) -> Iterator[tuple[int, int, int, int, int]]:
     """Yield line, column, length, type and modifiers of the words in some lines.
 
     The lines are `first` to `last`, counted from 1; positions in the result count from 0. A name has the kind of
-    the definition with its spelling, so `names` may come from a text that is a few keystrokes older.
+    the definition with its spelling.
     """
-    found = page.names if names is None else names
     kinds: dict[str, str] = {}
-    for each in found.definitions:
+    for each in page.names.definitions:
         kinds.setdefault(each.name.lower(), each.kind)
     start = page.offset(first, 1)
     lines = page.text[start : page.line_of(page.offset(last, 1))[1]].split("\n")

@@ -1,13 +1,15 @@
 """The names of a program, for an editor: definitions, uses and blocks.
 
 `Dialect.names` returns them, in one vocabulary for all languages. Positions are character offsets in the text
-of the source, so they are valid for one text only.
+of the source, so they are valid for one text only. `Names.shifted` returns those that still hold after changes of the
+text. All of it is plain data, so that a worker process can make it.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator
+from copy import copy
 from operator import itemgetter
 
 from motionlang.record import record
@@ -108,31 +110,22 @@ class Names:
     """The names of one text.
 
     `complete` is False if lines with syntax errors had to be skipped. `problem` is a function of a definition
-    and a new name that returns the reason why it cannot have this name, "" if it can. `find_blocks` is called
-    when `blocks` is first read.
+    and a new name that returns the reason why it cannot have this name, "" if it can. `blocks` are in the
+    order in which they begin.
     """
 
     def __init__(
         self,
         definitions: list[Definition],
-        find_blocks: Callable[[], list[Block]],
-        complete: bool = True,
-        problem: Callable[[Definition, str], str] | None = None,
+        blocks: list[Block],
+        complete: bool,
+        problem: Callable[[Definition, str], str],
     ) -> None:
-        self.definitions, self.complete = definitions, complete
-        self._find_blocks = find_blocks
-        self._blocks: list[Block] | None = None
-        self.problem = problem or (lambda definition, name: "names of this language cannot be changed")
+        self.definitions, self.blocks = definitions, blocks
+        self.complete, self.problem = complete, problem
         # The uses in the order of the text, from the first question about one on.
         self._by_start: list[tuple[int, int, Definition]] | None = None
         self._starts: list[int] = []
-
-    @property
-    def blocks(self) -> list[Block]:
-        """The blocks in the order in which they begin."""
-        if self._blocks is None:
-            self._blocks = self._find_blocks()
-        return self._blocks
 
     def at(self, offset: int) -> tuple[Definition, Span] | None:
         """Return the definition whose name is at an offset or just before it."""
@@ -151,5 +144,66 @@ class Names:
         inside = [each for each in self.definitions if each.scope[0] <= offset <= each.scope[1]]
         return iter(sorted(inside, key=lambda each: each.scope[1] - each.scope[0]))
 
+    def shifted(self, changes: Changes) -> Names:
+        """Return the names with their positions after changes of the text.
 
-NO_NAMES = Names([], list)
+        A name that a change touches is left out, with all its uses if it is a declaration. Blocks are left out, too.
+        """
+        found = []
+        for each in self.definitions:
+            span = None if each.span is None else changes.span(each.span)
+            uses = [use for use in map(changes.span, each.uses) if use is not None]
+            if uses and (span is None) is (each.span is None):
+                moved = copy(each)
+                moved.span, moved.uses, moved.scope = span, uses, changes.around(each.scope)
+                found.append(moved)
+        return Names(found, [], False, self.problem)
+
+
+class Changes:
+    """The changes of a text since its names were found.
+
+    They are stored as the pieces of the old text that are left. A piece is its start and end in the old text, and the
+    distance by which it has moved. The text has an unchangeable character more at either end, so that there is always a
+    piece before and after each position.
+    """
+
+    __slots__ = ("_pieces", "_starts", "_stops")
+
+    def __init__(self, length: int) -> None:
+        self._pieces = [(-1, length + 1, 0)]
+        self._starts, self._stops = [-1], [length + 1]
+
+    def __bool__(self) -> bool:
+        """True if the text has changed."""
+        return len(self._pieces) > 1
+
+    def add(self, at: int, removed: int, added: int) -> None:
+        """Add a change, which replaces `removed` characters of the present text by `added` ones."""
+        end, found = at + removed, []
+        for start, stop, by in self._pieces:
+            if start + by < at:
+                found.append((start, min(stop, at - by), by))
+            if stop + by > end:
+                found.append((max(start, end - by), stop, by + added - removed))
+        self._pieces = found
+        self._starts, self._stops = [each[0] for each in found], [each[1] for each in found]
+
+    def span(self, span: Span) -> Span | None:
+        """Return the present span of a text, None if a change touches it."""
+        start, end = span
+        _, stop, by = self._pieces[bisect_left(self._starts, start) - 1]
+        return (start + by, end + by) if end < stop else None
+
+    def around(self, span: Span) -> Span:
+        """Return the present span of a scope, which includes what was added at its ends."""
+        _, stop, back = self._pieces[bisect_left(self._starts, span[0]) - 1]
+        start, _, forth = self._pieces[bisect_right(self._stops, span[1])]
+        return min(span[0], stop) + back, max(span[1], start) + forth
+
+
+def _no_problem(definition: Definition, name: str) -> str:
+    return ""
+
+
+NO_NAMES = Names([], [], True, _no_problem)

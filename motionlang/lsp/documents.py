@@ -2,12 +2,12 @@
 
 The documents of pygls are not used. They split lines at characters that are not line ends for an editor, such as a
 form feed, and count wrongly after that. Here any position is accepted: a position outside the text is moved to the
-nearest one in it, and one inside a surrogate pair to the start of the pair.
+nearest one in it, and one inside a surrogate pair to the start of the pair. Line ends become `\\n` as a text arrives,
+so that an offset is the same in the text of the editor and in the program.
 """
 
 from __future__ import annotations
 
-import re
 from itertools import accumulate
 from typing import TYPE_CHECKING
 
@@ -20,21 +20,16 @@ if TYPE_CHECKING:
 
     from motionlang.lang.names import Span
 
-# The line ends of the protocol.
-_LINE_END = re.compile(r"\r\n|\n|\r")
 _MARK = "\ufeff"
 
 
 class Document:
-    """One open text, with the `version` that the editor gave it.
-
-    Offsets are those of `source`, which has `\\n` for each line end. A line has the same characters in both.
-    """
+    """One open text, with the `version` that the editor gave it."""
 
     __slots__ = ("_source", "_starts", "text", "uri", "version")
 
     def __init__(self, uri: str, text: str, version: int) -> None:
-        self.uri, self.version, self.text = uri, version, text
+        self.uri, self.version, self.text = uri, version, _with_line_feeds(text)
         self._starts: list[int] | None = None
         self._source: Source | None = None
 
@@ -54,39 +49,34 @@ class Document:
             self._source = Source(self.name, text)
         return self._source
 
-    def change(self, changes: Sequence[types.TextDocumentContentChangeEvent], version: int) -> None:
-        """Apply an editor's changes in order, each to the result of the previous one."""
-        for each in changes:
-            if isinstance(each, types.TextDocumentContentChangePartial):
-                starts = line_starts(self.text)
-                start, end = self._raw(each.range.start, starts), self._raw(each.range.end, starts)
-                if end < start:
-                    start, end = end, start
-                self.text = self.text[:start] + each.text + self.text[end:]
-            else:
-                self.text = each.text
-            self._starts = None
-        self.version, self._source = version, None
+    def change(
+        self, changes: Sequence[types.TextDocumentContentChangeEvent], version: int
+    ) -> list[tuple[int, int, int]]:
+        """Apply an editor's changes in order, each to the result of the previous one.
 
-    def _raw(self, position: types.Position, starts: list[int]) -> int:
-        """Return the offset of a position in the text with its original line ends."""
+        Returns the offset of each change, and the number of characters that it removes and adds there.
+        """
+        self.version, made = version, []
+        for each in changes:
+            start, end = 0, len(self.text)
+            if isinstance(each, types.TextDocumentContentChangePartial):
+                start, end = sorted((self.offset(each.range.start), self.offset(each.range.end)))
+            text = _with_line_feeds(each.text)
+            self.text = self.text[:start] + text + self.text[end:]
+            self._starts = self._source = None
+            made.append((start, end - start, len(text)))
+        return made
+
+    # ------------------------------------------------------------- positions and offsets
+
+    def offset(self, position: types.Position) -> int:
+        """Return the offset of a position."""
+        starts = self._line_starts()
         if position.line >= len(starts):
             return len(self.text)
         start: int = starts[position.line]
-        match = _LINE_END.search(self.text, start)
-        line = self.text[start : match.start() if match is not None else len(self.text)]
-        return start + characters(line, position.character)
-
-    # ------------------------------------------------------------- positions and offsets of the source
-
-    def offset(self, position: types.Position) -> int:
-        """Return the offset of a position in the source."""
-        starts = self._line_starts()
-        if position.line >= len(starts):
-            return len(self.source.text)
-        start: int = starts[position.line]
-        end = self.source.text.find("\n", start)
-        line = self.source.text[start : end if end >= 0 else len(self.source.text)]
+        end = self.text.find("\n", start)
+        line = self.text[start : end if end >= 0 else len(self.text)]
         return start + characters(line, position.character)
 
     def position(self, offset: int) -> types.Position:
@@ -112,15 +102,12 @@ class Document:
 
     def _line_starts(self) -> list[int]:
         if self._starts is None:
-            self._starts = line_starts(self.source.text)
+            self._starts = [0, *accumulate([len(line) + 1 for line in self.text.split("\n")[:-1]])]
         return self._starts
 
 
-def line_starts(text: str) -> list[int]:
-    """Return the offset of the start of each line."""
-    if "\r" in text:
-        return [0, *(match.end() for match in _LINE_END.finditer(text))]
-    return [0, *accumulate([len(line) + 1 for line in text.split("\n")[:-1]])]
+def _with_line_feeds(text: str) -> str:
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def units(text: str) -> int:

@@ -55,12 +55,18 @@ class _Feature:
         self.server, self.session = server, server.session
 
     def known(self, params: Any) -> tuple[Known, Page] | None:
-        """Return the text of a request and its page.
+        """Return the text of a request and its page, with its latest names.
 
         None if the text is not open or is not a program.
         """
         known = self.session.known(params.text_document.uri)
         page = None if known is None else self.session.page(known)
+        return None if known is None or page is None else (known, page)
+
+    async def named(self, params: Any) -> tuple[Known, Page] | None:
+        """Return the same as `known`, with the names of the present text."""
+        known = self.session.known(params.text_document.uri)
+        page = None if known is None else await self.session.named(known)
         return None if known is None or page is None else (known, page)
 
     def on(self, method: str, handler: Callable[..., Any], options: Any = None) -> None:
@@ -95,16 +101,16 @@ class _Names(_Feature):
             shown = None
         return None if shown is None else types.Hover(markdown(shown.markdown), document.range(shown.span))
 
-    def definition(self, params: types.DefinitionParams) -> types.Location | None:
-        found = self.known(params)
+    async def definition(self, params: types.DefinitionParams) -> types.Location | None:
+        found = await self.named(params)
         if found is None:
             return None
         known, page = found
         span = navigation.definition(page, known.document.offset(params.position))
         return None if span is None else types.Location(known.document.uri, known.document.range(span))
 
-    def references(self, params: types.ReferenceParams) -> list[types.Location]:
-        found = self.known(params)
+    async def references(self, params: types.ReferenceParams) -> list[types.Location]:
+        found = await self.named(params)
         if found is None:
             return []
         known, page = found
@@ -112,16 +118,18 @@ class _Names(_Feature):
         spans = navigation.references(page, offset, params.context.include_declaration)
         return [types.Location(known.document.uri, known.document.range(span)) for span in spans]
 
-    def highlight(self, params: types.DocumentHighlightParams) -> list[types.DocumentHighlight]:
-        found = self.known(params)
+    async def highlight(self, params: types.DocumentHighlightParams) -> list[types.DocumentHighlight]:
+        found = await self.named(params)
         if found is None:
             return []
         known, page = found
         spans = navigation.references(page, known.document.offset(params.position))
         return [types.DocumentHighlight(known.document.range(span)) for span in spans]
 
-    def prepare_rename(self, params: types.PrepareRenameParams) -> types.PrepareRenamePlaceholder | None:
-        found = self.known(params)
+    async def prepare_rename(
+        self, params: types.PrepareRenameParams
+    ) -> types.PrepareRenamePlaceholder | None:
+        found = await self.named(params)
         if found is None:
             return None
         known, page = found
@@ -131,8 +139,8 @@ class _Names(_Feature):
             raise JsonRpcException(str(refused), REQUEST_FAILED) from None
         return types.PrepareRenamePlaceholder(range=known.document.range(span), placeholder=text)
 
-    def rename(self, params: types.RenameParams) -> types.WorkspaceEdit | None:
-        found = self.known(params)
+    async def rename(self, params: types.RenameParams) -> types.WorkspaceEdit | None:
+        found = await self.named(params)
         if found is None:
             return None
         known, page = found
@@ -142,8 +150,8 @@ class _Names(_Feature):
             raise JsonRpcException(str(refused), REQUEST_FAILED) from None
         return workspace_edit(known.document, changes, self.server.capabilities)
 
-    def symbols(self, params: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:
-        found = self.known(params)
+    async def symbols(self, params: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:
+        found = await self.named(params)
         if found is None:
             return []
         return [symbol(found[0].document, each) for each in navigation.symbols(found[1])]
@@ -169,7 +177,7 @@ class _Typing(_Feature):
         page = self.session.page(known)
         items: list[Item] = []
         if page is not None:
-            items = complete(page, offset, known.names)
+            items = complete(page, offset)
         elif known.language is None and len(known.document.text) <= MAX_TEXT:
             items = complete_machine_file(known.document.source, offset)
         has_snippets = self._has_snippets()
@@ -204,7 +212,7 @@ class _Typing(_Feature):
         if found is None:
             return None
         known, page = found
-        shown = signature(page, known.document.offset(params.position), known.names)
+        shown = signature(page, known.document.offset(params.position))
         if shown is None:
             return None
         parameters = [types.ParameterInformation(each) for each in shown.parameters]
@@ -293,8 +301,8 @@ class _Display(_Feature):
         # An editor that refuses reports nothing; programs are still checked again with each change of theirs.
         self.server.client_register_capability(types.RegistrationParams([wanted]), lambda answer: None)
 
-    def folding(self, params: types.FoldingRangeParams) -> list[types.FoldingRange]:
-        found = self.known(params)
+    async def folding(self, params: types.FoldingRangeParams) -> list[types.FoldingRange]:
+        found = await self.named(params)
         if found is None:
             return []
         return [
@@ -304,29 +312,33 @@ class _Display(_Feature):
             for first, last, is_comment in navigation.folds(found[1])
         ]
 
-    def tokens(self, params: types.SemanticTokensParams) -> types.SemanticTokens:
-        found = self.known(params)
-        if found is None:
-            return types.SemanticTokens([])
-        data = self._data(found[0], found[1], 1, found[0].document.last_line)
-        return types.SemanticTokens(data, self._remember(params.text_document.uri, data))
+    async def tokens(self, params: types.SemanticTokensParams) -> types.SemanticTokens:
+        return self._whole(await self.named(params))
 
-    def changed_tokens(
+    async def changed_tokens(
         self, params: types.SemanticTokensDeltaParams
     ) -> types.SemanticTokens | types.SemanticTokensDelta:
+        found = await self.named(params)
         name, before = self._sent.get(params.text_document.uri, ("", []))
-        whole = self.tokens(types.SemanticTokensParams(params.text_document))
+        whole = self._whole(found)
         if not name or name != params.previous_result_id:
             return whole
         edit = _difference(before, list(whole.data))
         return types.SemanticTokensDelta([edit] if edit is not None else [], whole.result_id)
 
-    def tokens_of_range(self, params: types.SemanticTokensRangeParams) -> types.SemanticTokens:
-        found = self.known(params)
+    async def tokens_of_range(self, params: types.SemanticTokensRangeParams) -> types.SemanticTokens:
+        found = await self.named(params)
         if found is None:
             return types.SemanticTokens([])
         last = min(params.range.end.line + 1, found[0].document.last_line)
         return types.SemanticTokens(self._data(*found, min(params.range.start.line + 1, last), last))
+
+    def _whole(self, found: tuple[Known, Page] | None) -> types.SemanticTokens:
+        if found is None:
+            return types.SemanticTokens([])
+        document = found[0].document
+        data = self._data(*found, 1, document.last_line)
+        return types.SemanticTokens(data, self._remember(document.uri, data))
 
     def _remember(self, uri: str, data: list[int]) -> str:
         self._number += 1
@@ -337,7 +349,7 @@ class _Display(_Feature):
         """Return tokens as numbers, each position relative to the previous token."""
         data: list[int] = []
         line = column = 0
-        for at, start, length, kind, modifiers in tokens(page, first, last, known.names):
+        for at, start, length, kind, modifiers in tokens(page, first, last):
             text = known.document.source.line(at + 1)
             if not text.isascii():
                 length = units(text[start : start + length])

@@ -1,4 +1,4 @@
-"""The jobs of a language server's worker: checks and runs of one text.
+"""The jobs of a language server's worker: the names, checks and runs of one text.
 
 A job and its result are plain data, so a job can go to another process.
 """
@@ -10,10 +10,12 @@ from motionlang.editor.page import Page
 from motionlang.editor.times import Times, times
 from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import dialect
+from motionlang.lang.names import Names
 from motionlang.record import record
 from motionlang.source import Source
 
-CHECK, TIMES = "check", "times"
+CHECK, NAMES, TIMES = "check", "names", "times"
+Result = list[Diagnostic] | Names | Times
 # What the checks of a text have found, for the next check of it; by file name, the latest last.
 _known: dict[str, dict[object, object]] = {}
 MAX_TEXTS = 4
@@ -21,7 +23,7 @@ MAX_TEXTS = 4
 
 @record
 class Job:
-    """A text to check or to run.
+    """What to do with a text.
 
     `language` is "" for a machine file. `machine` is the text of the machine file next to the program,
     None if there is none; `machine_name` is its file name.
@@ -35,7 +37,7 @@ class Job:
     machine_name: str
 
 
-def work(job: Job) -> list[Diagnostic] | Times:
+def work(job: Job) -> Result:
     """Carry out a job and return its result."""
     language = dialect(job.language) if job.language else None
     source = Source(job.name, job.text)
@@ -46,6 +48,8 @@ def work(job: Job) -> list[Diagnostic] | Times:
     page = Page(source, language, settings)
     if job.what == TIMES:
         return times(page)
+    if job.what == NAMES:
+        return page.names
     known = _known[job.name] = _known.pop(job.name, {})
     if len(_known) > MAX_TEXTS:
         del _known[next(iter(_known))]

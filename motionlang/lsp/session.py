@@ -1,7 +1,10 @@
 """The open texts of one editor, with their names, diagnostics and times.
 
-Typing costs little: names are computed and checks are started when the user pauses. The worker does one check or run
-at a time. Its result is dropped if the text has changed in the meantime.
+Typing costs little: the worker finds names and checks the text when the user pauses. It does one job at a time. The
+result of a check or a run is dropped if the text has changed in the meantime.
+
+A request that a user waits for while typing is answered at once, by `page`: from the latest names, with their positions
+moved by the changes since. `named` waits for the names of the present text.
 """
 
 from __future__ import annotations
@@ -11,31 +14,30 @@ import os
 from typing import TYPE_CHECKING
 
 from lsprotocol import types
+from pygls.exceptions import JsonRpcContentModified
 from pygls.uris import to_fs_path
 
 from motionlang.editor.diagnostics import settings_of
 from motionlang.editor.page import Page
-from motionlang.editor.times import NO_TIMES
+from motionlang.editor.times import NO_TIMES, Times
 from motionlang.errors import Diagnostic
 from motionlang.execution import MACHINE_SUFFIX, dialect_of
 from motionlang.lang.dialect import dialect, dialects
-from motionlang.lang.names import NO_NAMES
+from motionlang.lang.names import NO_NAMES, Changes, Names
 from motionlang.lsp.documents import Document
-from motionlang.lsp.jobs import CHECK, TIMES, Job
+from motionlang.lsp.jobs import CHECK, NAMES, TIMES, Job, Result
 from motionlang.source import Source
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
     from typing import Any, Protocol
 
-    from motionlang.editor.times import Times
     from motionlang.lang.dialect import Dialect
-    from motionlang.lang.names import Names
 
     class Worker(Protocol):
         """Carries out the jobs of a server."""
 
-        async def do(self, job: Job) -> list[Diagnostic] | Times | None: ...
+        async def do(self, job: Job) -> Result | None: ...
 
         def stop(self) -> None: ...
 
@@ -49,13 +51,19 @@ MAX_TEXT = 2_000_000
 class Known:
     """The state of one open text; `checked` is the version of `found`."""
 
-    __slots__ = ("checked", "document", "found", "language", "names", "page", "pause", "times")
+    __slots__ = (
+        "changes", "checked", "document", "found", "language", "names", "naming", "page", "pause", "since", "times",
+    )  # fmt: skip
 
     def __init__(self, document: Document, language: Dialect | None) -> None:
         self.document, self.language = document, language
         self.page: Page | None = None
-        # The names of the latest text in which they were found, which may be older than the present one.
-        self.names: Names = NO_NAMES
+        # The names of the latest text in which they were found, and its changes since.
+        self.names, self.changes = NO_NAMES, Changes(len(document.text))
+        # The changes of each text since the search for its names began, until they are found.
+        self.since: list[Changes] = []
+        # The search for the names of the present text.
+        self.naming: asyncio.Task[None] | None = None
         self.found: list[Diagnostic] = []
         self.checked = -1
         self.times: asyncio.Task[Times | None] | None = None
@@ -98,7 +106,10 @@ class Session:
         """Change an open text; ignore changes of any other."""
         known = self._known.get(params.text_document.uri)
         if known is not None:
-            known.document.change(params.content_changes, params.text_document.version)
+            made = known.document.change(params.content_changes, params.text_document.version)
+            for at, removed, added in made:
+                for changes in (known.changes, *known.since):
+                    changes.add(at, removed, added)
             self._changed(known, PAUSE)
 
     def close(self, uri: str) -> None:
@@ -127,20 +138,41 @@ class Session:
         return self._known.get(uri)
 
     def page(self, known: Known) -> Page | None:
-        """Return the page of a text, None for a machine file or a very large text."""
+        """Return the page of a text, None for a machine file or a very large text.
+
+        Its names are the latest ones, with positions in the present text.
+        """
         if known.language is None or len(known.document.text) > MAX_TEXT:
             return None
         if known.page is None or known.page.source is not known.document.source:
             name, text = self._machine_of(known.document.uri)
             settings = settings_of(Source(name, text), known.language)[0] if text is not None else {}
-            known.page = Page(known.document.source, known.language, settings)
+            names = known.names.shifted(known.changes) if known.changes else known.names
+            known.page = Page(known.document.source, known.language, settings, names)
         return known.page
 
-    def names(self, known: Known) -> Names:
-        """Return the names of the present text."""
-        page = self.page(known)
-        known.names = page.names if page is not None else NO_NAMES
-        return known.names
+    async def named(self, known: Known) -> Page | None:
+        """Return the page of a text with the names of this text, None for a machine file or a very large text.
+
+        Raises JsonRpcContentModified if the text changes meanwhile.
+        """
+        source = known.document.source
+        if self.page(known) is None:
+            return None
+        if known.naming is None:
+            known.naming = self._start(self._find_names(known))
+        await asyncio.shield(known.naming)
+        if not self._is_current(known, source):
+            raise JsonRpcContentModified("the text has changed")
+        return self.page(known)
+
+    async def _find_names(self, known: Known) -> None:
+        since = Changes(len(known.document.text))
+        known.since.append(since)
+        found = await self._do(NAMES, known)
+        known.since.remove(since)
+        if isinstance(found, Names):
+            known.names, known.changes, known.page = found, since, None
 
     def machine_changed(self) -> None:
         """Check all programs again, because a machine file has changed."""
@@ -152,7 +184,7 @@ class Session:
     # ---------------------------------------------------------------------------------------- the worker
 
     def _changed(self, known: Known, delay: float) -> None:
-        known.checked = -1
+        known.checked, known.naming = -1, None
         if known.times is not None:
             known.times.cancel()
             known.times = None
@@ -164,7 +196,8 @@ class Session:
 
     def _paused(self, known: Known) -> None:
         known.pause = None
-        self.names(known)
+        if known.naming is None and self.page(known) is not None:
+            known.naming = self._start(self._find_names(known))
         self._start(self._check(known))
 
     def _start(self, coroutine: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
@@ -175,7 +208,7 @@ class Session:
 
     async def _check(self, known: Known) -> None:
         source = known.document.source
-        result: list[Diagnostic] | Times | None = None
+        result: Result | None = None
         if len(source.text) <= MAX_TEXT:
             # A worker that died has no result; the next one may have.
             result = await self._do(CHECK, known)
@@ -201,9 +234,9 @@ class Session:
     async def _times(self, known: Known) -> Times | None:
         source = known.document.source
         result = await self._do(TIMES, known)
-        return result if not isinstance(result, list) and self._is_current(known, source) else None
+        return result if isinstance(result, Times) and self._is_current(known, source) else None
 
-    async def _do(self, what: str, known: Known) -> list[Diagnostic] | Times | None:
+    async def _do(self, what: str, known: Known) -> Result | None:
         """Carry out a job on the current text and return its result.
 
         None if the text changes before the job begins.
@@ -222,12 +255,15 @@ class Session:
             except Exception as error:  # of the check or of the run, not of this server
                 return self._failed(job, error)
 
-    def _failed(self, job: Job, error: Exception) -> list[Diagnostic] | Times:
-        """Return the result of a job with an internal error: a diagnostic, or no times."""
+    def _failed(self, job: Job, error: Exception) -> Result:
+        """Return the result of a job with an internal error: a diagnostic, or no names or times."""
         why = f"internal error: {type(error).__name__}: {error}".partition("\n")[0]
         if job.what == CHECK:
             message = f"{job.name} cannot be checked: {why}"
             return [Diagnostic("crash", message, 1, 1, hint=f"motionlang check {job.name} shows the details")]
+        if job.what == NAMES:
+            self._log(f"{job.name} has no names: {why}; motionlang check {job.name} shows the details")
+            return NO_NAMES
         self._log(f"{job.name} has no time hints: {why}; motionlang run {job.name} shows the details")
         return NO_TIMES
 

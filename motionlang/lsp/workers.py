@@ -15,15 +15,12 @@ from concurrent.futures import BrokenExecutor
 from typing import TYPE_CHECKING
 
 from motionlang.editor.times import NO_TIMES
-from motionlang.lsp.jobs import TIMES, Job, work
+from motionlang.lsp.jobs import TIMES, Job, Result, work
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from concurrent.futures import Executor
     from typing import Protocol
-
-    from motionlang.editor.times import Times
-    from motionlang.errors import Diagnostic
 
     class Stopping(Protocol):
         """An executor whose processes can be killed."""
@@ -40,7 +37,7 @@ JOB_LIMIT = 20.0
 class Inline:
     """Carries out jobs in the process of the server, as required in a browser."""
 
-    async def do(self, job: Job) -> list[Diagnostic] | Times | None:
+    async def do(self, job: Job) -> Result | None:
         """Return the result of a job."""
         return work(job)
 
@@ -55,7 +52,7 @@ class Process:
         self._limit, self._run_limit = limit, run_limit
         self._workers: Executor | None = None
 
-    async def do(self, job: Job) -> list[Diagnostic] | Times | None:
+    async def do(self, job: Job) -> Result | None:
         """Return the result of a job, None if there is none."""
         from motionlang.analysis.workers import Workers
 
@@ -76,7 +73,7 @@ class Process:
             stopping.stop()
 
 
-def _limited(job: Job, limit: float) -> list[Diagnostic] | Times:
+def _limited(job: Job, limit: float) -> Result:
     """Carry out a job in a worker process; interrupt a run after `limit` seconds."""
     _silence()
     if job.what != TIMES:
@@ -86,9 +83,7 @@ def _limited(job: Job, limit: float) -> list[Diagnostic] | Times:
     return _interruptible(lambda: work(job), timer)
 
 
-def _interruptible(
-    action: Callable[[], list[Diagnostic] | Times], timer: threading.Timer
-) -> list[Diagnostic] | Times:
+def _interruptible(action: Callable[[], Result], timer: threading.Timer) -> Result:
     """Run an action that a timer interrupts like Ctrl-C."""
     import signal
 

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
 from motionlang.lang.dialect import dialect
-from motionlang.lang.names import Definition, Names
+from motionlang.lang.names import Changes, Definition, Names
 from motionlang.source import Source
-from tests.cases import cases
+from tests.cases import cases, examples
 
 GALLERY = sorted(
     path for path in (Path(__file__).parents[2] / "scripts").rglob("*.m*") if path.suffix in (".mnt", ".mcl")
@@ -227,10 +231,13 @@ def test_local_names_of_two_subs_are_apart() -> None:
 
 @cases("path", GALLERY, ids=lambda path: path.name)
 def test_the_gallery_with_other_names_gets_the_same_diagnostics(path: Path) -> None:
-    """`check` reports the same for the same lines after every name has been changed."""
+    """`check` reports the same for the same lines after every name has been changed.
+
+    The names come from another process.
+    """
     source = Source.read(path)
     language = dialect("mint" if path.suffix == ".mnt" else "mccl")
-    found = language.names(source)
+    found = pickle.loads(pickle.dumps(language.names(source)))
     assert found.complete
     edits = []
     for number, each in enumerate(found.definitions):
@@ -242,3 +249,54 @@ def test_the_gallery_with_other_names_gets_the_same_diagnostics(path: Path) -> N
         text = text[:start] + new + text[end:]
     before, after = language.check(source), language.check(Source(source.name, text))
     assert [(each.code, each.line) for each in after] == [(each.code, each.line) for each in before]
+
+
+FRACTION = st.floats(0.0, 1.0)
+
+
+@given(st.lists(st.tuples(FRACTION, st.integers(0, 60), st.text("ab1 :\n", max_size=4)), max_size=6))
+@settings(max_examples=examples(200), deadline=None)
+def test_a_name_that_no_change_touches_is_found_at_its_place(edits: list[tuple[float, int, str]]) -> None:
+    """A name is untouched if it and its neighbours are still side by side.
+
+    Each character of the text is followed by its old offset; -1 and the length are the ends.
+    """
+    found = dialect("mint").names(Source("a.mnt", PROGRAM))
+    offsets: list[int | None] = [*range(-1, len(PROGRAM) + 1)]
+    changes = Changes(len(PROGRAM))
+    for where, removed, added in edits:
+        at = int(where * (len(offsets) - 2))
+        removed = min(removed, len(offsets) - 2 - at)
+        offsets[at + 1 : at + 1 + removed] = [None] * len(added)
+        changes.add(at, removed, len(added))
+
+    def moved(span: tuple[int, int]) -> tuple[int, int] | None:
+        """Return where a span is now, by looking for its characters."""
+        near = [*range(span[0] - 1, span[1] + 1)]
+        at = offsets.index(near[0]) if near[0] in offsets else len(offsets)
+        return (at, at + span[1] - span[0]) if offsets[at : at + len(near)] == near else None
+
+    shifted = found.shifted(changes)
+    wanted = {
+        each.name: [use for use in map(moved, each.uses) if use is not None]
+        for each in found.definitions
+        if each.span is None or moved(each.span) is not None
+    }
+    assert {each.name: each.uses for each in shifted.definitions} == {
+        name: uses for name, uses in wanted.items() if uses
+    }
+    for each in shifted.definitions:
+        assert each.span is None or each.span in each.uses
+        assert all(shifted.at(start) == (each, (start, end)) for start, end in each.uses)
+        assert each.home or each.kind == "sub" or each.scope == (0, len(offsets) - 2)
+
+
+def test_a_scope_grows_with_what_is_typed_in_it() -> None:
+    text = "Sub Work()\n  Dim n\n  n = 1\nEnd Sub\n"
+    changes = Changes(len(text))
+    changes.add(text.index("  n"), 0, 6)  # a line more
+    changes.add(text.index("Sub"), 0, 3)  # a line above
+    changes.add(len(text) + 9, 0, 5)  # a line below
+    shifted = dialect("mint").names(Source("a.mnt", text)).shifted(changes)
+    scopes = {each.name: each.scope for each in shifted.definitions}
+    assert scopes == {"Work": (0, len(text) + 14), "n": (0, len(text) + 8)}

@@ -18,10 +18,12 @@ pytest.importorskip("pygls", reason="pygls is not installed: the extra `lsp`")
 
 from motionlang.editor.times import NO_TIMES, Times
 from motionlang.errors import Diagnostic
+from motionlang.lang.names import NO_NAMES
 from motionlang.lsp import features, jobs, server, session, workers
-from motionlang.lsp.jobs import CHECK, TIMES, Job, work
+from motionlang.lsp.jobs import CHECK, NAMES, TIMES, Job, Result, work
 from motionlang.lsp.server import Input, _Limited
 from motionlang.lsp.workers import Inline, Process
+from motionlang.mint.syntax.tokens import PARSER
 from tests.cases import cases
 from tests.lsp.test_answers import MACHINE, ask, at, span
 from tests.lsp.wire import INITIALIZE, URI, Wire
@@ -33,9 +35,9 @@ class Timed(Inline):
     def __init__(self, fault: int = 2, until: float = 0.0) -> None:
         self.fault, self.until = fault, until
 
-    async def do(self, job: Job) -> list[Diagnostic] | Times | None:
-        if job.what == CHECK:
-            return []
+    async def do(self, job: Job) -> Result | None:
+        if job.what != TIMES:
+            return [] if job.what == CHECK else NO_NAMES
         lines: list[Any] = [Line(number) for number in (3, 1, 2)]
         return Times(lines, (self.fault, "too far"), self.until, [3] if self.until else [])
 
@@ -110,7 +112,7 @@ def test_times_are_computed_once_for_a_text_and_again_after_a_change() -> None:
     seen: list[str] = []
 
     class Counted(Timed):
-        async def do(self, job: Job) -> list[Diagnostic] | Times | None:
+        async def do(self, job: Job) -> Result | None:
             seen.append(f"{job.what} {job.name} {job.text!r} {job.language} {job.machine} {job.machine_name}")
             return await super().do(job)
 
@@ -284,8 +286,8 @@ def test_a_check_without_a_result_is_repeated_once() -> None:
         left: list[Any] = list(results)
 
         class Dying(Inline):
-            async def do(self, job: Job, left: list[Any] = left) -> list[Diagnostic] | Times | None:
-                found: list[Diagnostic] | None = left.pop(0)
+            async def do(self, job: Job, left: list[Any] = left) -> Result | None:
+                found: list[Diagnostic] | None = left.pop(0) if job.what == CHECK else []
                 return found
 
         assert published(asyncio.run(checked(Dying()))) == wanted
@@ -296,7 +298,7 @@ def test_an_internal_error_marks_the_first_character() -> None:
     """Its message has only the first line of the exception."""
 
     class Failing(Inline):
-        async def do(self, job: Job) -> list[Diagnostic] | Times | None:
+        async def do(self, job: Job) -> Result | None:
             raise KeyError("a")
 
     async def whole() -> Any:
@@ -530,3 +532,110 @@ def test_the_report_of_an_invalid_machine_file_marks_the_first_line(tmp_path: Pa
     (tmp_path / "a.machine.toml").write_text("[axis.0]\ntravvel = 1\n")
     (found,) = ask("  x = 1\nPrint x\n", uri=(tmp_path / "a.mnt").as_uri())
     assert (found["range"], found["severity"], found["code"]) == (span(0, 0, 1), 2, "machine-file")
+
+
+# ----------------------------------------------------------------------------- names while they are being found
+
+
+class Slow(Inline):
+    """Finds names when it is allowed to."""
+
+    def __init__(self) -> None:
+        self.is_allowed = asyncio.Event()
+
+    async def do(self, job: Job) -> Result | None:
+        if job.what == NAMES:
+            await self.is_allowed.wait()
+        return work(job) if job.what == NAMES else []
+
+
+TYPED = """\
+Dim count As Integer
+Sub Travel(far As Float)
+  count = far
+End Sub
+Travel(1)
+"""
+
+
+async def changed(slow: Slow) -> Wire:
+    """Return a connection whose text got two lines after its names were found; they are not found again yet."""
+    wire = opened(TYPED, slow)
+    slow.is_allowed.set()
+    await wire.settled()
+    slow.is_allowed.clear()
+    edits = [{"range": span(4, 9, 9), "text": "\nTravel("}, {"range": span(0, 0, 0), "text": "Dim other\n"}]
+    document = {"uri": URI, "version": 2}
+    wire.notify("textDocument/didChange", {"textDocument": document, "contentChanges": edits})
+    return wire
+
+
+def asked(wire: Wire, number: int, method: str, line: int, character: int, **more: object) -> None:
+    """Send a request about a position."""
+    wire.request(
+        number,
+        f"textDocument/{method}",
+        {"textDocument": {"uri": URI}, "position": at(line, character), **more},
+    )
+
+
+def test_what_a_user_waits_for_is_answered_before_the_text_is_parsed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The names are those of the text before, at their present positions; references wait for the new ones."""
+    parsed: list[str] = []
+
+    def parse(text: str) -> object:
+        parsed.append(text)
+        raise AssertionError
+
+    async def whole() -> None:
+        slow = Slow()
+        wire = await changed(slow)
+        with monkeypatch.context() as patch:
+            patch.setattr(PARSER, "parse", parse)
+            asked(wire, 1, "hover", 3, 3)
+            asked(wire, 2, "completion", 3, 4)
+            asked(wire, 3, "signatureHelp", 6, 7)
+            asked(wire, 4, "formatting", 0, 0, options={"tabSize": 2, "insertSpaces": True})
+            asked(wire, 5, "references", 0, 4, context={"includeDeclaration": True})
+            for _ in range(9):
+                await asyncio.sleep(0)
+        answers = wire.answers()
+        assert parsed == []
+        assert answers[1][0]["result"]["range"] == span(3, 2, 7)
+        assert "count" in [each["label"] for each in answers[2][0]["result"]["items"]]
+        assert answers[3][0]["result"]["signatures"][0]["label"] == "Sub Travel(far As Float)"
+        assert answers[4][0]["result"] == []
+        assert 5 not in answers
+        asked(wire, 6, "hover", 0, 4)
+        slow.is_allowed.set()
+        await wire.settled()
+        asked(wire, 7, "hover", 0, 4)
+        answers = wire.answers()
+        assert answers[5][0]["result"] == [{"uri": URI, "range": span(0, 4, 9)}]
+        assert answers[6][0]["result"] is None
+        assert "other As Float" in answers[7][0]["result"]["contents"]["value"]
+
+    asyncio.run(whole())
+
+
+def test_names_of_a_text_that_changes_meanwhile_are_used_at_their_new_positions() -> None:
+    """A request that waited for them is answered by an error that editors ignore."""
+
+    async def whole() -> None:
+        slow = Slow()
+        wire = await changed(slow)
+        asked(wire, 1, "references", 0, 4, context={"includeDeclaration": True})
+        await asyncio.sleep(0)
+        edits = [{"range": span(0, 0, 0), "text": "' one line more\n"}]
+        document = {"uri": URI, "version": 3}
+        wire.notify("textDocument/didChange", {"textDocument": document, "contentChanges": edits})
+        slow.is_allowed.set()
+        while 1 not in wire.answers():
+            await asyncio.sleep(0)
+        asked(wire, 2, "hover", 1, 4)
+        answers = wire.answers()
+        assert answers[1][0]["error"] == {"code": -32801, "message": "the text has changed"}
+        assert answers[2][0]["result"]["range"] == span(1, 4, 9)
+        await wire.settled()
+
+    asyncio.run(whole())

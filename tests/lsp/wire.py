@@ -9,9 +9,8 @@ from typing import Any
 
 from pygls.exceptions import JsonRpcException
 
-from motionlang.editor.times import NO_TIMES, Times
-from motionlang.errors import Diagnostic
-from motionlang.lsp.jobs import CHECK, Job, work
+from motionlang.editor.times import NO_TIMES
+from motionlang.lsp.jobs import TIMES, Job, Result, work
 from motionlang.lsp.server import Server
 from motionlang.lsp.workers import Inline
 
@@ -46,19 +45,19 @@ INITIALIZE: dict[str, Any] = {"processId": None, "rootUri": None, "capabilities"
 
 
 class Checks(Inline):
-    """Executes checks in this process.
+    """Finds names and executes checks in this process.
 
     Runs have no result, because some programs would run too long.
     """
 
-    async def do(self, job: Job) -> list[Diagnostic] | Times | None:
-        return work(job) if job.what == CHECK else NO_TIMES
+    async def do(self, job: Job) -> Result | None:
+        return NO_TIMES if job.what == TIMES else work(job)
 
 
 class Broken(Inline):
     """Raises an exception in every job."""
 
-    async def do(self, job: Job) -> list[Diagnostic] | Times | None:
+    async def do(self, job: Job) -> Result | None:
         raise RuntimeError(f"no {job.what}\nand more")
 
 

@@ -53,7 +53,7 @@ class _Finder:
                 self.complete = False
         return Names(
             [*self.macros.values(), *self.registers.values()],
-            lambda: self.blocks,
+            self.blocks,
             self.complete,
             self._problem,
         )

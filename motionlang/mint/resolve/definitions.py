@@ -91,7 +91,7 @@ class _Finder:
         for _, self.function, enter in sorted(uses, key=itemgetter(0)):
             enter()
         made = [each for each in self.definitions.values() if each.is_used]
-        return Names(made, self._outline, complete, _Renaming(self, made).problem)
+        return Names(made, self._outline(), complete, _Renaming(self, made).problem)
 
     def _of_block(self, node: nodes.Sub | nodes.Task | nodes.Event) -> Iterator[Use]:
         """Yield the names of a block, without those of subs in it."""
