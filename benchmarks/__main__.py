@@ -83,6 +83,7 @@ BARS: dict[str, Bar] = {
     "editor_key": _most(0.1),
     "editor_key_95": _most(0.5),
     "editor_names": _most(2.2),
+    "editor_formatting": _most(0.2),
     "editor_check_after_a_key": _most(6.0),
     "editor_tokens_of_60_lines": _most(0.15),
     "editor_memory": _most(1.1),

@@ -4,7 +4,8 @@
 
 The text is a program of 10 000 lines; the time of parsing it once is 1. A check after a key can reuse the
 previous check, and the key changes one sub. A key is a change and a completion, as messages of the protocol in
-this process: JSON in, JSON out. There is no pause between keys, so no name is looked up and no check begins.
+this process: JSON in, JSON out. There is no pause between keys, so no names are searched for and no check begins: the
+names are those of the text before the first key, moved. The formatting is one after another of nearly the same text.
 Memory is that of this process after KEYS keys (default 3000), relative to that after the first hundred.
 """
 
@@ -20,6 +21,7 @@ from time import process_time
 from parse_program import program
 from timing import seconds
 
+from motionlang.editor.formatting import format
 from motionlang.editor.page import Page
 from motionlang.editor.tokens import tokens
 from motionlang.lang.dialect import dialect
@@ -52,11 +54,13 @@ def main(arguments: list[str]) -> int:
         page = Page(source, language)
         assert page.names.complete
         shown.append(seconds(lambda page=page: list(tokens(page, 5000, 5059))) / parses[-1])  # type: ignore[misc]
-    again = []
+    again, laid_out = [], []
+    format(Page(source, language))
     known: dict[object, object] = {}
     for number in range(ROUNDS):
         checks.append(seconds(lambda: language.check(source)) / median(parses))
         edited = Source("a.mnt", "\n".join([*lines[:-1], f"  x = {number}", lines[-1]]) + "\n")
+        laid_out.append(seconds(lambda edited=edited: format(Page(edited, language))) / median(parses))  # type: ignore[misc]
         language.check(source, None, known)
         again.append(seconds(lambda edited=edited: language.check(edited, None, known)) / median(parses))  # type: ignore[misc]
     print(f"editor_lines {len(lines)} lines")
@@ -64,6 +68,7 @@ def main(arguments: list[str]) -> int:
     print(f"editor_names {median(names):.2f} parses")
     print(f"editor_check {median(checks):.1f} parses")
     print(f"editor_check_after_a_key {median(again):.1f} parses")
+    print(f"editor_formatting {median(laid_out):.3f} parses")
     print(f"editor_tokens_of_60_lines {median(shown):.3f} parses")
     keys, memory = asyncio.run(type_keys(text, len(lines), typed))
     keys = sorted(key / median(parses) for key in keys)

@@ -14,13 +14,13 @@ def format(page: Page, indent: str = "  ") -> list[Edit]:
     edits = []
     start = 0
     for line, wanted in zip(page.text.split("\n"), formatted_lines(page, indent), strict=True):
-        same = 0  # an edit is the part that changes, so that the cursor of an editor stays where it is
-        while same < min(len(line), len(wanted)) and line[same] == wanted[same]:
-            same += 1
-        tail = 0
-        while tail < min(len(line), len(wanted)) - same and line[-1 - tail] == wanted[-1 - tail]:
-            tail += 1
         if line != wanted:
+            same = 0  # an edit is the part that changes, so that the cursor of an editor stays where it is
+            while same < min(len(line), len(wanted)) and line[same] == wanted[same]:
+                same += 1
+            tail = 0
+            while tail < min(len(line), len(wanted)) - same and line[-1 - tail] == wanted[-1 - tail]:
+                tail += 1
             edits.append(Edit((start + same, start + len(line) - tail), wanted[same : len(wanted) - tail]))
         start += len(line) + 1
     return edits

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
 from typing import cast
 
 import pytest
+from lark import Lark, Token
 
 from motionlang import cache, execution
 from motionlang.editor.formatting import format
@@ -15,6 +17,8 @@ from motionlang.editor.times import Times, _fault, times
 from motionlang.editor.tokens import MODIFIERS, TYPES, tokens
 from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import dialect
+from motionlang.lang.syntax import grammar
+from motionlang.mint.syntax import layout
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.cases import cases
@@ -126,6 +130,22 @@ def test_the_layout_changes_no_token_and_is_stable(path: Path) -> None:
 
 def written(text: str) -> list[tuple[str, str]]:
     return [(kind, piece.rstrip()) for kind, piece, _ in dialect("mint").tokens(text) if piece.strip()]
+
+
+def test_only_lines_that_have_changed_are_split_into_tokens_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[str] = []
+
+    def lex(parser: Lark, text: str) -> Iterator[Token]:
+        read.append(text)
+        return grammar.lex(parser, text)
+
+    lines = [f"changed{number} = 1" for number in range(9)]
+    laid_out("\n".join(lines))
+    monkeypatch.setattr(layout, "lex", lex)
+    assert laid_out("\n".join([*lines[:4], "Loop", *lines[4:], "changed = 2"])) == "\n".join(
+        [*lines[:4], "Loop", *(f"  {line}" for line in lines[4:]), "  changed = 2"]
+    )
+    assert [line for line in read if line != "Loop\n"] == ["changed = 2\n"]
 
 
 def test_mccl_has_no_layout() -> None:

@@ -6,42 +6,46 @@ the routine.
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from motionlang.lang.names import LineLayout
-from motionlang.lang.syntax.grammar import BAD
+from motionlang.lang.syntax.grammar import BAD, END, lex
 from motionlang.mint.syntax.outline import CLOSE, MIDDLE, OPEN, BlockToken, block_tokens
-from motionlang.mint.syntax.tokens import Tokens
+from motionlang.mint.syntax.tokens import PARSER
 
 
 def layout(text: str) -> list[LineLayout]:
     """Return the layout of each line of a text."""
-    tokens = Tokens(text)
-    kinds, spans = tokens.kinds, [*zip(tokens.starts, tokens.ends, strict=True)]
-    starts = [0]
-    while (end := text.find("\n", starts[-1])) >= 0:
-        starts.append(end + 1)
-    lines = [LineLayout() for _ in starts]
-    ended = {0}  # the lines before which a statement ends
-    for kind, (start, end) in zip(kinds, spans, strict=False):
-        if kind == "_NL":
-            first = bisect_right(starts, start)
-            ended.update(range(first, bisect_right(starts, end)))
-        elif kind == BAD:
-            lines[bisect_right(starts, start) - 1].unreadable = True
-    for number, line in enumerate(lines):
-        line.continues = number not in ended
-    for token in _all_tokens(kinds):
-        if token.at >= len(spans):
-            continue
-        line = lines[bisect_right(starts, spans[token.at][0]) - 1]
+    lines: list[LineLayout] = []
+    kinds: list[str] = []
+    owners: list[LineLayout] = []  # the line of each token
+    is_ended = True
+    for written in text.split("\n"):
+        found = _kinds(written.strip(" \t"))
+        lines.append(LineLayout(continues=not is_ended, unreadable=BAD in found))
+        is_ended = found[-1:] == ("_NL",)
+        if len(found) > 1 or not is_ended or kinds[-1:] != ["_NL"]:  # blank lines belong to the end of a line
+            kinds += found
+            owners += [lines[-1]] * len(found)
+    for token in _all_tokens([*kinds, "_NL", END]):
+        line = owners[token.at]
         is_first = token.at == 0 or kinds[token.at - 1] == "_NL"
         if is_first and token.what != OPEN:
             line.back = token.count
         if token.what != MIDDLE:
             line.change += 1 if token.what == OPEN else -token.count
     return lines
+
+
+@lru_cache(50_000)
+def _kinds(line: str) -> tuple[str, ...]:
+    """Return the kinds of token of a line, the last one `_NL` unless the line is continued.
+
+    The result is cached, because most lines of a text stay the same. No token extends over the end of a line, except
+    `_NL`, which includes blank lines and comments behind it.
+    """
+    return tuple(token.type for token in lex(PARSER, f"{line}\n"))
 
 
 def _all_tokens(kinds: Sequence[str]) -> Iterator[BlockToken]:
