@@ -137,7 +137,7 @@ async def type_keys(text: str, count: int, typed: int) -> tuple[list[float], flo
     typist = Typist(text + "\n")
     known = typist.server.session.known(URI)
     assert known is not None
-    await typist.server.session.named(known)
+    await typist.server.session.named(known, known.document.source)
     taken, first = [], 0
     for number in range(typed):
         column = number % (len(TYPED) + 1)

@@ -23,13 +23,17 @@ from motionlang.lsp.protocol import REQUEST_FAILED
 from motionlang.lsp.session import MAX_TEXT
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any
+    from collections.abc import Callable, Generator
+    from typing import Any, TypeAlias, TypeVar
 
     from motionlang.editor.completion import Item
     from motionlang.editor.page import Page
     from motionlang.lsp.server import Server
     from motionlang.lsp.session import Known
+
+    T = TypeVar("T")
+    # A handler that waits: it begins at once, before the next message, and yields calls for pygls to wait for.
+    Waiting: TypeAlias = Generator[tuple[Callable[..., Any], tuple[object, ...], dict[str, object]], Any, T]
 
 LEGEND = types.SemanticTokensLegend(list(TYPES), list(MODIFIERS))
 # The commands of a lens, which an editor has to have; it names those that it has in `initializationOptions`.
@@ -63,11 +67,13 @@ class _Feature:
         page = None if known is None else self.session.page(known)
         return None if known is None or page is None else (known, page)
 
-    async def named(self, params: Any) -> tuple[Known, Page] | None:
+    def named(self, params: Any) -> Waiting[tuple[Known, Page] | None]:
         """Return the same as `known`, with the names of the present text."""
         known = self.session.known(params.text_document.uri)
-        page = None if known is None else await self.session.named(known)
-        return None if known is None or page is None else (known, page)
+        if known is None:
+            return None
+        page = yield self.session.named, (known, known.document.source), {}
+        return None if page is None else (known, page)
 
     def on(self, method: str, handler: Callable[..., Any], options: Any = None) -> None:
         """Register a method of this object as the handler of a method of the protocol."""
@@ -101,16 +107,16 @@ class _Names(_Feature):
             shown = None
         return None if shown is None else types.Hover(markdown(shown.markdown), document.range(shown.span))
 
-    async def definition(self, params: types.DefinitionParams) -> types.Location | None:
-        found = await self.named(params)
+    def definition(self, params: types.DefinitionParams) -> Waiting[types.Location | None]:
+        found = yield from self.named(params)
         if found is None:
             return None
         known, page = found
         span = navigation.definition(page, known.document.offset(params.position))
         return None if span is None else types.Location(known.document.uri, known.document.range(span))
 
-    async def references(self, params: types.ReferenceParams) -> list[types.Location]:
-        found = await self.named(params)
+    def references(self, params: types.ReferenceParams) -> Waiting[list[types.Location]]:
+        found = yield from self.named(params)
         if found is None:
             return []
         known, page = found
@@ -118,18 +124,18 @@ class _Names(_Feature):
         spans = navigation.references(page, offset, params.context.include_declaration)
         return [types.Location(known.document.uri, known.document.range(span)) for span in spans]
 
-    async def highlight(self, params: types.DocumentHighlightParams) -> list[types.DocumentHighlight]:
-        found = await self.named(params)
+    def highlight(self, params: types.DocumentHighlightParams) -> Waiting[list[types.DocumentHighlight]]:
+        found = yield from self.named(params)
         if found is None:
             return []
         known, page = found
         spans = navigation.references(page, known.document.offset(params.position))
         return [types.DocumentHighlight(known.document.range(span)) for span in spans]
 
-    async def prepare_rename(
+    def prepare_rename(
         self, params: types.PrepareRenameParams
-    ) -> types.PrepareRenamePlaceholder | None:
-        found = await self.named(params)
+    ) -> Waiting[types.PrepareRenamePlaceholder | None]:
+        found = yield from self.named(params)
         if found is None:
             return None
         known, page = found
@@ -139,8 +145,8 @@ class _Names(_Feature):
             raise JsonRpcException(str(refused), REQUEST_FAILED) from None
         return types.PrepareRenamePlaceholder(range=known.document.range(span), placeholder=text)
 
-    async def rename(self, params: types.RenameParams) -> types.WorkspaceEdit | None:
-        found = await self.named(params)
+    def rename(self, params: types.RenameParams) -> Waiting[types.WorkspaceEdit | None]:
+        found = yield from self.named(params)
         if found is None:
             return None
         known, page = found
@@ -150,8 +156,8 @@ class _Names(_Feature):
             raise JsonRpcException(str(refused), REQUEST_FAILED) from None
         return workspace_edit(known.document, changes, self.server.capabilities)
 
-    async def symbols(self, params: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:
-        found = await self.named(params)
+    def symbols(self, params: types.DocumentSymbolParams) -> Waiting[list[types.DocumentSymbol]]:
+        found = yield from self.named(params)
         if found is None:
             return []
         return [symbol(found[0].document, each) for each in navigation.symbols(found[1])]
@@ -301,8 +307,8 @@ class _Display(_Feature):
         # An editor that refuses reports nothing; programs are still checked again with each change of theirs.
         self.server.client_register_capability(types.RegistrationParams([wanted]), lambda answer: None)
 
-    async def folding(self, params: types.FoldingRangeParams) -> list[types.FoldingRange]:
-        found = await self.named(params)
+    def folding(self, params: types.FoldingRangeParams) -> Waiting[list[types.FoldingRange]]:
+        found = yield from self.named(params)
         if found is None:
             return []
         return [
@@ -312,13 +318,13 @@ class _Display(_Feature):
             for first, last, is_comment in navigation.folds(found[1])
         ]
 
-    async def tokens(self, params: types.SemanticTokensParams) -> types.SemanticTokens:
-        return self._whole(await self.named(params))
+    def tokens(self, params: types.SemanticTokensParams) -> Waiting[types.SemanticTokens]:
+        return self._whole((yield from self.named(params)))
 
-    async def changed_tokens(
+    def changed_tokens(
         self, params: types.SemanticTokensDeltaParams
-    ) -> types.SemanticTokens | types.SemanticTokensDelta:
-        found = await self.named(params)
+    ) -> Waiting[types.SemanticTokens | types.SemanticTokensDelta]:
+        found = yield from self.named(params)
         name, before = self._sent.get(params.text_document.uri, ("", []))
         whole = self._whole(found)
         if not name or name != params.previous_result_id:
@@ -326,8 +332,8 @@ class _Display(_Feature):
         edit = _difference(before, list(whole.data))
         return types.SemanticTokensDelta([edit] if edit is not None else [], whole.result_id)
 
-    async def tokens_of_range(self, params: types.SemanticTokensRangeParams) -> types.SemanticTokens:
-        found = await self.named(params)
+    def tokens_of_range(self, params: types.SemanticTokensRangeParams) -> Waiting[types.SemanticTokens]:
+        found = yield from self.named(params)
         if found is None:
             return types.SemanticTokens([])
         last = min(params.range.end.line + 1, found[0].document.last_line)

@@ -15,6 +15,7 @@ from pygls.protocol.language_server import lsp_method
 
 if TYPE_CHECKING:
     from collections.abc import Generator
+    from concurrent.futures import Future
 
     from motionlang.lsp.server import Server
 
@@ -85,6 +86,14 @@ class Protocol(LanguageServerProtocol):
 
     def _refuse(self, number: int | str | None, code: int, text: str) -> None:
         self._send_data({"jsonrpc": self.VERSION, "id": number, "error": {"code": code, "message": text}})
+
+    def _run_generator(
+        self, future: Future[Any] | None, *, gen: Generator[Any, Any, Any], result_future: Future[Any]
+    ) -> None:
+        """Continue a handler; forget what it has waited for, which pygls would store for ever."""
+        for number in [number for number, each in self._request_futures.items() if each is future]:
+            del self._request_futures[number]
+        super()._run_generator(future, gen=gen, result_future=result_future)
 
     def _send_response(
         self, msg_id: int | str, result: Any | None = None, error: types.ResponseError | None = None

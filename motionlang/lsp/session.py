@@ -151,17 +151,15 @@ class Session:
             known.page = Page(known.document.source, known.language, settings, names)
         return known.page
 
-    async def named(self, known: Known) -> Page | None:
-        """Return the page of a text with the names of this text, None for a machine file or a very large text.
+    async def named(self, known: Known, source: Source) -> Page | None:
+        """Return the page of a text with its own names, None for a machine file or a very large text.
 
-        Raises JsonRpcContentModified if the text changes meanwhile.
+        Raises JsonRpcContentModified if `source` is no longer the text, now or when its names are found.
         """
-        source = known.document.source
-        if self.page(known) is None:
-            return None
-        if known.naming is None:
-            known.naming = self._start(self._find_names(known))
-        await asyncio.shield(known.naming)
+        if self._is_current(known, source) and self.page(known) is not None:
+            if known.naming is None:
+                known.naming = self._start(self._find_names(known))
+            await asyncio.shield(known.naming)
         if not self._is_current(known, source):
             raise JsonRpcContentModified("the text has changed")
         return self.page(known)

@@ -28,7 +28,7 @@ GARBAGE = (
     '{"jsonrpc": "1.0", "id": 9, "method": "shutdown"}', '{"jsonrpc": "2.0", "id": 9, "result": 3}',
 )  # fmt: skip
 # The codes of the protocol for requests that are refused.
-REFUSED = {-32700, -32600, -32601, -32602, -32002, -32803, -32800}
+REFUSED = {-32700, -32600, -32601, -32602, -32002, -32803, -32801, -32800}
 
 
 def random_messages(seed: int, count: int) -> None:

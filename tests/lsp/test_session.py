@@ -614,12 +614,13 @@ def test_what_a_user_waits_for_is_answered_before_the_text_is_parsed(monkeypatch
         assert answers[5][0]["result"] == [{"uri": URI, "range": span(0, 4, 9)}]
         assert answers[6][0]["result"] is None
         assert "other As Float" in answers[7][0]["result"]["contents"]["value"]
+        assert wire.server.protocol._request_futures == {}
 
     asyncio.run(whole())
 
 
 def test_names_of_a_text_that_changes_meanwhile_are_used_at_their_new_positions() -> None:
-    """A request that waited for them is answered by an error that editors ignore."""
+    """A request that waits for them is answered by an error that editors ignore."""
 
     async def whole() -> None:
         slow = Slow()
@@ -639,3 +640,17 @@ def test_names_of_a_text_that_changes_meanwhile_are_used_at_their_new_positions(
         await wire.settled()
 
     asyncio.run(whole())
+
+
+def test_a_request_is_about_the_text_before_the_next_change() -> None:
+    """Its position is never looked up in a later text, however soon that comes."""
+
+    async def whole() -> Any:
+        wire = await changed(Slow())
+        asked(wire, 1, "references", 0, 4, context={"includeDeclaration": True})
+        wire.notify("textDocument/didChange", change("Dim a\n", 3))
+        while 1 not in wire.answers():
+            await asyncio.sleep(0)
+        return wire.answers()[1][0]["error"]
+
+    assert asyncio.run(whole()) == {"code": -32801, "message": "the text has changed"}
