@@ -13,6 +13,7 @@ from typing import cast
 from lark import Lark, Token, Transformer
 
 from motionlang.lang.syntax.grammar import load
+from motionlang.lang.syntax.word import Word
 from motionlang.mccl.syntax.tree import Command, Line, Module, Register, Wrong
 
 
@@ -30,7 +31,7 @@ class Builder(Transformer[Token, Module]):
         axis, word, argument = found
         assert word is not None
         start, end = _extent(found)
-        return Command(_number(axis), word.upper(), _argument(argument), start=start, end=end)
+        return Command(_number(axis), _word(word), _argument(argument), start=start, end=end)
 
     def wrong(self, found: list[Token | None]) -> Wrong:
         """Build the node of a text that is no command."""
@@ -39,7 +40,7 @@ class Builder(Transformer[Token, Module]):
         start, end = _extent(found)
         text = "".join(each for each in found if each is not None)
         mistake = rest.start_pos or 0
-        return Wrong(text, _number(axis), str(word or "").upper(), start=start, end=end, mistake=mistake)
+        return Wrong(text, _number(axis), _word(word) if word else "", start=start, end=end, mistake=mistake)
 
 
 def _extent(tokens: list[Token | None]) -> tuple[int, int]:
@@ -49,6 +50,10 @@ def _extent(tokens: list[Token | None]) -> tuple[int, int]:
 
 def _number(axis: Token | None) -> int | None:
     return None if axis is None else int(axis[:9])  # enough for any axis that there is
+
+
+def _word(mnemonic: Token) -> Word:
+    return Word(mnemonic.upper(), cast(int, mnemonic.start_pos), cast(int, mnemonic.end_pos))
 
 
 def _argument(token: Token | None) -> int | float | str | Register | None:

@@ -33,8 +33,8 @@ class Register(Node):
 class Command(Node):
     """A command.
 
-    `axis` is the number in front, or None. `word` is the mnemonic in capital letters. `argument` is an
-    int, a float, a str for a text in quotes, a Register, or None.
+    `axis` is the number in front, or None. `word` is the mnemonic in capital letters, a `Word` if it was parsed.
+    `argument` is an int, a float, a str for a text in quotes, a Register, or None.
     """
 
     axis: int | None

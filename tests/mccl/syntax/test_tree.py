@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 import motionlang
 from motionlang.errors import ProgramError
 from motionlang.lang.dialect import dialect
+from motionlang.lang.syntax.word import Word
 from motionlang.mccl.keywords import table
 from motionlang.mccl.syntax.comments import without_comment
 from motionlang.mccl.syntax.parser import parse
@@ -71,6 +72,9 @@ def test_a_node_knows_its_offset() -> None:
         ["1MR5", "2TP"],
         ["3TP"],
     ]
+    word = module.lines[0].commands[1].word
+    assert isinstance(word, Word)
+    assert (word, text[word.start : word.end]) == ("TP", "TP")
 
 
 def test_nodes_are_equal_if_all_but_their_offsets_are() -> None:
