@@ -29,6 +29,8 @@ class BuildWithGrammars(build_py):
             return
         target = Path(self.build_lib, "motionlang", "grammars")
         target.mkdir(parents=True, exist_ok=True)
+        for old in target.glob("*.table"):
+            old.unlink()
         for grammar in sorted(Path("grammars").glob("*.lark")):
             shutil.copy(grammar, target)
         # A process of its own imports the package that is being built, also if another one is installed.

@@ -37,6 +37,7 @@ def main(modules: list[str]) -> int:
     """Run the given writers in this process, or all of them; return 1 if one fails."""
     for module in modules:
         print(f"== {module}", flush=True)
+        sys.argv[1:] = []
         try:
             run_module(module, run_name="__main__")
         except SystemExit as end:

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from motionlang import run
 from motionlang.errors import ProgramError
 from motionlang.lang.dialect import dialect
@@ -19,6 +21,7 @@ GALLERY = sorted([*ROOT.glob("scripts/mint/*.mnt"), *ROOT.glob("scripts/mccl/*.m
 WRONG = sorted([*ROOT.glob("tests/errors/*/*.m*"), *ROOT.glob("tests/lint/*/*.m*")])
 
 
+@pytest.mark.slow
 @cases("path", GALLERY, ids=lambda path: path.name)
 def test_the_other_language_is_one_sentence(path: Path) -> None:
     language = dialect("mccl" if path.suffix == ".mnt" else "mint")

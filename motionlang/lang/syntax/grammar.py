@@ -82,11 +82,8 @@ def lex(parser: Lark, text: str) -> Iterator[Token]:
 def store(
     name: str, builder: Transformer[Token, Any], target: str, python: str = PYTHON, **options: object
 ) -> None:
-    """Write the table of a grammar into a folder, for a version of Python; old ones of this grammar are removed."""
+    """Write the table of a grammar into a folder, for a version of Python, unless it is there."""
     table = table_name(name, python)
-    for other in os.listdir(target):
-        if other.startswith(f"{name}-") and other.endswith(SUFFIX) and other != table:
-            os.remove(os.path.join(target, other))
     if not os.path.exists(os.path.join(target, table)):
         with replacing(os.path.join(target, table)) as file:
             build(name, builder, **options).save(file, exclude_options=("import_paths",))

@@ -78,7 +78,7 @@ HOSTILE = {
     "every byte": bytes(range(256)).decode("latin-1") * 1_000,
     "a mistake a line": "x = (\n" * 20_000,
     "closers": "Next\n" * 20_000,
-    "lines that go on": "x = 1 + \\\n" * 20_000,
+    "lines that go on": "x = 1 + \\\n" * 10_000,
     "empty": "",
 }
 
