@@ -34,7 +34,7 @@ class Word:
     __slots__ = ("action", "axis", "fault", "high", "low", "name", "pure", "row", "takes_text", "without")
 
     def __init__(self, axis: int | None, name: str) -> None:
-        self.name, self.axis = name, axis or 0
+        self.name, self.axis = str(name), axis or 0  # a plain text, which the log stores
         row = self.row = table().get(self.name)
         self.fault: Fault | None = None
         self.without: Fault | None = None  # the fault if it has no parameter
