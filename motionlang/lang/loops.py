@@ -54,7 +54,7 @@ if TYPE_CHECKING:
     from motionlang.lang.steps import Steps
 
     class World(Protocol):
-        """What the tasks of a program share."""
+        """The state that the tasks of a program share."""
 
         dependencies: Dependencies
 

@@ -40,7 +40,7 @@ SLICE = 20_000
 
 
 class Call(NamedTuple):
-    """Where a caller goes on: its steps, the index of the next one, and its values."""
+    """The place of a caller: its steps, the index of the next one, and its values."""
 
     steps: Steps
     pc: int

@@ -1,4 +1,4 @@
-"""What the steps of a loop do with variables, for the rule of loops (`loops.py`): worked out once for each loop.
+"""Analysis of the variables of a loop of steps, once for each loop; `loops.py` uses it.
 
 The facts are those of an analysis of liveness, backward through the steps (`Uses`):
 
@@ -22,7 +22,7 @@ NONE: frozenset[int] = frozenset()
 
 @dataclass(slots=True)
 class Body:
-    """What an iteration does with variables if it stays within the steps of its loop."""
+    """The use of variables in an iteration that stays within the steps of its loop."""
 
     # Every iteration sets these before it reads them.
     overwritten: frozenset[int] = NONE

@@ -105,13 +105,10 @@ class Delay(Wait):
         return f"for {self.ends - self.since:.10g} s"
 
 
-class Standstill(Wait):
-    """A wait until axes are at rest.
+class Idle(Wait):
+    """A wait until all axes are idle with no released move buffered; a follower is idle when its master is."""
 
-    `end_of_moves` returns when they will be, negative once they are, so nothing has to be tested meanwhile.
-    """
-
-    __slots__ = ("end_of_moves",)
+    __slots__ = ()
 
     def __init__(self, controller: Controller, since: float, axes: tuple[int, ...]) -> None:
         super().__init__(
@@ -122,6 +119,18 @@ class Standstill(Wait):
             "axis",
             axes,
         )
+
+
+class Standstill(Idle):
+    """A wait until axes are idle that need not be tested meanwhile.
+
+    `end_of_moves` returns when they will be at rest, negative once they are.
+    """
+
+    __slots__ = ("end_of_moves",)
+
+    def __init__(self, controller: Controller, since: float, axes: tuple[int, ...]) -> None:
+        super().__init__(controller, since, axes)
         self.end_of_moves = controller.end_of_moves(axes)
 
 
@@ -199,19 +208,8 @@ def wait_until(machine: Controller | Machine, since: float, time: float) -> Wait
 
 
 def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait:
-    """Return a wait until all of `axes` are idle with no released move buffered.
-
-    A follower is idle when its master is.
-    """
-    waited = tuple(axes)
-    return Wait(
-        since,
-        lambda: all(map(controller.is_at_standstill, waited)),
-        lambda: max(map(controller.standstill_time, waited), default=since),
-        until_idle(waited),
-        "axis",
-        waited,
-    )
+    """Return a wait until all of `axes` are idle."""
+    return Idle(controller, since, tuple(axes))
 
 
 def until_idle(axes: tuple[int, ...]) -> str:

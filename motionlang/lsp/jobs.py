@@ -23,7 +23,7 @@ MAX_TEXTS = 4
 
 @record
 class Job:
-    """What to do with a text.
+    """A job of the worker for a text.
 
     `language` is "" for a machine file. `machine` is the text of the machine file next to the program,
     None if there is none; `machine_name` is its file name.

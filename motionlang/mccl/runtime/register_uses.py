@@ -1,4 +1,4 @@
-"""What a command does with registers, for the rule of loops."""
+"""The registers that a command reads and sets; the rule of loops uses them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where the comment of a line begins, without a parser: for those who only send lines."""
+"""Comments of lines, found without a parser: a client that only sends lines needs none."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from motionlang.mccl.keywords import table
 from motionlang.mccl.syntax.parser import parse
 from motionlang.mccl.syntax.tree import Command, Register, Wrong
 
-# What stands between two commands: comments, line ends, separators.
+# The text between two commands: comments, line ends, separators.
 _BETWEEN = re.compile(r"(?P<comment>[;#][^\r\n]*)|(?P<separator>\r?\n|.)", re.DOTALL)
 _DIGITS = "0123456789"
 
