@@ -1,13 +1,12 @@
 """Run the benchmarks and compare each figure with its target.
 
-Usage: `python -m benchmarks [--halfway | --prove | --against COMMIT] [NAME …]`.
+Usage: `python -m benchmarks [--halfway | --prove] [NAME …]`.
 
 A benchmark is a file in this folder that prints lines of `name value unit`. The figures that matter are ratios
 within one run, to a peer, a limit or an alternative; `BARS` has their targets. The exit status is 1 if a
 target is missed. With `--halfway` it is 1 only if one is missed by more than a factor of two, so that a loaded
 machine passes, too. With `--prove` no figures are printed: every run is proved, which shows that the measured
-programs observe their limits. With `--against COMMIT` the work of this tree is compared with that of a commit
-by counting (`against.py`).
+programs observe their limits.
 """
 
 from __future__ import annotations
@@ -207,14 +206,6 @@ def prove(names: list[str]) -> int:
 
 def main(names: list[str]) -> int:
     """Run the named benchmarks, or all; print a table after each; return the status."""
-    if names[:1] == ["--against"]:
-        if len(names) != 2:
-            sys.stderr.write("usage: python -m benchmarks --against COMMIT (or: --against baseline)\n")
-            return 2
-        sys.path.append(str(FOLDER))
-        import against
-
-        return against.main(names[1])
     slack = 1.0
     if "--halfway" in names:
         slack, os.environ["BENCHMARKS_HALFWAY"] = 2.0, "1"

@@ -64,8 +64,6 @@ PROGRAMS: dict[str, Callable[[int], str]] = {
 
 def measured(stage: str, name: str, size: int) -> tuple[int, float]:
     """Return the calls of a stage and the growth of this process's peak memory, MB."""
-    from counted import Counter
-
     from motionlang.execution import run
     from motionlang.lang.dialect import dialect
     from motionlang.source import Source
@@ -84,13 +82,18 @@ def measured(stage: str, name: str, size: int) -> tuple[int, float]:
 
     work(Source(source.name, PROGRAMS[name](1)))
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    calls = Counter()
-    sys.setprofile(calls._profile)
+    calls = 0
+
+    def count(_: object, event: str, __: object) -> None:
+        nonlocal calls
+        calls += event in ("call", "c_call")
+
+    sys.setprofile(count)
     try:
         work(source)
     finally:
         sys.setprofile(None)
-    return calls.calls, (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024
+    return calls, (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024
 
 
 def main() -> None:
