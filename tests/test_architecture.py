@@ -138,6 +138,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("syntax", "runtime"),
         ("keywords",),
         ("resolve",),
+        ("check",),
         ("compile",),
         ("program",),
         ("interactive", "lint"),

@@ -110,9 +110,9 @@ def _string(b: Body, node: nodes.String) -> Value:
 
 
 def _cast(b: Body, node: nodes.Cast) -> Value:
-    text = converted(b, value(b, node.value), node.type, node)
-    known = {INTEGER: intervals.INTEGER, FLOAT: intervals.FLOAT}.get(node.type.name, intervals.ANY)
-    return Value(text, node.type.name, known)
+    text = converted(b, value(b, node.value), node.to, node)
+    known = {INTEGER: intervals.INTEGER, FLOAT: intervals.FLOAT}.get(node.to.name, intervals.ANY)
+    return Value(text, node.to.name, known)
 
 
 # ---------------------------------------------------------------------------------------------------- names

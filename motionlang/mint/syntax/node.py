@@ -36,7 +36,40 @@ class Node:
     __hash__ = None  # type: ignore[assignment]
 
 
+class Expression(Node):
+    """An expression, with its type and its value as far as the check knows them.
+
+    `type` is "Integer", "Float", "String" or the name of another type. A wrong expression, which the check has
+    reported, is a Float. `const` is the value that is known before the program runs. Both are None until the check,
+    and are no part of the content.
+    """
+
+    __slots__ = ("const", "type")
+
+    const: float | str | None
+    type: str | None
+
+    def __new__(cls, *_: object, **__: object) -> Self:
+        made = super().__new__(cls)
+        made.type = made.const = None
+        return made
+
+
 class Resolved(Node):
+    """A statement or declaration with a name in it, and what the name refers to; see `ResolvedName`."""
+
+    __slots__ = ("row", "symbol")
+
+    row: Keyword | None
+    symbol: Symbol | None
+
+    def resolve(self, symbol: Symbol | None, row: Keyword | None = None) -> Self:
+        """Record what the name refers to."""
+        self.symbol, self.row = symbol, row
+        return self
+
+
+class ResolvedName(Expression):
     """A name and what it refers to, which `resolve.names` records once for each use.
 
     `symbol` is the variable, constant, sub or task of that name in the program. `row` is the keyword of that name

@@ -10,8 +10,8 @@ The grammar contains no keyword of the motion library: `SPEED(0) = 10` is an `As
 from __future__ import annotations
 
 from motionlang.lang.syntax.word import Word
+from motionlang.mint.syntax.node import Expression, Resolved, ResolvedName
 from motionlang.mint.syntax.node import Node as Node  # noqa: PLC0414 - nodes.Node to everybody else
-from motionlang.mint.syntax.node import Resolved
 from motionlang.record import record
 from motionlang.source import Source
 
@@ -25,7 +25,7 @@ NO_WORD = Word("")
 
 
 @record
-class Number(Node):
+class Number(Expression):
     """A literal number.
 
     `value` is an int if the text has neither a point nor an exponent, else a float.
@@ -35,14 +35,14 @@ class Number(Node):
 
 
 @record
-class String(Node):
+class String(Expression):
     """A literal string, without its quotes."""
 
     value: str
 
 
 @record
-class Name(Resolved):
+class Name(ResolvedName):
     """A variable, array element, keyword or function, with or without arguments.
 
     `name` preserves the spelling of the source. `args` is None if no bracket follows. `axes` is True for the v4 forms
@@ -55,7 +55,7 @@ class Name(Resolved):
 
 
 @record
-class Member(Node):
+class Member(Expression):
     """A member `value.field` of a value of user type.
 
     `args` are the subscripts of `value.field(…)`, None without brackets.
@@ -67,7 +67,7 @@ class Member(Node):
 
 
 @record
-class Unary(Node):
+class Unary(Expression):
     """A unary operation; `op` is one of `-`, `+`, `Not`, `~`."""
 
     op: str
@@ -75,7 +75,7 @@ class Unary(Node):
 
 
 @record
-class Binary(Node):
+class Binary(Expression):
     """A binary operation; `op` is in canonical spelling.
 
     It is one of `^ * / \\ Mod + - << >> & | Xor = <> < > <= >= And Or`.
@@ -87,20 +87,23 @@ class Binary(Node):
 
 
 @record
-class Omitted(Node):
+class Omitted(Expression):
     """An omitted value, as in `SPEED(0, 1) = , 20`: the empty text before a `,`."""
 
 
 @record
-class Link(Node):
-    """An operator of a `Chain` and the operand after it."""
+class Link(Expression):
+    """An operator of a `Chain` and the operand after it.
+
+    Its type and constant are those of the operations up to this one.
+    """
 
     op: str
     value: Expr
 
 
 @record
-class Chain(Node):
+class Chain(Expression):
     """A long left-associative run of operations, such as `a + b - c …`.
 
     As nested `Binary` nodes it would be thousands of levels deep; `nesting.py` makes it from these.
@@ -111,7 +114,7 @@ class Chain(Node):
 
 
 @record
-class Given(Node):
+class Given(Expression):
     """A value that the program receives when it starts.
 
     It replaces the initial value of a name that differs between runs of one compiled program.
@@ -122,11 +125,11 @@ class Given(Node):
 
 
 @record
-class Cast(Node):
+class Cast(Expression):
     """A conversion to another type: a `Const` with a type whose value is a `Given`."""
 
     value: Expr
-    type: Type
+    to: Type
 
 
 Expr = Number | String | Given | Cast | Name | Member | Unary | Binary | Chain | Omitted
